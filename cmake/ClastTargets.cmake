@@ -1,0 +1,48 @@
+# clast_library, clast_executable, clast_test: the only ways a target is made here.
+include(GNUInstallDirs)
+
+add_library(clast_options INTERFACE)
+target_compile_features(clast_options INTERFACE cxx_std_20)
+target_compile_options(clast_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor $<$<BOOL:${CLAST_WERROR}>:-Werror>
+  # Same bits everywhere: no fused multiply-add unless the source asks for it.
+  -ffp-contract=off)
+
+# clast_library(name HEADERS ... SOURCES ... [DETAIL ...] [PUBLIC ...] [PRIVATE ...])
+# One static library for the folder it is called in, with alias clast::name. HEADERS are installed
+# and each is checked to compile alone; DETAIL headers stay inside the project.
+function(clast_library name)
+  cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES;DETAIL;PUBLIC;PRIVATE" ${ARGN})
+  add_library(clast_${name} STATIC ${ARG_SOURCES} ${ARG_DETAIL})
+  add_library(clast::${name} ALIAS clast_${name})
+  target_sources(clast_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
+                 FILES ${ARG_HEADERS})
+  set_target_properties(clast_${name} PROPERTIES EXPORT_NAME ${name}
+                        VERIFY_INTERFACE_HEADER_SETS ON POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(clast_${name} PUBLIC cxx_std_20)
+  target_link_libraries(clast_${name} PUBLIC ${ARG_PUBLIC}
+                        PRIVATE $<BUILD_INTERFACE:clast_options> ${ARG_PRIVATE})
+  set_property(GLOBAL APPEND PROPERTY CLAST_LIBRARIES clast_${name})
+endfunction()
+
+# clast_executable(name SOURCES ... LINK ...): a program that is not a test.
+function(clast_executable name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE clast_options ${ARG_LINK})
+endfunction()
+
+# clast_test(name LABEL label SOURCES ... LINK ... [TIMEOUT seconds]): one GoogleTest program, each
+# of its tests registered with ctest under the label.
+function(clast_test name)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE clast_options ${ARG_LINK} GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    CLAST_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLAST_PROGRAM="$<TARGET_FILE:clast>")
+  gtest_discover_tests(${name} TEST_PREFIX "${ARG_LABEL}." DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,15 @@
+# Installed use: find_package(clast) and clast::dem, clast::massprops, ...
+include(CMakePackageConfigHelpers)
+
+get_property(clast_libraries GLOBAL PROPERTY CLAST_LIBRARIES)
+install(TARGETS ${clast_libraries} EXPORT clastTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/clast)
+install(TARGETS clast RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT clastTargets NAMESPACE clast:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clast)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/clastConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/clastConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clast)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/clastConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/clastConfig.cmake ${PROJECT_BINARY_DIR}/clastConfigVersion.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clast)
