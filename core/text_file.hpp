@@ -1,0 +1,17 @@
+#pragma once
+/// Whole files in and out as bytes.
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace clast {
+
+/// The content of a file.
+/// @throws InputError  missing, a directory, or unreadable; names the path
+std::string read_text_file(const std::filesystem::path& path);
+
+/// Writes `content` through an `OutputFile`, so that `path` is either the old or the new file.
+/// @throws InputError  the folder can't be written to
+void write_text_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace clast

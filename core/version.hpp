@@ -1,0 +1,8 @@
+#pragma once
+/// The program version that every output names.
+namespace clast {
+
+/// "major.minor.patch", from the top-level CMakeLists.txt.
+const char* version();
+
+}  // namespace clast
