@@ -1,0 +1,27 @@
+#pragma once
+/// Triangle meshes from and to files.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast {
+
+/// Reads OBJ, PLY, STL, OFF, GLB/glTF, 3DS (all meshes of the scene merged, node transforms
+/// applied) and the asteroid table `.tab` ("v x y z" / "f i j k"). Colours, normals and textures
+/// are ignored. Vertices keep the precision the file has: ascii coordinates are read as double
+/// for STL, OBJ, PLY, OFF and tab. Nothing is welded or repaired.
+/// @throws InputError  missing, empty, of unknown format, without triangles, or with coordinates
+///                     that are not finite (the message names the first such vertex)
+TriangleMesh read_mesh(const std::filesystem::path& path);
+
+/// Formats that `read_mesh` knows, as lower-case extensions with the dot.
+const std::vector<std::string>& readable_mesh_extensions();
+
+/// Writes by extension: .stl (binary), .obj, .ply (binary), .glb, .vtp. Written through a
+/// temporary file.
+/// @throws InputError  unknown extension, or the folder can't be written to
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
+
+}  // namespace clast

@@ -1,0 +1,31 @@
+#pragma once
+/// Boxes around a body, and the axes L >= I >= S that shape classes are measured on.
+#include <span>
+
+#include "shapes/sphero_polyhedron.hpp"
+
+namespace clast {
+
+/// A box with sides L >= I >= S along the columns of `axes`.
+struct OrientedBox {
+  Vec3 centre = Vec3::Zero();
+  Mat3 axes = Mat3::Identity();    ///< columns: unit directions of L, I, S; right-handed
+  Vec3 lengths = Vec3::Zero();     ///< L, I, S, m
+
+  double volume() const { return lengths.prod(); }
+};
+
+/// The box of smallest volume around the points, each swept by a ball of `radius`. The search uses
+/// the extents with 2 radius added, so it is the smallest box of the rounded body. Same bits for any
+/// order of the points; ties by smallest area, then smallest L.
+/// Points in a plane, on a line or at one place give a flat box.
+/// @throws GeometryError  no points
+/// @cite orourke1985
+OrientedBox smallest_box(std::span<const Vec3> points, double radius = 0.0);
+
+OrientedBox smallest_box(const SpheroPolyhedron& body);
+
+/// The box along given axes (columns, orthonormal); sides sorted L >= I >= S.
+OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double radius = 0.0);
+
+}  // namespace clast
