@@ -1,0 +1,93 @@
+#pragma once
+/// One block released on one terrain, until it stops.
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dem/contact_law.hpp"
+#include "dem/rigid_body.hpp"
+#include "dem/terrain_surface.hpp"
+
+namespace clast {
+
+/// Why a run ended. There is always one reason.
+enum class StopReason { kRest, kLeftTerrain, kMaxTime, kError };
+/// "rest", "left_terrain", "max_time", "error".
+std::string name_of(StopReason reason);
+
+/// Everything about a release that is not block, terrain or start.
+struct ReleaseSettings {
+  ContactStiffness stiffness;
+  ContactWeights weights = ContactWeights::kPatch;
+  double gravity = 9.81;          ///< m/s^2, along -z
+  double max_time = 60.0;         ///< s
+  double rest_energy = 2e-4;      ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
+  double rest_duration = 0.5;     ///< ... for so long, s, with a contact throughout, is rest
+
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
+/// Where energy went, J. Sums over the run.
+struct EnergyLedger {
+  double initial = 0.0;     ///< kinetic + potential + stored at the start
+  double final = 0.0;       ///< the same at the end
+  double normal = 0.0;      ///< dissipated by the normal law
+  double friction = 0.0;    ///< dissipated by sliding
+  double rolling = 0.0;     ///< dissipated by rolling resistance
+  double reassigned = 0.0;  ///< lost (or gained, < 0) when contacts or their weights change
+
+  double dissipated() const { return normal + friction + rolling + reassigned; }
+  /// |initial - final - dissipated| / max(dissipated, 1e-3 |kinetic + drop|)
+  double error = 0.0;
+};
+
+/// A piece of motion between two instants, handed to observers in order of time.
+struct MotionStep {
+  double begin_time = 0.0;  ///< s
+  double end_time = 0.0;
+  RigidState begin;
+  RigidState end;
+  bool flight = false;      ///< no contact: `free_flight` gives every state between exactly
+};
+
+/// The state inside a step: exact in flight, interpolated (cubic centre, turned steadily) else.
+RigidState state_at(const RigidBody& body, const MotionStep& step, double time, double gravity);
+
+using MotionObserver = std::function<void(const MotionStep&)>;
+
+/// What is known of a run when it is over.
+struct ReleaseResult {
+  StopReason stop_reason = StopReason::kError;
+  std::string message;              ///< of an error, else empty
+  double duration = 0.0;            ///< simulated, s
+  RigidState final_state;
+  double path_length = 0.0;         ///< of the centre, m
+  double max_speed = 0.0;           ///< of the centre, m/s
+  double max_penetration = 0.0;     ///< largest overlap of any contact, m
+  double settled_penetration = 0.0; ///< largest overlap at the end, m
+  bool below_ground = false;        ///< as docs/theory.md defines it
+  EnergyLedger energy;
+  std::uint64_t contact_steps = 0;
+  std::uint64_t impacts = 0;        ///< flights ended by a contact
+};
+
+/// Runs one release.
+///
+/// @param zones  parameters of each ground zone of the terrain, by zone number
+/// @param start  at rest or moving; the rounded body must not overlap the ground by more than
+///               1e-3 of its smallest side
+/// @throws SimulationError  the start lies off the terrain or inside the ground; anything later is
+///                          a stop reason, not an exception
+ReleaseResult simulate_release(const TerrainSurface& terrain,
+                               std::span<const GroundParameters> zones, const RigidBody& body,
+                               const RigidState& start, const ReleaseSettings& settings,
+                               const MotionObserver& observe = {});
+
+/// Smallest gap between the rounded body and the ground's skin, m; negative when they overlap. None
+/// when farther than `reach`.
+std::optional<double> ground_gap(const TerrainSurface& terrain, const RigidBody& body,
+                                 const RigidState& state, double reach);
+
+}  // namespace clast

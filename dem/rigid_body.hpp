@@ -1,0 +1,43 @@
+#pragma once
+/// A rigid block: contact shape, inertia, state.
+#include <memory>
+#include <vector>
+
+#include "massprops/mass_properties.hpp"
+#include "shapes/sphero_polyhedron.hpp"
+
+namespace clast {
+
+/// Position of the centre of mass, orientation of the principal frame, and their rates, in the world.
+struct RigidState {
+  Vec3 position = Vec3::Zero();             ///< m
+  Quat orientation = Quat::Identity();      ///< world_from_body
+  Vec3 velocity = Vec3::Zero();             ///< m/s
+  Vec3 angular_velocity = Vec3::Zero();     ///< rad/s, world axes
+
+  Pose world_from_body() const { return {position, orientation}; }
+};
+
+/// A block as the dynamics sees it: in its principal frame, origin at the centre of mass.
+struct RigidBody {
+  SpheroPolyhedron shape;              ///< body frame
+  double mass = 0.0;                   ///< kg
+  Vec3 moments = Vec3::Zero();         ///< principal, along the body axes, kg m^2
+  double smallest_side = 0.0;          ///< S of the smallest box, m; scale of tolerances
+
+  double bounding_radius() const;      ///< of the rounded body about the centre, m
+};
+
+/// Kinetic energies, J.
+double translational_energy(const RigidBody& body, const RigidState& state);
+double rotational_energy(const RigidBody& body, const RigidState& state);
+
+/// Lowest z of the rounded body.
+double lowest_point(const RigidBody& body, const RigidState& state);
+
+/// Moves the state along the exact flight without contact: ballistic centre, torque-free rotation
+/// (angular momentum kept to rounding, angle to 1e-9 rad per revolution).
+RigidState free_flight(const RigidBody& body, const RigidState& state, double duration,
+                       double gravity);
+
+}  // namespace clast

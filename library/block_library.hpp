@@ -1,0 +1,34 @@
+#pragma once
+/// The HDF5 file that holds blocks. Schema: docs/formats.md.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "library/block.hpp"
+
+namespace clast {
+
+/// The blocks of a library file, in order of id.
+class BlockLibrary {
+ public:
+  /// An empty library, in memory.
+  BlockLibrary() = default;
+  /// @throws InputError  missing, not a clast block library, damaged, or of a newer schema
+  static BlockLibrary read(const std::filesystem::path& path);
+  /// Replaces the file whole.
+  void write(const std::filesystem::path& path) const;
+
+  const std::vector<Block>& blocks() const { return blocks_; }
+  bool has(const std::string& id) const;
+  /// @throws InputError  no such id; the message lists those there are
+  const Block& block(const std::string& id) const;
+  Block& block(const std::string& id);
+  /// @throws InputError  the id is there already and `replace` is false
+  void add(Block block, bool replace = false);
+  void remove(const std::string& id);
+
+ private:
+  std::vector<Block> blocks_;
+};
+
+}  // namespace clast

@@ -1,0 +1,24 @@
+#pragma once
+/// Thinning a closed mesh.
+#include <cstddef>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast {
+
+/// How a closed surface is thinned before it becomes a block.
+struct SimplifyOptions {
+  std::size_t target_vertices = 250;
+
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
+/// Edge collapse that keeps the volume (Lindstrom & Turk 1998), with bounded normal change. The
+/// result is closed and has at most `target_vertices` vertices unless the mesh has fewer triangles
+/// to spare. A mesh at or below the target is returned as it is.
+/// @param mesh  closed, 2-manifold, outward
+/// @throws GeometryError  mesh not closed, or the thinned mesh crosses itself
+/// @cite lindstrom1998
+TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options = {});
+
+}  // namespace clast

@@ -1,0 +1,48 @@
+#pragma once
+/// A checked ground surface with zones and its place on the map.
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dem/terrain_surface.hpp"
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast {
+
+/// Where local coordinates lie on the map: map = local + origin. Chosen so that the terrain is near
+/// the local origin; large map coordinates lose no digits.
+struct MapFrame {
+  Vec3 origin = Vec3::Zero();  ///< m
+  std::string crs;             ///< "EPSG:2154" or WKT; empty when the input names none
+
+  Vec3 local(const Vec3& map) const { return map - origin; }
+  Vec3 map(const Vec3& local) const { return local + origin; }
+};
+
+/// What was found in the input and mended.
+struct TerrainReport {
+  std::size_t triangles_read = 0;
+  std::size_t welded_vertices = 0;
+  std::size_t dropped_degenerate = 0;
+  std::size_t dropped_duplicates = 0;
+  std::size_t turned_triangles = 0;   ///< normals that pointed down
+  std::size_t boundary_edges = 0;     ///< outer border and holes
+  std::size_t components = 0;
+  std::vector<std::string> notes;     ///< each in words, with counts and places
+};
+
+/// Triangles with normals out of the ground, z up, in the local frame, each in a zone.
+struct Terrain {
+  TriangleMesh surface;
+  std::vector<std::uint16_t> zone;      ///< of every triangle, index into zone_names
+  std::vector<std::string> zone_names;
+  MapFrame frame;
+  TerrainReport report;
+  std::vector<std::string> sources;     ///< "path sha256" of every input file
+};
+
+/// The surface the dynamics runs on.
+TerrainSurface terrain_surface(const Terrain& terrain, double radius = 0.0);
+
+}  // namespace clast
