@@ -1,0 +1,39 @@
+#pragma once
+/// Virtual barriers: vertical planes in which passing blocks are counted and measured.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem/release.hpp"
+
+namespace clast {
+
+/// A vertical plane over a segment of the map. Forward is from the left of from -> to to its right.
+struct Barrier {
+  std::string name;
+  Vec2 from = Vec2::Zero();  ///< local frame, m
+  Vec2 to = Vec2::Zero();
+};
+
+/// One passage of a centre of mass through a barrier.
+struct Crossing {
+  std::uint32_t run = 0;
+  std::uint32_t barrier = 0;      ///< index into the campaign's barriers
+  bool forward = true;
+  double time = 0.0;              ///< s
+  Vec3 position = Vec3::Zero();   ///< of the centre, m
+  Vec3 velocity = Vec3::Zero();   ///< m/s
+  Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
+  double height = 0.0;            ///< of the centre above the ground under it, m
+  double clearance = 0.0;         ///< of the lowest skin point above the ground under it, m
+  double translational_energy = 0.0;     ///< J
+  double rotational_energy = 0.0;        ///< J
+};
+
+/// The crossing of `step` through the barrier, if there is one: exact time in flight, to 1e-9 s
+/// otherwise. `run` and `barrier` of the result are left to the caller.
+std::optional<Crossing> find_crossing(const Barrier& barrier, const RigidBody& body,
+                                      const MotionStep& step, const TerrainSurface& terrain,
+                                      double gravity);
+
+}  // namespace clast

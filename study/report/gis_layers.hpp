@@ -1,0 +1,14 @@
+#pragma once
+/// Map layers for QGIS and its like.
+#include <filesystem>
+
+#include "study/comparison.hpp"
+
+namespace clast {
+
+/// A GeoPackage with point layers `stops` and `crossings` in map coordinates, with the terrain's CRS
+/// when it has one.
+/// @throws InputError  GDAL can't write there
+void write_geopackage(const std::filesystem::path& path, const Comparison& comparison);
+
+}  // namespace clast

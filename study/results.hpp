@@ -1,0 +1,95 @@
+#pragma once
+/// The HDF5 file of a campaign's results. Schema: docs/formats.md.
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem/release.hpp"
+#include "study/barrier.hpp"
+#include "terrain/terrain.hpp"
+
+namespace clast {
+
+/// One run as it is stored. Positions are in the terrain's local frame.
+struct RunRecord {
+  std::uint32_t run = 0;          ///< number in the campaign
+  std::uint32_t block = 0;        ///< index into CampaignResults::blocks
+  std::uint32_t point = 0;        ///< index of the release point
+  std::uint32_t orientation = 0;  ///< index of the orientation
+  RigidState start;
+  ReleaseResult result;
+};
+
+/// What the comparison needs to know of a block.
+struct BlockSummary {
+  std::string id;
+  double mass = 0.0;           ///< kg
+  Axes axes;                   ///< m
+  std::string garcia;          ///< compact or elongated
+  std::string sneed_folk;
+  std::string zingg;
+};
+
+/// The state of one run over time, at the asked interval.
+struct Trajectory {
+  std::vector<double> time;        ///< s
+  std::vector<RigidState> states;  ///< local frame
+};
+
+/// A results file, read whole except for the trajectories.
+struct CampaignResults {
+  std::filesystem::path file;
+  std::string campaign_text;
+  std::string campaign_sha256;
+  std::vector<std::string> inputs;       ///< "path sha256" of library, terrain and release files
+  std::string program_version;
+  std::vector<BlockSummary> blocks;
+  std::vector<Barrier> barriers;         ///< local frame
+  std::vector<Vec3> release_points;      ///< local frame; z as started for the first orientation
+  std::vector<std::string> zone_names;
+  std::vector<GroundParameters> ground;  ///< by zone
+  ContactStiffness stiffness;
+  ContactWeights weights = ContactWeights::kPatch;
+  std::vector<std::string> warnings;
+  MapFrame frame;
+  std::optional<Vec2> downslope;         ///< as asked for
+  Terrain terrain;                       ///< the surface that was used, for maps
+  std::uint32_t planned_runs = 0;
+  std::vector<RunRecord> runs;           ///< in run order
+  std::vector<Crossing> crossings;       ///< in run order, then time
+};
+
+/// @throws InputError  missing, not clast results, damaged, or of a newer schema
+CampaignResults read_results(const std::filesystem::path& path);
+/// @throws InputError  no such run, or trajectories were not stored
+Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run);
+
+/// Writes results run by run; what is flushed survives a kill.
+class ResultsWriter {
+ public:
+  /// Starts a new file beside `target` (target + ".part"), with everything but the runs.
+  static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header);
+  /// Goes on with target + ".part".
+  /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and inputs)
+  static ResultsWriter resume(const std::filesystem::path& target, const CampaignResults& header);
+  ~ResultsWriter();
+  ResultsWriter(ResultsWriter&&) noexcept;
+
+  /// Runs that are in the file already, sorted.
+  const std::vector<std::uint32_t>& stored_runs() const;
+  /// Appends one run and flushes. Order does not matter.
+  void add(const RunRecord& run, const std::vector<Crossing>& crossings,
+           const Trajectory& trajectory);
+  /// Renames to the target.
+  void finish();
+
+ private:
+  struct Impl;
+  explicit ResultsWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace clast

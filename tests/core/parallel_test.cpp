@@ -1,0 +1,36 @@
+#include "core/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace clast {
+namespace {
+
+TEST(ParallelFor, VisitsEveryItemOnceForAnyThreadCount) {
+  for (const unsigned threads : {1u, 2u, 8u}) {
+    std::vector<int> visits(1000, 0);
+    parallel_for(visits.size(), threads, [&](std::size_t i) { ++visits[i]; });
+    EXPECT_EQ(visits, std::vector<int>(1000, 1));
+  }
+}
+
+TEST(ParallelFor, RethrowsTheFailure) {
+  try {
+    parallel_for(100, 4, [](std::size_t i) {
+      if (i == 17) throw std::runtime_error(std::to_string(i));
+    });
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "17");
+  }
+}
+
+TEST(ParallelFor, NoItemsIsNothingToDo) {
+  parallel_for(0, 2, [](std::size_t) { FAIL(); });
+}
+
+}  // namespace
+}  // namespace clast
