@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "classify/form.hpp"
 #include "dem/release.hpp"
 #include "study/barrier.hpp"
 #include "terrain/terrain.hpp"

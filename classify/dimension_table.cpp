@@ -1,0 +1,1 @@
+#include "classify/dimension_table.hpp"

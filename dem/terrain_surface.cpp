@@ -1,0 +1,1 @@
+#include "dem/terrain_surface.hpp"

@@ -1,0 +1,1 @@
+#include "library/block_library.hpp"

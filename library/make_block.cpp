@@ -1,0 +1,1 @@
+#include "library/make_block.hpp"

@@ -1,0 +1,1 @@
+#include "massprops/mass_properties.hpp"

@@ -1,0 +1,1 @@
+#include "massprops/solid.hpp"

@@ -1,0 +1,1 @@
+#include "massprops/sphero.hpp"

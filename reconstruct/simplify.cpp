@@ -1,0 +1,1 @@
+#include "reconstruct/simplify.hpp"

@@ -1,0 +1,1 @@
+#include "shapes/mesh_topology.hpp"

@@ -1,0 +1,1 @@
+#include "shapes/shp_file.hpp"

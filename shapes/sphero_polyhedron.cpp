@@ -1,0 +1,1 @@
+#include "shapes/sphero_polyhedron.hpp"

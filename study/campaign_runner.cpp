@@ -1,0 +1,1 @@
+#include "study/campaign_runner.hpp"

@@ -1,0 +1,1 @@
+#include "study/report/gis_layers.hpp"
