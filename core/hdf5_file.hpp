@@ -30,9 +30,12 @@ class Hdf5Group {
   /// Copies child `name` of `source` (any open file) to here under the same name.
   void copy_from(const Hdf5Group& source, const std::string& name);
 
+  /// Arrays over 4 kB are stored in compressed chunks. An empty shape stands for a list.
   template <class T>
   void write(const std::string& name, std::span<const T> values,
              const std::vector<std::size_t>& shape = {});
+  /// Numbers of the stored type must be numbers of T without loss: float is read as double, not the
+  /// other way.
   template <class T>
   std::vector<T> read(const std::string& name) const;
   std::vector<std::size_t> shape(const std::string& name) const;
@@ -42,7 +45,8 @@ class Hdf5Group {
   void append(const std::string& name, std::span<const T> values);
 
   template <class T>
-  void set_attribute(const std::string& name, const T& value);  ///< double, std::int64_t, std::string
+  void set_attribute(const std::string& name,
+                     const T& value);  ///< double, std::int64_t, std::string
   template <class T>
   T attribute(const std::string& name) const;
   bool has_attribute(const std::string& name) const;
@@ -69,7 +73,9 @@ class Hdf5File {
                        int newest_schema_version, bool writable = false);
 
   Hdf5Group root() const;
-  /// Hands everything written so far to the operating system.
+  /// Hands everything written so far to the operating system. Call it before a file counts as
+  /// written: closing can't report a full disk.
+  /// @throws InputError  the disk is full or gone
   void flush();
 
  private:
