@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t kSmallest = 4096;      ///< bytes; smaller arrays are stored plain
 constexpr std::size_t kChunk = 32768;        ///< bytes of a chunk of an array written at once
 constexpr std::size_t kAppendChunk = 16384;  ///< bytes; less, since every flush writes the last one
+constexpr std::size_t kAppendWidth = 1024;   ///< bytes of a text that is appended
 constexpr unsigned kGzipLevel = 4;
 /// Deflate shrinks at most 1032 times: an array that claims more than this of its bytes on disk is
 /// damaged, and is refused before memory is asked for.
@@ -61,20 +62,21 @@ std::string reason() {
   return found.empty() ? "" : " (HDF5: " + found + ")";
 }
 
-Id string_type() {
+/// Text is stored at a fixed width, padded with zeros: HDF5's variable-length text lies in a heap
+/// without checksums, and following a damaged one crashes inside HDF5.
+Id text_type(std::size_t width) {
   Id type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_size(type, std::max<std::size_t>(1, width));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
   H5Tset_cset(type, H5T_CSET_UTF8);
   return type;
 }
 
-/// The type of T as it lies in memory or, little-endian, in the file.
+/// The type of numbers T as it lies in memory or, little-endian, in the file.
 template <class T>
-Id type_of(bool in_file) {
+Id number_type(bool in_file) {
   const auto copy = [](hid_t type) { return Id(H5Tcopy(type), H5Tclose); };
-  if constexpr (std::is_same_v<T, std::string>) {
-    return string_type();
-  } else if constexpr (std::is_same_v<T, double>) {
+  if constexpr (std::is_same_v<T, double>) {
     return copy(in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
   } else if constexpr (std::is_same_v<T, float>) {
     return copy(in_file ? H5T_IEEE_F32LE : H5T_NATIVE_FLOAT);
@@ -109,7 +111,7 @@ template <class T>
 bool fits(hid_t stored) {
   const H5T_class_t kind = H5Tget_class(stored);
   if constexpr (std::is_same_v<T, std::string>) {
-    return kind == H5T_STRING && H5Tis_variable_str(stored) > 0;
+    return kind == H5T_STRING && H5Tis_variable_str(stored) == 0;
   } else if constexpr (std::is_floating_point_v<T>) {
     return kind == H5T_FLOAT && H5Tget_size(stored) <= sizeof(T);
   } else {
@@ -118,18 +120,61 @@ bool fits(hid_t stored) {
   }
 }
 
-/// Bytes one element takes in a chunk.
-template <class T>
-constexpr std::size_t stored_size() {
-  return std::is_same_v<T, std::string> ? 16 : sizeof(T);
-}
-
-std::vector<const char*> pointers(std::span<const std::string> values) {
-  std::vector<const char*> result;
-  result.reserve(values.size());
-  for (const std::string& value : values) result.push_back(value.c_str());
+/// The texts one after the other, each padded or cut to `width` bytes; never inside a character.
+std::string padded(std::span<const std::string> texts, std::size_t width) {
+  std::string result;
+  result.reserve(texts.size() * width);
+  for (const std::string& text : texts) {
+    std::size_t length = std::min(text.size(), width);
+    while (length < text.size() && length > 0 && (text[length] & 0xC0) == 0x80) --length;
+    result.append(text, 0, length).append(width - length, '\0');
+  }
   return result;
 }
+
+std::string unpadded(const std::string& bytes, std::size_t begin, std::size_t width) {
+  const std::string text = bytes.substr(begin, width);
+  return text.substr(0, text.find_last_not_of('\0') + 1);
+}
+
+std::size_t longest(std::span<const std::string> texts) {
+  std::size_t width = 1;
+  for (const std::string& text : texts) width = std::max(width, text.size());
+  return width;
+}
+
+/// Values as they are handed to HDF5.
+template <class T>
+struct Stored {
+  explicit Stored(std::span<const T> all)
+      : element(sizeof(T)),
+        in_file(number_type<T>(true)),
+        in_memory(number_type<T>(false)),
+        values(all) {}
+  Stored(std::span<const T> all, std::size_t) : Stored(all) {}
+  const void* data() const { return values.data(); }
+
+  std::size_t element;  ///< bytes of one value in the file
+  Id in_file;
+  Id in_memory;
+  std::span<const T> values;
+};
+
+template <>
+struct Stored<std::string> {
+  Stored(std::span<const std::string> all, std::size_t width)
+      : element(width),
+        in_file(text_type(width)),
+        in_memory(text_type(width)),
+        bytes(padded(all, width)) {}
+  explicit Stored(std::span<const std::string> all) : Stored(all, longest(all)) {}
+  const void* data() const { return bytes.data(); }
+
+  std::size_t element;
+  Id in_file;
+  Id in_memory;
+  std::string bytes;
+};
 
 /// Creation properties of a dataset; no times, so that equal content gives equal bytes.
 Id dataset_properties() {
@@ -138,8 +183,16 @@ Id dataset_properties() {
   return properties;
 }
 
-void compress(const Id& properties, bool text) {
-  if (text) return;  // variable-length text lies outside the chunks; there is nothing to shrink
+/// The format of HDF5 1.8: its structures carry checksums, so that damage is found instead of
+/// followed, and unlike that of 1.10 it does not lock out readers after a killed writer.
+Id access_properties() {
+  Id properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(properties, H5F_LIBVER_V18, H5F_LIBVER_V18);
+  return properties;
+}
+
+void chunk_and_compress(const Id& properties, const std::vector<hsize_t>& chunk) {
+  H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
   H5Pset_shuffle(properties);
   H5Pset_deflate(properties, kGzipLevel);
 }
@@ -188,11 +241,13 @@ struct Hdf5Group::Handle {
     return sizes;
   }
 
+  /// @return bytes of one stored value
   template <class T>
-  void check_type(const Id& dataset, const std::string& name) const {
+  std::size_t check_type(const Id& dataset, const std::string& name) const {
     const Id type(H5Dget_type(dataset), H5Tclose);
     if (!type.valid()) fail_damaged(name);
     if (!fits<T>(type)) fail(name, std::string("does not hold ") + name_of_type<T>());
+    return std::max<std::size_t>(1, H5Tget_size(type));
   }
 };
 
@@ -259,62 +314,49 @@ void Hdf5Group::write(const std::string& name, std::span<const T> values,
     handle_->fail(name, "has " + std::to_string(values.size()) + " values for another shape");
   }
 
+  const Stored<T> stored(values);
   const Id space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
   const Id properties = dataset_properties();
-  constexpr bool kText = std::is_same_v<T, std::string>;
-  if (!kText && values.size_bytes() > kSmallest) {
+  if (values.size() * stored.element > kSmallest) {
     std::vector<hsize_t> chunk = sizes;
-    const std::size_t rows = std::max<std::size_t>(1, kChunk / (row * stored_size<T>()));
-    chunk[0] = std::min<hsize_t>(sizes[0], rows);
-    H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
-    compress(properties, kText);
+    chunk[0] = std::clamp<hsize_t>(kChunk / (row * stored.element), 1, sizes[0]);
+    chunk_and_compress(properties, chunk);
   }
-  const Id dataset(H5Dcreate2(parent, name.c_str(), type_of<T>(true), space, H5P_DEFAULT,
-                              properties, H5P_DEFAULT),
-                   H5Dclose);
+  const Id dataset(
+      H5Dcreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+      H5Dclose);
   if (!dataset.valid()) handle_->fail_write(name);
   if (values.empty()) return;
-  herr_t status = -1;
-  if constexpr (kText) {
-    status = H5Dwrite(dataset, type_of<T>(false), H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                      pointers(values).data());
-  } else {
-    status = H5Dwrite(dataset, type_of<T>(false), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  if (H5Dwrite(dataset, stored.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, stored.data()) < 0) {
+    handle_->fail_write(name);
   }
-  if (status < 0) handle_->fail_write(name);
 }
 
 template <class T>
 std::vector<T> Hdf5Group::read(const std::string& name) const {
   const Id dataset = handle_->dataset(name);
-  handle_->check_type<T>(dataset, name);
-  const std::vector<hsize_t> sizes = handle_->extent(dataset, name);
-  const hsize_t stored = H5Dget_storage_size(dataset);
-  const hsize_t most = (stored * kLargestRatio + kSmallest) / stored_size<T>();
+  const std::size_t element = handle_->check_type<T>(dataset, name);
+  const hsize_t most = (H5Dget_storage_size(dataset) * kLargestRatio + kSmallest) / element;
   hsize_t count = 1;
-  for (const hsize_t size : sizes) {
+  for (const hsize_t size : handle_->extent(dataset, name)) {
     if (size == 0) return {};
     if (size > most / count) handle_->fail(name, "has an impossible size; the file is damaged");
     count *= size;
   }
+  const auto read_into = [&](const Id& type, void* out) {
+    if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out) < 0) handle_->fail_damaged(name);
+  };
   try {
     if constexpr (std::is_same_v<T, std::string>) {
-      std::vector<char*> raw(count, nullptr);
-      const Id type = type_of<T>(false);
-      if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()) < 0) {
-        handle_->fail_damaged(name);
-      }
+      std::string bytes(count * element, '\0');
+      read_into(text_type(element), bytes.data());
       std::vector<T> values;
       values.reserve(count);
-      for (const char* text : raw) values.emplace_back(text ? text : "");
-      const Id space(H5Dget_space(dataset), H5Sclose);
-      H5Dvlen_reclaim(type, space, H5P_DEFAULT, raw.data());
+      for (hsize_t i = 0; i < count; ++i) values.push_back(unpadded(bytes, i * element, element));
       return values;
     } else {
       std::vector<T> values(count);
-      if (H5Dread(dataset, type_of<T>(false), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-        handle_->fail_damaged(name);
-      }
+      read_into(number_type<T>(false), values.data());
       return values;
     }
   } catch (const std::bad_alloc&) {
@@ -329,16 +371,14 @@ std::vector<std::size_t> Hdf5Group::shape(const std::string& name) const {
 
 template <class T>
 void Hdf5Group::append(const std::string& name, std::span<const T> values) {
-  constexpr bool kText = std::is_same_v<T, std::string>;
+  const Stored<T> stored(values, kAppendWidth);
   if (!has(name)) {
     const hsize_t none = 0;
     const hsize_t unlimited = H5S_UNLIMITED;
-    const hsize_t chunk = kAppendChunk / stored_size<T>();
     const Id space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
     const Id properties = dataset_properties();
-    H5Pset_chunk(properties, 1, &chunk);
-    compress(properties, kText);
-    const Id made(H5Dcreate2(handle_->get(), name.c_str(), type_of<T>(true), space, H5P_DEFAULT,
+    chunk_and_compress(properties, {kAppendChunk / stored.element});
+    const Id made(H5Dcreate2(handle_->get(), name.c_str(), stored.in_file, space, H5P_DEFAULT,
                              properties, H5P_DEFAULT),
                   H5Dclose);
     if (!made.valid()) handle_->fail_write(name);
@@ -355,33 +395,22 @@ void Hdf5Group::append(const std::string& name, std::span<const T> values) {
   const Id in_file(H5Dget_space(dataset), H5Sclose);
   H5Sselect_hyperslab(in_file, H5S_SELECT_SET, &begin, nullptr, &count, nullptr);
   const Id in_memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  herr_t status = -1;
-  if constexpr (kText) {
-    status = H5Dwrite(dataset, type_of<T>(false), in_memory, in_file, H5P_DEFAULT,
-                      pointers(values).data());
-  } else {
-    status = H5Dwrite(dataset, type_of<T>(false), in_memory, in_file, H5P_DEFAULT, values.data());
+  if (H5Dwrite(dataset, stored.in_memory, in_memory, in_file, H5P_DEFAULT, stored.data()) < 0) {
+    handle_->fail_write(name);
   }
-  if (status < 0) handle_->fail_write(name);
 }
 
 template <class T>
 void Hdf5Group::set_attribute(const std::string& name, const T& value) {
   const hid_t parent = handle_->get();
   if (has_attribute(name)) H5Adelete(parent, name.c_str());
+  const Stored<T> stored(std::span<const T>(&value, 1));
   const Id space(H5Screate(H5S_SCALAR), H5Sclose);
   const Id attribute(
-      H5Acreate2(parent, name.c_str(), type_of<T>(true), space, H5P_DEFAULT, H5P_DEFAULT),
-      H5Aclose);
-  if (!attribute.valid()) handle_->fail_write("@" + name);
-  herr_t status = -1;
-  if constexpr (std::is_same_v<T, std::string>) {
-    const char* text = value.c_str();
-    status = H5Awrite(attribute, type_of<T>(false), &text);
-  } else {
-    status = H5Awrite(attribute, type_of<T>(false), &value);
+      H5Acreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  if (!attribute.valid() || H5Awrite(attribute, stored.in_memory, stored.data()) < 0) {
+    handle_->fail_write("@" + name);
   }
-  if (status < 0) handle_->fail_write("@" + name);
 }
 
 template <class T>
@@ -390,22 +419,20 @@ T Hdf5Group::attribute(const std::string& name) const {
     handle_->fail("@" + name, "is missing; the file is damaged or not of this kind");
   }
   const Id attribute(H5Aopen(handle_->get(), name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Id stored(H5Aget_type(attribute), H5Tclose);
+  const Id type(H5Aget_type(attribute), H5Tclose);
   const Id space(H5Aget_space(attribute), H5Sclose);
-  if (!stored.valid() || !space.valid()) handle_->fail_damaged("@" + name);
-  if (!fits<T>(stored) || H5Sget_simple_extent_npoints(space) != 1) {
+  if (!type.valid() || !space.valid()) handle_->fail_damaged("@" + name);
+  if (!fits<T>(type) || H5Sget_simple_extent_npoints(space) != 1) {
     handle_->fail("@" + name, std::string("is not one of ") + name_of_type<T>());
   }
-  const Id type = type_of<T>(false);
   if constexpr (std::is_same_v<T, std::string>) {
-    char* text = nullptr;
-    if (H5Aread(attribute, type, &text) < 0) handle_->fail_damaged("@" + name);
-    const std::string value = text ? text : "";
-    H5Dvlen_reclaim(type, space, H5P_DEFAULT, &text);
-    return value;
+    const std::size_t width = H5Tget_size(type);
+    std::string bytes(width, '\0');
+    if (H5Aread(attribute, text_type(width), bytes.data()) < 0) handle_->fail_damaged("@" + name);
+    return unpadded(bytes, 0, width);
   } else {
     T value{};
-    if (H5Aread(attribute, type, &value) < 0) handle_->fail_damaged("@" + name);
+    if (H5Aread(attribute, number_type<T>(false), &value) < 0) handle_->fail_damaged("@" + name);
     return value;
   }
 }
@@ -423,7 +450,7 @@ void Hdf5Group::set_unit(const std::string& name, const std::string& unit) {
 
 Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int schema_version) {
   silence();
-  Id id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  Id id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_properties()), H5Fclose);
   if (!id.valid()) {
     throw InputError(path.string() +
                      ": can't be written; check the folder and that no other "
@@ -450,7 +477,8 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   if (H5Fis_hdf5(path.c_str()) == 0) {
     throw InputError(path.string() + ": is not an HDF5 file" + expected);
   }
-  Id id(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  Id id(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access_properties()),
+        H5Fclose);
   if (!id.valid()) {
     throw InputError(path.string() +
                      ": can't be opened; it is cut short, damaged, not permitted "

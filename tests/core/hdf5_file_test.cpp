@@ -4,7 +4,6 @@
 
 #include <fstream>
 #include <limits>
-#include <numeric>
 #include <thread>
 
 #include "core/error.hpp"
@@ -31,11 +30,6 @@ std::string refusal(const Action& action) {
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
-}
-
-template <class T>
-std::span<const T> span_of(const std::vector<T>& values) {
-  return values;
 }
 
 template <class T>
@@ -133,6 +127,14 @@ TEST(Hdf5File, AppendedPiecesBecomeOneList) {
   const Hdf5File file = Hdf5File::open(folder / "a.h5", kFormat, 1);
   EXPECT_EQ(file.root().read<double>("values"), expected);
   EXPECT_EQ(file.root().read<std::string>("words"), words);
+}
+
+TEST(Hdf5File, LongAppendedTextIsCutBetweenCharacters) {
+  const ScratchFolder folder;
+  Hdf5File file = Hdf5File::create(folder / "a.h5", kFormat, 1);
+  const std::vector<std::string> words = {std::string(1023, 'x') + "é tail"};
+  file.root().append<std::string>("words", words);
+  EXPECT_EQ(file.root().read<std::string>("words")[0], std::string(1023, 'x'));
 }
 
 TEST(Hdf5File, AppendingGoesOnInAReopenedFile) {
@@ -241,12 +243,17 @@ TEST(Hdf5File, OverwrittenBytesNeverCrashAReader) {
   const std::vector<double> values(4000, 1.5);
   {
     Hdf5File file = Hdf5File::create(folder / "whole.h5", kFormat, 1);
-    file.root().write<double>("values", values);
+    Hdf5Group group = file.root().create_group("g");
+    group.write<double>("values", values);
+    const std::vector<std::string> words = {"one", "two"};
+    group.append<std::string>("words", words);
+    group.write<std::string>("few", words);
+    group.set_attribute<std::string>("note", "a note");
   }
   const std::string whole = read_text_file(folder / "whole.h5");
   Random random(11);
   int refused = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 500; ++round) {
     std::string damaged = whole;
     const std::size_t at = random.below(whole.size());
     for (std::size_t i = at; i < std::min(at + 8, whole.size()); ++i) {
@@ -254,7 +261,12 @@ TEST(Hdf5File, OverwrittenBytesNeverCrashAReader) {
     }
     write_text_file(folder / "damaged.h5", damaged);
     try {
-      Hdf5File::open(folder / "damaged.h5", kFormat, 1).root().read<double>("values");
+      const Hdf5File file = Hdf5File::open(folder / "damaged.h5", kFormat, 1);
+      const Hdf5Group group = file.root().group("g");
+      group.read<double>("values");
+      group.read<std::string>("words");
+      group.read<std::string>("few");
+      group.attribute<std::string>("note");
     } catch (const InputError&) {
       ++refused;
     }
