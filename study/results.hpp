@@ -27,9 +27,9 @@ struct RunRecord {
 /// What the comparison needs to know of a block.
 struct BlockSummary {
   std::string id;
-  double mass = 0.0;           ///< kg
-  Axes axes;                   ///< m
-  std::string garcia;          ///< compact or elongated
+  double mass = 0.0;   ///< kg
+  Axes axes;           ///< m
+  std::string garcia;  ///< compact or elongated
   std::string sneed_folk;
   std::string zingg;
 };
@@ -45,36 +45,42 @@ struct CampaignResults {
   std::filesystem::path file;
   std::string campaign_text;
   std::string campaign_sha256;
-  std::vector<std::string> inputs;       ///< "path sha256" of library, terrain and release files
+  std::vector<std::string> inputs;  ///< "path sha256" of library, terrain and release files
   std::string program_version;
   std::vector<BlockSummary> blocks;
-  std::vector<Barrier> barriers;         ///< local frame
-  std::vector<Vec3> release_points;      ///< local frame; z as started for the first orientation
+  std::vector<Barrier> barriers;     ///< local frame
+  std::vector<Vec3> release_points;  ///< local frame; z as started for the first orientation
   std::vector<std::string> zone_names;
   std::vector<GroundParameters> ground;  ///< by zone
   ContactStiffness stiffness;
   ContactWeights weights = ContactWeights::kPatch;
   std::vector<std::string> warnings;
   MapFrame frame;
-  std::optional<Vec2> downslope;         ///< as asked for
-  Terrain terrain;                       ///< the surface that was used, for maps
+  std::optional<Vec2> downslope;  ///< as asked for
+  Terrain terrain;                ///< the surface that was used, for maps
   std::uint32_t planned_runs = 0;
-  std::vector<RunRecord> runs;           ///< in run order
-  std::vector<Crossing> crossings;       ///< in run order, then time
+  std::vector<RunRecord> runs;      ///< in run order
+  std::vector<Crossing> crossings;  ///< in run order, then time
 };
 
+/// Also reads what an interrupted campaign has stored.
 /// @throws InputError  missing, not clast results, damaged, or of a newer schema
 CampaignResults read_results(const std::filesystem::path& path);
 /// @throws InputError  no such run, or trajectories were not stored
 Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run);
 
+/// Where the results for `target` grow until they are complete: target + ".part".
+std::filesystem::path partial_results(const std::filesystem::path& target);
+
 /// Writes results run by run; what is flushed survives a kill.
 class ResultsWriter {
  public:
-  /// Starts a new file beside `target` (target + ".part"), with everything but the runs.
+  /// Starts a new file beside `target` (`partial_results`), with everything but the runs. Makes
+  /// missing parent folders.
   static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header);
-  /// Goes on with target + ".part".
-  /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and inputs)
+  /// Goes on with `partial_results(target)`; half a run that a kill left behind is dropped.
+  /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and
+  /// inputs)
   static ResultsWriter resume(const std::filesystem::path& target, const CampaignResults& header);
   ~ResultsWriter();
   ResultsWriter(ResultsWriter&&) noexcept;
