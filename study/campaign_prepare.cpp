@@ -12,8 +12,6 @@
 namespace clast {
 namespace {
 
-// The dynamics takes starts that overlap the ground by up to this share of the smallest side.
-constexpr double kStartOverlap = 1e-3;
 // Quaternions closer than this are one rotation.
 constexpr double kSameRotation = 1e-9;
 
@@ -138,7 +136,8 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
 std::optional<double> depth_in_ground(const TerrainSurface& surface, const RigidBody& body,
                                       const RigidState& state) {
   const std::optional<double> gap = ground_gap(surface, body, state, body.smallest_side);
-  if (gap && *gap < -kStartOverlap * body.smallest_side) return -*gap;
+  // What the dynamics will refuse.
+  if (gap && *gap < -ReleaseSettings{}.start_overlap * body.smallest_side) return -*gap;
   // A block that is buried whole touches no face of the ground.
   const Vec3& centre = state.position;
   const double abyss = surface.extent().low.z() - 1.0;
