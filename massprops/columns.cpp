@@ -34,7 +34,10 @@ struct Bound {
 class LinePiece {
  public:
   explicit LinePiece(const SkinPiece& piece, double radius)
-      : box(piece.box), round_(piece.round), centre_(piece.centre), axis_(piece.axis),
+      : box(piece.box),
+        round_(piece.round),
+        centre_(piece.centre),
+        axis_(piece.axis),
         radius_squared_(radius * radius) {
     for (const HalfSpace& plane : piece.planes) {
       const Vec3& n = plane.normal;
@@ -111,8 +114,8 @@ std::vector<LineTriangle> line_triangles(const TriangleMesh& core) {
 }
 
 /// +1 where a line that rises at (x, y) leaves through the triangle, -1 where it enters, 0 beside
-/// it. Each edge is judged from its smaller vertex index, so both its triangles agree to the bit and
-/// no line slips between them or hits both.
+/// it. Each edge is judged from its smaller vertex index, so both its triangles agree to the bit
+/// and no line slips between them or hits both.
 int crossing(const LineTriangle& t, double x, double y) {
   int left_of = 0;
   for (int i = 0; i < 3; ++i) {
@@ -227,9 +230,8 @@ class ActiveItems {
   template <class Visit>
   void visit(std::size_t row, const Visit& visit_item) {
     active_.insert(active_.end(), starts_[row].begin(), starts_[row].end());
-    std::erase_if(active_, [&](std::uint32_t i) {
-      return grid_.rows_over(items_[i].box).end <= row;
-    });
+    std::erase_if(active_,
+                  [&](std::uint32_t i) { return grid_.rows_over(items_[i].box).end <= row; });
     for (const std::uint32_t i : active_) {
       const Grid::Range span = grid_.columns_over(items_[i].box);
       for (std::size_t column = span.first; column < span.end; ++column) {

@@ -55,8 +55,8 @@ PrincipalFrame principal_frame(const MassProperties& properties) {
   frame.rotation = Quat(axes).normalized();
 
   const double limit = kNearlyEqual * frame.moments[2];
-  frame.nearly_equal = frame.moments[1] - frame.moments[0] <= limit ||
-                       frame.moments[2] - frame.moments[1] <= limit;
+  frame.nearly_equal =
+      frame.moments[1] - frame.moments[0] <= limit || frame.moments[2] - frame.moments[1] <= limit;
   return frame;
 }
 

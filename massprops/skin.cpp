@@ -23,10 +23,10 @@ struct Triangle {
 
 /// An edge with what the two triangles along it make of it.
 struct Ridge {
-  std::uint32_t from = 0, to = 0;    ///< in the direction in which `left` runs along it
-  std::size_t left = 0, right = 0;   ///< triangles
-  double bend = 0.0;                 ///< exterior dihedral angle, > 0 convex, rad
-  bool defined = false;              ///< exactly two usable triangles, opposite directions
+  std::uint32_t from = 0, to = 0;   ///< in the direction in which `left` runs along it
+  std::size_t left = 0, right = 0;  ///< triangles
+  double bend = 0.0;                ///< exterior dihedral angle, > 0 convex, rad
+  bool defined = false;             ///< exactly two usable triangles, opposite directions
 };
 
 struct HalfEdge {
@@ -43,8 +43,7 @@ std::vector<Triangle> triangles_of(const TriangleMesh& core) {
     Triangle t{core.vertices[i], core.vertices[j], core.vertices[k]};
     const Vec3 cross = (t.b - t.a).cross(t.c - t.a);
     const double twice_area = cross.norm();
-    const double longest =
-        std::max({(t.b - t.a).norm(), (t.c - t.b).norm(), (t.a - t.c).norm()});
+    const double longest = std::max({(t.b - t.a).norm(), (t.c - t.b).norm(), (t.a - t.c).norm()});
     t.usable = twice_area > smallest * longest;
     if (t.usable) {
       t.normal = cross / twice_area;
@@ -124,9 +123,8 @@ void add_prism(Skin& skin, const Triangle& t) {
   skin.pieces.push_back(std::move(piece));
 
   const Vec3 middle = (t.a + t.b + t.c) / 3.0;
-  const Mat3 face = (t.area / 12.0) *
-                    (t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose() +
-                     9.0 * middle * middle.transpose());
+  const Mat3 face = (t.area / 12.0) * (t.a * t.a.transpose() + t.b * t.b.transpose() +
+                                       t.c * t.c.transpose() + 9.0 * middle * middle.transpose());
   Moments moments;
   moments.volume = t.area * r;
   moments.first = t.area * r * (middle + 0.5 * r * n);
@@ -149,12 +147,11 @@ Moments wedge_moments(const Vec3& p, const Vec3& q, const Vec3& w, double angle,
   const double lever = (2.0 / 3.0) * length * r * r * r * s;
   result.first = result.volume * m + lever * w;
   result.second =
-      (0.5 * r * r * angle) * (length * m * m.transpose() +
-                               (length * length * length / 12.0) * t * t.transpose()) +
+      (0.5 * r * r * angle) *
+          (length * m * m.transpose() + (length * length * length / 12.0) * t * t.transpose()) +
       lever * (m * w.transpose() + w * m.transpose()) +
-      (0.25 * length * r * r * r * r) *
-          (0.5 * (angle + std::sin(angle)) * w * w.transpose() +
-           0.5 * (angle - std::sin(angle)) * y * y.transpose());
+      (0.25 * length * r * r * r * r) * (0.5 * (angle + std::sin(angle)) * w * w.transpose() +
+                                         0.5 * (angle - std::sin(angle)) * y * y.transpose());
   return result;
 }
 

@@ -23,25 +23,25 @@ struct SkinPiece {
   Bounds box;
 };
 
-/// Pieces of the layer: a prism on every face, a wedge on every convex edge, the part of a ball in the
-/// normal cone of every vertex.
+/// Pieces of the layer: a prism on every face, a wedge on every convex edge, the part of a ball in
+/// the normal cone of every vertex.
 ///
 /// Every point of the body outside the core lies in a piece, since its nearest core point lies on a
 /// face, an edge or a vertex with the point in the normal cone there; so the union of core and
-/// pieces is the body whatever the core is like. Where the core is convex the pieces are disjoint and
-/// `total` with the core's moments is exact. At reflex edges they overlap; `overlaps` are the
+/// pieces is the body whatever the core is like. Where the core is convex the pieces are disjoint
+/// and `total` with the core's moments is exact. At reflex edges they overlap; `overlaps` are the
 /// kite-shaped prisms in which the two face prisms of such an edge overlap, where those stand clear
 /// of the far edges.
 struct Skin {
   double radius = 0.0;
   std::vector<SkinPiece> pieces;
-  Moments total;                     ///< sum over the pieces, overlaps counted more than once
+  Moments total;  ///< sum over the pieces, overlaps counted more than once
   std::vector<SkinPiece> overlaps;
   Moments overlap_total;
-  double area = 0.0;                 ///< outer area of the pieces, m^2
-  double overlap_area = 0.0;         ///< outer area lost to `overlaps`, m^2
-  double solid_angle = 0.0;          ///< of all normal cones; 4 pi when the core is convex
-  bool has_reflex_edge = false;      ///< beyond 1e-9 rad, or an edge whose dihedral is undefined
+  double area = 0.0;             ///< outer area of the pieces, m^2
+  double overlap_area = 0.0;     ///< outer area lost to `overlaps`, m^2
+  double solid_angle = 0.0;      ///< of all normal cones; 4 pi when the core is convex
+  bool has_reflex_edge = false;  ///< beyond 1e-9 rad, or an edge whose dihedral is undefined
 };
 
 /// @param core          closed, consistently oriented, about a local origin

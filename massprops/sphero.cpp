@@ -52,9 +52,9 @@ MassProperties without_faces(const SpheroPolyhedron& body, double density) {
   if (length > 0.0) {
     const Vec3 t = 2.0 * half / length;
     const Mat3 along = t * t.transpose();
-    moments.second += ball_volume * (0.25 * length * length + 0.375 * r * length) * along +
-                      tube_volume * (length * length / 12.0 * along +
-                                     0.25 * r * r * (Mat3::Identity() - along));
+    moments.second +=
+        ball_volume * (0.25 * length * length + 0.375 * r * length) * along +
+        tube_volume * (length * length / 12.0 * along + 0.25 * r * r * (Mat3::Identity() - along));
   }
   return mass_properties_from(moments, middle, Mat3::Identity(), density);
 }
