@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
+#include <string_view>
 
 #include "core/error.hpp"
 
@@ -15,41 +15,64 @@ namespace {
 // Longer values are cut in messages.
 constexpr std::size_t kLongestValue = 80;
 
-std::string on_one_line(const toml::node& node) {
-  std::ostringstream stream;
-  if (const auto* array = node.as_array()) {
-    stream << toml::toml_formatter(*array);
-  } else if (const auto* table = node.as_table()) {
-    toml::table copy = *table;
-    copy.is_inline(true);
-    stream << toml::toml_formatter(copy);
-  } else {
-    node.visit([&](const auto& value) {
-      if constexpr (toml::is_value<decltype(value)>) stream << value;
-    });
+// The text of the file, to quote values as their author wrote them.
+class SourceText {
+ public:
+  explicit SourceText(std::string_view text) {
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      lines_.push_back(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
   }
-  std::string text = stream.str();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  std::string single;
-  for (const char letter : text) {
-    if (letter != ' ' || single.empty() || single.back() != ' ') single += letter;
-  }
-  if (single.size() > kLongestValue) single = single.substr(0, kLongestValue - 3) + "...";
-  return single;
-}
 
-TomlNode converted(const toml::node& node) {
+  /// On one line, cut when long.
+  std::string quoted(const toml::source_region& region) const {
+    std::string quote;
+    for (std::size_t line = region.begin.line; line <= region.end.line; ++line) {
+      if (line == 0 || line > lines_.size()) break;
+      const std::string_view whole = lines_[line - 1];
+      const std::size_t begin =
+          line == region.begin.line ? byte_of_column(whole, region.begin.column) : 0;
+      const std::size_t end =
+          line == region.end.line ? byte_of_column(whole, region.end.column) : whole.size();
+      for (const char letter : whole.substr(begin, end - begin)) {
+        const bool blank = letter == ' ' || letter == '\t' || letter == '\r';
+        if (!blank) quote += letter;
+        if (blank && !quote.empty() && quote.back() != ' ') quote += ' ';
+      }
+      if (quote.size() > kLongestValue) return quote.substr(0, kLongestValue - 3) + "...";
+    }
+    while (quote.ends_with(' ')) quote.pop_back();
+    return quote;
+  }
+
+ private:
+  // toml++ counts columns in characters, from 1.
+  static std::size_t byte_of_column(std::string_view line, std::size_t column) {
+    std::size_t characters = 0;
+    for (std::size_t byte = 0; byte < line.size(); ++byte) {
+      const bool begins = (static_cast<unsigned char>(line[byte]) & 0xC0) != 0x80;
+      if (begins && ++characters == column) return byte;
+    }
+    return line.size();
+  }
+
+  std::vector<std::string_view> lines_;
+};
+
+TomlNode converted(const toml::node& node, const SourceText& source) {
   using Kind = TomlNode::Kind;
   TomlNode result;
   result.line = node.source().begin.line;
-  result.written = on_one_line(node);
+  result.written = source.quoted(node.source());
   if (const auto* table = node.as_table()) {
     for (const auto& [key, value] : *table) {
-      result.table.emplace_back(std::string(key.str()), converted(value));
+      result.table.emplace_back(std::string(key.str()), converted(value, source));
     }
   } else if (const auto* array = node.as_array()) {
     result.kind = Kind::kList;
-    for (const toml::node& element : *array) result.list.push_back(converted(element));
+    for (const toml::node& element : *array) result.list.push_back(converted(element, source));
   } else if (const auto integer = node.value_exact<std::int64_t>()) {
     result.kind = Kind::kInteger;
     result.integer = *integer;
@@ -121,7 +144,7 @@ const TomlNode* TomlNode::find(const std::string& key) const {
 
 TomlNode parse_toml(const std::string& text, const std::string& name) {
   try {
-    return converted(toml::parse(text, name));
+    return converted(toml::parse(text, name), SourceText(text));
   } catch (const toml::parse_error& error) {
     throw InputError(name + ":" + std::to_string(error.source().begin.line) +
                      ": not TOML: " + std::string(error.description()));

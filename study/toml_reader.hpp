@@ -18,7 +18,7 @@ struct TomlNode {
   enum class Kind { kBoolean, kInteger, kFloat, kString, kList, kTable, kDate };
   Kind kind = Kind::kTable;
   std::size_t line = 1;
-  std::string written;  ///< as TOML, on one line
+  std::string written;  ///< as in the file, on one line
   bool boolean = false;
   std::int64_t integer = 0;
   double number = 0.0;  ///< of integers too

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <tuple>
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
@@ -192,7 +193,7 @@ TEST_F(CampaignFile, BlocksAreSelectedByClass) {
   EXPECT_EQ(campaign.blocks.scheme, "garcia");
   EXPECT_EQ(campaign.blocks.shape_class, "elongated");
   EXPECT_EQ(refusal(with("[\"B1\", \"B2\"]", "{ scheme = \"garcia\", class = \"blade\" }")),
-            "campaign.toml:3: [blocks] select class = 'blade': must be \"compact\" or "
+            "campaign.toml:3: [blocks] select class = \"blade\": must be \"compact\" or "
             "\"elongated\"");
 }
 
@@ -263,9 +264,10 @@ TEST_F(CampaignFile, DataFolderIsTakenFromTheEnvironment) {
   const auto folder = (std::filesystem::current_path() / "../shared/data").lexically_normal();
   EXPECT_NE(message.find(": no such file: " + (folder / "no/such.h5").string()), std::string::npos)
       << message;
-  EXPECT_EQ(refusal(with("\"blocks.h5\"", "\"${HOME}/b.h5\"")),
-            "campaign.toml:2: [blocks] library = '${HOME}/b.h5': only ${CLAST_DATA} is replaced in "
-            "paths");
+  EXPECT_EQ(
+      refusal(with("\"blocks.h5\"", "\"${HOME}/b.h5\"")),
+      "campaign.toml:2: [blocks] library = \"${HOME}/b.h5\": only ${CLAST_DATA} is replaced in "
+      "paths");
 }
 
 struct Refused {
@@ -285,14 +287,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         // unknown
         Refused{"friction = 0.70", "frictoin = 0.70",
-                "campaign.toml:14: [ground.blue] frictoin = 0.7: unknown key; did you mean "
+                "campaign.toml:14: [ground.blue] frictoin = 0.70: unknown key; did you mean "
                 "friction?"},
         Refused{"max_time_s = 30", "max_time = 30",
-                "campaign.toml:43: [run] max_time = 30: unknown key; did you mean max_time_s?"},
+                "campaign.toml:44: [run] max_time = 30: unknown key; did you mean max_time_s?"},
         Refused{"[contact]", "[contacts]",
                 "campaign.toml:28: [contacts]: unknown table; did you mean contact?"},
         Refused{"name = \"EC12\"", "name = \"EC12\"\ncolour = 1",
-                "campaign.toml:39: [[barrier]] colour = 1: unknown key; known here are name, from, "
+                "campaign.toml:40: [[barrier]] colour = 1: unknown key; known here are name, from, "
                 "to"},
         // missing
         Refused{"library = \"blocks.h5\"", "",
@@ -305,10 +307,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:21: [release]: points is missing; it must be a point file, a list "
                 "[[x, y, z], ...], { line = [...], count = N } or { polygon = [...], count = N }"},
         Refused{"from = [36, -400]\n", "",
-                "campaign.toml:37: [[barrier]]: from is missing; it must be two numbers, [x, y]"},
+                "campaign.toml:38: [[barrier]]: from is missing; it must be two numbers, [x, y]"},
         // wrong type
         Refused{"friction = 0.70", "friction = \"0.70\"",
-                "campaign.toml:14: [ground.blue] friction = '0.70': must be a number"},
+                "campaign.toml:14: [ground.blue] friction = \"0.70\": must be a number"},
         Refused{"library = \"blocks.h5\"", "library = 5",
                 "campaign.toml:2: [blocks] library = 5: must be a text in quotes"},
         Refused{"select = [\"B1\", \"B2\"]", "select = [\"B1\", 2]",
@@ -317,11 +319,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"seed = 12", "seed = 1.5",
                 "campaign.toml:26: [release] seed = 1.5: must be a whole number"},
         Refused{"max_time_s = 30", "max_time_s = true",
-                "campaign.toml:43: [run] max_time_s = true: must be a number"},
+                "campaign.toml:44: [run] max_time_s = true: must be a number"},
         Refused{"max_time_s = 30", "max_time_s = 2026-01-01",
-                "campaign.toml:43: [run] max_time_s = 2026-01-01: must be a number"},
+                "campaign.toml:44: [run] max_time_s = 2026-01-01: must be a number"},
         Refused{"from = [25, -400]", "from = 25",
-                "campaign.toml:35: [[barrier]] from = 25: must be two finite numbers, [x, y]"},
+                "campaign.toml:36: [[barrier]] from = 25: must be two finite numbers, [x, y]"},
         // out of range
         Refused{"friction = 0.70", "friction = -1",
                 "campaign.toml:14: [ground.blue] friction = -1: must be zero or more"},
@@ -334,66 +336,76 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"friction = 0.70", "friction = nan",
                 "campaign.toml:14: [ground.blue] friction = nan: must be zero or more"},
         Refused{"max_time_s = 30", "max_time_s = inf",
-                "campaign.toml:43: [run] max_time_s = inf: must be more than zero"},
+                "campaign.toml:44: [run] max_time_s = inf: must be more than zero"},
         Refused{"gravity_m_s2 = 9.8", "gravity_m_s2 = 0",
-                "campaign.toml:46: [run] gravity_m_s2 = 0: must be more than zero"},
+                "campaign.toml:47: [run] gravity_m_s2 = 0: must be more than zero"},
         Refused{"seed = 12", "seed = -12",
                 "campaign.toml:26: [release] seed = -12: must be from 0 to 9223372036854775807"},
         Refused{"downslope = [1, 0.1]", "downslope = [0, 0]",
-                "campaign.toml:47: [run] downslope = [ 0, 0 ]: must point somewhere"},
+                "campaign.toml:48: [run] downslope = [0, 0]: must point somewhere"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [1, nan, 0]",
-                "campaign.toml:24: [release] velocity_m_s = [ 1, nan, 0 ]: must be three finite "
+                "campaign.toml:24: [release] velocity_m_s = [1, nan, 0]: must be three finite "
                 "numbers, [x, y, z]"},
         Refused{"up = \"y\"", "up = \"x\"",
-                "campaign.toml:8: [terrain] up = 'x': must be \"z\" or \"y\""},
+                "campaign.toml:8: [terrain] up = \"x\": must be \"z\" or \"y\""},
         Refused{"weights = \"overlap\"", "weights = \"equal\"",
-                "campaign.toml:30: [contact] weights = 'equal': must be \"patch\", \"overlap\", "
+                "campaign.toml:30: [contact] weights = \"equal\": must be \"patch\", \"overlap\", "
                 "\"count\" or \"none\""},
         Refused{"law = \"energy-restitution\"", "law = \"hertz\"",
-                "campaign.toml:29: [contact] law = 'hertz': must be \"energy-restitution\""},
+                "campaign.toml:29: [contact] law = \"hertz\": must be \"energy-restitution\""},
         Refused{"stiffness_n_m = 1e8", "stiffness = 1e8",
-                "campaign.toml:31: [contact] stiffness = 100000000.0: must be \"auto\"; a value is "
+                "campaign.toml:31: [contact] stiffness = 1e8: must be \"auto\"; a value is "
                 "written stiffness_n_m"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Meaning, CampaignRefusal,
     testing::Values(
         Refused{"stiffness_n_m = 1e8", "stiffness_n_m = 1e8\nstiffness = \"auto\"",
-                "campaign.toml:31: [contact] stiffness_n_m = 100000000.0: contradicts stiffness = "
+                "campaign.toml:31: [contact] stiffness_n_m = 1e8: contradicts stiffness = "
                 "\"auto\"; keep one of the two"},
         Refused{"select = [\"B1\", \"B2\"]", "select = [\"B1\",\n\"B1\"]",
-                "campaign.toml:4: [blocks] select = 'B1': the block is named twice"},
+                "campaign.toml:4: [blocks] select = \"B1\": the block is named twice"},
         Refused{"name = \"EC12\"", "name = \"EC11\"",
-                "campaign.toml:38: [[barrier]] name = 'EC11': another barrier has this name"},
+                "campaign.toml:39: [[barrier]] name = \"EC11\": another barrier has this name"},
         Refused{"to = [36, -340]", "to = [36, -400]",
-                "campaign.toml:40: [[barrier]] to = [ 36, -400 ]: must differ from from"},
+                "campaign.toml:41: [[barrier]] to = [36, -400]: must differ from from"},
         Refused{
             "zones = [\"blue\", \"gray\"]", "zones = [\"blue\"]",
-            "campaign.toml:7: [terrain] zones = [ 'blue' ]: must name one zone per surface file "
+            "campaign.toml:7: [terrain] zones = [\"blue\"]: must name one zone per surface file "
             "(2), or one zone raster or GeoJSON file"},
         Refused{"\"gray.stl\"]", "\"grey.stl\"]",
-                "campaign.toml:6: [terrain] surface = 'grey.stl': no such file: grey.stl"},
+                "campaign.toml:6: [terrain] surface = \"grey.stl\": no such file: grey.stl"},
         Refused{"[ground.gray]", "[ground.blue]",
-                "campaign.toml:16: not TOML: cannot redefine existing table 'ground.blue'"},
-        Refused{"friction = 0.70", "friction = = 0.70", nullptr},
+                "campaign.toml:16: not TOML: Error while parsing table header: cannot redefine "
+                "existing table 'ground.blue'"},
         Refused{
             "\"turns.txt\"", "\"grid-45\"\nframe = \"source\"",
-            "campaign.toml:24: [release] frame = 'source': the orientations of grid-45 turn the "
+            "campaign.toml:24: [release] frame = \"source\": the orientations of grid-45 turn the "
             "principal frame; leave frame out"},
         Refused{"\"turns.txt\"", "{ random = 0 }",
                 "campaign.toml:23: [release] orientations random = 0: must be from 1 to 1000000"},
         Refused{"\"points.xyz\"", "[[1, 2]]",
-                "campaign.toml:22: [release] points = [ 1, 2 ]: must be points of three finite "
+                "campaign.toml:22: [release] points = [1, 2]: must be points of three finite "
                 "numbers, [x, y, z]; [x, y] needs height_m"},
         Refused{"\"points.xyz\"", "[]",
                 "campaign.toml:22: [release] points = []: must be a list of at least 1 points"},
         Refused{"\"points.xyz\"", "{ polygon = [[0,0],[1,0],[1,1]], count = 4 }",
                 "campaign.toml:22: [release] points: a polygon gives plan positions and needs "
                 "height_m"},
-        Refused{
-            "\"points.xyz\"", "{ polygon = [[0,0],[1,1],[2,2]], count = 4 }\nheight_m = 1",
-            "campaign.toml:22: [release] points polygon = [ [ 0, 0 ], [ 1, 1 ], [ 2, 2 ] ]: the "
-            "polygon has no area"}));
+        Refused{"\"points.xyz\"", "{ polygon = [[0,0],[1,1],[2,2]], count = 4 }\nheight_m = 1",
+                "campaign.toml:22: [release] points polygon = [[0,0],[1,1],[2,2]]: the "
+                "polygon has no area"}));
+
+TEST_F(CampaignFile, WhatIsNotTomlIsRefusedWithItsLine) {
+  for (const auto& [from, to, line] : {std::tuple{"friction = 0.70", "friction = = 0.70", 14},
+                                       {"[run]", "[run", 43},
+                                       {"\"EC11\"", "\"EC11", 35},
+                                       {"[blocks]", "\xff\xfe", 1}}) {
+    const std::string message = refusal(with(from, to));
+    const std::string begin = "campaign.toml:" + std::to_string(line) + ": not TOML: ";
+    EXPECT_EQ(message.substr(0, begin.size()), begin) << message;
+  }
+}
 
 TEST_F(CampaignFile, MissingTablesAreNamed) {
   EXPECT_EQ(refusal("[terrain]\nsurface = \"blue.stl\"\n"),
