@@ -4,16 +4,10 @@
 #include <mutex>
 
 #include "core/parallel.hpp"
+#include "study/results_journal.hpp"
 
 namespace clast {
 namespace {
-
-/// Everything that is stored of one run.
-struct RunOutput {
-  RunRecord record;
-  std::vector<Crossing> crossings;  ///< in order of time
-  Trajectory trajectory;
-};
 
 // Collects what the stored results need of a motion, as it goes by.
 class RunObserver {
@@ -58,8 +52,8 @@ class RunObserver {
   std::uint32_t run_;
 };
 
-RunOutput run_one(const PreparedCampaign& prepared, const RunRecord& planned) {
-  RunOutput output;
+StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned) {
+  StoredRun output;
   output.record = planned;
   RunObserver observer(prepared, planned);
   ReleaseResult& result = output.record.result;
@@ -101,7 +95,7 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   std::size_t done = stored.size();
   std::mutex one_at_a_time;
   parallel_for(open.size(), options.threads, [&](std::size_t i) {
-    const RunOutput output = run_one(prepared, *open[i]);
+    const StoredRun output = run_one(prepared, *open[i]);
     const std::lock_guard lock(one_at_a_time);
     writer.add(output.record, output.crossings, output.trajectory);
     ++done;

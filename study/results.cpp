@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
 #include "core/output_file.hpp"
+#include "study/results_journal.hpp"
 #include "study/results_layout.hpp"
 
 namespace clast {
@@ -28,21 +29,16 @@ fs::path partial_results(const fs::path& target) {
 
 namespace {
 
-template <class T>
-void append_one(Hdf5Group& group, const std::string& name, const T& value) {
-  group.append<T>(name, std::span<const T>(&value, 1));
-}
-
 void write_texts(Hdf5Group& group, const std::string& name, const std::vector<std::string>& texts) {
   group.write<std::string>(name, texts);
 }
 
-template <class Row, class Field>
-void write_column(Hdf5Group& group, const std::string& name, const std::string& unit,
-                  const std::vector<Row>& rows, const Field& field) {
+template <class Rows, class Field>
+void write_column(Hdf5Group& group, const std::string& name, const std::string& unit, Rows& rows,
+                  const Field& field) {
   using T = std::decay_t<decltype(field(rows.front()))>;
   std::vector<T> values;
-  for (const Row& row : rows) values.push_back(field(row));
+  for (auto& row : rows) values.push_back(field(row));
   group.write<T>(name, values);
   if (!unit.empty()) group.set_unit(name, unit);
 }
@@ -125,71 +121,43 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   write_terrain_group(root.create_group("terrain"), header.terrain, header.frame);
 }
 
-// Empty columns, so that a file without runs or crossings has the same datasets as any other.
-void make_columns(Hdf5Group root) {
-  const auto make = [](Hdf5Group& group, const auto& columns, auto type) {
+void write_crossings(Hdf5Group group, std::vector<Crossing>& crossings) {
+  const auto write = [&](const auto& columns) {
     for (const auto& column : columns) {
-      group.append<decltype(type)>(column.name, {});
-      if (*column.unit) group.set_unit(column.name, column.unit);
+      write_column(group, column.name, column.unit, crossings,
+                   [&](Crossing& crossing) { return column.field(crossing); });
     }
   };
-  Hdf5Group runs = root.create_group("runs");
-  make(runs, kRunIndices, std::uint32_t{});
-  for (const StateOfRun& state : kRunStates) {
-    for (const StateValue& column : kStateValues) {
-      runs.append<double>(state.prefix + std::string(column.name), {});
-      if (*column.unit) runs.set_unit(state.prefix + std::string(column.name), column.unit);
-    }
-  }
-  make(runs, kRunValues, double{});
-  make(runs, kRunCounts, std::int64_t{});
-  for (const char* name : {kStopReason, kBelowGround, kRunStored}) {
-    runs.append<std::uint8_t>(name, {});
-  }
-  for (const char* name : {kFirstCrossing, kCrossingCount}) runs.append<std::uint32_t>(name, {});
-  runs.append<std::string>(kMessage, {});
-  Hdf5Group crossings = root.create_group("crossings");
-  make(crossings, kCrossingIndices, std::uint32_t{});
-  make(crossings, kCrossingValues, double{});
-  crossings.append<std::uint8_t>(kForward, {});
-  Hdf5Group trajectories = root.create_group("trajectories");
-  std::string row_names = "time_s";
-  for (const StateValue& row : kStateValues) row_names += std::string(" ") + row.name;
-  trajectories.set_attribute<std::string>("rows", row_names);
+  write(kCrossingIndices);
+  write(kCrossingValues);
+  write_column(group, kForward, "", crossings,
+               [](const Crossing& crossing) -> std::uint8_t { return crossing.forward ? 1 : 0; });
 }
 
-void append_crossings(Hdf5Group& group, std::vector<Crossing> crossings) {
-  const auto append = [&](const auto& columns, auto type) {
-    for (const auto& column : columns) {
-      std::vector<decltype(type)> values;
-      for (Crossing& crossing : crossings) values.push_back(column.field(crossing));
-      group.append<decltype(type)>(column.name, values);
-    }
-  };
-  append(kCrossingIndices, std::uint32_t{});
-  append(kCrossingValues, double{});
-  std::vector<std::uint8_t> forward;
-  for (const Crossing& crossing : crossings) forward.push_back(crossing.forward ? 1 : 0);
-  group.append<std::uint8_t>(kForward, forward);
-}
-
-void append_run(Hdf5Group& group, RunRecord run, std::uint32_t first_crossing,
-                std::uint32_t crossing_count) {
-  for (const RunIndex& column : kRunIndices) append_one(group, column.name, column.field(run));
+void write_runs(Hdf5Group group, std::vector<RunRecord>& runs) {
+  for (const RunIndex& column : kRunIndices) {
+    write_column(group, column.name, column.unit, runs, column.field);
+  }
   for (const StateOfRun& state : kRunStates) {
     for (const StateValue& column : kStateValues) {
-      append_one(group, state.prefix + std::string(column.name), column.field(state.field(run)));
+      write_column(group, state.prefix + std::string(column.name), column.unit, runs,
+                   [&](RunRecord& run) { return column.field(state.field(run)); });
     }
   }
-  for (const RunValue& column : kRunValues) append_one(group, column.name, column.field(run));
+  for (const RunValue& column : kRunValues) {
+    write_column(group, column.name, column.unit, runs, column.field);
+  }
   for (const RunCount& column : kRunCounts) {
-    append_one(group, column.name, static_cast<std::int64_t>(column.field(run)));
+    write_column(group, column.name, column.unit, runs,
+                 [&](RunRecord& run) { return static_cast<std::int64_t>(column.field(run)); });
   }
-  append_one(group, kStopReason, static_cast<std::uint8_t>(run.result.stop_reason));
-  append_one(group, kBelowGround, static_cast<std::uint8_t>(run.result.below_ground ? 1 : 0));
-  append_one(group, kMessage, run.result.message);
-  append_one(group, kFirstCrossing, first_crossing);
-  append_one(group, kCrossingCount, crossing_count);
+  write_column(group, kStopReason, "", runs, [](const RunRecord& run) {
+    return static_cast<std::uint8_t>(run.result.stop_reason);
+  });
+  write_column(group, kBelowGround, "", runs, [](const RunRecord& run) -> std::uint8_t {
+    return run.result.below_ground ? 1 : 0;
+  });
+  write_column(group, kMessage, "", runs, [](const RunRecord& run) { return run.result.message; });
 }
 
 void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& trajectory) {
@@ -206,145 +174,75 @@ void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& tra
   group.write<double>(trajectory_name(run), rows, {kTrajectoryRows, frames});
 }
 
-std::multiset<std::string> digests(const std::vector<std::string>& inputs) {
-  std::multiset<std::string> result;
-  for (const std::string& input : inputs) result.insert(input.substr(input.rfind(' ') + 1));
-  return result;
-}
-
-void check_same_campaign(const fs::path& part, const CampaignResults& stored,
-                         const CampaignResults& header) {
-  std::string difference;
-  if (stored.campaign_sha256 != header.campaign_sha256) {
-    difference = "another campaign file";
-  } else if (digests(stored.inputs) != digests(header.inputs)) {
-    difference = "other input files";
-    for (const std::string& input : header.inputs) {
-      if (digests(stored.inputs).count(input.substr(input.rfind(' ') + 1)) == 0) {
-        difference += " (" + input.substr(0, input.rfind(' ')) + " has changed)";
-        break;
-      }
-    }
-  } else if (stored.program_version != header.program_version) {
-    difference = "clast " + stored.program_version + ", this is clast " + header.program_version;
-  } else if (stored.planned_runs != header.planned_runs) {
-    difference = std::to_string(stored.planned_runs) + " planned runs, now there are " +
-                 std::to_string(header.planned_runs);
-  }
-  if (difference.empty()) return;
-  throw InputError(part.string() + ": was begun with " + difference +
-                   "; start again without resuming, which replaces it");
-}
-
 }  // namespace
 
 struct ResultsWriter::Impl {
-  Impl(fs::path the_target, Hdf5File the_file)
-      : target(std::move(the_target)),
-        file(std::make_unique<Hdf5File>(std::move(the_file))),
-        runs(std::make_unique<Hdf5Group>(file->root().group("runs"))),
-        crossings(std::make_unique<Hdf5Group>(file->root().group("crossings"))),
-        trajectories(std::make_unique<Hdf5Group>(file->root().group("trajectories"))) {}
-
-  void add(const RunRecord& run, const std::vector<Crossing>& crossed,
-           const Trajectory& trajectory) {
-    write_trajectory(*trajectories, run.run, trajectory);
-    if (!crossed.empty()) append_crossings(*crossings, crossed);
-    const auto count = static_cast<std::uint32_t>(crossed.size());
-    append_run(*runs, run, crossing_rows, count);
-    crossing_rows += count;
-    stored.push_back(run.run);
-  }
-
   fs::path target;
-  std::unique_ptr<Hdf5File> file;
-  std::unique_ptr<Hdf5Group> runs, crossings, trajectories;
+  CampaignResults header;
+  ResultsJournal journal;
   std::vector<std::uint32_t> stored;
-  std::uint32_t crossing_rows = 0;
 };
 
 ResultsWriter::ResultsWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ResultsWriter::~ResultsWriter() = default;
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 
-const std::vector<std::uint32_t>& ResultsWriter::stored_runs() const { return impl_->stored; }
-
 ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignResults& header) {
-  const fs::path part = partial_results(target);
-  // Written whole before it takes the place of an older one.
-  OutputFile fresh(part);
-  {
-    Hdf5File file = Hdf5File::create(fresh.temporary(), kFormat, kSchemaVersion);
-    write_header(file.root(), header);
-    make_columns(file.root());
-    file.flush();
+  if (std::error_code code; fs::is_directory(target, code)) {
+    throw InputError(target.string() + ": is a folder; give the name of a file");
   }
-  fresh.commit();
-  return ResultsWriter(
-      std::make_unique<Impl>(target, Hdf5File::open(part, kFormat, kSchemaVersion, true)));
+  return ResultsWriter(std::unique_ptr<Impl>(
+      new Impl{target, header, ResultsJournal::create(partial_results(target), header), {}}));
 }
 
 ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResults& header) {
-  const fs::path part = partial_results(target);
-  const CampaignResults stored = read_results(part);
-  check_same_campaign(part, stored, header);
-
-  // A kill can leave half a run behind. The complete runs move to a fresh file.
-  OutputFile fresh(part);
-  std::uint32_t crossing_rows = 0;
-  {
-    const Hdf5File old_file = Hdf5File::open(part, kFormat, kSchemaVersion);
-    const Hdf5Group old_trajectories = old_file.root().group("trajectories");
-    Hdf5File file = Hdf5File::create(fresh.temporary(), kFormat, kSchemaVersion);
-    write_header(file.root(), header);
-    make_columns(file.root());
-    Hdf5Group runs = file.root().group("runs");
-    Hdf5Group crossings = file.root().group("crossings");
-    Hdf5Group trajectories = file.root().group("trajectories");
-    append_crossings(crossings, stored.crossings);
-    for (const RunRecord& run : stored.runs) {
-      const auto count = static_cast<std::uint32_t>(
-          std::count_if(stored.crossings.begin() + crossing_rows, stored.crossings.end(),
-                        [&](const Crossing& crossing) { return crossing.run == run.run; }));
-      append_run(runs, run, crossing_rows, count);
-      append_one<std::uint8_t>(runs, kRunStored, 1);
-      crossing_rows += count;
-      const std::string name = trajectory_name(run.run);
-      if (old_trajectories.has(name)) trajectories.copy_from(old_trajectories, name);
-    }
-    file.flush();
-  }
-  fresh.commit();
-  auto impl = std::make_unique<Impl>(target, Hdf5File::open(part, kFormat, kSchemaVersion, true));
-  for (const RunRecord& run : stored.runs) impl->stored.push_back(run.run);
-  impl->crossing_rows = crossing_rows;
-  return ResultsWriter(std::move(impl));
+  ResultsJournal journal = ResultsJournal::resume(partial_results(target), header);
+  std::vector<std::uint32_t> stored = journal.runs();
+  std::sort(stored.begin(), stored.end());
+  return ResultsWriter(
+      std::unique_ptr<Impl>(new Impl{target, header, std::move(journal), std::move(stored)}));
 }
+
+const std::vector<std::uint32_t>& ResultsWriter::stored_runs() const { return impl_->stored; }
 
 void ResultsWriter::add(const RunRecord& run, const std::vector<Crossing>& crossings,
                         const Trajectory& trajectory) {
-  impl_->add(run, crossings, trajectory);
-  // The marker goes to disk after all that it vouches for.
-  impl_->file->flush();
-  append_one<std::uint8_t>(*impl_->runs, kRunStored, 1);
-  impl_->file->flush();
+  impl_->journal.add({run, crossings, trajectory});
+  impl_->stored.insert(std::lower_bound(impl_->stored.begin(), impl_->stored.end(), run.run),
+                       run.run);
 }
 
 void ResultsWriter::finish() {
-  impl_->file->root().set_attribute<std::int64_t>("finished_runs",
-                                                  static_cast<std::int64_t>(impl_->stored.size()));
-  impl_->file->flush();
-  impl_->runs.reset();
-  impl_->crossings.reset();
-  impl_->trajectories.reset();
-  impl_->file.reset();
-  const fs::path part = partial_results(impl_->target);
-  std::error_code code;
-  fs::rename(part, impl_->target, code);
-  if (code) {
-    throw InputError(part.string() + ": can't be renamed to " + impl_->target.string() + " (" +
-                     code.message() + "); the results are complete, rename the file by hand");
+  const std::vector<std::uint32_t>& runs = impl_->journal.runs();
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return runs[a] < runs[b]; });
+
+  OutputFile output(impl_->target);
+  {
+    Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchemaVersion);
+    Hdf5Group root = file.root();
+    write_header(root, impl_->header);
+    Hdf5Group trajectories = root.create_group("trajectories");
+    std::string row_names = "time_s";
+    for (const StateValue& row : kStateValues) row_names += std::string(" ") + row.name;
+    trajectories.set_attribute<std::string>("rows", row_names);
+    std::vector<RunRecord> records;
+    std::vector<Crossing> crossings;
+    for (const std::size_t index : order) {
+      const StoredRun run = impl_->journal.read(index);
+      records.push_back(run.record);
+      crossings.insert(crossings.end(), run.crossings.begin(), run.crossings.end());
+      write_trajectory(trajectories, run.record.run, run.trajectory);
+    }
+    write_runs(root.create_group("runs"), records);
+    write_crossings(root.create_group("crossings"), crossings);
+    file.flush();
   }
+  output.commit();
+  std::error_code code;  // what is left of it is harmless
+  fs::remove(impl_->journal.path(), code);
 }
 
 }  // namespace clast

@@ -63,22 +63,21 @@ struct CampaignResults {
   std::vector<Crossing> crossings;  ///< in run order, then time
 };
 
-/// Also reads what an interrupted campaign has stored.
 /// @throws InputError  missing, not clast results, damaged, or of a newer schema
 CampaignResults read_results(const std::filesystem::path& path);
 /// @throws InputError  no such run, or trajectories were not stored
 Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run);
 
-/// Where the results for `target` grow until they are complete: target + ".part".
+/// Where runs are kept until all are done: target + ".part", a journal, not HDF5.
 std::filesystem::path partial_results(const std::filesystem::path& target);
 
-/// Writes results run by run; what is flushed survives a kill.
+/// Keeps results run by run, so that a kill costs no run that was added, and writes the file when
+/// all are done.
 class ResultsWriter {
  public:
-  /// Starts a new file beside `target` (`partial_results`), with everything but the runs. Makes
-  /// missing parent folders.
+  /// Starts anew, in place of what an interrupted campaign left. Makes missing parent folders.
   static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header);
-  /// Goes on with `partial_results(target)`; half a run that a kill left behind is dropped.
+  /// Goes on with `partial_results(target)`; half a run that a kill left is dropped.
   /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and
   /// inputs)
   static ResultsWriter resume(const std::filesystem::path& target, const CampaignResults& header);
@@ -87,10 +86,10 @@ class ResultsWriter {
 
   /// Runs that are in the file already, sorted.
   const std::vector<std::uint32_t>& stored_runs() const;
-  /// Appends one run and flushes. Order does not matter.
+  /// Adds one run and flushes. Order does not matter.
   void add(const RunRecord& run, const std::vector<Crossing>& crossings,
            const Trajectory& trajectory);
-  /// Renames to the target.
+  /// Writes the target, whole, with runs in order of their number; the journal goes.
   void finish();
 
  private:

@@ -82,14 +82,10 @@ inline constexpr std::array<RunValue, 12> kRunValues{{
     {"energy_error", "", [](RunRecord& r) -> double& { return r.result.energy.error; }},
 }};
 
-/// Columns of /runs that are not plain fields. `kRunStored` is written and flushed after all else:
-/// a run counts as stored when this column has its row.
+/// Columns of /runs that are not plain fields.
 inline constexpr const char* kStopReason = "stop_reason";
 inline constexpr const char* kMessage = "message";
 inline constexpr const char* kBelowGround = "below_ground";
-inline constexpr const char* kFirstCrossing = "first_crossing";
-inline constexpr const char* kCrossingCount = "crossings";
-inline constexpr const char* kRunStored = "stored";
 
 inline constexpr std::array<CrossingIndex, 2> kCrossingIndices{{
     {"run", "", [](Crossing& c) -> std::uint32_t& { return c.run; }},

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <limits>
 
 #include "core/error.hpp"
@@ -31,18 +30,6 @@ struct Reader {
       damaged(name, "has " + std::to_string(values.size()) + " values where " +
                         std::to_string(rows) + " belong");
     }
-    return values;
-  }
-
-  /// The first `rows` values of a column that a kill may have left longer than others.
-  template <class T>
-  std::vector<T> begin_of_column(const std::string& name, std::size_t rows) const {
-    std::vector<T> values = group.read<T>(name);
-    if (values.size() < rows) {
-      damaged(name, "has " + std::to_string(values.size()) + " values where at least " +
-                        std::to_string(rows) + " belong");
-    }
-    values.resize(rows);
     return values;
   }
 
@@ -145,83 +132,85 @@ void read_terrain_group(const Reader& reader, CampaignResults& results) {
   results.frame = terrain.frame;
 }
 
-std::vector<Crossing> read_crossings(const Reader& reader, std::size_t barriers) {
-  std::size_t rows = reader.length(kForward);
-  for (const auto& column : kCrossingIndices) rows = std::min(rows, reader.length(column.name));
-  for (const auto& column : kCrossingValues) rows = std::min(rows, reader.length(column.name));
-  std::vector<Crossing> crossings(rows);
+void read_crossings(const Reader& reader, CampaignResults& results) {
+  const std::size_t rows = reader.length("run");
+  std::vector<Crossing>& crossings = results.crossings;
+  crossings.resize(rows);
   for (const auto& column : kCrossingIndices) {
-    const auto values = reader.begin_of_column<std::uint32_t>(column.name, rows);
+    const auto values = reader.column<std::uint32_t>(column.name, rows);
     for (std::size_t i = 0; i < rows; ++i) column.field(crossings[i]) = values[i];
-    if (column.name == std::string("barrier")) reader.check_below(column.name, values, barriers);
+    if (column.name == std::string("barrier"))
+      reader.check_below(column.name, values, results.barriers.size());
   }
   for (const auto& column : kCrossingValues) {
-    const auto values = reader.begin_of_column<double>(column.name, rows);
+    const auto values = reader.column<double>(column.name, rows);
     for (std::size_t i = 0; i < rows; ++i) column.field(crossings[i]) = values[i];
   }
-  const auto forward = reader.begin_of_column<std::uint8_t>(kForward, rows);
+  const auto forward = reader.column<std::uint8_t>(kForward, rows);
   for (std::size_t i = 0; i < rows; ++i) crossings[i].forward = forward[i] != 0;
-  return crossings;
 }
 
-void read_runs(const Reader& reader, const std::vector<Crossing>& crossings,
-               CampaignResults& results) {
-  const std::size_t rows = reader.length(kRunStored);
-  std::vector<RunRecord> runs(rows);
+// Numbers of runs, which stand in rising order.
+void check_order(const Reader& reader, const std::vector<std::uint32_t>& runs) {
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    if (runs[i] <= runs[i - 1]) {
+      reader.damaged("run",
+                     "holds " + std::to_string(runs[i]) + " after " + std::to_string(runs[i - 1]));
+    }
+  }
+}
+
+void read_runs(const Reader& reader, CampaignResults& results) {
+  const std::size_t rows = reader.length("run");
+  std::vector<RunRecord>& runs = results.runs;
+  runs.resize(rows);
   for (const RunIndex& column : kRunIndices) {
-    const auto values = reader.begin_of_column<std::uint32_t>(column.name, rows);
+    const auto values = reader.column<std::uint32_t>(column.name, rows);
     for (std::size_t i = 0; i < rows; ++i) column.field(runs[i]) = values[i];
     const std::string name = column.name;
-    if (name == "run") reader.check_below(name, values, results.planned_runs);
+    if (name == "run") {
+      reader.check_below(name, values, results.planned_runs);
+      check_order(reader, values);
+    }
     if (name == "block") reader.check_below(name, values, results.blocks.size());
     if (name == "point") reader.check_below(name, values, results.release_points.size());
   }
   for (const StateOfRun& state : kRunStates) {
     for (const StateValue& column : kStateValues) {
-      const auto values =
-          reader.begin_of_column<double>(state.prefix + std::string(column.name), rows);
+      const auto values = reader.column<double>(state.prefix + std::string(column.name), rows);
       for (std::size_t i = 0; i < rows; ++i) column.field(state.field(runs[i])) = values[i];
     }
   }
   for (const RunValue& column : kRunValues) {
-    const auto values = reader.begin_of_column<double>(column.name, rows);
+    const auto values = reader.column<double>(column.name, rows);
     for (std::size_t i = 0; i < rows; ++i) column.field(runs[i]) = values[i];
   }
   for (const RunCount& column : kRunCounts) {
-    const auto values = reader.begin_of_column<std::int64_t>(column.name, rows);
+    const auto values = reader.column<std::int64_t>(column.name, rows);
     for (std::size_t i = 0; i < rows; ++i) {
       column.field(runs[i]) = static_cast<std::uint64_t>(values[i]);
     }
   }
-  const auto reason = reader.begin_of_column<std::uint8_t>(kStopReason, rows);
+  const auto reason = reader.column<std::uint8_t>(kStopReason, rows);
   reader.check_below(kStopReason, reason, static_cast<std::size_t>(StopReason::kError) + 1);
-  const auto below = reader.begin_of_column<std::uint8_t>(kBelowGround, rows);
-  const auto message = reader.begin_of_column<std::string>(kMessage, rows);
-  const auto first = reader.begin_of_column<std::uint32_t>(kFirstCrossing, rows);
-  const auto count = reader.begin_of_column<std::uint32_t>(kCrossingCount, rows);
+  const auto below = reader.column<std::uint8_t>(kBelowGround, rows);
+  const auto message = reader.column<std::string>(kMessage, rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    runs[i].result.stop_reason = static_cast<StopReason>(reason[i]);
+    runs[i].result.below_ground = below[i] != 0;
+    runs[i].result.message = message[i];
+  }
+}
 
-  std::vector<std::size_t> order(rows);
-  for (std::size_t i = 0; i < rows; ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return runs[a].run < runs[b].run; });
-  for (const std::size_t i : order) {
-    RunRecord& run = runs[i];
-    if (!results.runs.empty() && results.runs.back().run == run.run) {
-      reader.damaged("run", "holds run " + std::to_string(run.run) + " twice");
+// Crossings are in order of runs that there are.
+void check_crossings(const Reader& reader, const CampaignResults& results) {
+  auto run = results.runs.begin();
+  for (const Crossing& crossing : results.crossings) {
+    while (run != results.runs.end() && run->run < crossing.run) ++run;
+    if (run == results.runs.end() || run->run != crossing.run) {
+      reader.damaged("run", "holds run " + std::to_string(crossing.run) +
+                                ", which is not stored or not in order");
     }
-    run.result.stop_reason = static_cast<StopReason>(reason[i]);
-    run.result.below_ground = below[i] != 0;
-    run.result.message = message[i];
-    if (std::size_t{first[i]} + count[i] > crossings.size()) {
-      reader.damaged(kFirstCrossing, "points past the end of /crossings");
-    }
-    for (std::size_t k = first[i]; k < std::size_t{first[i]} + count[i]; ++k) {
-      if (crossings[k].run != run.run) {
-        reader.damaged(kFirstCrossing, "points at the crossings of another run");
-      }
-      results.crossings.push_back(crossings[k]);
-    }
-    results.runs.push_back(run);
   }
 }
 
@@ -260,16 +249,9 @@ CampaignResults read_results(const fs::path& path) {
                        .time_step = contact.attribute<double>("time_step_s")};
   read_terrain_group(root.into("terrain"), results);
 
-  const std::vector<Crossing> crossings =
-      read_crossings(root.into("crossings"), results.barriers.size());
-  read_runs(root.into("runs"), crossings, results);
-  if (root.group.has_attribute("finished_runs") &&
-      root.group.attribute<std::int64_t>("finished_runs") !=
-          static_cast<std::int64_t>(results.runs.size())) {
-    root.damaged("runs", "holds " + std::to_string(results.runs.size()) + " runs where " +
-                             std::to_string(root.group.attribute<std::int64_t>("finished_runs")) +
-                             " were stored");
-  }
+  read_runs(root.into("runs"), results);
+  read_crossings(root.into("crossings"), results);
+  check_crossings(root.into("crossings"), results);
   return results;
 }
 
