@@ -38,7 +38,7 @@ struct RunOptions {
   /// one left is replaced.
   bool resume = false;
   /// Called after each run with runs done and planned, from any thread, one at a time.
-  std::function<void(std::size_t done, std::size_t planned)> progress;
+  std::function<void(std::size_t done, std::size_t planned)> progress = {};
 };
 
 /// Runs everything that is not stored yet and writes `target`. A run that fails is stored with stop
