@@ -15,6 +15,24 @@ struct Summary {
   double max = 0.0;
 };
 
+/// @param values  finite; sums run in their order, so equal input gives equal bits
 Summary summarise(std::span<const double> values);
+
+/// The value below which the share `p` of the sample lies, linear between order statistics.
+/// @param sorted  ascending, not empty
+/// @param p       in [0, 1]
+/// @cite hyndman1996
+double quantile(std::span<const double> sorted, double p);
+
+/// Bounds of a probability.
+struct Interval {
+  double low = 0.0;
+  double high = 1.0;
+};
+
+/// Wilson's 95 % interval for a probability seen `hits` times in `trials` independent trials; [0, 1]
+/// when there was none.
+/// @cite wilson1927
+Interval wilson_interval(std::size_t hits, std::size_t trials);
 
 }  // namespace clast
