@@ -141,9 +141,8 @@ std::vector<std::string> keys_in_order(const std::vector<RunRow>& rows, GroupKin
   const auto rank = [&](const std::string& key) {
     return std::find(order.begin(), order.end(), key) - order.begin();
   };
-  std::stable_sort(keys.begin(), keys.end(), [&](const std::string& a, const std::string& b) {
-    return rank(a) < rank(b);
-  });
+  std::stable_sort(keys.begin(), keys.end(),
+                   [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
   return keys;
 }
 

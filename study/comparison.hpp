@@ -13,13 +13,13 @@ namespace clast {
 
 /// One row of runs.csv. Positions are on the map.
 struct RunRow {
-  std::uint32_t file = 0;          ///< which results file
+  std::uint32_t file = 0;  ///< which results file
   const RunRecord* record = nullptr;
   const BlockSummary* block = nullptr;
   Vec3 start = Vec3::Zero();
   Vec3 stop = Vec3::Zero();
-  double runout = 0.0;             ///< m, along downslope
-  double lateral = 0.0;            ///< rad, + to the right looking downslope
+  double runout = 0.0;   ///< m, along downslope
+  double lateral = 0.0;  ///< rad, + to the right looking downslope
 };
 
 /// By what the runs of a group belong together.
@@ -38,8 +38,8 @@ struct Group {
 
 /// A barrier on the map. The same name and line in several files is one barrier.
 struct BarrierLine {
-  std::string name;                  ///< made unique by " (file 2)" where lines differ
-  Vec2 from = Vec2::Zero();          ///< map, m
+  std::string name;          ///< made unique by " (file 2)" where lines differ
+  Vec2 from = Vec2::Zero();  ///< map, m
   Vec2 to = Vec2::Zero();
   std::vector<std::uint32_t> files;  ///< that have it
 };
@@ -47,24 +47,24 @@ struct BarrierLine {
 /// One row of crossings.csv.
 struct CrossingRow {
   const Crossing* crossing = nullptr;
-  std::size_t row = 0;             ///< into Comparison::rows
-  std::size_t barrier = 0;         ///< into Comparison::lines
-  Vec3 position = Vec3::Zero();    ///< map, m
-  bool counted = false;            ///< first forward crossing of this run at this barrier
+  std::size_t row = 0;           ///< into Comparison::rows
+  std::size_t barrier = 0;       ///< into Comparison::lines
+  Vec3 position = Vec3::Zero();  ///< map, m
+  bool counted = false;          ///< first forward crossing of this run at this barrier
 };
 
 /// Runs of one group at one barrier. Summaries are over first forward crossings.
 struct BarrierGroup {
   std::string barrier;
   std::string group;
-  std::size_t line = 0;            ///< into Comparison::lines
-  std::size_t group_index = 0;     ///< into Comparison::groups
-  std::size_t started = 0;         ///< runs of the group in files that have the barrier
+  std::size_t line = 0;         ///< into Comparison::lines
+  std::size_t group_index = 0;  ///< into Comparison::groups
+  std::size_t started = 0;      ///< runs of the group in files that have the barrier
   std::size_t crossed = 0;
   double probability = 0.0;
-  Summary height, clearance, speed;                    ///< m, m, m/s
-  Summary translational, rotational, total;            ///< J
-  Summary rotation_rate;                               ///< rad/s
+  Summary height, clearance, speed;          ///< m, m, m/s
+  Summary translational, rotational, total;  ///< J
+  Summary rotation_rate;                     ///< rad/s
 };
 
 /// How runs ended.
@@ -79,12 +79,13 @@ struct StopCounts {
 struct DepositGroup {
   std::size_t started = 0;
   StopCounts stops;
-  Summary runout;                  ///< m
-  Summary lateral;                 ///< rad
-  Vec3 mean_stop = Vec3::Zero();   ///< map, m
+  Summary runout;                 ///< m
+  Summary lateral;                ///< rad
+  Vec3 mean_stop = Vec3::Zero();  ///< map, m
 };
 
-/// Everything the tables and the report are made from. Rows point into `results`: moved, not copied.
+/// Everything the tables and the report are made from. Rows point into `results`: moved, not
+/// copied.
 struct Comparison {
   Comparison() = default;
   Comparison(Comparison&&) = default;
@@ -93,16 +94,18 @@ struct Comparison {
   std::vector<CampaignResults> results;
   Vec2 downslope = Vec2::UnitX();  ///< unit; as asked for, else along the mean release-to-stop line
   bool downslope_asked = false;
-  std::vector<RunRow> rows;        ///< in order of file and run
+  std::vector<RunRow> rows;  ///< in order of file and run
   std::vector<Group> groups;
   std::vector<DepositGroup> deposits;  ///< of every group
   std::vector<BarrierLine> lines;
   std::vector<CrossingRow> crossings;  ///< in order of file, run and time
-  std::vector<BarrierGroup> barriers;  ///< by barrier, then group; groups that never met it left out
-  std::vector<std::string> warnings;   ///< for example "mass differs between classes"
+  std::vector<BarrierGroup>
+      barriers;                       ///< by barrier, then group; groups that never met it left out
+  std::vector<std::string> warnings;  ///< for example "mass differs between classes"
 };
 
-/// @throws InputError  no runs; results on terrains with different map frames or asking for different
+/// @throws InputError  no runs; results on terrains with different map frames or asking for
+/// different
 ///                     downslope directions; records that do not fit together (a damaged file)
 Comparison compare(std::vector<CampaignResults> results);
 

@@ -66,10 +66,10 @@ std::vector<CrossingRow> collect_crossings(const std::vector<CampaignResults>& r
     for (const Crossing& crossing : results[file].crossings) {
       const auto row = row_of.find({file, crossing.run});
       if (row == row_of.end() || crossing.barrier >= results[file].barriers.size()) {
-        throw InputError(results[file].file.string() + ": a crossing of run " +
-                         std::to_string(crossing.run) + " at barrier number " +
-                         std::to_string(crossing.barrier) +
-                         " fits no run or barrier of the file; it is damaged, run the campaign again");
+        throw InputError(
+            results[file].file.string() + ": a crossing of run " + std::to_string(crossing.run) +
+            " at barrier number " + std::to_string(crossing.barrier) +
+            " fits no run or barrier of the file; it is damaged, run the campaign again");
       }
       crossings.push_back({&crossing, row->second, lines.line_of[file][crossing.barrier],
                            results[file].frame.map(crossing.position), false});

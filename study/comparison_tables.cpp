@@ -66,8 +66,7 @@ void empty_cells(CsvText& csv, int count) {
 /// mean, std, median, p95, max; empty where nothing was measured.
 void cells(CsvText& csv, const Summary& summary, double unit = 1.0) {
   if (summary.count == 0) return empty_cells(csv, 5);
-  for (const double value :
-       {summary.mean, summary.std, summary.median, summary.p95, summary.max}) {
+  for (const double value : {summary.mean, summary.std, summary.median, summary.p95, summary.max}) {
     csv.cell(value * unit);
   }
 }

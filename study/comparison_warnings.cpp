@@ -19,8 +19,8 @@ constexpr double kSameOrientation = 1e-6;
 
 std::string four_digits(double value) {
   std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                 std::chars_format::general, 4);
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
   return {text.data(), end.ptr};
 }
 
@@ -32,8 +32,8 @@ void warn_of_unfinished(const Comparison& comparison, std::vector<std::string>& 
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     if (results.runs.size() >= results.planned_runs) continue;
-    warnings.push_back("file " + std::to_string(file + 1) + " is unfinished: " +
-                       of(results.runs.size(), results.planned_runs) +
+    warnings.push_back("file " + std::to_string(file + 1) +
+                       " is unfinished: " + of(results.runs.size(), results.planned_runs) +
                        " planned runs are stored; go on with `clast simulate --resume`");
   }
 }
@@ -60,8 +60,9 @@ void warn_of_lost_runs(const Comparison& comparison, std::vector<std::string>& w
     }
   }
   warn(below, "ended below ground; their stops can't be trusted");
-  warn(unbalanced, "miss more than 1 % of the dissipated energy in their balance; try a smaller "
-                   "[contact] time_step_s");
+  warn(unbalanced,
+       "miss more than 1 % of the dissipated energy in their balance; try a smaller "
+       "[contact] time_step_s");
 }
 
 /// Mean mass of the blocks of every Garcia class, each block once.
@@ -123,7 +124,8 @@ void warn_of_repeated_orientations(const Comparison& comparison,
       const std::array<double, 4> parts = {q.w(), q.x(), q.y(), q.z()};
       double sign = 0.0;  // q and -q are one rotation: the first part that counts is made positive
       for (std::size_t i = 0; i < 4; ++i) {
-        if (sign == 0.0 && std::abs(parts[i]) > kSameOrientation) sign = parts[i] > 0.0 ? 1.0 : -1.0;
+        if (sign == 0.0 && std::abs(parts[i]) > kSameOrientation)
+          sign = parts[i] > 0.0 ? 1.0 : -1.0;
         key[i] = std::llround(sign * parts[i] / kSameOrientation);
       }
       indices.insert(run.orientation);

@@ -9,9 +9,9 @@ namespace clast {
 struct Summary {
   std::size_t count = 0;
   double mean = 0.0;
-  double std = 0.0;     ///< sample standard deviation (n - 1); 0 for one value
+  double std = 0.0;  ///< sample standard deviation (n - 1); 0 for one value
   double median = 0.0;
-  double p95 = 0.0;     ///< linear between order statistics (Hyndman & Fan type 7)
+  double p95 = 0.0;  ///< linear between order statistics (Hyndman & Fan type 7)
   double max = 0.0;
 };
 
@@ -30,8 +30,8 @@ struct Interval {
   double high = 1.0;
 };
 
-/// Wilson's 95 % interval for a probability seen `hits` times in `trials` independent trials; [0, 1]
-/// when there was none.
+/// Wilson's 95 % interval for a probability seen `hits` times in `trials` independent trials; [0,
+/// 1] when there was none.
 /// @cite wilson1927
 Interval wilson_interval(std::size_t hits, std::size_t trials);
 

@@ -119,8 +119,7 @@ void write_crossings(Layer layer, const Comparison& comparison) {
     feature->SetField("translational_energy_j", crossing.translational_energy);
     feature->SetField("rotational_energy_j", crossing.rotational_energy);
     feature->SetField("rotation_rate_rad_s", crossing.angular_velocity.norm());
-    layer.add(std::move(feature),
-              OGRPoint(row.position.x(), row.position.y(), row.position.z()));
+    layer.add(std::move(feature), OGRPoint(row.position.x(), row.position.y(), row.position.z()));
   }
 }
 

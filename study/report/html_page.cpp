@@ -82,8 +82,7 @@ document.querySelectorAll('.key').forEach(function(key){
 std::string number_text(double value, std::chars_format format, int precision) {
   if (!std::isfinite(value)) return "-";
   std::array<char, 400> text;  // the largest double has 309 digits before the point
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
   std::string result(text.data(), end.ptr);
   // "-0.0" is a rounding residue, not a sign anyone asked for.
   if (result.find_first_not_of("-0.") == std::string::npos && result.front() == '-') {
@@ -131,7 +130,8 @@ std::string significant(double value, int digits) {
   if (!std::isfinite(value)) return "-";
   if (value == 0.0) return "0";
   const double size = std::abs(value);
-  if (size >= 1e7 || size < 1e-4) return number_text(value, std::chars_format::scientific, digits - 1);
+  if (size >= 1e7 || size < 1e-4)
+    return number_text(value, std::chars_format::scientific, digits - 1);
   const int whole_digits = static_cast<int>(std::floor(std::log10(size))) + 1;
   return number_text(value, std::chars_format::fixed, std::max(0, digits - whole_digits));
 }
@@ -146,7 +146,9 @@ HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
   rows_ += "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const bool text = i < text_columns_;
-    rows_ += !text ? "<td>" : cells[i].size() > kLongText ? "<td class=\"t wrap\">" : "<td class=\"t\">";
+    rows_ += !text                         ? "<td>"
+             : cells[i].size() > kLongText ? "<td class=\"t wrap\">"
+                                           : "<td class=\"t\">";
     rows_ += escaped(cells[i]) + "</td>";
   }
   rows_ += "</tr>\n";
@@ -186,9 +188,9 @@ std::string paragraph(std::string_view text) { return "<p>" + escaped(text) + "<
 std::string page(std::string_view title, std::string_view body) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         escaped(title) + "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n<main>\n" +
-         std::string(body) + "</main>\n<script>" + std::string(kScript) +
-         "</script>\n</body>\n</html>\n";
+         escaped(title) + "</title>\n<style>" + std::string(kStyle) +
+         "</style>\n</head>\n<body>\n<main>\n" + std::string(body) + "</main>\n<script>" +
+         std::string(kScript) + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace clast

@@ -11,8 +11,8 @@ namespace clast {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// A PNG file of `width` x `height` palette indices, row by row from the top. Colour 0 of the palette
-/// is transparent. Stored without compression, which needs no library.
+/// A PNG file of `width` x `height` palette indices, row by row from the top. Colour 0 of the
+/// palette is transparent. Stored without compression, which needs no library.
 /// @param palette  1 to 256 colours
 /// @cite png3
 std::string palette_png(std::uint32_t width, std::uint32_t height,

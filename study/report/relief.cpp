@@ -15,14 +15,13 @@ constexpr double kDarkest = 0.45;    // of the tint, in full shade
 constexpr double kContourInk = 0.6;  // of the shade under a contour line
 
 /// Pale colours by the word they are called, then a set for other names.
-constexpr std::array<std::pair<const char*, Rgb>, 7> kTints = {
-    {{"blue", {198, 219, 239}},
-     {"gray", {217, 217, 217}},
-     {"grey", {217, 217, 217}},
-     {"red", {245, 204, 198}},
-     {"green", {208, 228, 200}},
-     {"yellow", {245, 236, 190}},
-     {"brown", {224, 208, 186}}}};
+constexpr std::array<std::pair<const char*, Rgb>, 7> kTints = {{{"blue", {198, 219, 239}},
+                                                                {"gray", {217, 217, 217}},
+                                                                {"grey", {217, 217, 217}},
+                                                                {"red", {245, 204, 198}},
+                                                                {"green", {208, 228, 200}},
+                                                                {"yellow", {245, 236, 190}},
+                                                                {"brown", {224, 208, 186}}}};
 constexpr std::array<Rgb, 6> kOtherTints = {{{233, 223, 201},
                                              {214, 220, 224},
                                              {211, 226, 204},
@@ -58,8 +57,8 @@ void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t 
       const double u = side(b, c, x, y), v = side(c, a, x, y), w = side(a, b, x, y);
       if (u < 0.0 || v < 0.0 || w < 0.0) continue;
       const double z = (u * a.z() + v * b.z() + w * c.z()) / area;
-      const std::size_t cell = static_cast<std::size_t>(row) * relief.columns +
-                               static_cast<std::size_t>(column);
+      const std::size_t cell =
+          static_cast<std::size_t>(row) * relief.columns + static_cast<std::size_t>(column);
       if (relief.height[cell] >= z) continue;  // an overhang above hides this
       relief.height[cell] = z;
       relief.zone[cell] = zone;
@@ -119,8 +118,8 @@ Relief sampled(const Terrain& terrain, const Window& window, std::uint32_t colum
   Relief relief;
   relief.columns = columns;
   relief.cell = window.size().x() / columns;
-  relief.rows = static_cast<std::uint32_t>(
-      std::max(1.0, std::round(window.size().y() / relief.cell)));
+  relief.rows =
+      static_cast<std::uint32_t>(std::max(1.0, std::round(window.size().y() / relief.cell)));
   relief.height.assign(std::size_t{relief.columns} * relief.rows, kNone);
   relief.zone.assign(relief.height.size(), 0);
   const TriangleMesh& mesh = terrain.surface;
@@ -153,15 +152,16 @@ std::string relief_png(const Relief& relief, const std::vector<std::string>& zon
   constexpr std::size_t kMostTints = 255 / (kShades + 1);
   for (std::size_t zone = 0; zone < std::max<std::size_t>(zone_names.size(), 1); ++zone) {
     const Rgb tint = zone_tint(zone < zone_names.size() ? zone_names[zone] : "", zone);
-    std::size_t n = static_cast<std::size_t>(std::find(tints.begin(), tints.end(), tint) -
-                                             tints.begin());
+    std::size_t n =
+        static_cast<std::size_t>(std::find(tints.begin(), tints.end(), tint) - tints.begin());
     if (n == tints.size() && n < kMostTints) tints.push_back(tint);
     tint_of_zone.push_back(std::min(n, tints.size() - 1));
   }
   for (const Rgb& tint : tints) {
     for (int level = 0; level <= kShades; ++level) {
       const double share = kDarkest + (1.0 - kDarkest) * level / kShades;
-      palette.push_back({part_of(share, tint[0]), part_of(share, tint[1]), part_of(share, tint[2])});
+      palette.push_back(
+          {part_of(share, tint[0]), part_of(share, tint[1]), part_of(share, tint[2])});
     }
   }
 
@@ -171,16 +171,14 @@ std::string relief_png(const Relief& relief, const std::vector<std::string>& zon
     for (std::uint32_t column = 0; column < relief.columns; ++column) {
       const std::size_t cell = std::size_t{row} * relief.columns + column;
       if (shade[cell] < 0.0) continue;
-      const double ink = on_contour(relief, row, column, first_height, contour_interval)
-                             ? kContourInk
-                             : 1.0;
+      const double ink =
+          on_contour(relief, row, column, first_height, contour_interval) ? kContourInk : 1.0;
       // Flat ground has shade 0.71; it gets the plain tint, only slopes to the light go brighter.
       const double level = std::min(1.0, shade[cell] / 0.85) * ink;
-      const std::size_t zone =
-          std::min<std::size_t>(relief.zone[cell], tint_of_zone.size() - 1);
-      pixels[cell] = static_cast<std::uint8_t>(
-          1 + tint_of_zone[zone] * (kShades + 1) +
-          static_cast<std::size_t>(std::lround(level * kShades)));
+      const std::size_t zone = std::min<std::size_t>(relief.zone[cell], tint_of_zone.size() - 1);
+      pixels[cell] =
+          static_cast<std::uint8_t>(1 + tint_of_zone[zone] * (kShades + 1) +
+                                    static_cast<std::size_t>(std::lround(level * kShades)));
     }
   }
   return palette_png(relief.columns, relief.rows, pixels, palette);

@@ -20,8 +20,8 @@ struct Window {
 struct Relief {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
-  double cell = 0.0;                 ///< m
-  std::vector<double> height;        ///< local z of the highest triangle, m; NaN where there is none
+  double cell = 0.0;           ///< m
+  std::vector<double> height;  ///< local z of the highest triangle, m; NaN where there is none
   std::vector<std::uint16_t> zone;
 };
 

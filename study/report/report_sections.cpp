@@ -14,7 +14,7 @@ namespace clast {
 namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
-constexpr double kTurn = 2.0 * kPi;  // rad per revolution
+constexpr double kTurn = 2.0 * kPi;             // rad per revolution
 constexpr const char* kMinus = "\xE2\x80\x93";  // en dash, for ranges
 constexpr const char* kPlusMinus = " \xC2\xB1 ";
 
@@ -116,7 +116,8 @@ std::string head_section(const Comparison& comparison) {
   std::string lead = many(comparison.rows.size(), "run", "runs") + " of " +
                      many(blocks, "block", "blocks") + " in " +
                      many(classes, "shape class", "shape classes");
-  std::string html = "<h1>Rockfall runs compared by shape</h1>\n<p class=\"lead\">" + escaped(lead) +
+  std::string html = "<h1>Rockfall runs compared by shape</h1>\n<p class=\"lead\">" +
+                     escaped(lead) +
                      (several_files(comparison)
                           ? ", from " + std::to_string(comparison.results.size()) + " campaigns"
                           : std::string()) +
@@ -136,24 +137,30 @@ std::string head_section(const Comparison& comparison) {
   html += fact("Time step", per_file(comparison, [](const CampaignResults& results) {
                  return significant(results.stiffness.time_step * 1e6, 4) + " \xC2\xB5s";
                }));
-  html += fact("Downslope (x, y)", fixed(comparison.downslope.x(), 4) + ", " +
-                                       fixed(comparison.downslope.y(), 4) +
-                                       (comparison.downslope_asked ? " (as asked)"
-                                                                   : " (mean release to stop)"));
+  html += fact("Downslope (x, y)",
+               fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +
+                   (comparison.downslope_asked ? " (as asked)" : " (mean release to stop)"));
   html += fact("Coordinates", comparison.results.front().frame.crs.empty()
                                   ? "map frame of the terrain, no CRS given"
                                   : comparison.results.front().frame.crs);
-  html += fact("Simulated with", "clast " + per_file(comparison, [](const CampaignResults& results) {
-                 return results.program_version;
-               }));
+  html +=
+      fact("Simulated with", "clast " + per_file(comparison, [](const CampaignResults& results) {
+                               return results.program_version;
+                             }));
   html += fact("Report by", std::string("clast ") + version());
   return html + "</dl>\n";
 }
 
 std::string class_section(const Comparison& comparison) {
-  std::vector<std::string> heads = {"class",          "blocks",        "runs",
-                                    "at rest",        "mean mass, kg", "runout mean \xC2\xB1 std, m",
-                                    "runout median, m", "runout p95, m", "runout max, m",
+  std::vector<std::string> heads = {"class",
+                                    "blocks",
+                                    "runs",
+                                    "at rest",
+                                    "mean mass, kg",
+                                    "runout mean \xC2\xB1 std, m",
+                                    "runout median, m",
+                                    "runout p95, m",
+                                    "runout max, m",
                                     "lateral mean \xC2\xB1 std, deg"};
   for (const BarrierLine& line : comparison.lines) heads.push_back("past " + line.name);
   HtmlTable table(heads, 1);
@@ -169,17 +176,16 @@ std::string class_section(const Comparison& comparison) {
       blocks.insert(comparison.rows[row].block->id);
       mass += comparison.rows[row].block->mass;
     }
-    std::vector<std::string> cells = {
-        short_name(group),
-        std::to_string(blocks.size()),
-        std::to_string(deposit.started),
-        std::to_string(deposit.stops.rest),
-        significant(mass / static_cast<double>(group.rows.size()), 4),
-        mean_and_std(deposit.runout, 1),
-        measured(deposit.runout.median, deposit.runout, 1),
-        measured(deposit.runout.p95, deposit.runout, 1),
-        measured(deposit.runout.max, deposit.runout, 1),
-        mean_and_std(deposit.lateral, 1, kDegrees)};
+    std::vector<std::string> cells = {short_name(group),
+                                      std::to_string(blocks.size()),
+                                      std::to_string(deposit.started),
+                                      std::to_string(deposit.stops.rest),
+                                      significant(mass / static_cast<double>(group.rows.size()), 4),
+                                      mean_and_std(deposit.runout, 1),
+                                      measured(deposit.runout.median, deposit.runout, 1),
+                                      measured(deposit.runout.p95, deposit.runout, 1),
+                                      measured(deposit.runout.max, deposit.runout, 1),
+                                      mean_and_std(deposit.lateral, 1, kDegrees)};
     for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
       std::string cell = "-";
       for (const BarrierGroup& barrier : comparison.barriers) {
@@ -197,11 +203,11 @@ std::string class_section(const Comparison& comparison) {
 }
 
 std::string block_section(const Comparison& comparison) {
-  HtmlTable table({"block", "Garcia", "Sneed-Folk", "Zingg", "mass, kg", "L, m", "I, m", "S, m",
-                   "runs", "rest", "left terrain", "max time", "error",
-                   "runout mean \xC2\xB1 std, m", "runout p95, m", "lateral mean \xC2\xB1 std, deg",
-                   "fastest, m/s"},
-                  4);
+  HtmlTable table(
+      {"block", "Garcia", "Sneed-Folk", "Zingg", "mass, kg", "L, m", "I, m", "S, m", "runs", "rest",
+       "left terrain", "max time", "error", "runout mean \xC2\xB1 std, m", "runout p95, m",
+       "lateral mean \xC2\xB1 std, deg", "fastest, m/s"},
+      4);
   for (const std::size_t g : groups_of(comparison, GroupKind::kBlock)) {
     const Group& group = comparison.groups[g];
     const DepositGroup& deposit = comparison.deposits[g];
@@ -244,17 +250,18 @@ std::string runout_section(const Comparison& comparison) {
   const std::vector<Series> by_class = series_of(comparison, GroupKind::kGarcia, along);
   std::string charts = "<div class=\"charts\">\n";
   charts += figure(histogram_chart({"Runout by class", "runout, m"}, by_class));
-  charts += figure(histogram_chart({"Lateral angle by class", "lateral angle, deg (+ to the right "
+  charts += figure(histogram_chart({"Lateral angle by class",
+                                    "lateral angle, deg (+ to the right "
                                     "looking downslope)"},
                                    series_of(comparison, GroupKind::kGarcia, lateral)));
-  charts += figure(cumulative_chart({"Share of runs that stop before, by class", "runout, m"},
-                                    by_class));
+  charts +=
+      figure(cumulative_chart({"Share of runs that stop before, by class", "runout, m"}, by_class));
   charts += figure(cumulative_chart({"Share of runs that stop before, by block", "runout, m"},
                                     series_of(comparison, GroupKind::kBlock, along)));
-  return section("Runout",
-                 paragraph("Horizontal distance from each run's own release point to its stop along "
-                           "the downslope direction; runs at rest, their number in brackets.") +
-                     charts + "</div>\n");
+  return section(
+      "Runout", paragraph("Horizontal distance from each run's own release point to its stop along "
+                          "the downslope direction; runs at rest, their number in brackets.") +
+                    charts + "</div>\n");
 }
 
 namespace {
@@ -274,10 +281,10 @@ std::string barrier_table(const Comparison& comparison, std::size_t line) {
         continue;
       }
       const Interval interval = wilson_interval(group.crossed, group.started);
-      std::vector<std::string> cells = {short_name(runs), std::to_string(group.started),
-                                        std::to_string(group.crossed), percent(group.probability),
-                                        fixed(100.0 * interval.low, 1) + kMinus +
-                                            fixed(100.0 * interval.high, 1) + " %"};
+      std::vector<std::string> cells = {
+          short_name(runs), std::to_string(group.started), std::to_string(group.crossed),
+          percent(group.probability),
+          fixed(100.0 * interval.low, 1) + kMinus + fixed(100.0 * interval.high, 1) + " %"};
       const auto add = [&](double value, int decimals) {
         cells.push_back(measured(value, group.height, decimals));
       };
@@ -310,13 +317,13 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   }
   if (!any) return paragraph("No run crossed this barrier.");
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
-    return figure(cumulative_chart(
-        {title, label}, series_of(comparison, GroupKind::kGarcia,
-                                  [&](std::size_t row) -> std::optional<double> {
-                                    if (first[row] == nullptr) return std::nullopt;
-                                    return value(*first[row]);
-                                  }),
-        true));
+    return figure(cumulative_chart({title, label},
+                                   series_of(comparison, GroupKind::kGarcia,
+                                             [&](std::size_t row) -> std::optional<double> {
+                                               if (first[row] == nullptr) return std::nullopt;
+                                               return value(*first[row]);
+                                             }),
+                                   true));
   };
   return "<div class=\"charts\">\n" +
          chart("Share of crossings above this energy", "total kinetic energy, kJ",
@@ -367,10 +374,9 @@ std::vector<std::string> extreme(const Comparison& comparison, const std::string
   }
   if (worst == nullptr) return {what, "-", "-", "-", "-"};
   const Summary summary = summarise(values);
-  const std::string run = (several_files(comparison)
-                               ? "file " + std::to_string(worst->file + 1) + ", run "
-                               : "run ") +
-                          std::to_string(worst->record->run) + ", block " + worst->block->id;
+  const std::string run =
+      (several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run " : "run ") +
+      std::to_string(worst->record->run) + ", block " + worst->block->id;
   return {what + unit, run, significant(summary.mean), significant(summary.p95),
           significant(largest)};
 }
@@ -391,8 +397,7 @@ std::string lost_runs(const Comparison& comparison) {
     const std::string file =
         several_files(comparison) ? std::to_string(row.file + 1) + ": " : std::string();
     table.row({file + std::to_string(row.record->run), row.block->id,
-               name_of(result.stop_reason) + (result.below_ground ? ", below ground" : ""),
-               story});
+               name_of(result.stop_reason) + (result.below_ground ? ", below ground" : ""), story});
   }
   if (count == 0) return paragraph("Every run came to rest on the terrain.");
   std::string html = "<h3>Runs that did not come to rest on the terrain</h3>\n" + table.html();
@@ -409,18 +414,16 @@ std::string quality_section(const Comparison& comparison) {
   HtmlTable table({"measure", "worst run", "mean", "p95", "largest"}, 2);
   table.row(extreme(comparison, "energy not accounted for, share of the dissipated", "",
                     [](const RunRow& row) { return row.record->result.energy.error; }));
-  table.row(extreme(comparison, "largest penetration", ", mm", [](const RunRow& row) {
-    return row.record->result.max_penetration * 1000.0;
-  }));
+  table.row(extreme(comparison, "largest penetration", ", mm",
+                    [](const RunRow& row) { return row.record->result.max_penetration * 1000.0; }));
   table.row(extreme(comparison, "largest penetration, share of S", "", [](const RunRow& row) {
     return row.record->result.max_penetration / row.block->axes.S;
   }));
   table.row(extreme(comparison, "penetration at the end", ", mm", [](const RunRow& row) {
     return row.record->result.settled_penetration * 1000.0;
   }));
-  table.row(extreme(comparison, "simulated time", ", s", [](const RunRow& row) {
-    return row.record->result.duration;
-  }));
+  table.row(extreme(comparison, "simulated time", ", s",
+                    [](const RunRow& row) { return row.record->result.duration; }));
   std::size_t below = 0;
   for (const RunRow& row : comparison.rows) below += row.record->result.below_ground;
   const StopCounts& stops = comparison.deposits.front().stops;
@@ -437,17 +440,18 @@ std::string provenance_section(const Comparison& comparison) {
   std::string html;
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
-    html += "<h3>" + escaped("File " + std::to_string(file + 1) + ": " +
-                             results.file.filename().string()) +
+    html += "<h3>" +
+            escaped("File " + std::to_string(file + 1) + ": " + results.file.filename().string()) +
             "</h3>\n";
-    html += paragraph(std::to_string(results.runs.size()) + " of " +
-                      std::to_string(results.planned_runs) + " planned runs, clast " +
-                      results.program_version + ". k_n " + significant(results.stiffness.normal, 6) +
-                      " N/m, k_t " + significant(results.stiffness.tangential, 6) + " N/m, k_r " +
-                      significant(results.stiffness.rolling, 6) + " N m/rad, time step " +
-                      significant(results.stiffness.time_step, 6) + " s.");
-    HtmlTable zones({"ground zone", "e_n\xC2\xB2", "friction \xC2\xB5", "rolling friction \xC2\xB5_R"},
-                    1);
+    html +=
+        paragraph(std::to_string(results.runs.size()) + " of " +
+                  std::to_string(results.planned_runs) + " planned runs, clast " +
+                  results.program_version + ". k_n " + significant(results.stiffness.normal, 6) +
+                  " N/m, k_t " + significant(results.stiffness.tangential, 6) + " N/m, k_r " +
+                  significant(results.stiffness.rolling, 6) + " N m/rad, time step " +
+                  significant(results.stiffness.time_step, 6) + " s.");
+    HtmlTable zones(
+        {"ground zone", "e_n\xC2\xB2", "friction \xC2\xB5", "rolling friction \xC2\xB5_R"}, 1);
     for (std::size_t zone = 0; zone < results.ground.size(); ++zone) {
       const GroundParameters& ground = results.ground[zone];
       zones.row({zone < results.zone_names.size() ? results.zone_names[zone] : std::to_string(zone),
@@ -463,8 +467,7 @@ std::string provenance_section(const Comparison& comparison) {
     html += "</ul>\n<details><summary>Campaign file</summary><pre>" +
             escaped(results.campaign_text) + "</pre></details>\n";
   }
-  return section("What was run", html) +
-         "<footer>Made by clast " + escaped(version()) +
+  return section("What was run", html) + "<footer>Made by clast " + escaped(version()) +
          ". Every figure here is in runs.csv, barriers.csv, crossings.csv and deposits.csv beside "
          "this page; map layers are in stops.gpkg.</footer>\n";
 }

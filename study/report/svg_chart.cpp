@@ -75,9 +75,7 @@ std::string step_path(const Series& series, const Range& range, double top, doub
   std::vector<double> sorted = series.values;
   std::sort(sorted.begin(), sorted.end());
   const std::size_t stride = 1 + sorted.size() / kMostSteps;
-  const auto y_at = [&](double share) {
-    return top + height * (exceeding ? share : 1.0 - share);
-  };
+  const auto y_at = [&](double share) { return top + height * (exceeding ? share : 1.0 - share); };
   std::string path = "M" + fixed(kLeft, 1) + " " + fixed(y_at(0.0), 1);
   for (std::size_t i = 0; i < sorted.size(); i += stride) {
     const std::size_t upto = std::min(i + stride, sorted.size());

@@ -17,7 +17,7 @@ namespace {
 constexpr double kLeft = 74.0, kTop = 12.0, kBelow = 44.0;
 constexpr double kLongest = 800.0, kTallest = 640.0;  // of the map itself, px
 constexpr double kLegendWidth = 196.0;
-constexpr double kNarrowest = 0.45;   // height over width of the window, and the other way round
+constexpr double kNarrowest = 0.45;  // height over width of the window, and the other way round
 constexpr const char* kSmall = "font-size=\"12\" fill=\"#33404d\"";
 constexpr const char* kHalo =
     "font-size=\"12.5\" font-weight=\"600\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"3\" "
@@ -138,7 +138,8 @@ std::string barriers(const Comparison& comparison, const Sheet& sheet) {
 std::string release_mark(double x, double y, const std::string& title) {
   const std::string at = fixed(x, 1) + " " + fixed(y, 1);
   return "<path fill=\"none\" stroke=\"#fff\" stroke-width=\"5\" d=\"M" + at +
-         "m-6-6l12 12m0-12l-12 12\"/><path fill=\"none\" stroke=\"#111\" stroke-width=\"2.4\" d=\"M" +
+         "m-6-6l12 12m0-12l-12 12\"/><path fill=\"none\" stroke=\"#111\" stroke-width=\"2.4\" "
+         "d=\"M" +
          at + "m-5-5l10 10m0-10l-10 10\">" +
          (title.empty() ? "" : "<title>" + escaped(title) + "</title>") + "</path>";
 }
@@ -157,10 +158,12 @@ std::string releases(const Comparison& comparison, const Sheet& sheet) {
 /// Circle for compact, diamond for the rest; hollow when the run did not come to rest.
 std::string stop_mark(double x, double y, const std::string& garcia, bool at_rest,
                       const std::string& title) {
-  const std::string paint = at_rest ? "fill=\"" + class_colour(garcia) +
-                                          "\" fill-opacity=\".8\" stroke=\"#fff\" stroke-width=\".7\""
-                                    : "fill=\"#fff\" fill-opacity=\".6\" stroke-width=\"1.6\" "
-                                      "stroke=\"" + class_colour(garcia) + "\"";
+  const std::string paint = at_rest
+                                ? "fill=\"" + class_colour(garcia) +
+                                      "\" fill-opacity=\".8\" stroke=\"#fff\" stroke-width=\".7\""
+                                : "fill=\"#fff\" fill-opacity=\".6\" stroke-width=\"1.6\" "
+                                  "stroke=\"" +
+                                      class_colour(garcia) + "\"";
   const std::string tail = title.empty() ? "/>" : "><title>" + escaped(title) + "</title>";
   if (garcia == "compact") {
     return "<circle class=\"stop\" cx=\"" + fixed(x, 1) + "\" cy=\"" + fixed(y, 1) +
@@ -172,9 +175,8 @@ std::string stop_mark(double x, double y, const std::string& garcia, bool at_res
 
 std::string stop_title(const Comparison& comparison, const RunRow& row) {
   const ReleaseResult& result = row.record->result;
-  std::string title = comparison.results.size() > 1
-                          ? "file " + std::to_string(row.file + 1) + ", "
-                          : std::string();
+  std::string title =
+      comparison.results.size() > 1 ? "file " + std::to_string(row.file + 1) + ", " : std::string();
   title += "run " + std::to_string(row.record->run) + ", block " + row.block->id + ", point " +
            std::to_string(row.record->point) + ", orientation " +
            std::to_string(row.record->orientation) + "\n" + name_of(result.stop_reason) +
@@ -254,8 +256,9 @@ std::string scale_bar(const Sheet& sheet) {
 std::string north_arrow(const Sheet& sheet) {
   const double x = kLeft + sheet.width() - 24.0, y = kTop + 16.0;
   return "<g><title>grid north: +y of the map</title><circle cx=\"" + fixed(x, 1) + "\" cy=\"" +
-         fixed(y + 15, 1) + "\" r=\"21\" fill=\"#fff\" fill-opacity=\".8\"/><path fill=\"#111\" d=\"M" +
-         fixed(x, 1) + " " + fixed(y - 2, 1) + "l7 19-7-5-7 5z\"/>" +
+         fixed(y + 15, 1) +
+         "\" r=\"21\" fill=\"#fff\" fill-opacity=\".8\"/><path fill=\"#111\" d=\"M" + fixed(x, 1) +
+         " " + fixed(y - 2, 1) + "l7 19-7-5-7 5z\"/>" +
          svg_text(x, y + 31, "N",
                   "font-size=\"13\" font-weight=\"700\" text-anchor=\"middle\" fill=\"#111\"") +
          "</g>";

@@ -6,8 +6,8 @@ namespace clast {
 
 struct Ticks {
   double step = 1.0;
-  int decimals = 0;             ///< that tell neighbouring ticks apart
-  std::vector<double> values;   ///< multiples of step inside [low, high], ascending
+  int decimals = 0;            ///< that tell neighbouring ticks apart
+  std::vector<double> values;  ///< multiples of step inside [low, high], ascending
 };
 
 /// Multiples of 1, 2 or 5 times a power of ten inside [low, high], about `wanted` of them.
