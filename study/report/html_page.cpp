@@ -27,9 +27,9 @@ dl.facts dd{margin:0;font-weight:600;overflow-wrap:anywhere}
 .warnings ul{margin:2px 0;padding-left:20px}
 .fine{background:#eaf5ee;border-left:5px solid #009E73;padding:9px 16px;margin:18px 0}
 .scroll{overflow-x:auto;margin:8px 0 14px}
-table{border-collapse:collapse;font-size:13.5px;font-variant-numeric:tabular-nums;min-width:50%}
-th,td{padding:4px 10px;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}
-th{background:var(--band);vertical-align:bottom;cursor:pointer;user-select:none;border-bottom:2px solid var(--soft);font-weight:600}
+table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums;min-width:50%}
+th,td{padding:4px 8px;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}
+th{background:var(--band);vertical-align:bottom;white-space:normal;line-height:1.25;min-width:5ch;cursor:pointer;user-select:none;border-bottom:2px solid var(--soft);font-weight:600}
 th:hover,th:focus{background:#e3e8ed;outline:none}
 th[aria-sort=ascending]::after{content:" \25B4"}
 th[aria-sort=descending]::after{content:" \25BE"}

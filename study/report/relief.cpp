@@ -10,9 +10,9 @@ namespace clast {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr int kShades = 30;          // grey levels per tint
-constexpr double kDarkest = 0.45;    // of the tint, in full shade
-constexpr double kContourInk = 0.6;  // of the shade under a contour line
+constexpr int kShades = 30;        // grey levels per tint
+constexpr double kDarkest = 0.62;  // of the tint, in full shade; marks must stay readable on it
+constexpr Rgb kContour = {122, 98, 69};
 
 /// Pale colours by the word they are called, then a set for other names.
 constexpr std::array<std::pair<const char*, Rgb>, 7> kTints = {{{"blue", {198, 219, 239}},
@@ -146,10 +146,11 @@ Rgb zone_tint(const std::string& name, std::size_t n) {
 std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
                        double first_height, double contour_interval) {
   // Zones of one tint share palette entries, so that any number of zones fits into 256.
-  std::vector<Rgb> palette = {{255, 255, 255}};
+  std::vector<Rgb> palette = {{255, 255, 255}, kContour};
   std::vector<Rgb> tints;
   std::vector<std::size_t> tint_of_zone;
-  constexpr std::size_t kMostTints = 255 / (kShades + 1);
+  constexpr std::size_t kFixedColours = 2;
+  constexpr std::size_t kMostTints = (256 - kFixedColours) / (kShades + 1);
   for (std::size_t zone = 0; zone < std::max<std::size_t>(zone_names.size(), 1); ++zone) {
     const Rgb tint = zone_tint(zone < zone_names.size() ? zone_names[zone] : "", zone);
     std::size_t n =
@@ -171,13 +172,15 @@ std::string relief_png(const Relief& relief, const std::vector<std::string>& zon
     for (std::uint32_t column = 0; column < relief.columns; ++column) {
       const std::size_t cell = std::size_t{row} * relief.columns + column;
       if (shade[cell] < 0.0) continue;
-      const double ink =
-          on_contour(relief, row, column, first_height, contour_interval) ? kContourInk : 1.0;
-      // Flat ground has shade 0.71; it gets the plain tint, only slopes to the light go brighter.
-      const double level = std::min(1.0, shade[cell] / 0.85) * ink;
+      if (on_contour(relief, row, column, first_height, contour_interval)) {
+        pixels[cell] = 1;
+        continue;
+      }
+      // Flat ground has shade 0.71; all that faces the light more than 0.85 gets the plain tint.
+      const double level = std::min(1.0, shade[cell] / 0.85);
       const std::size_t zone = std::min<std::size_t>(relief.zone[cell], tint_of_zone.size() - 1);
       pixels[cell] =
-          static_cast<std::uint8_t>(1 + tint_of_zone[zone] * (kShades + 1) +
+          static_cast<std::uint8_t>(kFixedColours + tint_of_zone[zone] * (kShades + 1) +
                                     static_cast<std::size_t>(std::lround(level * kShades)));
     }
   }

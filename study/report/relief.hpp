@@ -31,8 +31,8 @@ Relief sampled(const Terrain& terrain, const Window& window, std::uint32_t colum
 /// Tint of a zone: the colour that its name says, else the n-th of a pale set.
 Rgb zone_tint(const std::string& name, std::size_t n);
 
-/// PNG of the relief, lit from the north-west at 45 degrees (Horn's slopes), zones tinted, contour
-/// lines darker.
+/// PNG of the relief, lit from the north-west at 45 degrees (Horn's slopes), zones tinted, with
+/// contour lines.
 /// @param first_height      map z of local z 0, so that contours are round on the map, m
 /// @param contour_interval  m
 /// @cite horn1981

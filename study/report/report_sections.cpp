@@ -34,7 +34,8 @@ std::vector<std::size_t> groups_of(const Comparison& comparison, GroupKind kind)
 
 /// The name without what the table's heading says already.
 std::string short_name(const Group& group) {
-  const std::string name = group.kind == GroupKind::kAll ? "all" : group.key;
+  std::string name = group.kind == GroupKind::kAll ? "all" : group.key;
+  if (group.kind == GroupKind::kSneedFolk) name += " (Sneed-Folk)";
   return group.file ? "file " + std::to_string(*group.file + 1) + ": " + name : name;
 }
 
@@ -132,7 +133,7 @@ std::string head_section(const Comparison& comparison) {
                                     return name_of(results.weights);
                                   }));
   html += fact("Normal stiffness k_n", per_file(comparison, [](const CampaignResults& results) {
-                 return significant(results.stiffness.normal, 4) + " N/m";
+                 return significant(results.stiffness.normal / 1e6, 4) + " MN/m";
                }));
   html += fact("Time step", per_file(comparison, [](const CampaignResults& results) {
                  return significant(results.stiffness.time_step * 1e6, 4) + " \xC2\xB5s";

@@ -30,6 +30,8 @@ Range range_of(const std::vector<Series>& series) {
     }
   }
   if (!(range.low <= range.high)) return {};
+  // An axis that nearly reaches zero is read as if it did: let it.
+  if (range.low > 0.0 && range.low < 0.5 * range.high) range.low = 0.0;
   // Values that are equal to rounding get a width, so that ticks and bins stay countable.
   const double size = std::max(std::abs(range.low), std::abs(range.high));
   if (range.high - range.low <= 1e-9 * size || range.low == range.high) {

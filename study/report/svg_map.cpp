@@ -14,8 +14,8 @@
 namespace clast {
 namespace {
 
-constexpr double kLeft = 74.0, kTop = 12.0, kBelow = 44.0;
-constexpr double kLongest = 800.0, kTallest = 640.0;  // of the map itself, px
+constexpr double kLeft = 88.0, kTop = 12.0, kBelow = 44.0;
+constexpr double kLongest = 790.0, kTallest = 640.0;  // of the map itself, px
 constexpr double kLegendWidth = 196.0;
 constexpr double kNarrowest = 0.45;  // height over width of the window, and the other way round
 constexpr const char* kSmall = "font-size=\"12\" fill=\"#33404d\"";
@@ -101,8 +101,8 @@ std::string axes(const Sheet& sheet) {
   svg += svg_text(kLeft + sheet.width() / 2, bottom + 37, "x (m)",
                   std::string(kSmall) + " text-anchor=\"middle\"");
   const double middle = kTop + sheet.height() / 2;
-  return svg + svg_text(16, middle, "y (m)",
-                        std::string(kSmall) + " text-anchor=\"middle\" transform=\"rotate(-90 16 " +
+  return svg + svg_text(14, middle, "y (m)",
+                        std::string(kSmall) + " text-anchor=\"middle\" transform=\"rotate(-90 14 " +
                             fixed(middle, 1) + ")\"");
 }
 
@@ -347,7 +347,7 @@ Legend legend(const Comparison& comparison, const Sheet& sheet, double interval,
                "barrier, arrow forward");
   }
   legend.row(svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
-                      "stroke=\"#77716a\" stroke-width=\"1.2\""),
+                      "stroke=\"#7a6245\" stroke-width=\"1.2\""),
              "contours every " + significant(interval, 2) + " m");
   const std::vector<std::string>& zones = comparison.results.front().terrain.zone_names;
   if (!zones.empty()) legend.head("Ground zones");
