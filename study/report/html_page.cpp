@@ -1,8 +1,10 @@
 #include "study/report/html_page.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace clast {
 namespace {
@@ -129,11 +131,11 @@ std::string fixed(double value, int decimals) {
 std::string significant(double value, int digits) {
   if (!std::isfinite(value)) return "-";
   if (value == 0.0) return "0";
-  const double size = std::abs(value);
-  if (size >= 1e7 || size < 1e-4)
-    return number_text(value, std::chars_format::scientific, digits - 1);
-  const int whole_digits = static_cast<int>(std::floor(std::log10(size))) + 1;
-  return number_text(value, std::chars_format::fixed, std::max(0, digits - whole_digits));
+  const std::string scientific = number_text(value, std::chars_format::scientific, digits - 1);
+  // Read from the rounded number: 9.996 has two digits before the point once it is 10.0.
+  const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
+  if (exponent >= 7 || exponent < -4) return scientific;
+  return number_text(value, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
 }
 
 std::string percent(double share) { return fixed(100.0 * share, 1) + " %"; }

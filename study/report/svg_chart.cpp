@@ -170,7 +170,9 @@ std::string histogram_chart(const ChartText& text, const std::vector<Series>& se
     }
     svg += svg_line(kLeft, base, kWidth - kRight, base, kAxis);
     svg += svg_text(kWidth - kRight, base - kRow + 2, name_with_count(series[i]),
-                    std::string(kSmall) + " font-weight=\"600\" text-anchor=\"end\"");
+                    std::string(kSmall) +
+                        " font-weight=\"600\" text-anchor=\"end\" stroke=\"#fff\" "
+                        "stroke-width=\"3\" paint-order=\"stroke\"");
   }
   return svg + "</svg>\n";
 }

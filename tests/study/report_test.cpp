@@ -91,7 +91,7 @@ TEST(HtmlReport, NamesEveryBlockWithItsCharactersEscaped) {
 TEST(HtmlReport, SaysWhatWasRun) {
   const std::string html = html_report(compared(hand_made_results()));
   for (const std::string& part : {std::string(64, 'a'), std::string(64, 'b'), std::string(64, 'c'),
-                                 std::string("hand-made.h5"), std::string("clast 0.1.0")}) {
+                                  std::string("hand-made.h5"), std::string("clast 0.1.0")}) {
     EXPECT_TRUE(contains(html, part)) << part;
   }
 }
@@ -293,6 +293,7 @@ TEST(PageNumbers, AreWrittenAsAReaderExpects) {
   EXPECT_EQ(fixed(NAN, 1), "-");
   EXPECT_EQ(significant(1474.68, 4), "1475");
   EXPECT_EQ(significant(0.012345, 3), "0.0123");
+  EXPECT_EQ(significant(9.996, 3), "10.0");
   EXPECT_EQ(significant(8.7e7, 3), "8.70e+07");
   EXPECT_EQ(percent(0.03125), "3.1 %");
   EXPECT_EQ(escaped("a<b & \"c\">'\x01"), "a&lt;b &amp; &quot;c&quot;&gt;&#39;");
