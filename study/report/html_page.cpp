@@ -20,8 +20,8 @@ h3{font-size:15.5px;margin:22px 0 6px}
 p{margin:6px 0 10px;max-width:86ch}
 .lead{color:var(--soft);margin-bottom:16px}
 .note{color:var(--soft);font-size:13.5px}
-dl.facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(225px,1fr));gap:1px;background:var(--line);border:1px solid var(--line);margin:14px 0}
-dl.facts div{background:#fff;padding:7px 12px}
+dl.facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(225px,1fr));gap:1px;margin:14px 0}
+dl.facts div{box-shadow:0 0 0 1px var(--line);padding:7px 12px}
 dl.facts dt{color:var(--soft);font-size:12.5px}
 dl.facts dd{margin:0;font-weight:600;overflow-wrap:anywhere}
 .warnings{background:var(--warn);border-left:5px solid var(--edge);padding:9px 16px;margin:18px 0}
@@ -51,7 +51,7 @@ summary{cursor:pointer;font-weight:600}
 pre{background:var(--band);padding:12px;overflow-x:auto;font-size:12.5px;line-height:1.4}
 code{font-size:12.5px;overflow-wrap:anywhere}
 footer{margin-top:40px;border-top:1px solid var(--line);padding-top:10px;color:var(--soft);font-size:13px}
-@media print{@page{margin:14mm}body{font-size:11px}main{padding:0;max-width:none}table{font-size:9.5px}th,td{padding:2px 5px}.scroll{overflow:visible}h2{break-after:avoid}figure,tr,.warnings,.facts div{break-inside:avoid}.charts{grid-template-columns:1fr 1fr}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}.screen{display:none}}
+@media print{@page{margin:14mm}body{font-size:11px}main{padding:0;max-width:none}table{font-size:9.5px}th,td{padding:2px 5px}.scroll{overflow:visible}.note,figcaption,footer,code,pre{font-size:9.5px}h2{break-after:avoid}figure,tr,.warnings,.facts div{break-inside:avoid}.charts{grid-template-columns:1fr 1fr}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
 )";
 
 constexpr std::string_view kScript = R"(

@@ -15,10 +15,10 @@ std::string provenance_section(const Comparison& comparison) {
     html +=
         paragraph(std::to_string(results.runs.size()) + " of " +
                   std::to_string(results.planned_runs) + " planned runs, clast " +
-                  results.program_version + ". k_n " + significant(results.stiffness.normal, 6) +
-                  " N/m, k_t " + significant(results.stiffness.tangential, 6) + " N/m, k_r " +
-                  significant(results.stiffness.rolling, 6) + " N m/rad, time step " +
-                  significant(results.stiffness.time_step, 6) + " s.");
+                  results.program_version + ". k_n " + significant(results.stiffness.normal, 4) +
+                  " N/m, k_t " + significant(results.stiffness.tangential, 4) + " N/m, k_r " +
+                  significant(results.stiffness.rolling, 4) + " N m/rad, time step " +
+                  significant(results.stiffness.time_step, 4) + " s.");
     HtmlTable zones(
         {"ground zone", "e_n\xC2\xB2", "friction \xC2\xB5", "rolling friction \xC2\xB5_R"}, 1);
     for (std::size_t zone = 0; zone < results.ground.size(); ++zone) {
