@@ -25,6 +25,7 @@ struct ReleaseSettings {
   double max_time = 60.0;         ///< s
   double rest_energy = 2e-4;      ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
   double rest_duration = 0.5;     ///< ... for so long, s, with a contact throughout, is rest
+  double start_overlap = 1e-3;    ///< largest overlap with the ground at the start, share of S
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -76,9 +77,8 @@ struct ReleaseResult {
 /// Runs one release.
 ///
 /// @param zones  parameters of each ground zone of the terrain, by zone number
-/// @param start  at rest or moving; the rounded body must not overlap the ground by more than
-///               1e-3 of its smallest side
-/// @throws SimulationError  the start lies off the terrain or inside the ground; anything later is
+/// @param start  at rest or moving
+/// @throws SimulationError  the start lies off the terrain or deeper in the ground than allowed; anything later is
 ///                          a stop reason, not an exception
 ReleaseResult simulate_release(const TerrainSurface& terrain,
                                std::span<const GroundParameters> zones, const RigidBody& body,

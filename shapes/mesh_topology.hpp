@@ -14,12 +14,14 @@ struct MeshReport {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t edges = 0;
-  std::size_t boundary_edges = 0;       ///< used by one triangle
-  std::size_t non_manifold_edges = 0;   ///< used by three or more
-  std::size_t misoriented_edges = 0;    ///< both triangles run along it in the same direction
-  std::size_t degenerate_triangles = 0; ///< a repeated vertex, or no area
-  std::size_t components = 0;           ///< pieces connected over edges
-  long euler_characteristic = 0;        ///< V - E + F over used vertices; 2 for a sphere
+  std::size_t boundary_edges = 0;        ///< used by one triangle
+  std::size_t non_manifold_edges = 0;    ///< used by three or more
+  std::size_t boundary_loops = 0;        ///< closed runs of boundary edges: the holes
+  std::size_t misoriented_edges = 0;     ///< both triangles run along it in the same direction
+  std::size_t pinched_vertices = 0;      ///< their triangles form more than one fan
+  std::size_t degenerate_triangles = 0;  ///< a repeated vertex, or no area
+  std::size_t components = 0;            ///< pieces connected over edges
+  long euler_characteristic = 0;         ///< V - E + F over used vertices; 2 for a sphere
 
   bool closed() const { return triangles > 0 && boundary_edges == 0 && non_manifold_edges == 0; }
   bool oriented() const { return misoriented_edges == 0; }
@@ -27,6 +29,8 @@ struct MeshReport {
   std::string summary() const;
 };
 
+/// Triangles with a repeated vertex count as degenerate and take no part in the rest.
+/// @throws GeometryError  a triangle names a vertex that isn't there
 MeshReport inspect(const TriangleMesh& mesh);
 
 /// Component number of every triangle, connected over shared edges; numbered by first triangle.

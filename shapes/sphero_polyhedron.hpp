@@ -30,8 +30,10 @@ TriangleMesh core_mesh(const SpheroPolyhedron& shape);
 /// The rounded surface as a closed triangle mesh whose vertices lie on it: core faces moved out,
 /// cylinders over convex edges, sphere patches over vertices. `segments` pieces per quarter turn.
 /// At reflex edges the pieces cross; the mesh is for viewing and export, not for volumes.
+/// @throws GeometryError  the core is not closed (nor a lone vertex or edge with a radius)
 TriangleMesh skin_mesh(const SpheroPolyhedron& shape, int segments = 4);
 
+/// The same body at another place.
 SpheroPolyhedron transformed(SpheroPolyhedron shape, const Pose& to_from);
 /// Core and radius scaled about the origin.
 SpheroPolyhedron scaled(SpheroPolyhedron shape, double factor);

@@ -1,0 +1,311 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+#include "core/error.hpp"
+#include "shapes/sphero_polyhedron.hpp"
+
+namespace clast {
+
+namespace {
+
+/// Angle below which two directions at a core vertex are one skin vertex, rad.
+constexpr double kSameDirection = 1e-7;
+
+using Index = std::uint32_t;
+using Loop = std::vector<Index>;
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Unit vector at share `t` of the way from unit `a` to unit `b`.
+Vec3 turned(const Vec3& a, const Vec3& b, double t) {
+  const double angle = angle_between(a, b);
+  if (angle < kSameDirection) return a;
+  const Vec3 ahead = (b - a.dot(b) * a).normalized();
+  return std::cos(t * angle) * a + std::sin(t * angle) * ahead;
+}
+
+Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
+  Vec3 area = Vec3::Zero();
+  for (std::size_t k = 2; k < face.size(); ++k) {
+    area += (shape.vertices[face[k - 1]] - shape.vertices[face[0]])
+                .cross(shape.vertices[face[k]] - shape.vertices[face[0]]);
+  }
+  return area.normalized();
+}
+
+/// A side of a face, findable by the edge it lies on.
+struct Side {
+  Index low, high, face, corner;
+  bool forward;
+};
+
+/// Grows the skin: points are named by core vertex and direction, so that strips and patches that
+/// meet share them.
+class SkinBuilder {
+ public:
+  SkinBuilder(const SpheroPolyhedron& shape, int segments)
+      : shape_(shape), segments_(segments), skin_points_(shape.vertices.size()) {
+    normals_.reserve(shape.faces.size());
+    for (const SpheroPolyhedron::Face& face : shape.faces) {
+      normals_.push_back(face_normal(shape, face));
+    }
+  }
+
+  TriangleMesh built() {
+    find_neighbours();
+    for (Index f = 0; f < shape_.faces.size(); ++f) add_face(f);
+    for (Index f = 0; f < shape_.faces.size(); ++f) {
+      for (Index k = 0; k < shape_.faces[f].size(); ++k) {
+        if (vertex(f, k) < vertex(f, k + 1)) add_strip(f, k);
+      }
+    }
+    add_patches();
+    return std::move(mesh_);
+  }
+
+ private:
+  Index vertex(Index face, Index corner) const {
+    const SpheroPolyhedron::Face& f = shape_.faces[face];
+    return f[corner % f.size()];
+  }
+
+  void find_neighbours() {
+    std::vector<Side> sides;
+    for (Index f = 0; f < shape_.faces.size(); ++f) {
+      neighbours_.emplace_back(shape_.faces[f].size());
+      for (Index k = 0; k < shape_.faces[f].size(); ++k) {
+        const Index from = vertex(f, k), to = vertex(f, k + 1);
+        sides.push_back({std::min(from, to), std::max(from, to), f, k, from < to});
+      }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+      return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+    });
+    const auto same = [](const Side& a, const Side& b) {
+      return a.low == b.low && a.high == b.high;
+    };
+    for (std::size_t i = 0; i < sides.size(); i += 2) {
+      const bool paired = i + 1 < sides.size() && same(sides[i], sides[i + 1]) &&
+                          sides[i].forward != sides[i + 1].forward &&
+                          !(i + 2 < sides.size() && same(sides[i + 1], sides[i + 2]));
+      if (!paired) {
+        throw GeometryError("the core is not a closed surface at its edge between vertices " +
+                            std::to_string(sides[i].low + 1) + " and " +
+                            std::to_string(sides[i].high + 1) +
+                            "; only a closed core has a rounded skin");
+      }
+      neighbours_[sides[i].face][sides[i].corner] = {sides[i + 1].face, sides[i + 1].corner};
+      neighbours_[sides[i + 1].face][sides[i + 1].corner] = {sides[i].face, sides[i].corner};
+    }
+  }
+
+  Index point(Index core_vertex, const Vec3& direction) {
+    for (const auto& [known, index] : skin_points_[core_vertex]) {
+      if ((known - direction).norm() < kSameDirection) return index;
+    }
+    const auto index = static_cast<Index>(mesh_.vertices.size());
+    mesh_.vertices.push_back(shape_.vertices[core_vertex] + shape_.radius * direction);
+    skin_points_[core_vertex].push_back({direction, index});
+    return index;
+  }
+
+  void add_triangle(Index a, Index b, Index c) {
+    if (a != b && b != c && c != a) mesh_.triangles.push_back({a, b, c});
+  }
+
+  void add_face(Index f) {
+    const Index size = static_cast<Index>(shape_.faces[f].size());
+    for (Index k = 2; k < size; ++k) {
+      add_triangle(point(vertex(f, 0), normals_[f]), point(vertex(f, k - 1), normals_[f]),
+                   point(vertex(f, k), normals_[f]));
+    }
+  }
+
+  /// Directions over the edge at `corner`, from the normal of `face` to that of its neighbour. A
+  /// reflex edge has no skin of its own: one straight piece closes the surface.
+  std::vector<Vec3> arc(Index face, Index corner) const {
+    const Vec3 &from = normals_[face], &to = normals_[neighbours_[face][corner].first];
+    const Vec3 along =
+        shape_.vertices[vertex(face, corner + 1)] - shape_.vertices[vertex(face, corner)];
+    const double angle = angle_between(from, to);
+    const bool reflex = along.dot(from.cross(to)) < 0.0;
+    const int pieces = reflex ? 1 : std::max(1, static_cast<int>(std::ceil(angle / step() - 1e-9)));
+    std::vector<Vec3> directions = {from};
+    for (int i = 1; i < pieces; ++i) directions.push_back(turned(from, to, double(i) / pieces));
+    directions.push_back(to);
+    return directions;
+  }
+
+  double step() const { return 0.5 * kPi / segments_; }
+
+  void add_strip(Index face, Index corner) {
+    const Index p = vertex(face, corner), q = vertex(face, corner + 1);
+    const std::vector<Vec3> directions = arc(face, corner);
+    for (std::size_t i = 1; i < directions.size(); ++i) {
+      const Index p0 = point(p, directions[i - 1]), p1 = point(p, directions[i]);
+      const Index q0 = point(q, directions[i - 1]), q1 = point(q, directions[i]);
+      add_triangle(p0, p1, q1);
+      add_triangle(p0, q1, q0);
+    }
+  }
+
+  /// One patch per fan of faces around a vertex, over the arcs between their normals.
+  void add_patches() {
+    std::vector<std::vector<bool>> done;
+    for (const SpheroPolyhedron::Face& face : shape_.faces) done.emplace_back(face.size(), false);
+    for (Index f = 0; f < shape_.faces.size(); ++f) {
+      for (Index k = 0; k < shape_.faces[f].size(); ++k) {
+        if (done[f][k]) continue;
+        std::vector<Vec3> loop;
+        Index face = f, corner = k;
+        do {  // counter-clockwise: over the side that arrives at this corner
+          done[face][corner] = true;
+          const Index size = static_cast<Index>(shape_.faces[face].size());
+          const Index arriving = (corner + size - 1) % size;
+          const auto [next, side] = neighbours_[face][arriving];
+          const std::vector<Vec3> over = arc(face, arriving);
+          loop.insert(loop.end(), over.begin(), over.end() - 1);
+          face = next;
+          corner = side;
+        } while (face != f || corner != k);
+        add_patch(vertex(f, k), loop);
+      }
+    }
+  }
+
+  void add_patch(Index core_vertex, const std::vector<Vec3>& loop) {
+    // Back-and-forth runs, as over the two sides of one straight edge, enclose nothing.
+    std::vector<std::pair<Index, Vec3>> rim;
+    for (const Vec3& direction : loop) {
+      const Index index = point(core_vertex, direction);
+      if (!rim.empty() && rim.back().first == index) continue;
+      if (rim.size() > 1 && rim[rim.size() - 2].first == index) {
+        rim.pop_back();
+      } else {
+        rim.emplace_back(index, direction);
+      }
+    }
+    const auto shrinks = [&] {
+      return rim.size() > 1 &&
+             (rim.front().first == rim.back().first ||
+              (rim.size() > 2 && (rim[1].first == rim.back().first ||
+                                  rim.front().first == rim[rim.size() - 2].first)));
+    };
+    while (shrinks()) {
+      if (rim.front().first == rim.back().first) {
+        rim.pop_back();
+      } else if (rim[1].first == rim.back().first) {
+        rim.erase(rim.begin());
+      } else {
+        rim.pop_back();
+      }
+    }
+    if (rim.size() < 3) return;
+    if (rim.size() == 3) return add_triangle(rim[0].first, rim[1].first, rim[2].first);
+
+    Vec3 centre = Vec3::Zero();
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      centre += rim[i].second.cross(rim[(i + 1) % rim.size()].second);
+    }
+    if (centre.norm() < kSameDirection) centre = rim[0].second;
+    centre.normalize();
+    double widest = 0.0;
+    for (const auto& [index, direction] : rim) {
+      widest = std::max(widest, angle_between(centre, direction));
+    }
+    const int rings = std::max(1, static_cast<int>(std::ceil(widest / step() - 1e-9)));
+    Loop outer;
+    for (const auto& [index, direction] : rim) outer.push_back(index);
+    for (int ring = rings - 1; ring > 0; --ring) {
+      Loop inner;
+      for (const auto& [index, direction] : rim) {
+        inner.push_back(fresh(core_vertex, turned(centre, direction, double(ring) / rings)));
+      }
+      for (std::size_t i = 0; i < rim.size(); ++i) {
+        const std::size_t j = (i + 1) % rim.size();
+        add_triangle(outer[i], outer[j], inner[j]);
+        add_triangle(outer[i], inner[j], inner[i]);
+      }
+      outer = inner;
+    }
+    const Index top = fresh(core_vertex, centre);
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      add_triangle(outer[i], outer[(i + 1) % rim.size()], top);
+    }
+  }
+
+  /// A point of its own: a patch that folds must not be sewn to itself.
+  Index fresh(Index core_vertex, const Vec3& direction) {
+    mesh_.vertices.push_back(shape_.vertices[core_vertex] + shape_.radius * direction);
+    return static_cast<Index>(mesh_.vertices.size() - 1);
+  }
+
+  const SpheroPolyhedron& shape_;
+  int segments_;
+  TriangleMesh mesh_;
+  std::vector<Vec3> normals_;
+  std::vector<std::vector<std::pair<Vec3, Index>>> skin_points_;
+  std::vector<std::vector<std::pair<Index, Index>>> neighbours_;
+};
+
+/// Ball or capsule: rings of points around the axis from `bottom` to `top`, poles at both ends.
+TriangleMesh capsule_skin(const Vec3& bottom, const Vec3& top, double radius, int segments) {
+  const Vec3 axis = bottom == top ? Vec3(Vec3::UnitZ()) : Vec3((top - bottom).normalized());
+  const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
+  const Index around = static_cast<Index>(4 * segments);
+  TriangleMesh mesh;
+  mesh.vertices.push_back(bottom - radius * axis);
+  const auto add_ring = [&](const Vec3& centre, double latitude) {
+    for (Index i = 0; i < around; ++i) {
+      const double longitude = 2.0 * kPi * i / around;
+      const Vec3 outward = std::cos(longitude) * u + std::sin(longitude) * v;
+      mesh.vertices.push_back(centre +
+                              radius * (std::cos(latitude) * outward + std::sin(latitude) * axis));
+    }
+  };
+  const int southern = bottom == top ? -1 : 0;  // the equator is there twice on a capsule
+  for (int i = 1 - segments; i <= southern; ++i) add_ring(bottom, 0.5 * kPi * i / segments);
+  for (int i = 0; i < segments; ++i) add_ring(top, 0.5 * kPi * i / segments);
+  mesh.vertices.push_back(top + radius * axis);
+
+  const auto last = static_cast<Index>(mesh.vertices.size() - 1);
+  const Index rings = (last - 1) / around;
+  for (Index i = 0; i < around; ++i) {
+    const Index j = (i + 1) % around;
+    mesh.triangles.push_back({0, 1 + j, 1 + i});
+    for (Index ring = 1; ring < rings; ++ring) {
+      const Index low = 1 + (ring - 1) * around, high = low + around;
+      mesh.triangles.push_back({low + i, low + j, high + j});
+      mesh.triangles.push_back({low + i, high + j, high + i});
+    }
+    mesh.triangles.push_back({last - around + i, last - around + j, last});
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh skin_mesh(const SpheroPolyhedron& shape, int segments) {
+  if (segments < 1) {
+    throw InputError("segments = " + std::to_string(segments) +
+                     ": a quarter turn needs at least one piece");
+  }
+  if (shape.faces.empty()) {
+    const std::size_t count = shape.vertices.size();
+    if (count == 0 || count > 2 || !(shape.radius > 0.0)) {
+      throw GeometryError(
+          "a core without faces has a skin only as a ball (1 vertex) or a capsule " +
+          std::string("(2 vertices) with a radius; this one has ") + std::to_string(count) +
+          " vertices");
+    }
+    return capsule_skin(shape.vertices.front(), shape.vertices.back(), shape.radius, segments);
+  }
+  if (shape.radius == 0.0) return core_mesh(shape);
+  return SkinBuilder(shape, segments).built();
+}
+
+}  // namespace clast

@@ -1,0 +1,156 @@
+#include "shapes/sphero_polyhedron.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "tests/shapes/shape_samples.hpp"
+
+namespace clast {
+namespace {
+
+/// The 2 x 2 x 1 block with one quarter missing: one reflex edge.
+TriangleMesh l_block() {
+  TriangleMesh mesh;
+  const std::vector<Vec2> outline = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  for (const double z : {0.0, 1.0}) {
+    for (const Vec2& p : outline) mesh.vertices.push_back({p.x(), p.y(), z});
+  }
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const std::uint32_t j = (i + 1) % 6;
+    mesh.triangles.push_back({i, j, j + 6});
+    mesh.triangles.push_back({i, j + 6, i + 6});
+  }
+  for (const TriangleMesh::Triangle& t :
+       {TriangleMesh::Triangle{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
+    mesh.triangles.push_back({t[0], t[2], t[1]});
+    mesh.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
+  }
+  return mesh;
+}
+
+TEST(SpheroPolyhedron, EdgesAreUniqueSortedAndSmallestIndexFirst) {
+  const SpheroPolyhedron cube = sphero_polyhedron(box_mesh({1, 1, 1}), 0.1);
+  EXPECT_EQ(cube.edges.size(), 18u);  // 12 and the six diagonals
+  EXPECT_TRUE(std::is_sorted(cube.edges.begin(), cube.edges.end()));
+  for (std::size_t i = 0; i < cube.edges.size(); ++i) {
+    EXPECT_LT(cube.edges[i][0], cube.edges[i][1]);
+    if (i > 0) {
+      EXPECT_NE(cube.edges[i], cube.edges[i - 1]);
+    }
+  }
+  EXPECT_EQ(cube.radius, 0.1);
+  const TriangleMesh core = core_mesh(cube);
+  EXPECT_EQ(core.triangles, box_mesh({1, 1, 1}).triangles);
+}
+
+TEST(SpheroPolyhedron, BadRadiusAndEmptyCoreAreRefused) {
+  EXPECT_THROW(sphero_polyhedron(tetrahedron(), -0.1), InputError);
+  EXPECT_THROW(sphero_polyhedron(tetrahedron(), std::nan("")), InputError);
+  EXPECT_THROW(sphero_polyhedron(tetrahedron(), std::numeric_limits<double>::infinity()),
+               InputError);
+  EXPECT_THROW(sphero_polyhedron({}, 0.1), GeometryError);
+}
+
+TEST(SpheroPolyhedron, PolygonsAreCutIntoFans) {
+  SpheroPolyhedron prism;
+  prism.vertices.assign(5, Vec3::Zero());
+  prism.faces = {{0, 1, 2, 3, 4}};
+  const std::vector<TriangleMesh::Triangle> expected = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+  EXPECT_EQ(core_mesh(prism).triangles, expected);
+}
+
+TEST(SpheroPolyhedron, ScalingScalesTheRadiusToo) {
+  const SpheroPolyhedron twice = scaled(sphero_polyhedron(box_mesh({1, 1, 1}), 0.1), 2.0);
+  EXPECT_DOUBLE_EQ(twice.radius, 0.2);
+  EXPECT_DOUBLE_EQ(bounds(core_mesh(twice)).diagonal(), 2.0 * std::sqrt(3.0));
+  EXPECT_THROW(scaled(twice, 0.0), InputError);
+  const SpheroPolyhedron moved = transformed(twice, Pose{Vec3(1, 2, 3), Quat::Identity()});
+  EXPECT_EQ(moved.vertices[0], Vec3(twice.vertices[0] + Vec3(1, 2, 3)));
+  EXPECT_EQ(moved.radius, twice.radius);
+}
+
+TEST(Skin, OfACubeIsClosedAndItsVolumeTendsToTheFormula) {
+  const double r = 0.2;
+  const double exact = 1.0 + 6.0 * r + 3.0 * kPi * r * r + 4.0 / 3.0 * kPi * r * r * r;
+  double error_before = 1.0;
+  for (const int segments : {2, 4, 8, 16, 32}) {
+    for (const int n : {1, 3}) {
+      const TriangleMesh skin = skin_mesh(sphero_polyhedron(box_mesh({1, 1, 1}, n), r), segments);
+      const MeshReport report = inspect(skin);
+      EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+      EXPECT_EQ(report.euler_characteristic, 2);
+      EXPECT_EQ(report.degenerate_triangles, 0u);
+      const double error = 1.0 - enclosed_volume(skin) / exact;
+      EXPECT_GT(error, 0.0);
+      if (n == 1) {
+        EXPECT_LT(error, 0.3 * error_before);  // second order in the angle step
+        error_before = error;
+      } else {
+        EXPECT_NEAR(error, error_before, 1e-12);  // flat subdivision changes nothing
+      }
+    }
+  }
+  EXPECT_LT(error_before, 1e-4);
+}
+
+TEST(Skin, OfABallAndACapsuleIsClosed) {
+  SpheroPolyhedron ball;
+  ball.vertices = {{1, 2, 3}};
+  ball.radius = 0.5;
+  SpheroPolyhedron capsule = ball;
+  capsule.vertices.push_back({1, 2, 5});
+  capsule.edges = {{0, 1}};
+  const double ball_volume = 4.0 / 3.0 * kPi * 0.125, tube = kPi * 0.25 * 2.0;
+  const TriangleMesh ball_skin = skin_mesh(ball, 32), capsule_skin = skin_mesh(capsule, 32);
+  for (const TriangleMesh* skin : {&ball_skin, &capsule_skin}) {
+    EXPECT_TRUE(inspect(*skin).closed() && inspect(*skin).oriented());
+    EXPECT_EQ(inspect(*skin).euler_characteristic, 2);
+    EXPECT_EQ(inspect(*skin).degenerate_triangles, 0u);
+  }
+  const double step = 0.5 * kPi / 32;  // chords of angle h lose shares of order h^2
+  EXPECT_NEAR(enclosed_volume(ball_skin) / ball_volume, 1.0, step * step);
+  EXPECT_NEAR(enclosed_volume(capsule_skin) / (ball_volume + tube), 1.0, step * step);
+}
+
+TEST(Skin, OfANonConvexCoreIsClosed) {
+  const TriangleMesh skin = skin_mesh(sphero_polyhedron(l_block(), 0.1));
+  EXPECT_TRUE(inspect(skin).closed() && inspect(skin).oriented()) << inspect(skin).summary();
+}
+
+TEST(Skin, WithoutRadiusIsTheCore) {
+  const TriangleMesh core = l_block();
+  EXPECT_EQ(skin_mesh(sphero_polyhedron(core, 0.0)).triangles, core.triangles);
+}
+
+TEST(Skin, OfAnOpenCoreIsRefused) {
+  TriangleMesh open = tetrahedron();
+  open.triangles.pop_back();
+  EXPECT_THROW(skin_mesh(sphero_polyhedron(open, 0.1)), GeometryError);
+  EXPECT_THROW(skin_mesh({}), GeometryError);
+  EXPECT_THROW(skin_mesh(sphero_polyhedron(tetrahedron(), 0.1), 0), InputError);
+}
+
+class RandomSkins : public testing::TestWithParam<int> {};
+
+TEST_P(RandomSkins, AreClosedWithVerticesAtTheRadiusOfTheirCoreVertex) {
+  const TriangleMesh rock = random_rock(GetParam(), 2, 0.2);
+  const double r = 0.05;
+  const SpheroPolyhedron shape = sphero_polyhedron(rock, r);
+  const TriangleMesh skin = skin_mesh(shape, 3);
+  const MeshReport report = inspect(skin);
+  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+  EXPECT_EQ(report.euler_characteristic, 2);
+  for (const Vec3& point : skin.vertices) {
+    double nearest = 1e300;
+    for (const Vec3& v : shape.vertices) {
+      nearest = std::min(nearest, std::abs((point - v).norm() - r));
+    }
+    EXPECT_LT(nearest, 1e-14);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomSkins, testing::Range(0, 20));
+
+}  // namespace
+}  // namespace clast
