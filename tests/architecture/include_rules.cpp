@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <regex>
+#include <sstream>
 
 namespace clast::architecture {
 namespace {
@@ -220,6 +221,28 @@ Findings unlinked_findings(const std::vector<SourceFile>& tree) {
                                    "includes " + include.header + ", but " + file.folder() +
                                        "/CMakeLists.txt does not link clast::" + *folder));
       }
+    }
+  }
+  return findings;
+}
+
+Findings unlisted_findings(const std::vector<SourceFile>& tree) {
+  std::map<std::string, Folders> listed_files;
+  for (const SourceFile& file : tree) {
+    if (file.path != file.folder() + "/CMakeLists.txt") continue;
+    for (const std::string& line : file.lines) {
+      std::istringstream words(std::regex_replace(line, std::regex("[()]"), " "));
+      for (std::string word; words >> word && word[0] != '#';) {
+        listed_files[file.folder()].insert(file.folder() + "/" + word);
+      }
+    }
+  }
+  Findings findings;
+  for (const SourceFile& file : tree) {
+    if (!kArrows.contains(file.folder())) continue;
+    const bool must_be_listed = file.path.ends_with(".cpp") || is_public_header(file);
+    if (must_be_listed && !listed_files[file.folder()].contains(file.path)) {
+      findings.push_back(finding(file, 1, "not listed in " + file.folder() + "/CMakeLists.txt"));
     }
   }
   return findings;

@@ -29,4 +29,8 @@ Findings link_findings(const SourceFile& cmake_lists);
 /// through others.
 Findings unlinked_findings(const std::vector<SourceFile>& tree);
 
+/// Sources and public headers that the folder's CMakeLists.txt does not list, which are neither
+/// built nor installed.
+Findings unlisted_findings(const std::vector<SourceFile>& tree);
+
 }  // namespace clast::architecture

@@ -38,6 +38,11 @@ TEST(IncludeRules, WhatIsIncludedIsLinked) {
   EXPECT_TRUE(findings.empty()) << lines(findings);
 }
 
+TEST(IncludeRules, EverySourceAndPublicHeaderIsListed) {
+  const Findings findings = unlisted_findings(project());
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
 // The rules, applied to made-up files.
 
 TEST(IncludeRules, IncludeAgainstAnArrowIsFoundWithItsLine) {
@@ -134,6 +139,19 @@ TEST(IncludeRules, IncludeThatIsNotLinkedIsFound) {
   ASSERT_EQ(unlinked_findings(two).size(), 1u);
   EXPECT_EQ(unlinked_findings(two)[0],
             "dem/a.cpp:1: includes core/a.hpp, but dem/CMakeLists.txt does not link clast::core");
+}
+
+TEST(IncludeRules, SourceThatIsNotListedIsFound) {
+  const std::vector<SourceFile> files = {
+      source_file("dem/CMakeLists.txt",
+                  "clast_library(dem HEADERS a.hpp\n  SOURCES a.cpp)  # b.cpp\n"),
+      source_file("dem/a.cpp", ""),
+      source_file("dem/a.hpp", ""),
+      source_file("dem/b.cpp", ""),
+      source_file("dem/detail/c.hpp", ""),
+      source_file("dem/d.hpp", "")};
+  EXPECT_EQ(unlisted_findings(files), (Findings{"dem/b.cpp:1: not listed in dem/CMakeLists.txt",
+                                                "dem/d.hpp:1: not listed in dem/CMakeLists.txt"}));
 }
 
 }  // namespace
