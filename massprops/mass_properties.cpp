@@ -1,1 +1,63 @@
 #include "massprops/mass_properties.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace clast {
+namespace {
+
+// Moments closer than this share of the largest leave the axes between them undetermined.
+constexpr double kNearlyEqual = 1e-6;
+// Rounding of an exact tensor; sampled tensors add their own stated error.
+constexpr double kRounding = 1e-9;
+
+void check_moments(const Vec3& moments, double relative_error) {
+  std::ostringstream values;
+  values << moments[0] << ", " << moments[1] << ", " << moments[2] << " kg m2";
+  if (!moments.allFinite() || !(moments[0] > 0.0)) {
+    throw GeometryError("principal moments " + values.str() +
+                        ": not all positive, so no solid has them; check that the mesh is closed "
+                        "and its triangles face outward");
+  }
+  const double slack = (kRounding + 2.0 * relative_error) * moments[2];
+  if (moments[0] + moments[1] + slack < moments[2]) {
+    throw GeometryError("principal moments " + values.str() +
+                        ": the largest exceeds the sum of the others, so no solid has them; check "
+                        "that the mesh is closed and its triangles face outward");
+  }
+}
+
+Vec3 with_largest_component_positive(const Vec3& axis) {
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  return axis[largest] < 0.0 ? Vec3(-axis) : axis;
+}
+
+}  // namespace
+
+PrincipalFrame principal_frame(const MassProperties& properties) {
+  if (!properties.inertia.allFinite()) {
+    throw GeometryError("inertia tensor holds values that are not finite; check the mesh");
+  }
+  const Mat3 symmetric = 0.5 * (properties.inertia + properties.inertia.transpose());
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric);
+  PrincipalFrame frame;
+  frame.moments = solver.eigenvalues();
+  check_moments(frame.moments, properties.relative_error);
+
+  Mat3 axes;
+  axes.col(0) = with_largest_component_positive(solver.eigenvectors().col(0));
+  axes.col(1) = with_largest_component_positive(solver.eigenvectors().col(1));
+  axes.col(2) = axes.col(0).cross(axes.col(1)).normalized();
+  frame.rotation = Quat(axes).normalized();
+
+  const double limit = kNearlyEqual * frame.moments[2];
+  frame.nearly_equal =
+      frame.moments[1] - frame.moments[0] <= limit || frame.moments[2] - frame.moments[1] <= limit;
+  return frame;
+}
+
+}  // namespace clast

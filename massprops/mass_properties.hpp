@@ -15,9 +15,9 @@ struct MassProperties {
 
 /// The frame in which the inertia tensor is diagonal.
 struct PrincipalFrame {
-  Vec3 moments = Vec3::Zero();           ///< kg m^2, ascending
-  Quat rotation = Quat::Identity();      ///< source_from_body: columns are the principal axes
-  bool nearly_equal = false;             ///< two moments within 1e-6: the axes are a convention
+  Vec3 moments = Vec3::Zero();       ///< kg m^2, ascending
+  Quat rotation = Quat::Identity();  ///< source_from_body: columns are the principal axes
+  bool nearly_equal = false;         ///< two moments within 1e-6: the axes are a convention
 };
 
 /// Principal moments in ascending order. Each axis points so that its component of largest

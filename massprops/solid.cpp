@@ -1,1 +1,30 @@
 #include "massprops/solid.hpp"
+
+#include <sstream>
+
+#include "core/error.hpp"
+#include "massprops/moments.hpp"
+
+namespace clast {
+
+MassProperties solid_mass_properties(const TriangleMesh& mesh, double density) {
+  check_density(density);
+  check_closed(mesh, "mesh");
+  const Vec3 origin = vertex_mean(mesh);
+  const Moments moments = polyhedron_moments(mesh, origin);
+  if (!(moments.volume > 0.0)) {
+    std::ostringstream message;
+    message << "mesh encloses " << moments.volume
+            << " m3: its triangles face inward or it is flat; turn them outward first";
+    throw GeometryError(message.str());
+  }
+  const MassProperties result = mass_properties_from(moments, origin, Mat3::Identity(), density);
+  principal_frame(result);  // the gate: no solid breaks its inequalities
+  return result;
+}
+
+double signed_volume(const TriangleMesh& mesh) {
+  return polyhedron_moments(mesh, vertex_mean(mesh)).volume;
+}
+
+}  // namespace clast
