@@ -338,7 +338,7 @@ TEST_F(Scans, WhatIsNoClosedMeshIsRefusedByName) {
   refuse("none.obj", "none.obj");
   refuse("empty.obj", "empty");
   refuse("prose.stl", "prose.stl");
-  refuse("points.obj", "triangle");
+  refuse("points.obj", "no faces");
   refuse("scan.las", "scan.las");
   refuse("open.obj", "open");
   refuse("nan.obj", "nan.obj");
