@@ -321,6 +321,28 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
   EXPECT_FALSE(fs::exists(partial_results(*folder_ / "cut.h5")));
 }
 
+TEST_F(CampaignRun, RunThatFailsIsStoredWithItsReason) {
+  PreparedCampaign plan = prepared();
+  plan.runs[5].start.position.z() -= 20.0;
+  const fs::path target = *folder_ / "failed.h5";
+  run_campaign(plan, target, {.threads = 2});
+  const CampaignResults results = read_results(target);
+  ASSERT_EQ(results.runs.size(), 12u);
+  for (const RunRecord& run : results.runs) {
+    EXPECT_EQ(run.result.stop_reason == StopReason::kError, run.run == 5) << run.run;
+    EXPECT_EQ(run.result.message.empty(), run.run != 5) << run.run;
+  }
+  EXPECT_EQ(results.runs[5].result.final_state.position, plan.runs[5].start.position);
+}
+
+TEST_F(CampaignRun, TargetThatCantBeWrittenIsRefusedBeforeAnythingRuns) {
+  const PreparedCampaign plan = prepared();
+  fs::create_directory(*folder_ / "folder.h5");
+  const auto ran = [](std::size_t, std::size_t) { FAIL() << "a run was done"; };
+  EXPECT_THROW(run_campaign(plan, *folder_ / "folder.h5", {.progress = ran}), InputError);
+  EXPECT_THROW(run_campaign(plan, *folder_ / "turns.txt/r.h5", {.progress = ran}), InputError);
+}
+
 TEST_F(CampaignRun, ChangedInputsAreNotResumed) {
   const PreparedCampaign plan = prepared();
   const fs::path target = *folder_ / "changed.h5";
