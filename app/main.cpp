@@ -1,1 +1,93 @@
-int main() { return 0; }
+// The command table, and the one place where errors become messages and exit codes:
+// 0 done, 1 something failed, 2 misused.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/version.hpp"
+
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kMisused = 2;
+
+/// The command that was named, or the program itself.
+const CLI::App* named_command(const CLI::App* app) {
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  return app;
+}
+
+std::string full_name(const CLI::App* command) {
+  const CLI::App* parent = command->get_parent();
+  return parent ? full_name(parent) + " " + command->get_name() : command->get_name();
+}
+
+/// What CLI11 says, or, where a command was expected, that there is no such command.
+std::string described(const CLI::ParseError& error, const CLI::App& command) {
+  const std::vector<std::string> rest = command.remaining();
+  const std::vector<const CLI::App*> known = command.get_subcommands({});
+  if (known.empty()) return error.what();
+  std::string names;
+  for (const CLI::App* subcommand : known)
+    names += (names.empty() ? "" : ", ") + subcommand->get_name();
+  if (rest.empty()) return "a command is missing; there are " + names;
+  return "\"" + rest.front() + "\" is no command; there are " + names;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{
+      "clast: from field scans of rock blocks to rockfall simulations.\n"
+      "All lengths are in metres, masses in kilograms, z is up, unless an option says "
+      "otherwise.",
+      "clast"};
+  app.set_version_flag("--version", std::string("clast ") + clast::version());
+  app.get_formatter()->column_width(36);
+  app.require_subcommand(1);
+  clast::add_reconstruct(app);
+  clast::add_show(app);
+  clast::add_classify(app);
+  clast::add_export(app);
+  clast::add_library(app);
+  clast::add_terrain(app);
+  clast::add_simulate(app);
+  clast::add_compare(app);
+  app.footer(
+      "The usual order: reconstruct, classify, terrain, simulate, compare.\n"
+      "\"clast COMMAND --help\" explains a command and shows an example.");
+  if (argc < 2) {
+    std::cerr << app.help();
+    return kMisused;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
+    const CLI::App* command = named_command(&app);
+    std::cerr << "clast: " << described(error, *command) << "\nSee: " << full_name(command)
+              << " --help\n";
+    return kMisused;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const clast::Error& error) {
+    std::cerr << "clast: " << error.what() << "\n";
+  } catch (const std::bad_alloc&) {
+    std::cerr << "clast: not enough memory; close other programs or use a smaller input\n";
+  } catch (const std::exception& error) {
+    std::cerr << "clast: unexpected failure, please report it with the command you gave: "
+              << error.what() << "\n";
+  }
+  return kFailed;
+}

@@ -1,1 +1,547 @@
 #include "core/hdf5_file.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kSmallest = 4096;      ///< bytes; smaller arrays are stored plain
+constexpr std::size_t kChunk = 32768;        ///< bytes of a chunk of an array written at once
+constexpr std::size_t kAppendChunk = 16384;  ///< bytes; less, since every flush writes the last one
+constexpr std::size_t kAppendWidth = 1024;   ///< bytes of a text that is appended
+constexpr unsigned kGzipLevel = 4;
+/// Deflate shrinks at most 1032 times: an array that claims more than this of its bytes on disk is
+/// damaged, and is refused before memory is asked for.
+constexpr std::size_t kLargestRatio = 1040;
+
+/// Stops HDF5 from printing its own errors, which it decides thread by thread.
+void silence() {
+  thread_local const bool done = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  static_cast<void>(done);
+}
+
+/// An HDF5 identifier that is closed with its owner.
+class Id {
+ public:
+  using Closer = herr_t (*)(hid_t);
+  Id(hid_t id, Closer close) : id_(id), close_(close) {}
+  Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  ~Id() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+  bool valid() const { return id_ >= 0; }
+
+ private:
+  hid_t id_;
+  Closer close_;
+};
+
+/// The innermost reason HDF5 gives for the failure of its last call, in brackets, or nothing.
+std::string reason() {
+  std::string found;
+  H5Ewalk2(
+      H5E_DEFAULT, H5E_WALK_UPWARD,
+      [](unsigned depth, const H5E_error2_t* error, void* out) -> herr_t {
+        if (depth == 0 && error->desc) *static_cast<std::string*>(out) = error->desc;
+        return 0;
+      },
+      &found);
+  return found.empty() ? "" : " (HDF5: " + found + ")";
+}
+
+/// Text is stored at a fixed width, padded with zeros: HDF5's variable-length text lies in a heap
+/// without checksums, and following a damaged one crashes inside HDF5.
+Id text_type(std::size_t width) {
+  Id type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, std::max<std::size_t>(1, width));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+/// The type of numbers T as it lies in memory or, little-endian, in the file.
+template <class T>
+Id number_type(bool in_file) {
+  const auto copy = [](hid_t type) { return Id(H5Tcopy(type), H5Tclose); };
+  if constexpr (std::is_same_v<T, double>) {
+    return copy(in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
+  } else if constexpr (std::is_same_v<T, float>) {
+    return copy(in_file ? H5T_IEEE_F32LE : H5T_NATIVE_FLOAT);
+  } else if constexpr (std::is_same_v<T, std::int64_t>) {
+    return copy(in_file ? H5T_STD_I64LE : H5T_NATIVE_INT64);
+  } else if constexpr (std::is_same_v<T, std::int32_t>) {
+    return copy(in_file ? H5T_STD_I32LE : H5T_NATIVE_INT32);
+  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
+    return copy(in_file ? H5T_STD_U32LE : H5T_NATIVE_UINT32);
+  } else if constexpr (std::is_same_v<T, std::uint16_t>) {
+    return copy(in_file ? H5T_STD_U16LE : H5T_NATIVE_UINT16);
+  } else {
+    static_assert(std::is_same_v<T, std::uint8_t>);
+    return copy(in_file ? H5T_STD_U8LE : H5T_NATIVE_UINT8);
+  }
+}
+
+template <class T>
+const char* name_of_type() {
+  if constexpr (std::is_same_v<T, std::string>) return "text";
+  if constexpr (std::is_same_v<T, double>) return "64-bit numbers";
+  if constexpr (std::is_same_v<T, float>) return "32-bit numbers";
+  if constexpr (std::is_same_v<T, std::int64_t>) return "64-bit integers";
+  if constexpr (std::is_same_v<T, std::int32_t>) return "32-bit integers";
+  if constexpr (std::is_same_v<T, std::uint32_t>) return "unsigned 32-bit integers";
+  if constexpr (std::is_same_v<T, std::uint16_t>) return "unsigned 16-bit integers";
+  return "unsigned 8-bit integers";
+}
+
+/// True when values of the stored type are values of T without loss.
+template <class T>
+bool fits(hid_t stored) {
+  const H5T_class_t kind = H5Tget_class(stored);
+  if constexpr (std::is_same_v<T, std::string>) {
+    return kind == H5T_STRING && H5Tis_variable_str(stored) == 0;
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return kind == H5T_FLOAT && H5Tget_size(stored) <= sizeof(T);
+  } else {
+    return kind == H5T_INTEGER && H5Tget_size(stored) <= sizeof(T) &&
+           (H5Tget_sign(stored) == H5T_SGN_2) == std::is_signed_v<T>;
+  }
+}
+
+/// The texts one after the other, each padded or cut to `width` bytes; never inside a character.
+std::string padded(std::span<const std::string> texts, std::size_t width) {
+  std::string result;
+  result.reserve(texts.size() * width);
+  for (const std::string& text : texts) {
+    std::size_t length = std::min(text.size(), width);
+    while (length < text.size() && length > 0 && (text[length] & 0xC0) == 0x80) --length;
+    result.append(text, 0, length).append(width - length, '\0');
+  }
+  return result;
+}
+
+std::string unpadded(const std::string& bytes, std::size_t begin, std::size_t width) {
+  const std::string text = bytes.substr(begin, width);
+  return text.substr(0, text.find_last_not_of('\0') + 1);
+}
+
+std::size_t longest(std::span<const std::string> texts) {
+  std::size_t width = 1;
+  for (const std::string& text : texts) width = std::max(width, text.size());
+  return width;
+}
+
+/// Values as they are handed to HDF5.
+template <class T>
+struct Stored {
+  explicit Stored(std::span<const T> all)
+      : element(sizeof(T)),
+        in_file(number_type<T>(true)),
+        in_memory(number_type<T>(false)),
+        values(all) {}
+  Stored(std::span<const T> all, std::size_t) : Stored(all) {}
+  const void* data() const { return values.data(); }
+
+  std::size_t element;  ///< bytes of one value in the file
+  Id in_file;
+  Id in_memory;
+  std::span<const T> values;
+};
+
+template <>
+struct Stored<std::string> {
+  Stored(std::span<const std::string> all, std::size_t width)
+      : element(width),
+        in_file(text_type(width)),
+        in_memory(text_type(width)),
+        bytes(padded(all, width)) {}
+  explicit Stored(std::span<const std::string> all) : Stored(all, longest(all)) {}
+  const void* data() const { return bytes.data(); }
+
+  std::size_t element;
+  Id in_file;
+  Id in_memory;
+  std::string bytes;
+};
+
+/// Creation properties of a dataset; no times, so that equal content gives equal bytes.
+Id dataset_properties() {
+  Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties, false);
+  return properties;
+}
+
+/// The format of HDF5 1.8: its structures carry checksums, so that damage is found instead of
+/// followed, and unlike that of 1.10 it does not lock out readers after a killed writer.
+Id access_properties() {
+  Id properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(properties, H5F_LIBVER_V18, H5F_LIBVER_V18);
+  return properties;
+}
+
+void chunk_and_compress(const Id& properties, const std::vector<hsize_t>& chunk) {
+  H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+  H5Pset_shuffle(properties);
+  H5Pset_deflate(properties, kGzipLevel);
+}
+
+}  // namespace
+
+/// An open file or group, with the name it has in messages.
+struct Hdf5Group::Handle {
+  Id id;
+  std::string file;
+  std::string path;  ///< inside the file: "" for the root, "/blocks/B017"
+
+  hid_t get() const {
+    silence();
+    return id;
+  }
+  std::string where(const std::string& name) const { return file + ": " + path + "/" + name; }
+
+  [[noreturn]] void fail(const std::string& name, const std::string& what) const {
+    throw InputError(where(name) + " " + what);
+  }
+  [[noreturn]] void fail_damaged(const std::string& name) const {
+    fail(name, "can't be read; the file is damaged" + reason());
+  }
+  [[noreturn]] void fail_write(const std::string& name) const {
+    fail(name, "can't be written; is the disk full?" + reason());
+  }
+
+  bool has(const std::string& name) const {
+    return H5Lexists(get(), name.c_str(), H5P_DEFAULT) > 0;
+  }
+
+  Id dataset(const std::string& name) const {
+    if (!has(name)) fail(name, "is missing; the file is damaged or not of this kind");
+    Id dataset(H5Dopen2(get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!dataset.valid()) fail(name, "is not a readable dataset; the file is damaged" + reason());
+    return dataset;
+  }
+
+  std::vector<hsize_t> extent(const Id& dataset, const std::string& name) const {
+    const Id space(H5Dget_space(dataset), H5Sclose);
+    const int rank = space.valid() ? H5Sget_simple_extent_ndims(space) : -1;
+    if (rank < 0) fail_damaged(name);
+    std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+    H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+    return sizes;
+  }
+
+  /// @return bytes of one stored value
+  template <class T>
+  std::size_t check_type(const Id& dataset, const std::string& name) const {
+    const Id type(H5Dget_type(dataset), H5Tclose);
+    if (!type.valid()) fail_damaged(name);
+    if (!fits<T>(type)) fail(name, std::string("does not hold ") + name_of_type<T>());
+    return std::max<std::size_t>(1, H5Tget_size(type));
+  }
+};
+
+bool Hdf5Group::has(const std::string& name) const { return handle_->has(name); }
+
+std::vector<std::string> Hdf5Group::names() const {
+  std::vector<std::string> result;
+  hsize_t position = 0;
+  const herr_t status = H5Literate(
+      handle_->get(), H5_INDEX_NAME, H5_ITER_INC, &position,
+      [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+        static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+        return 0;
+      },
+      &result);
+  if (status < 0) handle_->fail_damaged("");
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+Hdf5Group Hdf5Group::group(const std::string& name) const {
+  if (!has(name)) handle_->fail(name, "is missing; the file is damaged or not of this kind");
+  Id id(H5Gopen2(handle_->get(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  if (!id.valid()) handle_->fail(name, "is not a readable group; the file is damaged" + reason());
+  return Hdf5Group(
+      std::make_shared<Handle>(Handle{std::move(id), handle_->file, handle_->path + "/" + name}));
+}
+
+Hdf5Group Hdf5Group::create_group(const std::string& name) {
+  if (has(name)) handle_->fail(name, "is there already");
+  const hid_t parent = handle_->get();
+  const Id properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties, false);
+  Id id(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose);
+  if (!id.valid()) handle_->fail_write(name);
+  return Hdf5Group(
+      std::make_shared<Handle>(Handle{std::move(id), handle_->file, handle_->path + "/" + name}));
+}
+
+void Hdf5Group::remove(const std::string& name) {
+  if (!has(name)) handle_->fail(name, "is missing; there is nothing to remove");
+  if (H5Ldelete(handle_->get(), name.c_str(), H5P_DEFAULT) < 0) handle_->fail_write(name);
+}
+
+void Hdf5Group::copy_from(const Hdf5Group& source, const std::string& name) {
+  if (!source.has(name)) source.handle_->fail(name, "is missing; it can't be copied");
+  if (has(name)) handle_->fail(name, "is there already");
+  if (H5Ocopy(source.handle_->get(), name.c_str(), handle_->get(), name.c_str(), H5P_DEFAULT,
+              H5P_DEFAULT) < 0) {
+    handle_->fail(name, "can't be copied from " + source.handle_->file + reason());
+  }
+}
+
+template <class T>
+void Hdf5Group::write(const std::string& name, std::span<const T> values,
+                      const std::vector<std::size_t>& shape) {
+  const hid_t parent = handle_->get();
+  if (has(name)) handle_->fail(name, "is there already");
+  std::vector<hsize_t> sizes(shape.begin(), shape.end());
+  if (sizes.empty()) sizes = {values.size()};
+  std::size_t row = 1;  // elements below the first index
+  for (std::size_t i = 1; i < sizes.size(); ++i) row *= sizes[i];
+  if (sizes[0] * row != values.size()) {
+    handle_->fail(name, "has " + std::to_string(values.size()) + " values for another shape");
+  }
+
+  const Stored<T> stored(values);
+  const Id space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
+  const Id properties = dataset_properties();
+  if (values.size() * stored.element > kSmallest) {
+    std::vector<hsize_t> chunk = sizes;
+    chunk[0] = std::clamp<hsize_t>(kChunk / (row * stored.element), 1, sizes[0]);
+    chunk_and_compress(properties, chunk);
+  }
+  const Id dataset(
+      H5Dcreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+      H5Dclose);
+  if (!dataset.valid()) handle_->fail_write(name);
+  if (values.empty()) return;
+  if (H5Dwrite(dataset, stored.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, stored.data()) < 0) {
+    handle_->fail_write(name);
+  }
+}
+
+template <class T>
+std::vector<T> Hdf5Group::read(const std::string& name) const {
+  const Id dataset = handle_->dataset(name);
+  const std::size_t element = handle_->check_type<T>(dataset, name);
+  const hsize_t most = (H5Dget_storage_size(dataset) * kLargestRatio + kSmallest) / element;
+  hsize_t count = 1;
+  for (const hsize_t size : handle_->extent(dataset, name)) {
+    if (size == 0) return {};
+    if (size > most / count) handle_->fail(name, "has an impossible size; the file is damaged");
+    count *= size;
+  }
+  const auto read_into = [&](const Id& type, void* out) {
+    if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out) < 0) handle_->fail_damaged(name);
+  };
+  try {
+    if constexpr (std::is_same_v<T, std::string>) {
+      std::string bytes(count * element, '\0');
+      read_into(text_type(element), bytes.data());
+      std::vector<T> values;
+      values.reserve(count);
+      for (hsize_t i = 0; i < count; ++i) values.push_back(unpadded(bytes, i * element, element));
+      return values;
+    } else {
+      std::vector<T> values(count);
+      read_into(number_type<T>(false), values.data());
+      return values;
+    }
+  } catch (const std::bad_alloc&) {
+    handle_->fail(name, "does not fit into memory (" + std::to_string(count) + " values)");
+  }
+}
+
+std::vector<std::size_t> Hdf5Group::shape(const std::string& name) const {
+  const std::vector<hsize_t> sizes = handle_->extent(handle_->dataset(name), name);
+  return {sizes.begin(), sizes.end()};
+}
+
+template <class T>
+void Hdf5Group::append(const std::string& name, std::span<const T> values) {
+  const Stored<T> stored(values, kAppendWidth);
+  if (!has(name)) {
+    const hsize_t none = 0;
+    const hsize_t unlimited = H5S_UNLIMITED;
+    const Id space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
+    const Id properties = dataset_properties();
+    chunk_and_compress(properties, {kAppendChunk / stored.element});
+    const Id made(H5Dcreate2(handle_->get(), name.c_str(), stored.in_file, space, H5P_DEFAULT,
+                             properties, H5P_DEFAULT),
+                  H5Dclose);
+    if (!made.valid()) handle_->fail_write(name);
+  }
+  const Id dataset = handle_->dataset(name);
+  handle_->check_type<T>(dataset, name);
+  const std::vector<hsize_t> sizes = handle_->extent(dataset, name);
+  if (sizes.size() != 1) handle_->fail(name, "is not a list; nothing can be appended to it");
+  if (values.empty()) return;
+  const hsize_t begin = sizes[0];
+  const hsize_t count = values.size();
+  const hsize_t end = begin + count;
+  if (H5Dset_extent(dataset, &end) < 0) handle_->fail(name, "can't be extended" + reason());
+  const Id in_file(H5Dget_space(dataset), H5Sclose);
+  H5Sselect_hyperslab(in_file, H5S_SELECT_SET, &begin, nullptr, &count, nullptr);
+  const Id in_memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  if (H5Dwrite(dataset, stored.in_memory, in_memory, in_file, H5P_DEFAULT, stored.data()) < 0) {
+    handle_->fail_write(name);
+  }
+}
+
+template <class T>
+void Hdf5Group::set_attribute(const std::string& name, const T& value) {
+  const hid_t parent = handle_->get();
+  if (has_attribute(name)) H5Adelete(parent, name.c_str());
+  const Stored<T> stored(std::span<const T>(&value, 1));
+  const Id space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Id attribute(
+      H5Acreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  if (!attribute.valid() || H5Awrite(attribute, stored.in_memory, stored.data()) < 0) {
+    handle_->fail_write("@" + name);
+  }
+}
+
+template <class T>
+T Hdf5Group::attribute(const std::string& name) const {
+  if (!has_attribute(name)) {
+    handle_->fail("@" + name, "is missing; the file is damaged or not of this kind");
+  }
+  const Id attribute(H5Aopen(handle_->get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Id type(H5Aget_type(attribute), H5Tclose);
+  const Id space(H5Aget_space(attribute), H5Sclose);
+  if (!type.valid() || !space.valid()) handle_->fail_damaged("@" + name);
+  if (!fits<T>(type) || H5Sget_simple_extent_npoints(space) != 1) {
+    handle_->fail("@" + name, std::string("is not one of ") + name_of_type<T>());
+  }
+  if constexpr (std::is_same_v<T, std::string>) {
+    const std::size_t width = H5Tget_size(type);
+    std::string bytes(width, '\0');
+    if (H5Aread(attribute, text_type(width), bytes.data()) < 0) handle_->fail_damaged("@" + name);
+    return unpadded(bytes, 0, width);
+  } else {
+    T value{};
+    if (H5Aread(attribute, number_type<T>(false), &value) < 0) handle_->fail_damaged("@" + name);
+    return value;
+  }
+}
+
+bool Hdf5Group::has_attribute(const std::string& name) const {
+  return H5Aexists(handle_->get(), name.c_str()) > 0;
+}
+
+void Hdf5Group::set_unit(const std::string& name, const std::string& unit) {
+  Id id = handle_->dataset(name);
+  Hdf5Group dataset(
+      std::make_shared<Handle>(Handle{std::move(id), handle_->file, handle_->path + "/" + name}));
+  dataset.set_attribute("unit", unit);
+}
+
+Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int schema_version) {
+  silence();
+  Id id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_properties()), H5Fclose);
+  if (!id.valid()) {
+    throw InputError(path.string() +
+                     ": can't be written; check the folder and that no other "
+                     "program has the file open" +
+                     reason());
+  }
+  Hdf5File file(
+      std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), path.string(), ""}));
+  Hdf5Group root = file.root();
+  root.set_attribute<std::string>("format", format);
+  root.set_attribute<std::int64_t>("schema_version", schema_version);
+  root.set_attribute<std::string>("program_version", version());
+  return file;
+}
+
+Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int newest_schema_version,
+                        bool writable) {
+  silence();
+  std::error_code code;
+  const std::string expected = "; expected a " + format;
+  if (!fs::exists(path, code)) throw InputError(path.string() + ": no such file" + expected);
+  if (fs::is_directory(path, code)) throw InputError(path.string() + ": is a folder" + expected);
+  if (fs::file_size(path, code) == 0) throw InputError(path.string() + ": is empty" + expected);
+  if (H5Fis_hdf5(path.c_str()) == 0) {
+    throw InputError(path.string() + ": is not an HDF5 file" + expected);
+  }
+  Id id(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access_properties()),
+        H5Fclose);
+  if (!id.valid()) {
+    throw InputError(path.string() +
+                     ": can't be opened; it is cut short, damaged, not permitted "
+                     "or open in another program" +
+                     reason());
+  }
+  Hdf5File file(
+      std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), path.string(), ""}));
+  const Hdf5Group root = file.root();
+  if (!root.has_attribute("format")) {
+    throw InputError(path.string() + ": is an HDF5 file that clast did not write" + expected);
+  }
+  const std::string found = root.attribute<std::string>("format");
+  if (found != format) throw InputError(path.string() + ": is a " + found + expected);
+  const std::int64_t schema = root.attribute<std::int64_t>("schema_version");
+  if (schema > newest_schema_version) {
+    throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
+                     ", written by clast " + root.attribute<std::string>("program_version") +
+                     "; this is clast " + version() + " and reads up to version " +
+                     std::to_string(newest_schema_version) + ": use a newer clast");
+  }
+  if (schema < 1) {
+    throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
+                     ", which never existed; the file is damaged");
+  }
+  return file;
+}
+
+Hdf5Group Hdf5File::root() const {
+  Id id(H5Gopen2(handle_->get(), "/", H5P_DEFAULT), H5Gclose);
+  if (!id.valid())
+    throw InputError(handle_->file + ": has no root group; it is damaged" + reason());
+  return Hdf5Group(
+      std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), handle_->file, ""}));
+}
+
+void Hdf5File::flush() {
+  if (H5Fflush(handle_->get(), H5F_SCOPE_GLOBAL) < 0) {
+    throw InputError(handle_->file + ": can't be written; is the disk full?" + reason());
+  }
+}
+
+#define CLAST_HDF5_ELEMENT(T)                                               \
+  template void Hdf5Group::write<T>(const std::string&, std::span<const T>, \
+                                    const std::vector<std::size_t>&);       \
+  template std::vector<T> Hdf5Group::read<T>(const std::string&) const;     \
+  template void Hdf5Group::append<T>(const std::string&, std::span<const T>);
+CLAST_HDF5_ELEMENT(double)
+CLAST_HDF5_ELEMENT(float)
+CLAST_HDF5_ELEMENT(std::int64_t)
+CLAST_HDF5_ELEMENT(std::int32_t)
+CLAST_HDF5_ELEMENT(std::uint32_t)
+CLAST_HDF5_ELEMENT(std::uint16_t)
+CLAST_HDF5_ELEMENT(std::uint8_t)
+CLAST_HDF5_ELEMENT(std::string)
+#undef CLAST_HDF5_ELEMENT
+
+#define CLAST_HDF5_ATTRIBUTE(T)                                            \
+  template void Hdf5Group::set_attribute<T>(const std::string&, const T&); \
+  template T Hdf5Group::attribute<T>(const std::string&) const;
+CLAST_HDF5_ATTRIBUTE(double)
+CLAST_HDF5_ATTRIBUTE(std::int64_t)
+CLAST_HDF5_ATTRIBUTE(std::string)
+#undef CLAST_HDF5_ATTRIBUTE
+
+}  // namespace clast

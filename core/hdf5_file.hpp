@@ -2,8 +2,9 @@
 /// HDF5 files as groups of typed arrays and attributes, without an HDF5 type in sight. The block
 /// library, the terrain file and the results file are all written through this.
 ///
-/// Files are written with the library's default format version, which a killed process leaves
-/// readable up to the last `flush`. Link-time order of children is by name. One thread at a time.
+/// Files are written in the format of HDF5 1.8, which a killed process leaves readable up to the
+/// last `flush` and whose structures carry checksums. Link-time order of children is by name. One
+/// thread at a time.
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -16,8 +17,8 @@ namespace clast {
 /// An open group. Copies share the handle; it closes with the last of them.
 ///
 /// Element types: double, float, std::int64_t, std::int32_t, std::uint32_t, std::uint16_t,
-/// std::uint8_t, std::string (variable-length UTF-8). Every reader throws InputError naming file
-/// and dataset when something is missing, of another type, or truncated.
+/// std::uint8_t, std::string (UTF-8, stored at the width of the longest). Every reader throws
+/// InputError naming file and dataset when something is missing, of another type, or truncated.
 class Hdf5Group {
  public:
   bool has(const std::string& name) const;
@@ -30,19 +31,24 @@ class Hdf5Group {
   /// Copies child `name` of `source` (any open file) to here under the same name.
   void copy_from(const Hdf5Group& source, const std::string& name);
 
+  /// Arrays over 4 kB are stored in compressed chunks. An empty shape stands for a list.
   template <class T>
   void write(const std::string& name, std::span<const T> values,
              const std::vector<std::size_t>& shape = {});
+  /// Numbers of the stored type must be numbers of T without loss: float is read as double, not the
+  /// other way.
   template <class T>
   std::vector<T> read(const std::string& name) const;
   std::vector<std::size_t> shape(const std::string& name) const;
 
-  /// Appends to a one-dimensional, extendible, compressed dataset, made when missing.
+  /// Appends to a one-dimensional, extendible, compressed dataset, made when missing. Texts are
+  /// cut to 1,024 bytes.
   template <class T>
   void append(const std::string& name, std::span<const T> values);
 
   template <class T>
-  void set_attribute(const std::string& name, const T& value);  ///< double, std::int64_t, std::string
+  void set_attribute(const std::string& name,
+                     const T& value);  ///< double, std::int64_t, std::string
   template <class T>
   T attribute(const std::string& name) const;
   bool has_attribute(const std::string& name) const;
@@ -69,7 +75,9 @@ class Hdf5File {
                        int newest_schema_version, bool writable = false);
 
   Hdf5Group root() const;
-  /// Hands everything written so far to the operating system.
+  /// Hands everything written so far to the operating system. Call it before a file counts as
+  /// written: closing can't report a full disk.
+  /// @throws InputError  the disk is full or gone
   void flush();
 
  private:

@@ -25,15 +25,20 @@ ContactWeights contact_weights(const std::string& name) {
   if (name == "overlap") return ContactWeights::kOverlap;
   if (name == "count") return ContactWeights::kCount;
   if (name == "none") return ContactWeights::kNone;
-  throw InputError("contact weights \"" + name + "\" are unknown; use patch, overlap, count or none");
+  throw InputError("contact weights \"" + name +
+                   "\" are unknown; use patch, overlap, count or none");
 }
 
 std::string name_of(ContactWeights weights) {
   switch (weights) {
-    case ContactWeights::kPatch: return "patch";
-    case ContactWeights::kOverlap: return "overlap";
-    case ContactWeights::kCount: return "count";
-    case ContactWeights::kNone: return "none";
+    case ContactWeights::kPatch:
+      return "patch";
+    case ContactWeights::kOverlap:
+      return "overlap";
+    case ContactWeights::kCount:
+      return "count";
+    case ContactWeights::kNone:
+      return "none";
   }
   return "patch";
 }

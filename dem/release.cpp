@@ -109,12 +109,12 @@ class Release {
       left_ = true;
     }
     const double g = settings_.gravity;
-    travel_ += (begin.velocity.norm() + top_spin() * radius_) * duration +
-               0.5 * g * duration * duration;
+    travel_ +=
+        (begin.velocity.norm() + top_spin() * radius_) * duration + 0.5 * g * duration * duration;
     state_ = free_flight(body_, begin, duration, g);
     const double middle_speed = (begin.velocity - Vec3(0.0, 0.0, 0.5 * g * duration)).norm();
-    result_.path_length += duration / 6.0 *
-                           (begin.velocity.norm() + 4.0 * middle_speed + state_.velocity.norm());
+    result_.path_length +=
+        duration / 6.0 * (begin.velocity.norm() + 4.0 * middle_speed + state_.velocity.norm());
     resting_ = 0.0;
     meet_ground(0.0);
     advance(begin, duration, true);
@@ -142,8 +142,8 @@ class Release {
     state_.angular_velocity = angular_velocity(body_.moments, state_.orientation, momentum_);
     ++result_.contact_steps;
 
-    const double specific = (translational_energy(body_, state_) +
-                             rotational_energy(body_, state_)) / body_.mass;
+    const double specific =
+        (translational_energy(body_, state_) + rotational_energy(body_, state_)) / body_.mass;
     resting_ = !forces_.empty() && specific < settings_.rest_energy ? resting_ + dt : 0.0;
     if (!terrain_.covers(state_.position.x(), state_.position.y())) left_ = true;
     advance(begin, dt, false);
@@ -163,7 +163,8 @@ class Release {
 
   void advance(const RigidState& begin, double duration, bool flight) {
     const double end_time = time_ + duration;
-    result_.max_speed = std::max({result_.max_speed, begin.velocity.norm(), state_.velocity.norm()});
+    result_.max_speed =
+        std::max({result_.max_speed, begin.velocity.norm(), state_.velocity.norm()});
     if (observe_) observe_({time_, end_time, begin, state_, flight});
     time_ = end_time;
   }
@@ -180,8 +181,8 @@ class Release {
     EnergyLedger& ledger = result_.energy;
     ledger.final = energy();
     // The potential counts from the end height, so that the scale does not depend on the datum.
-    const double scale = std::abs(ledger.initial - body_.mass * settings_.gravity *
-                                                       state_.position.z());
+    const double scale =
+        std::abs(ledger.initial - body_.mass * settings_.gravity * state_.position.z());
     const double lost = ledger.dissipated();
     ledger.error = std::abs(ledger.initial - ledger.final - lost) /
                    std::max({std::abs(lost), 1e-3 * scale, 1e-300});
@@ -189,10 +190,9 @@ class Release {
         terrain_.height(state_.position.x(), state_.position.y(), state_.position.z());
     const double rest_depth = body_.mass * settings_.gravity /
                               (settings_.stiffness.normal * forces_.smallest_restitution());
-    result_.below_ground =
-        (ground && state_.position.z() < *ground) ||
-        (result_.stop_reason == StopReason::kRest &&
-         forces_.carrying_overlap() > kSettledSlack * rest_depth);
+    result_.below_ground = (ground && state_.position.z() < *ground) ||
+                           (result_.stop_reason == StopReason::kRest &&
+                            forces_.carrying_overlap() > kSettledSlack * rest_depth);
   }
 
   const TerrainSurface& terrain_;
@@ -217,8 +217,9 @@ class Release {
 
 void check_body(const RigidBody& body) {
   if (!(body.mass > 0.0) || !(body.moments.minCoeff() > 0.0) || body.shape.vertices.empty()) {
-    throw SimulationError("block: mass and principal moments must be positive and the shape must "
-                          "have a vertex");
+    throw SimulationError(
+        "block: mass and principal moments must be positive and the shape must "
+        "have a vertex");
   }
 }
 
@@ -226,10 +227,14 @@ void check_body(const RigidBody& body) {
 
 std::string name_of(StopReason reason) {
   switch (reason) {
-    case StopReason::kRest: return "rest";
-    case StopReason::kLeftTerrain: return "left_terrain";
-    case StopReason::kMaxTime: return "max_time";
-    case StopReason::kError: return "error";
+    case StopReason::kRest:
+      return "rest";
+    case StopReason::kLeftTerrain:
+      return "left_terrain";
+    case StopReason::kMaxTime:
+      return "max_time";
+    case StopReason::kError:
+      return "error";
   }
   return "error";
 }
@@ -260,8 +265,7 @@ RigidState state_at(const RigidBody& body, const MotionStep& step, double time, 
   RigidState state;
   state.position = (2 * s3 - 3 * s2 + 1) * step.begin.position +
                    (s3 - 2 * s2 + share) * duration * step.begin.velocity +
-                   (3 * s2 - 2 * s3) * step.end.position +
-                   (s3 - s2) * duration * step.end.velocity;
+                   (3 * s2 - 2 * s3) * step.end.position + (s3 - s2) * duration * step.end.velocity;
   state.velocity = (1.0 - share) * step.begin.velocity + share * step.end.velocity;
   state.orientation = step.begin.orientation.slerp(share, step.end.orientation);
   state.angular_velocity =
@@ -284,8 +288,7 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
     throw SimulationError("the start (" + std::to_string(start.position.x()) + ", " +
                           std::to_string(start.position.y()) + ") is not on the terrain");
   }
-  const double overlap =
-      Release(terrain, zones, body, start, settings, observe).start_overlap();
+  const double overlap = Release(terrain, zones, body, start, settings, observe).start_overlap();
   const std::optional<double> ground =
       terrain.height(start.position.x(), start.position.y(), start.position.z());
   if ((ground && start.position.z() < *ground) ||

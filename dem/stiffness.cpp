@@ -76,9 +76,8 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
   chosen.tangential = options.tangential.value_or(chosen.normal);
   const double arm = kRollingArmShare * smallest_side;
   chosen.rolling = options.rolling.value_or(chosen.tangential * arm * arm);
-  const double frequency =
-      std::sqrt(std::max(std::max(chosen.normal, chosen.tangential) * mobility,
-                         chosen.rolling / smallest_moment));
+  const double frequency = std::sqrt(std::max(std::max(chosen.normal, chosen.tangential) * mobility,
+                                              chosen.rolling / smallest_moment));
   chosen.time_step = options.time_step.value_or(kStepTimesFrequency / frequency);
 
   double worst_rest_share = 0.0;
@@ -90,18 +89,16 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
     worst_rest_share = std::max(worst_rest_share, rest / body.smallest_side);
   }
   if (chosen.normal < 0.999 * normal) {
-    choice.warnings.push_back("k_n = " + number(chosen.normal) + " N/m is softer than the " +
-                              number(normal) + " N/m that \"auto\" would take: blocks settle " +
-                              number(choice.settled_depth) + " m deep (" +
-                              number(100.0 * worst_rest_share) +
-                              " % of S) and the fastest impact goes " +
-                              number(choice.impact_depth) + " m deep");
+    choice.warnings.push_back(
+        "k_n = " + number(chosen.normal) + " N/m is softer than the " + number(normal) +
+        " N/m that \"auto\" would take: blocks settle " + number(choice.settled_depth) +
+        " m deep (" + number(100.0 * worst_rest_share) + " % of S) and the fastest impact goes " +
+        number(choice.impact_depth) + " m deep");
   }
   if (chosen.time_step * frequency > 0.5) {
-    choice.warnings.push_back("time step " + number(chosen.time_step) +
-                              " s is long for this stiffness; " +
-                              number(kStepTimesFrequency / frequency) +
-                              " s resolves every contact");
+    choice.warnings.push_back(
+        "time step " + number(chosen.time_step) + " s is long for this stiffness; " +
+        number(kStepTimesFrequency / frequency) + " s resolves every contact");
   }
   return choice;
 }

@@ -21,7 +21,8 @@ std::optional<double> height_on_face(const SurfaceFeatures& features, const Surf
     const double first = (b.x() - a.x()) * (y - a.y());
     const double second = (b.y() - a.y()) * (x - a.x());
     // A point on a shared edge belongs to both faces, whatever the rounding.
-    if (sign * (first - second) < -1e-12 * (std::abs(first) + std::abs(second))) return std::nullopt;
+    if (sign * (first - second) < -1e-12 * (std::abs(first) + std::abs(second)))
+      return std::nullopt;
   }
   const Vec3& a = features.vertices[face.vertices[0]];
   return a.z() - (face.normal.x() * (x - a.x()) + face.normal.y() * (y - a.y())) / face.normal.z();

@@ -1,6 +1,5 @@
 #pragma once
 /// The record of one block: shape, mass, axes, classes and where it came from.
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,17 +14,18 @@ namespace clast {
 
 /// Where a block came from.
 struct BlockSource {
-  std::string file;    ///< path as the user gave it
-  std::string sha256;  ///< of that file
-  std::string options; ///< everything that shaped the block, as "key=value" separated by blanks
+  std::string file;     ///< path as the user gave it
+  std::string sha256;   ///< of that file
+  std::string options;  ///< everything that shaped the block, as "key=value" separated by blanks
+  std::string program_version;  ///< of the clast that made it
 };
 
 /// What the field book says, attached by `clast library set`.
 struct FieldNotes {
   std::string site;
   std::string note;
-  std::optional<Axes> taped;            ///< m
-  std::optional<double> weighed_mass;   ///< kg
+  std::optional<Axes> taped;           ///< m
+  std::optional<double> weighed_mass;  ///< kg
 };
 
 /// A block. Everything geometric is in the frame of the stored mesh (the source's, scaled to metres
@@ -33,14 +33,14 @@ struct FieldNotes {
 struct Block {
   std::string id;
   BlockSource source;
-  TriangleMesh surface;           ///< closed mesh the block was made from: outer surface, or the core
+  TriangleMesh surface;  ///< closed mesh the block was made from: outer surface, or the core
   SpheroPolyhedron body;
-  double density = 2650.0;        ///< kg/m^3
-  MassProperties mass;            ///< of the rounded body
-  double area = 0.0;              ///< of the rounded surface, m^2
+  double density = 2650.0;  ///< kg/m^3
+  MassProperties mass;      ///< of the rounded body
+  double area = 0.0;        ///< of the rounded surface, m^2
   PrincipalFrame principal;
-  OrientedBox box;                ///< smallest box of the rounded body
-  Deviation deviation;            ///< rounded body against `surface`; zero for a core
+  OrientedBox box;      ///< smallest box of the rounded body
+  Deviation deviation;  ///< rounded body against `surface`; zero for a core
   bool from_core = false;
   std::vector<std::string> warnings;
   FieldNotes field;

@@ -1,1 +1,335 @@
 #include "library/block_library.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/hdf5_file.hpp"
+#include "core/output_file.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr int kSchema = 1;
+const std::string kFormat = "clast block library";
+
+/// Throws when a value of the file can't be: `where` is "blocks.h5: block B017".
+void require(bool fine, const std::string& where, const std::string& what) {
+  if (!fine) throw InputError(where + ": " + what + "; the file is damaged");
+}
+
+void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixXd& values,
+                  const std::string& unit) {
+  std::vector<double> flat;
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    for (Eigen::Index j = 0; j < values.cols(); ++j) flat.push_back(values(i, j));
+  }
+  std::vector<std::size_t> shape = {static_cast<std::size_t>(values.rows())};
+  if (values.cols() > 1) shape.push_back(static_cast<std::size_t>(values.cols()));
+  group.write<double>(name, flat, shape);
+  group.set_unit(name, unit);
+}
+
+std::vector<double> read_numbers(const Hdf5Group& group, const std::string& name,
+                                 const std::vector<std::size_t>& shape, const std::string& where) {
+  std::vector<double> values = group.read<double>(name);
+  require(group.shape(name) == shape, where, name + " has the wrong shape");
+  for (const double value : values) require(std::isfinite(value), where, name + " is not finite");
+  return values;
+}
+
+Vec3 read_vector(const Hdf5Group& group, const std::string& name, const std::string& where) {
+  const std::vector<double> v = read_numbers(group, name, {3}, where);
+  return {v[0], v[1], v[2]};
+}
+
+Mat3 read_matrix(const Hdf5Group& group, const std::string& name, const std::string& where) {
+  const std::vector<double> v = read_numbers(group, name, {3, 3}, where);
+  Mat3 matrix;
+  matrix << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
+  return matrix;
+}
+
+double read_scalar(const Hdf5Group& group, const std::string& name, double least,
+                   const std::string& where) {
+  const double value = group.attribute<double>(name);
+  require(std::isfinite(value) && value >= least, where,
+          name + " can't be " + std::to_string(value));
+  return value;
+}
+
+void write_points(Hdf5Group group, const std::string& name, const std::vector<Vec3>& points) {
+  std::vector<double> flat;
+  flat.reserve(3 * points.size());
+  for (const Vec3& point : points) flat.insert(flat.end(), point.data(), point.data() + 3);
+  group.write<double>(name, flat, {points.size(), 3});
+  group.set_unit(name, "m");
+}
+
+std::vector<Vec3> read_points(const Hdf5Group& group, const std::string& name,
+                              const std::string& where) {
+  const std::vector<std::size_t> shape = group.shape(name);
+  require(shape.size() == 2, where, name + " has the wrong shape");
+  const std::vector<double> flat = read_numbers(group, name, {shape[0], 3}, where);
+  std::vector<Vec3> points(shape[0]);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};
+  }
+  return points;
+}
+
+template <std::size_t N>
+void write_indices(Hdf5Group group, const std::string& name,
+                   const std::vector<std::array<std::uint32_t, N>>& rows) {
+  std::vector<std::uint32_t> flat;
+  flat.reserve(N * rows.size());
+  for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
+  group.write<std::uint32_t>(name, flat, {rows.size(), N});
+  group.set_unit(name, "1");
+}
+
+void check_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices,
+                   const std::string& name, const std::string& where) {
+  for (const std::uint32_t index : indices) {
+    require(index < vertices, where, name + " names a vertex that is not there");
+  }
+}
+
+template <std::size_t N>
+std::vector<std::array<std::uint32_t, N>> read_indices(const Hdf5Group& group,
+                                                       const std::string& name,
+                                                       std::size_t vertices,
+                                                       const std::string& where) {
+  const std::vector<std::uint32_t> flat = group.read<std::uint32_t>(name);
+  require(group.shape(name) == std::vector<std::size_t>{flat.size() / N, N}, where,
+          name + " has the wrong shape");
+  check_indices(flat, vertices, name, where);
+  std::vector<std::array<std::uint32_t, N>> rows(flat.size() / N);
+  for (std::size_t i = 0; i < flat.size(); ++i) rows[i / N][i % N] = flat[i];
+  return rows;
+}
+
+void write_body(Hdf5Group group, const SpheroPolyhedron& body) {
+  group.set_attribute("minkowski_radius_m", body.radius);
+  write_points(group, "vertices", body.vertices);
+  write_indices<2>(group, "edges", body.edges);
+  std::vector<std::uint32_t> sizes, corners;
+  for (const SpheroPolyhedron::Face& face : body.faces) {
+    sizes.push_back(static_cast<std::uint32_t>(face.size()));
+    corners.insert(corners.end(), face.begin(), face.end());
+  }
+  group.write<std::uint32_t>("face_sizes", sizes);
+  group.write<std::uint32_t>("face_vertices", corners);
+  group.set_unit("face_sizes", "1");
+  group.set_unit("face_vertices", "1");
+}
+
+SpheroPolyhedron read_body(const Hdf5Group& group, const std::string& where) {
+  SpheroPolyhedron body;
+  body.radius = read_scalar(group, "minkowski_radius_m", 0.0, where);
+  body.vertices = read_points(group, "vertices", where);
+  require(!body.vertices.empty(), where, "core has no vertices");
+  body.edges = read_indices<2>(group, "edges", body.vertices.size(), where);
+  const std::vector<std::uint32_t> sizes = group.read<std::uint32_t>("face_sizes");
+  const std::vector<std::uint32_t> corners = group.read<std::uint32_t>("face_vertices");
+  check_indices(corners, body.vertices.size(), "face_vertices", where);
+  require(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == corners.size(), where,
+          "face_sizes and face_vertices do not fit each other");
+  auto corner = corners.begin();
+  for (const std::uint32_t size : sizes) {
+    require(size >= 3, where, "a face has fewer than three vertices");
+    body.faces.emplace_back(corner, corner + size);
+    corner += size;
+  }
+  return body;
+}
+
+void write_field_notes(Hdf5Group group, const FieldNotes& field) {
+  group.set_attribute("site", field.site);
+  group.set_attribute("note", field.note);
+  if (field.weighed_mass) group.set_attribute("weighed_mass_kg", *field.weighed_mass);
+  if (field.taped) {
+    const Vec3 taped(field.taped->L, field.taped->I, field.taped->S);
+    write_matrix(group, "taped_axes", taped, "m");
+  }
+}
+
+FieldNotes read_field_notes(const Hdf5Group& group, const std::string& where) {
+  FieldNotes field;
+  field.site = group.attribute<std::string>("site");
+  field.note = group.attribute<std::string>("note");
+  if (group.has_attribute("weighed_mass_kg")) {
+    field.weighed_mass = read_scalar(group, "weighed_mass_kg", 0.0, where);
+  }
+  if (group.has("taped_axes")) {
+    const Vec3 taped = read_vector(group, "taped_axes", where);
+    require(taped.minCoeff() > 0.0, where, "taped_axes are not positive");
+    field.taped = Axes{taped[0], taped[1], taped[2]};
+  }
+  return field;
+}
+
+void write_block(Hdf5Group group, const Block& block) {
+  group.set_attribute("source_file", block.source.file);
+  group.set_attribute("source_sha256", block.source.sha256);
+  group.set_attribute("options", block.source.options);
+  group.set_attribute("program_version", block.source.program_version);
+  group.set_attribute<std::int64_t>("from_core", block.from_core ? 1 : 0);
+
+  Hdf5Group surface = group.create_group("surface");
+  write_points(surface, "vertices", block.surface.vertices);
+  write_indices<3>(surface, "triangles", block.surface.triangles);
+  write_body(group.create_group("core"), block.body);
+
+  group.set_attribute("density_kg_m3", block.density);
+  group.set_attribute("volume_m3", block.mass.volume);
+  group.set_attribute("mass_kg", block.mass.mass);
+  group.set_attribute("area_m2", block.area);
+  group.set_attribute("mass_relative_error", block.mass.relative_error);
+  write_matrix(group, "centre", block.mass.centre, "m");
+  write_matrix(group, "inertia", block.mass.inertia, "kg m^2");
+  write_matrix(group, "principal_moments", block.principal.moments, "kg m^2");
+  const Quat& q = block.principal.rotation;
+  write_matrix(group, "source_from_body", Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()), "1");
+  group.set_attribute<std::int64_t>("nearly_equal_moments", block.principal.nearly_equal ? 1 : 0);
+
+  write_matrix(group, "box_centre", block.box.centre, "m");
+  write_matrix(group, "box_axes", block.box.axes, "1");
+  write_matrix(group, "box_lengths", block.box.lengths, "m");
+  for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
+    group.set_attribute(std::string("class_") + scheme, shape_class(scheme, block.axes()));
+  }
+
+  group.set_attribute("deviation_hausdorff_m", block.deviation.hausdorff);
+  group.set_attribute("deviation_mean_m", block.deviation.mean);
+  group.set_attribute("deviation_volume_relative", block.deviation.volume_relative);
+  group.write<std::string>("warnings", block.warnings);
+  group.set_unit("warnings", "1");
+  write_field_notes(group.create_group("field"), block.field);
+}
+
+Block read_block(const Hdf5Group& group, const std::string& id, const std::string& where) {
+  Block block;
+  block.id = id;
+  block.source = {
+      group.attribute<std::string>("source_file"), group.attribute<std::string>("source_sha256"),
+      group.attribute<std::string>("options"), group.attribute<std::string>("program_version")};
+  block.from_core = group.attribute<std::int64_t>("from_core") != 0;
+
+  const Hdf5Group surface = group.group("surface");
+  block.surface.vertices = read_points(surface, "vertices", where);
+  block.surface.triangles =
+      read_indices<3>(surface, "triangles", block.surface.vertices.size(), where);
+  block.body = read_body(group.group("core"), where);
+
+  constexpr double kPositive = 1e-300;
+  block.density = read_scalar(group, "density_kg_m3", kPositive, where);
+  block.mass.volume = read_scalar(group, "volume_m3", kPositive, where);
+  block.mass.mass = read_scalar(group, "mass_kg", kPositive, where);
+  block.mass.relative_error = read_scalar(group, "mass_relative_error", 0.0, where);
+  block.area = read_scalar(group, "area_m2", 0.0, where);
+  block.mass.centre = read_vector(group, "centre", where);
+  block.mass.inertia = read_matrix(group, "inertia", where);
+  block.principal.moments = read_vector(group, "principal_moments", where);
+  require(block.principal.moments.minCoeff() > 0.0, where, "principal_moments are not positive");
+  const std::vector<double> q = read_numbers(group, "source_from_body", {4}, where);
+  block.principal.rotation = Quat(q[0], q[1], q[2], q[3]);
+  require(std::abs(block.principal.rotation.norm() - 1.0) < 1e-9, where,
+          "source_from_body is not a rotation");
+  block.principal.nearly_equal = group.attribute<std::int64_t>("nearly_equal_moments") != 0;
+
+  block.box.centre = read_vector(group, "box_centre", where);
+  block.box.axes = read_matrix(group, "box_axes", where);
+  block.box.lengths = read_vector(group, "box_lengths", where);
+  require(block.box.lengths.minCoeff() > 0.0, where, "box_lengths are not positive");
+  block.deviation.hausdorff = read_scalar(group, "deviation_hausdorff_m", 0.0, where);
+  block.deviation.mean = read_scalar(group, "deviation_mean_m", 0.0, where);
+  block.deviation.volume_relative = read_scalar(group, "deviation_volume_relative", -1.0, where);
+  block.warnings = group.read<std::string>("warnings");
+  block.field = read_field_notes(group.group("field"), where);
+  return block;
+}
+
+void check_id(const std::string& id) {
+  const bool control = std::any_of(id.begin(), id.end(), [](unsigned char c) { return c < 32; });
+  if (control || id.find('/') != std::string::npos ||
+      id.find_first_not_of('.') == std::string::npos) {
+    throw InputError("\"" + id +
+                     "\" can't be the id of a block: it needs a letter or digit and "
+                     "no slash");
+  }
+}
+
+std::vector<Block>::const_iterator position(const std::vector<Block>& blocks,
+                                            const std::string& id) {
+  return std::lower_bound(
+      blocks.begin(), blocks.end(), id,
+      [](const Block& block, const std::string& key) { return block.id < key; });
+}
+
+std::size_t found(const std::vector<Block>& blocks, const std::string& id) {
+  const auto at = position(blocks, id);
+  if (at != blocks.end() && at->id == id) return static_cast<std::size_t>(at - blocks.begin());
+  std::string known;
+  for (std::size_t i = 0; i < std::min<std::size_t>(blocks.size(), 20); ++i) {
+    known += (i ? ", " : "") + blocks[i].id;
+  }
+  if (blocks.size() > 20) known += " and " + std::to_string(blocks.size() - 20) + " more";
+  throw InputError("no block \"" + id + "\" in the library; there " +
+                   (blocks.empty() ? "are none" : "is " + known));
+}
+
+}  // namespace
+
+BlockLibrary BlockLibrary::read(const std::filesystem::path& path) {
+  const Hdf5File file = Hdf5File::open(path, kFormat, kSchema);
+  const Hdf5Group blocks = file.root().group("blocks");
+  BlockLibrary library;
+  for (const std::string& id : blocks.names()) {
+    library.add(read_block(blocks.group(id), id, path.string() + ": block " + id));
+  }
+  return library;
+}
+
+void BlockLibrary::write(const std::filesystem::path& path) const {
+  OutputFile output(path);
+  {
+    Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchema);
+    Hdf5Group blocks = file.root().create_group("blocks");
+    for (const Block& block : blocks_) write_block(blocks.create_group(block.id), block);
+    file.flush();
+  }
+  output.commit();
+}
+
+bool BlockLibrary::has(const std::string& id) const {
+  const auto at = position(blocks_, id);
+  return at != blocks_.end() && at->id == id;
+}
+
+const Block& BlockLibrary::block(const std::string& id) const {
+  return blocks_[found(blocks_, id)];
+}
+
+Block& BlockLibrary::block(const std::string& id) { return blocks_[found(blocks_, id)]; }
+
+void BlockLibrary::add(Block block, bool replace) {
+  check_id(block.id);
+  if (!has(block.id)) {
+    blocks_.insert(position(blocks_, block.id), std::move(block));
+  } else if (replace) {
+    this->block(block.id) = std::move(block);
+  } else {
+    throw InputError("block " + block.id +
+                     " is in the library already; use --replace to put the "
+                     "new one in its place");
+  }
+}
+
+void BlockLibrary::remove(const std::string& id) {
+  blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(found(blocks_, id)));
+}
+
+}  // namespace clast

@@ -23,8 +23,10 @@ class BlockLibrary {
   /// @throws InputError  no such id; the message lists those there are
   const Block& block(const std::string& id) const;
   Block& block(const std::string& id);
-  /// @throws InputError  the id is there already and `replace` is false
+  /// @throws InputError  the id is there already and `replace` is false, or is no name: empty, with
+  ///                     a slash or a control character, or only dots
   void add(Block block, bool replace = false);
+  /// @throws InputError  no such id; the message lists those there are
   void remove(const std::string& id);
 
  private:

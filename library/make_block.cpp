@@ -1,1 +1,184 @@
 #include "library/make_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "massprops/solid.hpp"
+#include "massprops/sphero.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr double kLargestRadiusShare =
+    0.25;  ///< of S; beyond it rounding, not the rock, is the shape
+constexpr double kLargestDeviation = 0.01;  ///< of L; the accuracy clast promises by default
+constexpr double kLargestMassGap = 0.05;    ///< relative; scales and densities are not that far off
+constexpr int kVolumeSteps = 4;             ///< the volume is close to a cubic; two or three do
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+void check_positive(double value, const char* name, const char* unit) {
+  if (!(value > 0.0) || !std::isfinite(value)) {
+    throw InputError(std::string(name) + " is " + number(value) + " " + unit +
+                     "; it must be a positive number");
+  }
+}
+
+/// The body with its core scaled about `centre`; the radius stays.
+SpheroPolyhedron with_scaled_core(SpheroPolyhedron body, const Vec3& centre, double factor) {
+  for (Vec3& vertex : body.vertices) vertex = centre + factor * (vertex - centre);
+  return body;
+}
+
+/// A body and its mass properties at a density of 1 kg/m^3.
+struct MeasuredBody {
+  SpheroPolyhedron body;
+  MassProperties unit;
+};
+
+/// Scales the core until the rounded body has the volume `target`, to the accuracy with which that
+/// volume is known.
+MeasuredBody with_volume(const SpheroPolyhedron& body, double target, double accuracy) {
+  const auto measured = [&](SpheroPolyhedron tried) {
+    const MassProperties unit = sphero_mass_properties(tried, 1.0, accuracy);
+    return MeasuredBody{std::move(tried), unit};
+  };
+  MeasuredBody best = measured(body);
+  const Vec3 centre = best.unit.centre;
+  double factor = 1.0;
+  double previous_factor = 1.0;
+  double previous_gap = 0.0;
+  for (int step = 0; step < kVolumeSteps; ++step) {
+    const double gap = best.unit.volume - target;
+    const double tolerance = std::max(0.5 * best.unit.relative_error, 1e-12);
+    if (std::abs(gap) <= tolerance * target) break;
+    const bool first = step == 0 || gap == previous_gap;
+    const double slope =
+        first ? 3.0 * best.unit.volume / factor : (gap - previous_gap) / (factor - previous_factor);
+    previous_gap = gap;
+    previous_factor = factor;
+    factor -= gap / slope;
+    best = measured(with_scaled_core(body, centre, factor));
+  }
+  return best;
+}
+
+void add_warnings(Block& block, const BlockOptions& options) {
+  const double L = block.box.lengths[0];
+  const double S = block.box.lengths[2];
+  if (block.principal.nearly_equal) {
+    block.warnings.push_back(
+        "two principal moments are nearly equal: the principal axes, and what is given relative to "
+        "them, follow a convention and not the shape");
+  }
+  if (block.body.radius > kLargestRadiusShare * S) {
+    block.warnings.push_back("the radius " + number(block.body.radius) +
+                             " m is more than a quarter of S (" + number(S) +
+                             " m): corners and edges are mostly rounding");
+  }
+  if (block.deviation.hausdorff > kLargestDeviation * L) {
+    block.warnings.push_back("the block lies up to " + number(block.deviation.hausdorff) +
+                             " m off the scan, " + number(100.0 * block.deviation.hausdorff / L) +
+                             " % of L; use more --vertices or a smaller --radius-share");
+  }
+  if (options.mass && options.density_given) {
+    const double gap = block.mass.mass / *options.mass - 1.0;
+    if (std::abs(gap) > kLargestMassGap) {
+      block.warnings.push_back("volume times density gives " + number(block.mass.mass) + " kg, " +
+                               number(std::abs(100.0 * gap)) + " % " + (gap > 0 ? "more" : "less") +
+                               " than the " + number(*options.mass) +
+                               " kg weighed; check scale, density and closed bottom");
+    }
+  }
+}
+
+std::string described(const BlockOptions& options, const Block& block) {
+  std::string text = options.core ? "core=yes" : "core=no";
+  text += " radius_m=" + number(block.body.radius);
+  if (!options.radius) text += " radius_share=" + number(options.radius_share);
+  text += " density_kg_m3=" + number(block.density);
+  if (options.mass) text += " mass_kg=" + number(*options.mass);
+  return text + " accuracy=" + number(options.accuracy);
+}
+
+Block checked_block(const std::string& id, const TriangleMesh& surface, const TriangleMesh& scan,
+                    BlockSource source, const BlockOptions& options) {
+  options.check();
+  Block block;
+  block.id = id;
+  block.surface = surface;
+  block.from_core = options.core;
+
+  MeasuredBody measured;
+  if (options.core) {
+    measured.body = sphero_polyhedron(surface, *options.radius);
+    measured.unit = sphero_mass_properties(measured.body, 1.0, options.accuracy);
+  } else {
+    const double radius = options.radius
+                              ? *options.radius
+                              : options.radius_share * smallest_box(surface.vertices).lengths[2];
+    const double target = solid_mass_properties(scan, 1.0).volume;
+    measured = with_volume(rounded_core(surface, radius), target, options.accuracy);
+    block.deviation = surface_deviation(scan, measured.body);
+    block.deviation.volume_relative = measured.unit.volume / target - 1.0;
+  }
+  block.body = std::move(measured.body);
+  block.density = options.mass && !options.density_given ? *options.mass / measured.unit.volume
+                                                         : options.density;
+  block.mass = measured.unit;
+  block.mass.mass = block.density * measured.unit.volume;
+  block.mass.inertia = block.density * measured.unit.inertia;
+  block.area = sphero_area(block.body);
+  block.principal = principal_frame(block.mass);
+  block.box = smallest_box(block.body);
+  block.field.weighed_mass = options.mass;
+
+  block.source = std::move(source);
+  if (!block.source.options.empty()) block.source.options += " ";
+  block.source.options += described(options, block);
+  block.source.program_version = version();
+  add_warnings(block, options);
+  return block;
+}
+
+}  // namespace
+
+void BlockOptions::check() const {
+  if (core && !radius) {
+    throw InputError("a core needs its Minkowski radius: give --radius in metres beside --core");
+  }
+  if (radius && (!(*radius >= 0.0) || !std::isfinite(*radius))) {
+    throw InputError("radius is " + number(*radius) + " m; it must be zero or a positive number");
+  }
+  if (!(radius_share >= 0.0) || radius_share > kLargestRadiusShare) {
+    throw InputError("radius share is " + number(radius_share) +
+                     " of S; it must be between 0 and 0.25");
+  }
+  check_positive(density, "density", "kg/m3");
+  if (mass) check_positive(*mass, "mass", "kg");
+  if (!(accuracy >= 1e-6 && accuracy <= 1e-2)) {
+    throw InputError("accuracy is " + number(accuracy) + "; it must be between 1e-6 and 1e-2");
+  }
+}
+
+Block make_block(const std::string& id, const TriangleMesh& surface, const TriangleMesh& scan,
+                 BlockSource source, const BlockOptions& options) {
+  try {
+    return checked_block(id, surface, scan, std::move(source), options);
+  } catch (const GeometryError& error) {
+    throw GeometryError("block " + id + ": " + error.what());
+  } catch (const InputError& error) {
+    throw InputError("block " + id + ": " + error.what());
+  }
+}
+
+}  // namespace clast

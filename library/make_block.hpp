@@ -9,20 +9,24 @@ namespace clast {
 
 /// How a mesh becomes a block.
 struct BlockOptions {
-  bool core = false;                   ///< the mesh is the core, unchanged; needs `radius`
-  std::optional<double> radius;        ///< Minkowski radius, m
-  double radius_share = 0.02;          ///< of S, where `radius` is not given
-  double density = 2650.0;             ///< kg/m^3
+  bool core = false;             ///< the mesh is the core, unchanged; needs `radius`
+  std::optional<double> radius;  ///< Minkowski radius, m
+  double radius_share = 0.02;    ///< of S, where `radius` is not given
+  double density = 2650.0;       ///< kg/m^3
   bool density_given = false;
-  std::optional<double> mass;          ///< kg: sets the density, or checks the volume if that is given
-  double accuracy = 1e-4;              ///< relative, of volume and inertia
+  std::optional<double> mass;  ///< kg: sets the density, or checks the volume if that is given
+  double accuracy = 1e-4;      ///< relative, of volume and inertia
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
+/// A core is taken as it is. Else the core is `surface` moved in by the radius, then scaled about
+/// its own centre by the little that gives the rounded body the volume of `scan`.
+///
 /// @param surface  closed, outward, simplified; the outer surface of the rock, or its core
 /// @param scan     the full-resolution closed scan `surface` was thinned from: the deviation and
 ///                 the volume are judged against it
+/// @param source   file, hash, and the options of the steps before; what `options` says is added
 /// @throws GeometryError, InputError  with the block's id in the message
 Block make_block(const std::string& id, const TriangleMesh& surface, const TriangleMesh& scan,
                  BlockSource source, const BlockOptions& options);

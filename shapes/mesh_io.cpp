@@ -1,1 +1,103 @@
 #include "shapes/mesh_io.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "shapes/detail/mesh_readers.hpp"
+#include "shapes/detail/mesh_writers.hpp"
+
+namespace clast {
+
+namespace {
+
+std::string lower_case_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+TriangleMesh read_by_format(const std::filesystem::path& path, const std::string& extension,
+                            const std::string& content) {
+  std::optional<TriangleMesh> mesh;
+  if (extension == ".stl") mesh = detail::read_stl(content);
+  if (extension == ".obj") mesh = detail::read_obj(content);
+  if (extension == ".ply") mesh = detail::read_ply(content);
+  if (extension == ".off") mesh = detail::read_off(content);
+  if (extension == ".tab") mesh = detail::read_tab(content);
+  return mesh ? std::move(*mesh) : detail::read_with_assimp(path);
+}
+
+void check_usable(const TriangleMesh& mesh) {
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (mesh.vertices[v].allFinite()) continue;
+    std::ostringstream message;
+    message << "vertex " << v + 1 << " of " << mesh.vertices.size() << " is ("
+            << mesh.vertices[v].x() << ", " << mesh.vertices[v].y() << ", " << mesh.vertices[v].z()
+            << "), not a finite point; clean the file in the program that wrote it";
+    throw InputError(message.str());
+  }
+  if (!mesh.triangles.empty()) return;
+  if (mesh.vertices.empty()) throw InputError("holds no vertices and no triangles");
+  throw InputError("is a point cloud with " + std::to_string(mesh.vertices.size()) +
+                   " points and no faces; make a closed surface of it first, for example by "
+                   "Poisson reconstruction in CloudCompare or MeshLab");
+}
+
+}  // namespace
+
+const std::vector<std::string>& readable_mesh_extensions() {
+  static const std::vector<std::string> kExtensions = {".3ds", ".glb", ".gltf", ".obj",
+                                                       ".off", ".ply", ".stl",  ".tab"};
+  return kExtensions;
+}
+
+TriangleMesh read_mesh(const std::filesystem::path& path) {
+  const std::string content = read_text_file(path);
+  const std::string extension = lower_case_extension(path);
+  const std::vector<std::string>& known = readable_mesh_extensions();
+  if (std::find(known.begin(), known.end(), extension) == known.end()) {
+    throw InputError(path.string() + ": meshes are read from " + listed(known) +
+                     " files; convert this one first");
+  }
+  if (content.empty()) throw InputError(path.string() + ": the file is empty");
+  try {
+    TriangleMesh mesh = read_by_format(path, extension, content);
+    check_usable(mesh);
+    return mesh;
+  } catch (const InputError& error) {
+    throw InputError(path.string() + ": " + error.what());
+  }
+}
+
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  const std::string extension = lower_case_extension(path);
+  if (mesh.triangles.empty()) throw GeometryError(path.string() + ": a mesh without triangles");
+  std::string content;
+  if (extension == ".stl") {
+    content = detail::stl_content(mesh);
+  } else if (extension == ".obj") {
+    content = detail::obj_content(mesh);
+  } else if (extension == ".ply") {
+    content = detail::ply_content(mesh);
+  } else if (extension == ".glb") {
+    content = detail::glb_content(mesh);
+  } else if (extension == ".vtp") {
+    content = detail::vtp_content(mesh);
+  } else {
+    throw InputError(path.string() + ": meshes are written as .stl, .obj, .ply, .glb or .vtp");
+  }
+  write_text_file(path, content);
+}
+
+}  // namespace clast

@@ -20,8 +20,10 @@ TriangleMesh read_mesh(const std::filesystem::path& path);
 const std::vector<std::string>& readable_mesh_extensions();
 
 /// Writes by extension: .stl (binary), .obj, .ply (binary), .glb, .vtp. Written through a
-/// temporary file.
-/// @throws InputError  unknown extension, or the folder can't be written to
+/// temporary file; coordinates as they are, whatever a format says about its up axis. OBJ, PLY and
+/// VTP keep every bit of a double, STL and GLB hold floats.
+/// @throws InputError     unknown extension, or the folder can't be written to
+/// @throws GeometryError  the mesh has no triangles
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 }  // namespace clast

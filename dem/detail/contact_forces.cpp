@@ -108,26 +108,24 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
 
     // Work taken from the block by the mean of the forces at both ends of the step, less what is
     // stored, is dissipated; a change of weight or zone changes what is stored and is booked apart.
-    const double taken_normal =
-        0.5 * (weight_before * normal_before + w * contact.normal) * deeper;
-    ledger.normal += taken_normal -
-                     0.5 * w * k_n * restitution * (overlap * overlap - before * before);
-    ledger.reassigned -= 0.5 * k_n * before * before *
-                         (w * restitution - weight_before * restitution_before);
+    const double taken_normal = 0.5 * (weight_before * normal_before + w * contact.normal) * deeper;
+    ledger.normal +=
+        taken_normal - 0.5 * w * k_n * restitution * (overlap * overlap - before * before);
+    ledger.reassigned -=
+        0.5 * k_n * before * before * (w * restitution - weight_before * restitution_before);
     const double taken_sliding =
-        -0.5 * duration *
-        (weight_before * tangential_before + w * contact.tangential).dot(sliding);
+        -0.5 * duration * (weight_before * tangential_before + w * contact.tangential).dot(sliding);
     const double tangential_squared = tangential_before.squaredNorm();
-    ledger.friction += taken_sliding - 0.5 * w / k_t *
-                                           (contact.tangential.squaredNorm() - tangential_squared);
+    ledger.friction +=
+        taken_sliding - 0.5 * w / k_t * (contact.tangential.squaredNorm() - tangential_squared);
     const double taken_rolling =
         -0.5 * duration *
         (weight_before * rolling_before + w * contact.rolling).dot(angular_velocity);
     const double rolling_squared = rolling_before.squaredNorm();
     ledger.rolling +=
         taken_rolling - 0.5 * w / k_r * (contact.rolling.squaredNorm() - rolling_squared);
-    ledger.reassigned -= 0.5 * (w - weight_before) *
-                         (tangential_squared / k_t + rolling_squared / k_r);
+    ledger.reassigned -=
+        0.5 * (w - weight_before) * (tangential_squared / k_t + rolling_squared / k_r);
   }
 
   for (std::size_t j = 0; j < contacts_.size(); ++j) {
@@ -135,10 +133,9 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
     const Contact& gone = contacts_[j];
     const Vec3 arm = gone.point.point() - centre;
     const Vec3 moving = velocity + angular_velocity.cross(arm);
-    const double given_back =
-        0.5 * duration * gone.weight *
-        ((gone.normal * gone.point.normal + gone.tangential).dot(moving) +
-         gone.rolling.dot(angular_velocity));
+    const double given_back = 0.5 * duration * gone.weight *
+                              ((gone.normal * gone.point.normal + gone.tangential).dot(moving) +
+                               gone.rolling.dot(angular_velocity));
     const bool parted = moving.dot(gone.point.normal) > 0.0;
     (parted ? ledger.normal : ledger.reassigned) += stored(gone) - given_back;
   }
@@ -196,7 +193,8 @@ bool ContactForces::same_patch(const ContactPoint& a, const ContactPoint& b) con
       return face == kNoFeature ? kNoFeature : block_.faces[face].plane;
     };
     switch (point.kind) {
-      case ContactKind::kVertexGround: return block_.planes_of(point.block_feature);
+      case ContactKind::kVertexGround:
+        return block_.planes_of(point.block_feature);
       case ContactKind::kFaceVertex:
         buffer[0] = plane_of(point.block_feature);
         return std::span<const std::uint32_t>(buffer.data(), 1);

@@ -29,8 +29,8 @@ class ContactForces {
                      EnergyLedger& ledger);
 
   bool empty() const { return contacts_.empty(); }
-  double stored_energy() const;   ///< what unloading would give back, J
-  double max_overlap() const;     ///< m
+  double stored_energy() const;  ///< what unloading would give back, J
+  double max_overlap() const;    ///< m
   /// Overlap averaged with the normal forces, m: the depth that carries the block.
   double carrying_overlap() const;
   /// Smallest e_n^2 among the present contacts; 1 without any.
@@ -42,9 +42,9 @@ class ContactForces {
     ContactPoint point;
     const GroundParameters* ground = nullptr;
     double weight = 1.0;
-    double normal = 0.0;                 ///< N
-    Vec3 tangential = Vec3::Zero();      ///< N
-    Vec3 rolling = Vec3::Zero();         ///< N m
+    double normal = 0.0;             ///< N
+    Vec3 tangential = Vec3::Zero();  ///< N
+    Vec3 rolling = Vec3::Zero();     ///< N m
   };
 
   void match(const std::vector<ContactPoint>& points, std::vector<int>& previous_of) const;

@@ -11,6 +11,9 @@ namespace {
 /// Candidate lists look ahead this share of the block's smallest side: long enough to be rebuilt
 /// rarely, short enough to stay short.
 constexpr double kMarginShare = 0.05;
+/// Distances of block vertices older than this many margins are measured anew when edges are
+/// paired.
+constexpr double kStaleMargins = 3.0;
 /// Edge and face contacts deeper than this share of the smallest side are not trusted: beyond the
 /// middle of the block the opposite side would be nearer.
 constexpr double kDepthShare = 0.5;
@@ -55,10 +58,13 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& world_from_
   for (const std::uint32_t v : awake_) {
     if (vertices_[v].due <= travel) look_at_vertex(v, travel);
   }
+  for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   if (travel >= pairs_until_) refresh_pairs(travel);
   for (Pair& pair : pairs_) {
     if (pair.due <= travel) look_at_pair(pair, travel);
   }
+  deepest_ = 0.0;
+  for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   return contacts_;
 }
 
@@ -229,11 +235,10 @@ void ContactSearch::refresh_pairs(double travel) {
   // Lower bounds of how far block vertices are from the ground; what is too vague to rule an edge
   // out is measured anew.
   const double worth_measuring = longest_edge_ + reach_ + 4.0 * margin_;
-  double deepest = 0.0;
   std::vector<double> bound(block_.vertices.size());
   for (std::uint32_t v = 0; v < bound.size(); ++v) {
     bound[v] = distances_[v] - (travel - seen_at_[v]);
-    if (bound[v] < worth_measuring) {
+    if (bound[v] < worth_measuring && travel - seen_at_[v] > kStaleMargins * margin_) {
       const Vec3 centre = world(v);
       double distance = ground_.height_clearance(centre, worth_measuring);
       if (distance < worth_measuring) {
@@ -243,43 +248,62 @@ void ContactSearch::refresh_pairs(double travel) {
       bound[v] = distances_[v] = distance;
       seen_at_[v] = travel;
     }
-    deepest = std::max(deepest, -bound[v]);
   }
-  const double interest = std::max(reach_, deepest) + 2.0 * margin_;
-  const auto consider = [&](ContactKind kind, std::uint32_t of_block, std::uint32_t of_ground) {
-    Pair pair{kind, of_block, of_ground, 0.0};
-    const double apart = distance(pair);
-    if (apart > interest) return;
-    pair.due = travel + std::max(0.0, apart - std::max(reach_, deepest + margin_));
-    pairs_.push_back(pair);
+  const double interest = std::max(reach_, deepest_) + 2.0 * margin_;
+  // Enclosing balls in the body frame rule most pairs out.
+  struct Ball {
+    Vec3 centre;
+    double radius;
+  };
+  const auto in_body = [&](const Vec3& p) { return Vec3(rotation_.transpose() * (p - position_)); };
+  std::vector<Ball> edge_balls, corner_balls;
+  for (const std::uint32_t g : edges) {
+    const SurfaceEdge& edge = ground_.features.edges[g];
+    const Vec3 middle = 0.5 * (ground_.features.vertices[edge.vertices[0]] +
+                               ground_.features.vertices[edge.vertices[1]]);
+    edge_balls.push_back({in_body(middle), 0.5 * edge.length});
+  }
+  for (const std::uint32_t g : corners) {
+    corner_balls.push_back({in_body(ground_.features.vertices[g]), 0.0});
+  }
+  const auto consider = [&](ContactKind kind, std::uint32_t of_block, const Ball& ball,
+                            const std::vector<std::uint32_t>& candidates,
+                            const std::vector<Ball>& candidate_balls) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const double near = interest + ball.radius + candidate_balls[i].radius;
+      if ((ball.centre - candidate_balls[i].centre).squaredNorm() > near * near) continue;
+      Pair pair{kind, of_block, candidates[i], 0.0};
+      const double apart = distance(pair);
+      if (apart > interest) continue;
+      pair.due = travel + std::max(0.0, apart - std::max(reach_, deepest_ + margin_));
+      pairs_.push_back(pair);
+    }
   };
   for (std::uint32_t e = 0; e < block_.edges.size(); ++e) {
     const SurfaceEdge& edge = block_.edges[e];
     if (!edge.convex()) continue;
-    const double nearest = 0.5 * (bound[edge.vertices[0]] + bound[edge.vertices[1]] - edge.length);
-    if (nearest > interest) continue;
-    for (const std::uint32_t g : edges) consider(ContactKind::kEdgeEdge, e, g);
-    if (reach_ > 0.0) {
-      for (const std::uint32_t g : corners) consider(ContactKind::kEdgeVertex, e, g);
-    }
+    const auto [a, b] = edge.vertices;
+    if (0.5 * (bound[a] + bound[b] - edge.length) > interest) continue;
+    const Ball ball{0.5 * (block_.vertices[a] + block_.vertices[b]), 0.5 * edge.length};
+    consider(ContactKind::kEdgeEdge, e, ball, edges, edge_balls);
+    if (reach_ > 0.0) consider(ContactKind::kEdgeVertex, e, ball, corners, corner_balls);
   }
   for (std::uint32_t f = 0; f < block_.faces.size(); ++f) {
-    const SurfaceFace& face = block_.faces[f];
-    double nearest = 1e300, longest = 0.0;
-    for (int k = 0; k < 3; ++k) {
-      nearest = std::min(nearest, bound[face.vertices[k]]);
-      longest = std::max(longest, block_.edges[face.edges[k]].length);
-    }
-    if (nearest - longest > interest) continue;
-    for (const std::uint32_t g : corners) consider(ContactKind::kFaceVertex, f, g);
+    const auto [a, b, c] = block_.faces[f].vertices;
+    const Vec3 middle = (block_.vertices[a] + block_.vertices[b] + block_.vertices[c]) / 3.0;
+    const double radius = std::sqrt(std::max({(block_.vertices[a] - middle).squaredNorm(),
+                                              (block_.vertices[b] - middle).squaredNorm(),
+                                              (block_.vertices[c] - middle).squaredNorm()}));
+    // Every point of the face is within `radius` of its middle, and the middle within it of `a`.
+    if (std::max({bound[a], bound[b], bound[c]}) - 2.0 * radius > interest) continue;
+    consider(ContactKind::kFaceVertex, f, {middle, radius}, corners, corner_balls);
   }
 }
 
 double ContactSearch::distance(const Pair& pair) const {
   const SurfaceFeatures& ground = ground_.features;
   if (pair.kind == ContactKind::kFaceVertex) {
-    const Vec3 in_body =
-        rotation_.transpose() * (ground.vertices[pair.ground_feature] - position_);
+    const Vec3 in_body = rotation_.transpose() * (ground.vertices[pair.ground_feature] - position_);
     return std::abs(nearest_on_face(block_, pair.block_feature, in_body).distance);
   }
   const SurfaceEdge& edge = block_.edges[pair.block_feature];
@@ -297,9 +321,12 @@ double ContactSearch::distance(const Pair& pair) const {
 
 void ContactSearch::look_at_pair(Pair& pair, double travel) {
   switch (pair.kind) {
-    case ContactKind::kEdgeEdge: return look_at_edges(pair, travel);
-    case ContactKind::kEdgeVertex: return look_at_edge_vertex(pair, travel);
-    default: return look_at_face_vertex(pair, travel);
+    case ContactKind::kEdgeEdge:
+      return look_at_edges(pair, travel);
+    case ContactKind::kEdgeVertex:
+      return look_at_edge_vertex(pair, travel);
+    default:
+      return look_at_face_vertex(pair, travel);
   }
 }
 

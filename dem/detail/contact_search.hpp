@@ -15,8 +15,8 @@ namespace clast {
 enum class ContactKind : std::uint8_t {
   kVertexGround,  ///< block vertex against a face, edge or vertex of the ground
   kEdgeEdge,
-  kEdgeVertex,    ///< block edge against a ground vertex
-  kFaceVertex,    ///< block face against a ground vertex
+  kEdgeVertex,  ///< block edge against a ground vertex
+  kFaceVertex,  ///< block face against a ground vertex
 };
 
 /// One point where the rounded block overlaps the ground's skin.
@@ -77,11 +77,11 @@ class ContactSearch {
 
   const TerrainSurface::Impl& ground_;
   SurfaceFeatures block_;
-  double reach_;           ///< block radius + skin radius, m
-  double bounding_radius_; ///< of the core about the centre, m
+  double reach_;               ///< block radius + skin radius, m
+  double bounding_radius_;     ///< of the core about the centre, m
   double longest_edge_ = 0.0;  ///< of the block, m
-  double margin_;          ///< how far lists look ahead, m
-  double depth_limit_;     ///< edge and face contacts deeper than this are not trusted, m
+  double margin_;              ///< how far lists look ahead, m
+  double depth_limit_;         ///< edge and face contacts deeper than this are not trusted, m
 
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
@@ -91,6 +91,7 @@ class ContactSearch {
   std::vector<double> seen_at_;         ///< and the travel it was known at
   std::vector<std::uint32_t> awake_;    ///< pointed vertices due before `horizon_`
   double horizon_ = -1.0;
+  double deepest_ = 0.0;  ///< largest overlap at the last call, m
   std::vector<Pair> pairs_;
   double pairs_until_ = -1.0;
   std::vector<ContactPoint> contacts_;

@@ -145,10 +145,12 @@ void describe_vertices(SurfaceFeatures& surface) {
   }
   for (const SurfaceFace& face : surface.faces) {
     for (int k = 0; k < 3; ++k) {
-      const Vec3 out = (surface.vertices[face.vertices[(k + 1) % 3]] -
-                        surface.vertices[face.vertices[k]]).normalized();
-      const Vec3 back = (surface.vertices[face.vertices[(k + 2) % 3]] -
-                         surface.vertices[face.vertices[k]]).normalized();
+      const Vec3 out =
+          (surface.vertices[face.vertices[(k + 1) % 3]] - surface.vertices[face.vertices[k]])
+              .normalized();
+      const Vec3 back =
+          (surface.vertices[face.vertices[(k + 2) % 3]] - surface.vertices[face.vertices[k]])
+              .normalized();
       const double angle = std::atan2(out.cross(back).norm(), out.dot(back));
       surface.vertex_normals[face.vertices[k]] += angle * face.normal;
       planes_at[face.vertices[k]].push_back(face.plane);
@@ -165,8 +167,9 @@ void describe_vertices(SurfaceFeatures& surface) {
       if (edge.kind != EdgeKind::kFlat) sharp.push_back(ray);
       convex = convex || edge.convex();
     }
-    const bool goes_straight_on =
-        sharp.size() == 2 && sharp[0].cross(sharp[1]).norm() < kFlatSine && sharp[0].dot(sharp[1]) < 0;
+    const bool goes_straight_on = sharp.size() == 2 &&
+                                  sharp[0].cross(sharp[1]).norm() < kFlatSine &&
+                                  sharp[0].dot(sharp[1]) < 0;
     surface.pointed[v] = convex && !goes_straight_on;
     surface.ray_offsets[v + 1] = static_cast<std::uint32_t>(surface.rays.size());
     std::vector<std::uint32_t>& around = planes_at[v];

@@ -82,10 +82,10 @@ PlanGrid::PlanGrid(const SurfaceFeatures& surface) {
   highs_.assign(count, -std::numeric_limits<float>::infinity());
   for (const SurfaceFace& face : surface.faces) {
     const auto [cells_hit, box] = face_range(face);
-    const float low = std::nextafter(static_cast<float>(box.low.z()),
-                                     -std::numeric_limits<float>::infinity());
-    const float high = std::nextafter(static_cast<float>(box.high.z()),
-                                      std::numeric_limits<float>::infinity());
+    const float low =
+        std::nextafter(static_cast<float>(box.low.z()), -std::numeric_limits<float>::infinity());
+    const float high =
+        std::nextafter(static_cast<float>(box.high.z()), std::numeric_limits<float>::infinity());
     for (int row = cells_hit.first_row; row <= cells_hit.last_row; ++row) {
       for (int column = cells_hit.first_column; column <= cells_hit.last_column; ++column) {
         const std::size_t c = static_cast<std::size_t>(row) * columns_ + column;
@@ -159,7 +159,8 @@ std::optional<NearestPoint> TerrainSurface::Impl::nearest(const Vec3& query, dou
         front < window.first_row && back > window.last_row) {
       break;
     }
-    for (int row = std::max(front, window.first_row); row <= std::min(back, window.last_row); ++row) {
+    for (int row = std::max(front, window.first_row); row <= std::min(back, window.last_row);
+         ++row) {
       const bool whole = row == front || row == back;
       if (whole) {
         for (int column = std::max(left, window.first_column);
@@ -199,8 +200,10 @@ std::vector<std::uint32_t> TerrainSurface::Impl::faces_near(const Bounds& box, d
       if (cell.low > high.z() || cell.high < low.z()) continue;
       for (const std::uint32_t f : cell.faces) {
         Bounds bounds;
-        for (const std::uint32_t v : features.faces[f].vertices) bounds.include(features.vertices[v]);
-        if ((bounds.low.array() <= high.array()).all() && (bounds.high.array() >= low.array()).all()) {
+        for (const std::uint32_t v : features.faces[f].vertices)
+          bounds.include(features.vertices[v]);
+        if ((bounds.low.array() <= high.array()).all() &&
+            (bounds.high.array() >= low.array()).all()) {
           found.push_back(f);
         }
       }

@@ -13,8 +13,8 @@ namespace clast {
 /// The point of a surface nearest to a query, with the side the query lies on.
 struct NearestPoint {
   Vec3 point = Vec3::Zero();
-  Vec3 normal = Vec3::UnitZ();   ///< out of the solid: of the face, edge or vertex hit
-  double distance = 0.0;         ///< signed: negative inside the solid
+  Vec3 normal = Vec3::UnitZ();  ///< out of the solid: of the face, edge or vertex hit
+  double distance = 0.0;        ///< signed: negative inside the solid
   std::uint32_t face = kNoFeature;
 };
 

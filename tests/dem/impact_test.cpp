@@ -128,8 +128,8 @@ TEST(ObliqueBody, TiltedCubeImpulse) {
   ASSERT_TRUE(rebound.left);
   EXPECT_NEAR(rebound.state.velocity.z(), -0.4203, 0.01);
   EXPECT_NEAR(rebound.state.angular_velocity.norm(), 5.0288, 0.01);
-  const double kept = translational_energy(body, rebound.state) +
-                      rotational_energy(body, rebound.state);
+  const double kept =
+      translational_energy(body, rebound.state) + rotational_energy(body, rebound.state);
   EXPECT_NEAR(kept / 12500.0, 0.1757, 0.002);
 }
 
@@ -193,8 +193,9 @@ TEST(MeshIndependence, FlatFaceImpact) {
       const Rebound rebound =
           first_rebound(terrain, {0.1, 0.0, 0.0}, body, start, settings, &result);
       ASSERT_TRUE(rebound.left);
-      kept.push_back((translational_energy(body, rebound.state) +
-                      rotational_energy(body, rebound.state)) / 12500.0);
+      kept.push_back(
+          (translational_energy(body, rebound.state) + rotational_energy(body, rebound.state)) /
+          12500.0);
       deepest.push_back(result.max_penetration);
     }
   }

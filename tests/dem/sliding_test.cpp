@@ -15,8 +15,7 @@ constexpr double kG = 9.81;
 RigidState resting_start(const RigidBody& body, const ReleaseSettings& settings, double restitution,
                          double slope, double height_of_centre) {
   const Vec3 normal(std::sin(slope), 0.0, std::cos(slope));
-  const double depth =
-      body.mass * kG * std::cos(slope) / (settings.stiffness.normal * restitution);
+  const double depth = body.mass * kG * std::cos(slope) / (settings.stiffness.normal * restitution);
   RigidState start;
   start.position = (height_of_centre - depth) * normal;
   start.orientation = Quat(Eigen::AngleAxisd(slope, Vec3::UnitY()));
@@ -36,13 +35,13 @@ TEST(Sliding, BlockOnThirtyDegrees) {
   settings.max_time = 1.0;
   const RigidState start = resting_start(body, settings, 0.5, slope, 0.15);
   double first_speed = -1.0, first_time = 0.0;
-  const ReleaseResult result = simulate_release(
-      terrain, std::vector<GroundParameters>{{0.5, 0.3, 0.0}}, body, start, settings,
-      [&](const MotionStep& step) {
-        if (first_speed >= 0.0 || step.end_time < 0.2) return;
-        first_speed = velocity_along(step.end, slope);
-        first_time = step.end_time;
-      });
+  const ReleaseResult result =
+      simulate_release(terrain, std::vector<GroundParameters>{{0.5, 0.3, 0.0}}, body, start,
+                       settings, [&](const MotionStep& step) {
+                         if (first_speed >= 0.0 || step.end_time < 0.2) return;
+                         first_speed = velocity_along(step.end, slope);
+                         first_time = step.end_time;
+                       });
   const double acceleration =
       (velocity_along(result.final_state, slope) - first_speed) / (result.duration - first_time);
   EXPECT_NEAR(acceleration, 2.3563, 1e-3);
@@ -78,11 +77,11 @@ TEST_P(StaticLimit, HoldsBelowAndSlidesAbove) {
     settings.max_time = 10.0;
     const RigidState start = resting_start(body, settings, 0.01, slope, 0.1);
     Vec3 after_one = Vec3::Zero();
-    const ReleaseResult result = simulate_release(
-        terrain, std::vector<GroundParameters>{{0.01, friction, 0.0}}, body, start, settings,
-        [&](const MotionStep& step) {
-          if (step.end_time < 1.0) after_one = step.end.position;
-        });
+    const ReleaseResult result =
+        simulate_release(terrain, std::vector<GroundParameters>{{0.01, friction, 0.0}}, body, start,
+                         settings, [&](const MotionStep& step) {
+                           if (step.end_time < 1.0) after_one = step.end.position;
+                         });
     const double moved = (result.final_state.position - after_one).norm();
     if (degrees < 0) {
       EXPECT_LT(moved, 1e-3);
@@ -103,7 +102,8 @@ TEST(Rolling, SphereOnThirtyDegrees) {
   const RigidState start = resting_start(body, settings, 0.5, slope, 0.3);
   const auto after_one = [&](double friction) {
     return simulate_release(terrain, std::vector<GroundParameters>{{0.5, friction, 0.0}}, body,
-                            start, settings).final_state;
+                            start, settings)
+        .final_state;
   };
   EXPECT_NEAR(velocity_along(after_one(0.3), slope), 3.5036, 0.01);
   const RigidState slipping = after_one(0.1);
@@ -136,7 +136,8 @@ TEST(Rolling, SlidingLaunchEndsAtFiveSevenths) {
   RigidState start = resting_start(body, settings, 0.5, 0.0, 0.3);
   start.velocity.x() = 4.0;
   const RigidState end = simulate_release(terrain, std::vector<GroundParameters>{{0.5, 0.4, 0.0}},
-                                          body, start, settings).final_state;
+                                          body, start, settings)
+                             .final_state;
   EXPECT_NEAR(end.velocity.x(), 5.0 / 7.0 * 4.0, 0.01);
 }
 
@@ -146,8 +147,8 @@ TEST(FreeRotation, MiddleAxisFlipKeepsEnergyAndMomentum) {
   state.angular_velocity = {0.01, 2.0 * kPi, 0.02};
   const double energy = rotational_energy(body, state);
   const auto momentum = [&](const RigidState& s) {
-    return Vec3(s.orientation * Vec3(body.moments.cwiseProduct(s.orientation.conjugate() *
-                                                               s.angular_velocity)));
+    return Vec3(s.orientation *
+                Vec3(body.moments.cwiseProduct(s.orientation.conjugate() * s.angular_velocity)));
   };
   const Vec3 before = momentum(state);
   const RigidState after = free_flight(body, state, 20.0, 0.0);

@@ -58,9 +58,9 @@ inline RigidBody box(double mass, const Vec3& sides, double radius = 0.0, int cu
   body.shape = sphero_polyhedron(mesh, radius);
   body.mass = mass;
   const Vec3 squares = sides.cwiseProduct(sides);
-  body.moments = mass / 12.0 *
-                 Vec3(squares.y() + squares.z(), squares.x() + squares.z(),
-                      squares.x() + squares.y());
+  body.moments =
+      mass / 12.0 *
+      Vec3(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y());
   body.smallest_side = sides.minCoeff() + 2.0 * radius;
   return body;
 }
@@ -108,7 +108,8 @@ inline TriangleMesh rough_slope(int cells, double size, double slope, double rou
 }
 
 /// Stiffness k_n = k_t with k_r for an arm of half a metre, and a step of `steps` per radian.
-inline ReleaseSettings stiff_settings(const RigidBody& body, double stiffness, double steps = 40.0) {
+inline ReleaseSettings stiff_settings(const RigidBody& body, double stiffness,
+                                      double steps = 40.0) {
   ReleaseSettings settings;
   settings.stiffness.normal = settings.stiffness.tangential = stiffness;
   settings.stiffness.rolling = 0.25 * stiffness * body.smallest_side * body.smallest_side;

@@ -14,19 +14,22 @@ namespace clast {
 /// vertices.
 inline TriangleMesh unit_sphere(int frequency) {
   const double t = 0.5 * (1.0 + std::sqrt(5.0));
-  const std::array<Vec3, 12> corners = {
-      Vec3(-1, t, 0), Vec3(1, t, 0), Vec3(-1, -t, 0), Vec3(1, -t, 0), Vec3(0, -1, t), Vec3(0, 1, t),
-      Vec3(0, -1, -t), Vec3(0, 1, -t), Vec3(t, 0, -1), Vec3(t, 0, 1), Vec3(-t, 0, -1), Vec3(-t, 0, 1)};
-  const std::array<std::array<int, 3>, 20> faces = {{{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10},
-      {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2},
-      {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  const std::array<Vec3, 12> corners = {Vec3(-1, t, 0),  Vec3(1, t, 0),   Vec3(-1, -t, 0),
+                                        Vec3(1, -t, 0),  Vec3(0, -1, t),  Vec3(0, 1, t),
+                                        Vec3(0, -1, -t), Vec3(0, 1, -t),  Vec3(t, 0, -1),
+                                        Vec3(t, 0, 1),   Vec3(-t, 0, -1), Vec3(-t, 0, 1)};
+  const std::array<std::array<int, 3>, 20> faces = {
+      {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   TriangleMesh mesh;
   std::map<std::array<long, 3>, std::uint32_t> known;
   const auto vertex = [&](const Vec3& p) {
     const Vec3 unit = p.normalized();
     const std::array<long, 3> key = {std::lround(unit.x() * 1e7), std::lround(unit.y() * 1e7),
                                      std::lround(unit.z() * 1e7)};
-    const auto [it, fresh] = known.try_emplace(key, static_cast<std::uint32_t>(mesh.vertices.size()));
+    const auto [it, fresh] =
+        known.try_emplace(key, static_cast<std::uint32_t>(mesh.vertices.size()));
     if (fresh) mesh.vertices.push_back(unit);
     return it->second;
   };

@@ -1,0 +1,20 @@
+#pragma once
+/// The commands of the program, one file each. Every function adds its subcommand; parsing the
+/// command line then runs the one that was named.
+///
+/// Commands throw clast::Error when something failed (exit code 1) and CLI::ValidationError when an
+/// option's value makes no sense (exit code 2).
+#include <CLI/CLI.hpp>
+
+namespace clast {
+
+void add_reconstruct(CLI::App& app);
+void add_show(CLI::App& app);
+void add_classify(CLI::App& app);
+void add_export(CLI::App& app);
+void add_library(CLI::App& app);
+void add_terrain(CLI::App& app);
+void add_simulate(CLI::App& app);
+void add_compare(CLI::App& app);
+
+}  // namespace clast

@@ -1,0 +1,143 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/option_values.hpp"
+#include "app/text_table.hpp"
+#include "core/error.hpp"
+#include "library/block_library.hpp"
+
+namespace clast {
+
+namespace {
+
+struct MergeArgs {
+  std::string output;
+  std::vector<std::string> inputs;
+  bool replace = false;
+};
+
+void merge(const MergeArgs& args) {
+  BlockLibrary joined;
+  if (std::filesystem::exists(args.output)) joined = BlockLibrary::read(args.output);
+  for (const std::string& input : args.inputs) {
+    const BlockLibrary library = BlockLibrary::read(input);
+    for (const Block& block : library.blocks()) {
+      try {
+        joined.add(block, args.replace);
+      } catch (const InputError& error) {
+        throw InputError(input + ": " + error.what());
+      }
+    }
+  }
+  joined.write(args.output);
+  std::cout << args.output << ": " << joined.blocks().size() << " blocks\n";
+}
+
+void add_merge(CLI::App& app) {
+  const auto args = std::make_shared<MergeArgs>();
+  CLI::App* command = app.add_subcommand("merge", "Join libraries into one");
+  command->add_option("output", args->output, "Library to write; what it holds already stays in it")
+      ->required()
+      ->type_name("OUT");
+  command->add_option("inputs", args->inputs, "Libraries whose blocks are added")
+      ->required()
+      ->type_name("IN");
+  command->add_flag("--replace", args->replace,
+                    "Where an id is there already, the later block stays");
+  command->footer("Example:\n  clast library merge all.h5 quarry.h5 talus.h5");
+  command->callback([args] { merge(*args); });
+}
+
+struct RemoveArgs {
+  std::string library;
+  std::vector<std::string> ids;
+};
+
+void remove_blocks(const RemoveArgs& args) {
+  BlockLibrary library = BlockLibrary::read(args.library);
+  for (const std::string& id : args.ids) library.remove(id);
+  library.write(args.library);
+  std::cout << args.library << ": " << args.ids.size() << " blocks removed, "
+            << library.blocks().size() << " left\n";
+}
+
+void add_remove(CLI::App& app) {
+  const auto args = std::make_shared<RemoveArgs>();
+  CLI::App* command = app.add_subcommand("remove", "Take blocks out of a library");
+  command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
+  command->add_option("ids", args->ids, "Blocks to remove")->required()->type_name("ID");
+  command->footer("Example:\n  clast library remove blocks.h5 B017");
+  command->callback([args] { remove_blocks(*args); });
+}
+
+struct SetArgs {
+  std::string library;
+  std::string id;
+  std::optional<std::string> site;
+  std::optional<std::string> note;
+  std::optional<std::string> taped;
+  std::optional<double> weighed;
+};
+
+/// "weighed 350 kg, 2.3 % more than the block's 342 kg".
+std::string against(const std::string& what, double field, double block, const std::string& unit) {
+  const double gap = 100.0 * (field / block - 1.0);
+  return what + " " + rounded(field) + " " + unit + ", " + rounded(std::abs(gap), 2) + " % " +
+         (gap >= 0.0 ? "more" : "less") + " than the block's " + rounded(block) + " " + unit + "\n";
+}
+
+void set_field_notes(const SetArgs& args) {
+  if (!args.site && !args.note && !args.taped && !args.weighed) {
+    throw CLI::ValidationError("nothing to set; give --site, --note, --taped or --weighed");
+  }
+  const std::optional<Axes> taped =
+      args.taped ? std::optional<Axes>(axes_from(*args.taped)) : std::nullopt;
+  BlockLibrary library = BlockLibrary::read(args.library);
+  Block& block = library.block(args.id);
+  if (args.site) block.field.site = *args.site;
+  if (args.note) block.field.note = *args.note;
+  if (taped) block.field.taped = taped;
+  if (args.weighed) block.field.weighed_mass = args.weighed;
+  library.write(args.library);
+
+  std::cout << args.library << ": field notes of block " << args.id << " stored\n";
+  if (args.weighed) std::cout << against("weighed", *args.weighed, block.mass.mass, "kg");
+  if (!taped) return;
+  const Axes box = block.axes();
+  std::cout << against("taped L", taped->L, box.L, "m") << against("taped I", taped->I, box.I, "m")
+            << against("taped S", taped->S, box.S, "m");
+}
+
+void add_set(CLI::App& app) {
+  const auto args = std::make_shared<SetArgs>();
+  CLI::App* command = app.add_subcommand("set", "Attach what the field book says to a block");
+  command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
+  command->add_option("id", args->id, "Block")->required()->type_name("ID");
+  command->add_option("--site", args->site, "Where the block lies or came from")->type_name("TEXT");
+  command->add_option("--note", args->note, "Anything else")->type_name("TEXT");
+  command->add_option("--taped", args->taped, "Axes measured by tape, m")->type_name("L,I,S");
+  command->add_option("--weighed", args->weighed, "Weighed mass, kg")
+      ->check(positive_number())
+      ->type_name("KG");
+  command->footer(
+      "Notes are kept beside the computed values and change none of them.\n"
+      "Example:\n  clast library set blocks.h5 SP1A --site \"Authume, north face\" "
+      "--taped 0.65,0.53,0.38 --weighed 342");
+  command->callback([args] { set_field_notes(*args); });
+}
+
+}  // namespace
+
+void add_library(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("library", "Join libraries, remove blocks, attach field notes");
+  command->require_subcommand(1);
+  add_merge(*command);
+  add_remove(*command);
+  add_set(*command);
+}
+
+}  // namespace clast

@@ -1,0 +1,164 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "app/block_report.hpp"
+#include "app/commands/commands.hpp"
+#include "app/option_values.hpp"
+#include "app/progress.hpp"
+#include "app/scan_list.hpp"
+#include "app/scan_to_block.hpp"
+#include "core/error.hpp"
+#include "library/block_library.hpp"
+
+namespace clast {
+
+namespace {
+
+struct ReconstructArgs {
+  std::vector<std::string> scans;
+  std::string library = "blocks.h5";
+  std::string units = "m";
+  bool replace = false;
+  bool json = false;
+  ScanToBlockOptions options;
+};
+
+void reconstruct(ReconstructArgs args) {
+  ScanToBlockOptions& options = args.options;
+  options.unit_name = args.units;
+  options.scan.unit = length_unit(args.units);
+  check_usage([&] { options.check(); });
+  const std::vector<ScanFile> scans = list_scans(args.scans);
+  if (options.block.mass && scans.size() > 1) {
+    throw CLI::ValidationError("--mass", "is the mass of one block, but " +
+                                             std::to_string(scans.size()) + " scans are given");
+  }
+  BlockLibrary library;
+  if (std::filesystem::exists(args.library)) library = BlockLibrary::read(args.library);
+
+  constexpr std::size_t kStages = 3;
+  Progress progress("steps", kStages * scans.size());
+  std::size_t steps = 0;
+  nlohmann::ordered_json made = nlohmann::ordered_json::array();
+  nlohmann::ordered_json failed = nlohmann::ordered_json::array();
+  const auto reconstruct_one = [&](const ScanFile& scan) {
+    if (library.has(scan.id) && !args.replace) {
+      throw InputError("block " + scan.id + " is in " + args.library +
+                       " already; use --replace to put the new one in its place");
+    }
+    Block block = block_from_scan(scan.path, scan.id, options,
+                                  [&](const std::string& what) { progress.update(steps++, what); });
+    progress.clear();
+    made.push_back(block_json(block));
+    if (!args.json) std::cout << block_line(block) << "\n";
+    for (const std::string& warning : block.warnings) {
+      if (!args.json) std::cout << "  note: " << warning << "\n";
+    }
+    std::cout.flush();
+    library.add(std::move(block), args.replace);
+  };
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    try {
+      reconstruct_one(scans[i]);
+    } catch (const Error& error) {  // one bad scan never costs the batch
+      progress.clear();
+      failed.push_back({{"scan", scans[i].path.string()}, {"reason", error.what()}});
+      std::cerr << "clast: " << scans[i].path.string() << ": not used: " << error.what() << "\n";
+    }
+    steps = kStages * (i + 1);
+  }
+
+  if (!made.empty()) library.write(args.library);
+  if (args.json) {
+    std::cout << nlohmann::ordered_json{{"blocks", made}, {"failed", failed}}.dump(2) << "\n";
+  } else if (!made.empty()) {
+    std::cout << args.library << ": " << made.size() << " blocks written, "
+              << library.blocks().size() << " in all\n";
+  }
+  if (!failed.empty()) {
+    throw InputError(std::to_string(failed.size()) + " of " + std::to_string(scans.size()) +
+                     " scans gave no block; the reasons are above");
+  }
+}
+
+}  // namespace
+
+void add_reconstruct(CLI::App& app) {
+  const auto args = std::make_shared<ReconstructArgs>();
+  ScanToBlockOptions& options = args->options;
+  CLI::App* command =
+      app.add_subcommand("reconstruct", "Turn scans (closed meshes) into blocks of a library");
+  command
+      ->add_option("scans", args->scans,
+                   "Mesh files (obj, ply, stl, off, glb, 3ds, tab), or folders of them")
+      ->required()
+      ->type_name("SCAN");
+  command
+      ->add_option("-o,--output", args->library,
+                   "Block library; blocks are added to one that is there")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command->add_flag("--replace", args->replace,
+                    "Replace blocks whose id is in the library already");
+  command
+      ->add_option("--units", args->units,
+                   "Length unit of the scans: m, cm, mm, km, in, ft, or metres per unit")
+      ->type_name("UNIT")
+      ->capture_default_str();
+  command->add_option("--up", options.scan.up, "Axis of the scans that points up: y or z")
+      ->check(up_axis())
+      ->type_name("AXIS")
+      ->capture_default_str();
+  command
+      ->add_option("--vertices", options.simplify.target_vertices,
+                   "Vertices a block has at most, 4 or more")
+      ->check(number_between(4, 1e6))
+      ->type_name("N")
+      ->capture_default_str();
+  CLI::Option* radius =
+      command->add_option("--radius", options.block.radius, "Minkowski radius of the rounding, m")
+          ->check(number_between(0.0, 1e3))
+          ->type_name("M");
+  command
+      ->add_option("--radius-share", options.block.radius_share,
+                   "The same as a share of S, the shortest side, 0 to 0.25")
+      ->check(number_between(0.0, 0.25))
+      ->excludes(radius)
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command
+      ->add_flag("--core", options.block.core,
+                 "The mesh is the core that the sphere is swept over, not the rock's surface")
+      ->needs(radius);
+  CLI::Option* density = command->add_option("--density", options.block.density, "Density, kg/m3")
+                             ->check(positive_number())
+                             ->type_name("KG/M3")
+                             ->capture_default_str();
+  command
+      ->add_option("--mass", options.block.mass,
+                   "Weighed mass of the block, kg: sets the density, or checks the volume when "
+                   "--density is given too")
+      ->check(positive_number())
+      ->type_name("KG");
+  command
+      ->add_option("--accuracy", options.block.accuracy,
+                   "Relative accuracy of volume and inertia, 1e-6 to 1e-2")
+      ->check(number_between(1e-6, 1e-2))
+      ->type_name("REL")
+      ->capture_default_str();
+  command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");
+  command->add_flag("--json", args->json, "Print the blocks as JSON");
+  command->footer(
+      "Examples:\n"
+      "  clast reconstruct scans/ -o blocks.h5 --units mm --density 2650\n"
+      "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342");
+  command->callback([args, density] {
+    args->options.block.density_given = density->count() > 0;
+    reconstruct(*args);
+  });
+}
+
+}  // namespace clast

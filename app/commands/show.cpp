@@ -1,0 +1,104 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "app/block_report.hpp"
+#include "app/commands/commands.hpp"
+#include "app/text_table.hpp"
+#include "library/block_library.hpp"
+
+namespace clast {
+
+namespace {
+
+struct ShowArgs {
+  std::string library;
+  std::vector<std::string> ids;
+  bool json = false;
+};
+
+std::string overview(const std::vector<const Block*>& blocks) {
+  TextTable table{{"id", "vertices", "L m", "I m", "S m", "s_c", "volume m3", "density kg/m3",
+                   "mass kg", "sneed_folk", "zingg", "shape", "radius m", "hausdorff m"},
+                  {}};
+  for (const Block* block : blocks) {
+    const Axes axes = block->axes();
+    table.rows.push_back({block->id, std::to_string(block->body.vertices.size()), rounded(axes.L),
+                          rounded(axes.I), rounded(axes.S), rounded(elongation_s_c(axes), 3),
+                          rounded(block->mass.volume), rounded(block->density),
+                          rounded(block->mass.mass), sneed_folk_class(axes), zingg_class(axes),
+                          garcia_class(axes), rounded(block->body.radius, 3),
+                          rounded(block->deviation.hausdorff, 2)});
+  }
+  return table.text();
+}
+
+std::string vector_text(const Vec3& v) {
+  return rounded(v[0], 6) + "  " + rounded(v[1], 6) + "  " + rounded(v[2], 6);
+}
+
+/// What the overview leaves out.
+std::string details(const Block& block) {
+  std::string text = "\n" + block.id + "\n";
+  const auto line = [&](const std::string& name, const std::string& value) {
+    text += "  " + name + std::string(name.size() < 26 ? 26 - name.size() : 1, ' ') + value + "\n";
+  };
+  line("source", block.source.file);
+  line("source sha256", block.source.sha256);
+  line("options", block.source.options);
+  line("made by", "clast " + block.source.program_version);
+  line("area m2", rounded(block.area, 6));
+  line("centre m", vector_text(block.mass.centre));
+  line("principal moments kg m2", vector_text(block.principal.moments));
+  for (int row = 0; row < 3; ++row) {
+    line(row == 0 ? "inertia kg m2" : "", vector_text(block.mass.inertia.row(row).transpose()));
+  }
+  for (const auto& [name, value] : form_indices(block.axes())) line(name, rounded(value));
+  line("mean deviation m", rounded(block.deviation.mean, 3));
+  line("volume against scan", rounded(block.deviation.volume_relative, 2));
+  const FieldNotes& field = block.field;
+  if (!field.site.empty()) line("site", field.site);
+  if (field.taped) {
+    line("taped L I S m", vector_text({field.taped->L, field.taped->I, field.taped->S}));
+  }
+  if (field.weighed_mass) line("weighed kg", rounded(*field.weighed_mass));
+  if (!field.note.empty()) line("note", field.note);
+  for (const std::string& warning : block.warnings) line("warning", warning);
+  return text;
+}
+
+void show(const ShowArgs& args) {
+  const BlockLibrary library = BlockLibrary::read(args.library);
+  std::vector<const Block*> blocks;
+  for (const std::string& id : args.ids) blocks.push_back(&library.block(id));
+  if (args.ids.empty()) {
+    for (const Block& block : library.blocks()) blocks.push_back(&block);
+  }
+  if (args.json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Block* block : blocks) all.push_back(block_json(*block));
+    std::cout << all.dump(2) << "\n";
+    return;
+  }
+  std::cout << overview(blocks);
+  if (args.ids.empty()) return;
+  for (const Block* block : blocks) std::cout << details(*block);
+}
+
+}  // namespace
+
+void add_show(CLI::App& app) {
+  const auto args = std::make_shared<ShowArgs>();
+  CLI::App* command = app.add_subcommand("show", "Show what a library holds");
+  command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
+  command->add_option("ids", args->ids, "Blocks to show in full; without: a line for each block")
+      ->type_name("ID");
+  command->add_flag("--json", args->json, "Print everything known of the blocks as JSON");
+  command->footer(
+      "Lengths in m, volumes in m3, masses in kg, moments of inertia in kg m2 about the "
+      "centre of mass.\nL, I, S are the sides of the smallest box, s_c = L/I - 1.\n"
+      "Examples:\n  clast show blocks.h5\n  clast show blocks.h5 SP1A --json");
+  command->callback([args] { show(*args); });
+}
+
+}  // namespace clast

@@ -1,0 +1,89 @@
+#include "app/option_values.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+#include "app/text_table.hpp"
+#include "core/error.hpp"
+
+namespace clast {
+
+namespace {
+
+/// The whole of `text` as a finite number, or NaN.
+double number_from(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool whole = !text.empty() && end == text.c_str() + text.size();
+  return whole && std::isfinite(value) ? value : std::nan("");
+}
+
+}  // namespace
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> pieces;
+  std::istringstream stream(text);
+  for (std::string piece; std::getline(stream, piece, ',');) {
+    const std::size_t begin = piece.find_first_not_of(" \t");
+    if (begin == std::string::npos) continue;
+    pieces.push_back(piece.substr(begin, piece.find_last_not_of(" \t") - begin + 1));
+  }
+  return pieces;
+}
+
+double length_unit(const std::string& text) {
+  static const std::map<std::string, double> units = {
+      {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}};
+  const auto unit = units.find(text);
+  if (unit != units.end()) return unit->second;
+  const double factor = number_from(text);
+  if (factor > 0.0) return factor;
+  throw CLI::ValidationError("--units", "\"" + text +
+                                            "\" is no unit; expected m, cm, mm, km, in, ft or "
+                                            "the metres in one unit as a positive number");
+}
+
+Axes axes_from(const std::string& text) {
+  const std::vector<std::string> pieces = split_list(text);
+  if (pieces.size() == 3) {
+    try {
+      return Axes::sorted(number_from(pieces[0]), number_from(pieces[1]), number_from(pieces[2]));
+    } catch (const InputError&) {
+      // Falls to the message below, which says the same for every way to be wrong.
+    }
+  }
+  throw CLI::ValidationError("--taped", "\"" + text +
+                                            "\" is not three positive lengths in metres, such as "
+                                            "0.65,0.53,0.38");
+}
+
+CLI::Validator up_axis() { return CLI::IsMember({"y", "z"}); }
+
+CLI::Validator positive_number() {
+  return {[](const std::string& text) {
+            return number_from(text) > 0.0 ? "" : "\"" + text + "\" is not a positive number";
+          },
+          ""};
+}
+
+CLI::Validator number_between(double low, double high) {
+  return {[low, high](const std::string& text) {
+            const double value = number_from(text);
+            if (value >= low && value <= high) return std::string();
+            return "\"" + text + "\" is not a number from " + rounded(low, 1) + " to " +
+                   rounded(high, 1);
+          },
+          ""};
+}
+
+void check_usage(const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    throw CLI::ValidationError(error.what());
+  }
+}
+
+}  // namespace clast

@@ -1,0 +1,34 @@
+#pragma once
+/// Values of command-line options that are more than a number or a name.
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "classify/form.hpp"
+
+namespace clast {
+
+/// "a, b,c" as {"a", "b", "c"}; empty pieces are dropped.
+std::vector<std::string> split_list(const std::string& text);
+
+/// Metres per unit: m, cm, mm, km, in, ft, or a positive factor.
+/// @throws CLI::ValidationError  anything else
+double length_unit(const std::string& text);
+
+/// "L,I,S" in metres, in any order.
+/// @throws CLI::ValidationError  not three positive numbers
+Axes axes_from(const std::string& text);
+
+/// Accepts "y" and "z".
+CLI::Validator up_axis();
+/// Accepts finite numbers above zero.
+CLI::Validator positive_number();
+/// Accepts finite numbers from `low` to `high`.
+CLI::Validator number_between(double low, double high);
+
+/// Runs `check` of options that came from the command line: what it refuses is a misuse.
+/// @throws CLI::ValidationError  in place of InputError
+void check_usage(const std::function<void()>& check);
+
+}  // namespace clast

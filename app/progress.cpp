@@ -1,0 +1,72 @@
+#include "app/progress.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace clast {
+
+namespace {
+
+constexpr double kQuiet = 2.0;  ///< s without a word
+
+std::string duration_text(double seconds) {
+  char text[32];
+  const long whole = static_cast<long>(seconds + 0.5);
+  if (whole >= 3600) {
+    std::snprintf(text, sizeof text, "%ld h %02ld min", whole / 3600, whole / 60 % 60);
+  } else if (whole >= 60) {
+    std::snprintf(text, sizeof text, "%ld min %02ld s", whole / 60, whole % 60);
+  } else {
+    std::snprintf(text, sizeof text, "%ld s", whole);
+  }
+  return text;
+}
+
+}  // namespace
+
+Progress::Progress(std::string what, std::size_t total)
+    : what_(std::move(what)),
+      total_(total),
+      terminal_(::isatty(STDERR_FILENO) == 1),
+      begin_(std::chrono::steady_clock::now()) {}
+
+void Progress::update(std::size_t done, const std::string& note) {
+  if (!started_) {
+    started_ = true;
+    // A resumed job does not start at zero: what was there took no time now.
+    first_ = done > 0 ? done - 1 : 0;
+    tenths_ = total_ ? 10 * first_ / total_ : 0;
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+  if (elapsed.count() < kQuiet || total_ == 0) return;
+  std::string left;
+  if (done > first_ && done < total_) {
+    const double each = elapsed.count() / static_cast<double>(done - first_);
+    left = ", " + duration_text(each * static_cast<double>(total_ - done)) + " left";
+  }
+  const std::string count =
+      std::to_string(done) + " of " + std::to_string(total_) + " " + what_ + left;
+  if (terminal_) {
+    constexpr std::size_t kWidth = 30;
+    const std::size_t filled = kWidth * done / total_;
+    std::fprintf(stderr, "\r\033[K[%s%s] %s%s%s", std::string(filled, '#').c_str(),
+                 std::string(kWidth - filled, '.').c_str(), count.c_str(), note.empty() ? "" : "  ",
+                 note.c_str());
+    visible_ = true;
+  } else if (10 * done / total_ > tenths_) {
+    tenths_ = 10 * done / total_;
+    std::fprintf(stderr, "%s\n", count.c_str());
+  }
+  std::fflush(stderr);
+}
+
+void Progress::clear() {
+  if (!visible_) return;
+  std::fprintf(stderr, "\r\033[K");
+  std::fflush(stderr);
+  visible_ = false;
+}
+
+}  // namespace clast

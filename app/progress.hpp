@@ -1,0 +1,35 @@
+#pragma once
+/// How far a long job is, on stderr: a bar with the remaining time on a terminal, a plain line
+/// every tenth otherwise. Nothing is shown in the first two seconds.
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace clast {
+
+class Progress {
+ public:
+  /// @param what   for example "runs"
+  /// @param total  how many there are to do
+  Progress(std::string what, std::size_t total);
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// @param note  what is being done just now, shown on a terminal
+  void update(std::size_t done, const std::string& note = "");
+  /// Takes the bar off the terminal, so that a line can be printed in its place.
+  void clear();
+
+ private:
+  std::string what_;
+  std::size_t total_;
+  std::size_t first_ = 0;  ///< done when the clock started
+  bool started_ = false;
+  std::size_t tenths_ = 0;  ///< of the last plain line
+  bool terminal_;
+  bool visible_ = false;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+}  // namespace clast

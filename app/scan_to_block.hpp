@@ -1,0 +1,32 @@
+#pragma once
+/// The whole way from a scan file to a block.
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "library/make_block.hpp"
+#include "reconstruct/scan.hpp"
+#include "reconstruct/simplify.hpp"
+
+namespace clast {
+
+/// Options of every step.
+struct ScanToBlockOptions {
+  ScanOptions scan;
+  std::string unit_name = "m";  ///< as the user wrote it, for messages and the record
+  SimplifyOptions simplify;     ///< not used for a core
+  BlockOptions block;
+  bool any_size = false;  ///< take blocks beyond the usual sizes
+
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
+/// Reads, mends, thins and measures one scan.
+/// @param stage  called with the name of each step before it starts
+/// @throws InputError, GeometryError  with the file or the id in the message; also for a size
+///         that no rock block has (over 50 m or under 1 mm), which is a wrong unit most of the time
+Block block_from_scan(const std::filesystem::path& path, const std::string& id,
+                      const ScanToBlockOptions& options,
+                      const std::function<void(const std::string&)>& stage = {});
+
+}  // namespace clast

@@ -1,0 +1,67 @@
+#include "app/text_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace clast {
+
+namespace {
+
+/// Columns taken on a terminal: UTF-8 continuation bytes take none.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+bool is_number(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789+-.e%") == std::string::npos;
+}
+
+}  // namespace
+
+std::string rounded(double value, int digits) {
+  char text[64];
+  const double size = std::abs(value);
+  if (size != 0.0 && (size < 1e-4 || size >= 1e7)) {
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+    return text;
+  }
+  const int before = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  return with_decimals(value, std::max(0, digits - before));
+}
+
+std::string with_decimals(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string TextTable::text() const {
+  std::vector<std::size_t> widths;
+  std::vector<bool> right;
+  for (std::size_t column = 0; column < headings.size(); ++column) {
+    widths.push_back(width(headings[column]));
+    bool numbers = column > 0;
+    for (const auto& row : rows) {
+      widths[column] = std::max(widths[column], width(row[column]));
+      numbers = numbers && (row[column].empty() || is_number(row[column]));
+    }
+    right.push_back(numbers);
+  }
+  std::string result;
+  const auto add_line = [&](const std::vector<std::string>& cells) {
+    std::string line;
+    for (std::size_t column = 0; column < cells.size(); ++column) {
+      const std::string padding(widths[column] - width(cells[column]), ' ');
+      if (column) line += "  ";
+      line += right[column] ? padding + cells[column] : cells[column] + padding;
+    }
+    result += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  };
+  add_line(headings);
+  for (const auto& row : rows) add_line(row);
+  return result;
+}
+
+}  // namespace clast

@@ -1,0 +1,15 @@
+#pragma once
+/// Polygons of a mesh file cut into triangles.
+#include <cstdint>
+#include <span>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+/// Appends the polygon's triangles to `mesh`, whose vertices it names: ears are cut off where they
+/// are convex and empty, so that concave faces stay themselves; of a quad the better diagonal.
+/// @throws InputError  fewer than three corners, or a number past the vertices (0-based)
+void append_polygon(TriangleMesh& mesh, std::span<const std::int64_t> corners);
+
+}  // namespace clast::detail
