@@ -5,6 +5,8 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "core/error.hpp"
@@ -24,6 +26,18 @@ const CLI::App* named_command(const CLI::App* app) {
 std::string full_name(const CLI::App* command) {
   const CLI::App* parent = command->get_parent();
   return parent ? full_name(parent) + " " + command->get_name() : command->get_name();
+}
+
+/// What CLI11 says, or, where a command was expected, that there is no such command.
+std::string described(const CLI::ParseError& error, const CLI::App& command) {
+  const std::vector<std::string> rest = command.remaining();
+  const std::vector<const CLI::App*> known = command.get_subcommands({});
+  if (known.empty()) return error.what();
+  std::string names;
+  for (const CLI::App* subcommand : known)
+    names += (names.empty() ? "" : ", ") + subcommand->get_name();
+  if (rest.empty()) return "a command is missing; there are " + names;
+  return "\"" + rest.front() + "\" is no command; there are " + names;
 }
 
 int run(int argc, char** argv) {
@@ -54,7 +68,8 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    std::cerr << "clast: " << error.what() << "\nSee: " << full_name(named_command(&app))
+    const CLI::App* command = named_command(&app);
+    std::cerr << "clast: " << described(error, *command) << "\nSee: " << full_name(command)
               << " --help\n";
     return kMisused;
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "app/text_table.hpp"
 #include "core/error.hpp"
 
 namespace clast {
@@ -59,6 +60,23 @@ Axes axes_from(const std::string& text) {
 }
 
 CLI::Validator up_axis() { return CLI::IsMember({"y", "z"}); }
+
+CLI::Validator positive_number() {
+  return {[](const std::string& text) {
+            return number_from(text) > 0.0 ? "" : "\"" + text + "\" is not a positive number";
+          },
+          ""};
+}
+
+CLI::Validator number_between(double low, double high) {
+  return {[low, high](const std::string& text) {
+            const double value = number_from(text);
+            if (value >= low && value <= high) return std::string();
+            return "\"" + text + "\" is not a number from " + rounded(low, 1) + " to " +
+                   rounded(high, 1);
+          },
+          ""};
+}
 
 void check_usage(const std::function<void()>& check) {
   try {

@@ -22,6 +22,10 @@ Axes axes_from(const std::string& text);
 
 /// Accepts "y" and "z".
 CLI::Validator up_axis();
+/// Accepts finite numbers above zero.
+CLI::Validator positive_number();
+/// Accepts finite numbers from `low` to `high`.
+CLI::Validator number_between(double low, double high);
 
 /// Runs `check` of options that came from the command line: what it refuses is a misuse.
 /// @throws CLI::ValidationError  in place of InputError

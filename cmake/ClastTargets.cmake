@@ -1,4 +1,4 @@
-# clast_library, clast_executable, clast_test: the only ways a target is made here.
+# clast_library, clast_executable, clast_test, clast_benchmark: the only ways a target is made here.
 include(GNUInstallDirs)
 
 add_library(clast_options INTERFACE)
@@ -46,4 +46,11 @@ function(clast_test name)
     CLAST_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLAST_PROGRAM="$<TARGET_FILE:clast>")
   gtest_discover_tests(${name} TEST_PREFIX "${ARG_LABEL}." DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+endfunction()
+
+# clast_benchmark(name SOURCES ... LINK ...): one Google Benchmark program, run by hand.
+function(clast_benchmark name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE clast_options ${ARG_LINK} benchmark::benchmark_main)
 endfunction()

@@ -1,1 +1,302 @@
 #include "dem/release.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "dem/detail/contact_forces.hpp"
+#include "dem/detail/contact_search.hpp"
+#include "dem/detail/rotation.hpp"
+
+namespace clast {
+namespace {
+
+/// Flights shorter than this many time steps are stepped: a jump costs about as much.
+constexpr double kShortFlight = 2.0;
+/// A settled block may lie deeper than its rest depth by this factor before it counts as lost.
+constexpr double kSettledSlack = 1.1;
+
+/// The run in progress.
+class Release {
+ public:
+  Release(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
+          const RigidBody& body, const RigidState& start, const ReleaseSettings& settings,
+          const MotionObserver& observe)
+      : terrain_(terrain),
+        body_(body),
+        settings_(settings),
+        observe_(observe),
+        search_(terrain.impl(), body),
+        forces_(terrain, zones, search_.block(), body, settings),
+        state_(start),
+        momentum_(angular_momentum(body.moments, start.orientation, start.angular_velocity)),
+        radius_(body.bounding_radius()) {}
+
+  ReleaseResult run() {
+    meet_ground(0.0);
+    result_.energy = {};
+    result_.energy.initial = energy();
+    start_height_ = state_.position.z();
+    while (true) {
+      if (const std::optional<StopReason> reason = stopped()) {
+        result_.stop_reason = *reason;
+        break;
+      }
+      const double flight = forces_.empty() ? flight_time() : 0.0;
+      if (flight > kShortFlight * settings_.stiffness.time_step) {
+        fly(flight);
+      } else {
+        step();
+      }
+    }
+    finish();
+    return result_;
+  }
+
+  double start_overlap() {
+    meet_ground(0.0);
+    return forces_.max_overlap();
+  }
+
+ private:
+  std::optional<StopReason> stopped() {
+    const bool finite = state_.position.allFinite() && state_.velocity.allFinite() &&
+                        momentum_.allFinite() && state_.orientation.coeffs().allFinite();
+    if (!finite) {
+      result_.message = "the motion is not finite any more at " + std::to_string(time_) + " s";
+      return StopReason::kError;
+    }
+    if (left_) return StopReason::kLeftTerrain;
+    if (resting_ >= settings_.rest_duration) return StopReason::kRest;
+    if (time_ >= settings_.max_time) return StopReason::kMaxTime;
+    return std::nullopt;
+  }
+
+  /// How long the block can fly for sure: the time in which no point of it can travel farther than
+  /// the nearest thing it might touch.
+  double flight_time() const {
+    const double allowed = search_.safe_travel() - travel_;
+    if (!(allowed > 0.0)) return 0.0;
+    const double speed = state_.velocity.norm() + top_spin() * radius_;
+    const double g = settings_.gravity;
+    // speed t + g t^2/2 = allowed, in the form that keeps its digits for small g.
+    const double time = 2.0 * allowed / (speed + std::sqrt(speed * speed + 2.0 * g * allowed));
+    return std::min(time, settings_.max_time - time_);
+  }
+
+  /// The spin never exceeds this in torque-free motion: the energy, all in the smallest moment.
+  double top_spin() const {
+    return std::sqrt(2.0 * rotational_energy(body_, state_) / body_.moments.minCoeff());
+  }
+
+  void fly(double duration) {
+    const RigidState begin = state_;
+    const auto position_after = [&](double t) {
+      const Vec3 fall(0.0, 0.0, 0.5 * settings_.gravity * t * t);
+      return Vec3(begin.position + t * begin.velocity - fall);
+    };
+    const Vec3 end = position_after(duration);
+    if (!terrain_.covers(end.x(), end.y())) {
+      // The run ends where the centre passes the border of the survey.
+      double inside = 0.0, outside = duration;
+      while (outside - inside > 1e-9) {
+        const double middle = 0.5 * (inside + outside);
+        const Vec3 there = position_after(middle);
+        (terrain_.covers(there.x(), there.y()) ? inside : outside) = middle;
+      }
+      duration = outside;
+      left_ = true;
+    }
+    const double g = settings_.gravity;
+    travel_ +=
+        (begin.velocity.norm() + top_spin() * radius_) * duration + 0.5 * g * duration * duration;
+    state_ = free_flight(body_, begin, duration, g);
+    const double middle_speed = (begin.velocity - Vec3(0.0, 0.0, 0.5 * g * duration)).norm();
+    result_.path_length +=
+        duration / 6.0 * (begin.velocity.norm() + 4.0 * middle_speed + state_.velocity.norm());
+    resting_ = 0.0;
+    meet_ground(0.0);
+    advance(begin, duration, true);
+  }
+
+  void step() {
+    const double dt = std::min(settings_.stiffness.time_step, settings_.max_time - time_);
+    const RigidState begin = state_;
+    const Vec3 gravity(0.0, 0.0, -settings_.gravity);
+    const Vec3 half_velocity = state_.velocity + 0.5 * dt * (gravity + load_.force / body_.mass);
+    momentum_ += 0.5 * dt * load_.torque;
+    const Quat turned = turned_one_step(body_.moments, state_.orientation, momentum_, dt);
+    const Vec3 half_spin = 0.5 * (angular_velocity(body_.moments, state_.orientation, momentum_) +
+                                  angular_velocity(body_.moments, turned, momentum_));
+    state_.position += dt * half_velocity;
+    state_.orientation = turned;
+    travel_ += dt * (half_velocity.norm() + momentum_.norm() / body_.moments.minCoeff() * radius_);
+    result_.path_length += dt * half_velocity.norm();
+
+    half_velocity_ = half_velocity;
+    half_spin_ = half_spin;
+    meet_ground(dt);
+    state_.velocity = half_velocity + 0.5 * dt * (gravity + load_.force / body_.mass);
+    momentum_ += 0.5 * dt * load_.torque;
+    state_.angular_velocity = angular_velocity(body_.moments, state_.orientation, momentum_);
+    ++result_.contact_steps;
+
+    const double specific =
+        (translational_energy(body_, state_) + rotational_energy(body_, state_)) / body_.mass;
+    resting_ = !forces_.empty() && specific < settings_.rest_energy ? resting_ + dt : 0.0;
+    if (!terrain_.covers(state_.position.x(), state_.position.y())) left_ = true;
+    advance(begin, dt, false);
+  }
+
+  void meet_ground(double dt) {
+    const bool flying = forces_.empty();
+    if (dt == 0.0) {
+      half_velocity_ = state_.velocity;
+      half_spin_ = state_.angular_velocity;
+    }
+    load_ = forces_.update(search_.contacts(state_.world_from_body(), travel_), state_.position,
+                           half_velocity_, half_spin_, dt, result_.energy);
+    if (flying && !forces_.empty() && time_ > 0.0) ++result_.impacts;
+    result_.max_penetration = std::max(result_.max_penetration, forces_.max_overlap());
+  }
+
+  void advance(const RigidState& begin, double duration, bool flight) {
+    const double end_time = time_ + duration;
+    result_.max_speed =
+        std::max({result_.max_speed, begin.velocity.norm(), state_.velocity.norm()});
+    if (observe_) observe_({time_, end_time, begin, state_, flight});
+    time_ = end_time;
+  }
+
+  double energy() const {
+    return translational_energy(body_, state_) + rotational_energy(body_, state_) +
+           body_.mass * settings_.gravity * state_.position.z() + forces_.stored_energy();
+  }
+
+  void finish() {
+    result_.duration = time_;
+    result_.final_state = state_;
+    result_.settled_penetration = forces_.max_overlap();
+    EnergyLedger& ledger = result_.energy;
+    ledger.final = energy();
+    // The potential counts from the end height, so that the scale does not depend on the datum.
+    const double scale =
+        std::abs(ledger.initial - body_.mass * settings_.gravity * state_.position.z());
+    const double lost = ledger.dissipated();
+    ledger.error = std::abs(ledger.initial - ledger.final - lost) /
+                   std::max({std::abs(lost), 1e-3 * scale, 1e-300});
+    const std::optional<double> ground =
+        terrain_.height(state_.position.x(), state_.position.y(), state_.position.z());
+    const double rest_depth = body_.mass * settings_.gravity /
+                              (settings_.stiffness.normal * forces_.smallest_restitution());
+    result_.below_ground = (ground && state_.position.z() < *ground) ||
+                           (result_.stop_reason == StopReason::kRest &&
+                            forces_.carrying_overlap() > kSettledSlack * rest_depth);
+  }
+
+  const TerrainSurface& terrain_;
+  const RigidBody& body_;
+  const ReleaseSettings& settings_;
+  const MotionObserver& observe_;
+  ContactSearch search_;
+  ContactForces forces_;
+  RigidState state_;
+  Vec3 momentum_;
+  double radius_;
+  ContactLoad load_;
+  Vec3 half_velocity_ = Vec3::Zero();
+  Vec3 half_spin_ = Vec3::Zero();
+  double time_ = 0.0;
+  double travel_ = 0.0;
+  double resting_ = 0.0;
+  double start_height_ = 0.0;
+  bool left_ = false;
+  ReleaseResult result_;
+};
+
+void check_body(const RigidBody& body) {
+  if (!(body.mass > 0.0) || !(body.moments.minCoeff() > 0.0) || body.shape.vertices.empty()) {
+    throw SimulationError(
+        "block: mass and principal moments must be positive and the shape must "
+        "have a vertex");
+  }
+}
+
+}  // namespace
+
+std::string name_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::kRest:
+      return "rest";
+    case StopReason::kLeftTerrain:
+      return "left_terrain";
+    case StopReason::kMaxTime:
+      return "max_time";
+    case StopReason::kError:
+      return "error";
+  }
+  return "error";
+}
+
+void ReleaseSettings::check() const {
+  const auto positive = [](const char* field, double value) {
+    if (!(value > 0.0 && std::isfinite(value))) {
+      throw InputError(std::string(field) + " = " + std::to_string(value) + "; must be above 0");
+    }
+  };
+  positive("normal stiffness", stiffness.normal);
+  positive("tangential stiffness", stiffness.tangential);
+  positive("rolling stiffness", stiffness.rolling);
+  positive("time step", stiffness.time_step);
+  positive("max_time", max_time);
+  positive("rest_energy", rest_energy);
+  positive("rest_duration", rest_duration);
+  if (!(gravity >= 0.0 && std::isfinite(gravity))) {
+    throw InputError("gravity = " + std::to_string(gravity) + "; must be 0 or more");
+  }
+}
+
+RigidState state_at(const RigidBody& body, const MotionStep& step, double time, double gravity) {
+  if (step.flight) return free_flight(body, step.begin, time - step.begin_time, gravity);
+  const double duration = step.end_time - step.begin_time;
+  const double share = duration > 0.0 ? (time - step.begin_time) / duration : 1.0;
+  const double s2 = share * share, s3 = s2 * share;
+  RigidState state;
+  state.position = (2 * s3 - 3 * s2 + 1) * step.begin.position +
+                   (s3 - 2 * s2 + share) * duration * step.begin.velocity +
+                   (3 * s2 - 2 * s3) * step.end.position + (s3 - s2) * duration * step.end.velocity;
+  state.velocity = (1.0 - share) * step.begin.velocity + share * step.end.velocity;
+  state.orientation = step.begin.orientation.slerp(share, step.end.orientation);
+  state.angular_velocity =
+      (1.0 - share) * step.begin.angular_velocity + share * step.end.angular_velocity;
+  return state;
+}
+
+ReleaseResult simulate_release(const TerrainSurface& terrain,
+                               std::span<const GroundParameters> zones, const RigidBody& body,
+                               const RigidState& start, const ReleaseSettings& settings,
+                               const MotionObserver& observe) {
+  settings.check();
+  check_body(body);
+  if (zones.size() < terrain.zone_count()) {
+    throw SimulationError("terrain has " + std::to_string(terrain.zone_count()) +
+                          " ground zones but parameters are given for " +
+                          std::to_string(zones.size()));
+  }
+  if (!terrain.covers(start.position.x(), start.position.y())) {
+    throw SimulationError("the start (" + std::to_string(start.position.x()) + ", " +
+                          std::to_string(start.position.y()) + ") is not on the terrain");
+  }
+  const double overlap = Release(terrain, zones, body, start, settings, observe).start_overlap();
+  const std::optional<double> ground =
+      terrain.height(start.position.x(), start.position.y(), start.position.z());
+  if ((ground && start.position.z() < *ground) ||
+      overlap > settings.start_overlap * body.smallest_side) {
+    throw SimulationError("the block starts inside the ground, " + std::to_string(overlap) +
+                          " m deep; raise the release point or give height_m");
+  }
+  return Release(terrain, zones, body, start, settings, observe).run();
+}
+
+}  // namespace clast

@@ -21,10 +21,11 @@ std::string name_of(StopReason reason);
 struct ReleaseSettings {
   ContactStiffness stiffness;
   ContactWeights weights = ContactWeights::kPatch;
-  double gravity = 9.81;          ///< m/s^2, along -z
-  double max_time = 60.0;         ///< s
-  double rest_energy = 2e-4;      ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
-  double rest_duration = 0.5;     ///< ... for so long, s, with a contact throughout, is rest
+  double gravity = 9.81;        ///< m/s^2, along -z
+  double max_time = 60.0;       ///< s
+  double rest_energy = 2e-4;    ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
+  double rest_duration = 0.5;   ///< ... for so long, s, with a contact throughout, is rest
+  double start_overlap = 1e-3;  ///< largest overlap with the ground at the start, share of S
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -49,7 +50,7 @@ struct MotionStep {
   double end_time = 0.0;
   RigidState begin;
   RigidState end;
-  bool flight = false;      ///< no contact: `free_flight` gives every state between exactly
+  bool flight = false;  ///< no contact: `free_flight` gives every state between exactly
 };
 
 /// The state inside a step: exact in flight, interpolated (cubic centre, turned steadily) else.
@@ -60,25 +61,25 @@ using MotionObserver = std::function<void(const MotionStep&)>;
 /// What is known of a run when it is over.
 struct ReleaseResult {
   StopReason stop_reason = StopReason::kError;
-  std::string message;              ///< of an error, else empty
-  double duration = 0.0;            ///< simulated, s
+  std::string message;    ///< of an error, else empty
+  double duration = 0.0;  ///< simulated, s
   RigidState final_state;
-  double path_length = 0.0;         ///< of the centre, m
-  double max_speed = 0.0;           ///< of the centre, m/s
-  double max_penetration = 0.0;     ///< largest overlap of any contact, m
-  double settled_penetration = 0.0; ///< largest overlap at the end, m
-  bool below_ground = false;        ///< as docs/theory.md defines it
+  double path_length = 0.0;          ///< of the centre, m
+  double max_speed = 0.0;            ///< of the centre, m/s
+  double max_penetration = 0.0;      ///< largest overlap of any contact, m
+  double settled_penetration = 0.0;  ///< largest overlap at the end, m
+  bool below_ground = false;         ///< as docs/theory.md defines it
   EnergyLedger energy;
   std::uint64_t contact_steps = 0;
-  std::uint64_t impacts = 0;        ///< flights ended by a contact
+  std::uint64_t impacts = 0;  ///< flights ended by a contact
 };
 
 /// Runs one release.
 ///
 /// @param zones  parameters of each ground zone of the terrain, by zone number
-/// @param start  at rest or moving; the rounded body must not overlap the ground by more than
-///               1e-3 of its smallest side
-/// @throws SimulationError  the start lies off the terrain or inside the ground; anything later is
+/// @param start  at rest or moving
+/// @throws SimulationError  the start lies off the terrain or deeper in the ground than allowed;
+/// anything later is
 ///                          a stop reason, not an exception
 ReleaseResult simulate_release(const TerrainSurface& terrain,
                                std::span<const GroundParameters> zones, const RigidBody& body,

@@ -1,1 +1,43 @@
 #include "dem/rigid_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dem/detail/rotation.hpp"
+
+namespace clast {
+
+double RigidBody::bounding_radius() const {
+  double largest = 0.0;
+  for (const Vec3& vertex : shape.vertices) largest = std::max(largest, vertex.norm());
+  return largest + shape.radius;
+}
+
+double translational_energy(const RigidBody& body, const RigidState& state) {
+  return 0.5 * body.mass * state.velocity.squaredNorm();
+}
+
+double rotational_energy(const RigidBody& body, const RigidState& state) {
+  const Vec3 spin = state.orientation.conjugate() * state.angular_velocity;
+  return 0.5 * spin.dot(body.moments.cwiseProduct(spin));
+}
+
+double lowest_point(const RigidBody& body, const RigidState& state) {
+  const Vec3 down_row = state.orientation.toRotationMatrix().row(2);
+  double lowest = 1e300;
+  for (const Vec3& vertex : body.shape.vertices) lowest = std::min(lowest, down_row.dot(vertex));
+  return state.position.z() + lowest - body.shape.radius;
+}
+
+RigidState free_flight(const RigidBody& body, const RigidState& state, double duration,
+                       double gravity) {
+  RigidState after = state;
+  after.position += duration * state.velocity - Vec3(0.0, 0.0, 0.5 * gravity * duration * duration);
+  after.velocity.z() -= gravity * duration;
+  const Vec3 momentum = angular_momentum(body.moments, state.orientation, state.angular_velocity);
+  after.orientation = freely_turned(body.moments, state.orientation, momentum, duration);
+  after.angular_velocity = angular_velocity(body.moments, after.orientation, momentum);
+  return after;
+}
+
+}  // namespace clast

@@ -8,24 +8,25 @@
 
 namespace clast {
 
-/// Position of the centre of mass, orientation of the principal frame, and their rates, in the world.
+/// Position of the centre of mass, orientation of the principal frame, and their rates, in the
+/// world.
 struct RigidState {
-  Vec3 position = Vec3::Zero();             ///< m
-  Quat orientation = Quat::Identity();      ///< world_from_body
-  Vec3 velocity = Vec3::Zero();             ///< m/s
-  Vec3 angular_velocity = Vec3::Zero();     ///< rad/s, world axes
+  Vec3 position = Vec3::Zero();          ///< m
+  Quat orientation = Quat::Identity();   ///< world_from_body
+  Vec3 velocity = Vec3::Zero();          ///< m/s
+  Vec3 angular_velocity = Vec3::Zero();  ///< rad/s, world axes
 
   Pose world_from_body() const { return {position, orientation}; }
 };
 
 /// A block as the dynamics sees it: in its principal frame, origin at the centre of mass.
 struct RigidBody {
-  SpheroPolyhedron shape;              ///< body frame
-  double mass = 0.0;                   ///< kg
-  Vec3 moments = Vec3::Zero();         ///< principal, along the body axes, kg m^2
-  double smallest_side = 0.0;          ///< S of the smallest box, m; scale of tolerances
+  SpheroPolyhedron shape;       ///< body frame
+  double mass = 0.0;            ///< kg
+  Vec3 moments = Vec3::Zero();  ///< principal, along the body axes, kg m^2
+  double smallest_side = 0.0;   ///< S of the smallest box, m; scale of tolerances
 
-  double bounding_radius() const;      ///< of the rounded body about the centre, m
+  double bounding_radius() const;  ///< of the rounded body about the centre, m
 };
 
 /// Kinetic energies, J.

@@ -1,1 +1,106 @@
 #include "dem/stiffness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/error.hpp"
+
+namespace clast {
+namespace {
+
+/// Rest depth that `auto` allows: 2 cm, or 2 % of S for small blocks (DESIGN trap "sinking").
+constexpr double kRestDepth = 0.02;
+constexpr double kRestDepthShare = 0.02;
+/// Deepest impact allowed, share of S.
+constexpr double kImpactDepthShare = 0.25;
+/// Time step times the highest contact frequency. Explicit stepping is stable below 2; a twentieth
+/// of that gives 16 steps while a single contact loads, still 9 with three at once.
+constexpr double kStepTimesFrequency = 0.1;
+/// Arm of the rolling spring, share of S: k_r = k_t (S/2)^2 winds up over the same slip as k_t.
+constexpr double kRollingArmShare = 0.5;
+
+/// Largest eigenvalue of the mobility 1/m + [x]^T I^-1 [x] over the points of the body, 1/kg: how
+/// easily a force at its surface moves the surface there.
+double largest_mobility(const RigidBody& body) {
+  double largest = 1.0 / body.mass;
+  for (const Vec3& vertex : body.shape.vertices) {
+    const double length = vertex.norm();
+    const Vec3 arm = length > 0.0 ? Vec3(vertex * (1.0 + body.shape.radius / length))
+                                  : Vec3(body.shape.radius, 0.0, 0.0);
+    Mat3 cross;
+    cross << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
+    const Mat3 mobility = Mat3::Identity() / body.mass +
+                          cross.transpose() * body.moments.cwiseInverse().asDiagonal() * cross;
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(mobility, Eigen::EigenvaluesOnly);
+    largest = std::max(largest, solver.eigenvalues()[2]);
+  }
+  return largest;
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
+StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
+                                 std::span<const GroundParameters> zones, double fastest,
+                                 double gravity, const StiffnessOptions& options) {
+  if (bodies.empty() || zones.empty()) {
+    throw SimulationError("stiffness: no block or no ground zone to choose it for");
+  }
+  double restitution = 1.0;
+  for (const GroundParameters& zone : zones) {
+    restitution = std::min(restitution, zone.energy_restitution);
+  }
+  double normal = 0.0, mobility = 0.0, smallest_moment = 1e300, smallest_side = 1e300;
+  for (const RigidBody& body : bodies) {
+    const double depth = std::min(kRestDepth, kRestDepthShare * body.smallest_side);
+    const double deepest = kImpactDepthShare * body.smallest_side;
+    normal = std::max({normal, body.mass * gravity / (restitution * depth),
+                       body.mass * fastest * fastest / (deepest * deepest)});
+    mobility = std::max(mobility, largest_mobility(body));
+    smallest_moment = std::min(smallest_moment, body.moments.minCoeff());
+    smallest_side = std::min(smallest_side, body.smallest_side);
+  }
+
+  StiffnessChoice choice;
+  ContactStiffness& chosen = choice.stiffness;
+  chosen.normal = options.normal.value_or(normal);
+  chosen.tangential = options.tangential.value_or(chosen.normal);
+  const double arm = kRollingArmShare * smallest_side;
+  chosen.rolling = options.rolling.value_or(chosen.tangential * arm * arm);
+  const double frequency = std::sqrt(std::max(std::max(chosen.normal, chosen.tangential) * mobility,
+                                              chosen.rolling / smallest_moment));
+  chosen.time_step = options.time_step.value_or(kStepTimesFrequency / frequency);
+
+  double worst_rest_share = 0.0;
+  for (const RigidBody& body : bodies) {
+    const double rest = body.mass * gravity / (chosen.normal * restitution);
+    const double impact = fastest * std::sqrt(body.mass / chosen.normal);
+    choice.settled_depth = std::max(choice.settled_depth, rest);
+    choice.impact_depth = std::max(choice.impact_depth, impact);
+    worst_rest_share = std::max(worst_rest_share, rest / body.smallest_side);
+  }
+  if (chosen.normal < 0.999 * normal) {
+    choice.warnings.push_back(
+        "k_n = " + number(chosen.normal) + " N/m is softer than the " + number(normal) +
+        " N/m that \"auto\" would take: blocks settle " + number(choice.settled_depth) +
+        " m deep (" + number(100.0 * worst_rest_share) + " % of S) and the fastest impact goes " +
+        number(choice.impact_depth) + " m deep");
+  }
+  if (chosen.time_step * frequency > 0.5) {
+    choice.warnings.push_back(
+        "time step " + number(chosen.time_step) + " s is long for this stiffness; " +
+        number(kStepTimesFrequency / frequency) + " s resolves every contact");
+  }
+  return choice;
+}
+
+}  // namespace clast

@@ -12,10 +12,10 @@ namespace clast {
 
 /// What the user fixed; the rest follows.
 struct StiffnessOptions {
-  std::optional<double> normal;     ///< k_n, N/m
-  std::optional<double> tangential; ///< k_t, N/m
-  std::optional<double> rolling;    ///< k_r, N m/rad
-  std::optional<double> time_step;  ///< s
+  std::optional<double> normal;      ///< k_n, N/m
+  std::optional<double> tangential;  ///< k_t, N/m
+  std::optional<double> rolling;     ///< k_r, N m/rad
+  std::optional<double> time_step;   ///< s
 };
 
 /// A choice of stiffness, with warnings about what a user's own value leads to.
@@ -26,9 +26,9 @@ struct StiffnessChoice {
   std::vector<std::string> warnings;
 };
 
-/// k_n = m g/(e_n^2 d), d = min(2 cm, 2 % of S), largest over all bodies and zones; stiffer where an
-/// impact at `fastest` would go deeper than S/4. k_t = k_n, k_r from k_t and the block's size, and a
-/// time step with a stated margin below the fastest contact oscillation (docs/theory.md).
+/// k_n = m g/(e_n^2 d), d = min(2 cm, 2 % of S), largest over all bodies and zones; stiffer where
+/// an impact at `fastest` would go deeper than S/4. k_t = k_n, k_r from k_t and the block's size,
+/// and a time step with a stated margin below the fastest contact oscillation (docs/theory.md).
 /// @param fastest  speed no block can exceed: from release heights and the lowest ground, m/s
 StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
                                  std::span<const GroundParameters> zones, double fastest,

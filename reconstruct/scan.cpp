@@ -1,1 +1,276 @@
 #include "reconstruct/scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "reconstruct/detail/mend.hpp"
+#include "reconstruct/weld.hpp"
+#include "shapes/detail/half_edges.hpp"
+#include "shapes/mesh_io.hpp"
+
+namespace clast {
+
+namespace {
+
+/// A piece beside the block with less of its area than this is debris (dust, a scrap of ground).
+constexpr double kDebrisArea = 0.02;
+/// ... and no longer than this share of the block.
+constexpr double kDebrisDiagonal = 0.15;
+/// Volume over diagonal cubed below which a surface encloses nothing: a folded sheet.
+constexpr double kNoVolume = 1e-9;
+
+const char* const kAdvice =
+    "; close and clean the scan first, for example in MeshLab (Filters > Remeshing > Close Holes, "
+    "or Screened Poisson) or CloudCompare (PoissonRecon)";
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string place(const Vec3& point) {
+  std::ostringstream text;
+  text.precision(9);
+  text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
+  return text.str();
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+
+/// "88 open edges in 9 holes, the largest with 30 edges near (...)", in coordinates of the file.
+std::string open_defects(TriangleMesh mesh) {
+  detail::orient_consistently(mesh);  // or the borders would not chain into holes
+  const MeshReport report = inspect(mesh);
+  std::string text;
+  if (report.boundary_edges > 0) {
+    text = counted(report.boundary_edges, "open edge", "open edges");
+    const std::vector<std::vector<std::uint32_t>> loops = boundary_loops(mesh);
+    if (!loops.empty()) {
+      const auto& largest =
+          *std::max_element(loops.begin(), loops.end(),
+                            [](const auto& a, const auto& b) { return a.size() < b.size(); });
+      text += " in " + counted(loops.size(), "hole", "holes") + ", the largest with " +
+              std::to_string(largest.size()) + " edges near " +
+              place(mesh.vertices[largest.front()]);
+    }
+  }
+  if (report.non_manifold_edges > 0) {
+    text += text.empty() ? "" : "; ";
+    text += counted(report.non_manifold_edges, "edge", "edges") +
+            " shared by more than two triangles, near " +
+            place(mesh.vertices[detail::first_non_manifold_edge(mesh)[0]]);
+  }
+  return text;
+}
+
+/// The pieces of a mesh, largest area first.
+struct Piece {
+  TriangleMesh mesh;
+  double area = 0.0;
+};
+
+std::vector<Piece> pieces_of(const TriangleMesh& mesh) {
+  std::vector<Piece> pieces;
+  for (TriangleMesh& piece : detail::split_components(mesh)) {
+    const double area = surface_area(piece);
+    pieces.push_back({std::move(piece), area});
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& a, const Piece& b) { return a.area > b.area; });
+  return pieces;
+}
+
+bool is_debris(const Piece& piece, const Piece& main) {
+  return piece.area < kDebrisArea * main.area &&
+         bounds(piece.mesh).diagonal() < kDebrisDiagonal * bounds(main.mesh).diagonal();
+}
+
+/// The cleaning itself, in the file's own units and axes so that places in messages can be found.
+class Cleaning {
+ public:
+  Cleaning(std::string name, const ScanOptions& options)
+      : name_(std::move(name)), options_(options) {}
+
+  Scan run(const TriangleMesh& raw) {
+    weld(raw);
+    drop_folds();
+    if (scan_.mesh.triangles.empty()) {
+      fail("no surface is left: its triangles have no area or cancel each other");
+    }
+    orient();
+    keep_block();
+    close_tiny_holes();
+    check_closed();
+    split_pinches();
+    turn_outward();
+    return std::move(scan_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw GeometryError(name_ + ": " + what);
+  }
+  void note(const std::string& text) { scan_.notes.push_back(text); }
+
+  /// Vertices that are equal are joined first; near ones only if that leaves the surface unsound,
+  /// so that a sound mesh keeps its volume to the last digit.
+  void weld(const TriangleMesh& raw) {
+    scan_.mesh = welded(raw, 0.0);
+    if (scan_.mesh.triangles.empty()) {
+      fail("no surface is left: its triangles have no area or cancel each other");
+    }
+    scan_.as_read = inspect(scan_.mesh);
+    if (!scan_.as_read.closed()) {
+      TriangleMesh joined = welded(raw, options_.weld_tolerance * bounds(raw).diagonal());
+      const MeshReport report = inspect(joined);
+      const bool mends_cracks = report.boundary_edges < scan_.as_read.boundary_edges;
+      if (report.closed() || (report.triangles > 0 && mends_cracks)) {
+        note(counted(scan_.mesh.vertices.size() - joined.vertices.size(), "vertex", "vertices") +
+             " joined to a neighbour closer than " +
+             number(options_.weld_tolerance * bounds(raw).diagonal() * options_.unit) + " m");
+        scan_.mesh = std::move(joined);
+        scan_.as_read = report;
+      }
+    }
+    welded_ = scan_.mesh;
+    const std::size_t lost = raw.triangles.size() - scan_.mesh.triangles.size();
+    if (lost > 0) {
+      note(counted(lost, "triangle", "triangles") + " without area or stored twice dropped");
+    }
+  }
+
+  void drop_folds() {
+    const std::size_t dropped = detail::drop_opposite_pairs(scan_.mesh);
+    if (dropped > 0) {
+      note(counted(dropped, "triangle", "triangles") + " back to back with another dropped");
+    }
+  }
+
+  void orient() {
+    const detail::Orientation result = detail::orient_consistently(scan_.mesh);
+    if (!result.orientable) {
+      fail("the surface is one-sided near " + place(scan_.mesh.vertices[result.conflict]) +
+           " (inside and outside can't be told apart)" + kAdvice);
+    }
+    if (result.turned > 0) {
+      note(counted(result.turned, "triangle", "triangles") + " turned to agree with neighbours");
+    }
+  }
+
+  /// Leaves the block alone: drops debris and shells inside it, refuses two blocks.
+  void keep_block() {
+    std::vector<Piece> pieces = pieces_of(scan_.mesh);
+    if (pieces.size() == 1) return;
+    Piece& main = pieces.front();
+    TriangleMesh closed = main.mesh;
+    detail::fill_small_holes(closed, options_.fan_hole_edges);
+    const bool main_closed = inspect(closed).closed();
+    std::size_t shells = 0, debris = 0, others = 0;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      const TriangleMesh& piece = pieces[i].mesh;
+      const bool inside = main_closed && detail::encloses(closed, piece.vertices[0]);
+      if (inside && inspect(piece).closed()) {
+        ++shells;
+        scan_.inner_shell_volume += std::abs(detail::signed_volume(piece));
+      } else if (inside || is_debris(pieces[i], main)) {
+        ++debris;
+      } else {
+        ++others;
+      }
+    }
+    if (others > 0 && main_closed) {
+      fail(std::to_string(others + 1) + " separate pieces, the second with " +
+           number(100.0 * pieces[1].area / main.area) +
+           " % of the area of the first; save each block to a file of its own, or delete what does "
+           "not belong to it");
+    }
+    // An open surface with other large parts is refused whole, with all its defects.
+    if (others > 0) return;
+    if (shells > 0) {
+      note(counted(shells, "inner shell", "inner shells") + " (bubbles) of " +
+           number(scan_.inner_shell_volume * std::pow(options_.unit, 3)) + " m3 in all dropped");
+    }
+    if (debris > 0) note(counted(debris, "loose scrap", "loose scraps") + " dropped");
+    scan_.mesh = std::move(main.mesh);
+  }
+
+  void close_tiny_holes() {
+    const std::vector<std::size_t> closed =
+        detail::fill_small_holes(scan_.mesh, options_.fan_hole_edges);
+    if (closed.empty()) return;
+    std::size_t edges = 0;
+    for (const std::size_t size : closed) edges += size;
+    note(counted(closed.size(), "hole", "holes") + " with " +
+         counted(edges, "border edge", "border edges") + " in all closed by a fan");
+  }
+
+  void check_closed() const {
+    if (inspect(scan_.mesh).closed()) return;
+    fail("the surface is not closed: " + open_defects(welded_) + kAdvice);
+  }
+
+  void split_pinches() {
+    const std::size_t split = detail::split_pinched_vertices(scan_.mesh);
+    if (split > 0) {
+      note(counted(split, "vertex", "vertices") + " where the surface touches itself split");
+    }
+  }
+
+  void turn_outward() {
+    const double volume = detail::signed_volume(scan_.mesh);
+    if (!(std::abs(volume) > kNoVolume * std::pow(bounds(scan_.mesh).diagonal(), 3))) {
+      fail("the surface encloses no volume; is it a folded sheet?");
+    }
+    if (volume > 0.0) return;
+    for (TriangleMesh::Triangle& t : scan_.mesh.triangles) std::swap(t[1], t[2]);
+    note("the surface faced inwards and was turned");
+  }
+
+  std::string name_;
+  const ScanOptions& options_;
+  TriangleMesh welded_;  ///< before any mend, so that messages count what the file has
+  Scan scan_;
+};
+
+}  // namespace
+
+void ScanOptions::check() const {
+  if (!(unit > 0.0) || !std::isfinite(unit)) {
+    throw InputError("unit = " + std::to_string(unit) +
+                     ": metres per unit of the file must be positive, for example 0.001 for mm");
+  }
+  if (up != "y" && up != "z") throw InputError("up = \"" + up + "\": must be \"y\" or \"z\"");
+  if (!(weld_tolerance >= 0.0 && weld_tolerance <= 0.01)) {
+    throw InputError("weld_tolerance = " + std::to_string(weld_tolerance) +
+                     ": a share of the diagonal between 0 and 0.01 is needed");
+  }
+}
+
+Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
+  options.check();
+  return cleaned_scan(read_mesh(path), path.string(), options);
+}
+
+Scan cleaned_scan(TriangleMesh raw, const std::string& name, const ScanOptions& options) {
+  options.check();
+  for (std::size_t v = 0; v < raw.vertices.size(); ++v) {
+    if (!raw.vertices[v].allFinite()) {
+      throw GeometryError(name + ": vertex " + std::to_string(v + 1) + " is not a finite point");
+    }
+  }
+  Scan scan = Cleaning(name, options).run(raw);
+  for (Vec3& vertex : scan.mesh.vertices) {
+    vertex *= options.unit;
+    if (options.up == "y") vertex = Vec3(vertex.x(), -vertex.z(), vertex.y());
+  }
+  scan.inner_shell_volume *= std::pow(options.unit, 3);
+  return scan;
+}
+
+}  // namespace clast

@@ -11,20 +11,20 @@ namespace clast {
 
 /// How a scan file is read.
 struct ScanOptions {
-  double unit = 1.0;                ///< metres per unit of the file
-  std::string up = "z";             ///< axis of the file that points up: "y" or "z"
-  double weld_tolerance = 1e-5;     ///< share of the diagonal within which vertices are one
-  std::size_t fan_hole_edges = 4;   ///< holes with at most this many border edges are closed
+  double unit = 1.0;               ///< metres per unit of the file
+  std::string up = "z";            ///< axis of the file that points up: "y" or "z"
+  double weld_tolerance = 1e-5;    ///< share of the diagonal within which vertices are one
+  std::size_t fan_hole_edges = 4;  ///< holes with at most this many border edges are closed
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 /// A scan that became a closed mesh, and what was done to it.
 struct Scan {
-  TriangleMesh mesh;               ///< closed, 2-manifold, outward; metres, z up
-  MeshReport as_read;              ///< before anything was mended, after welding
-  double inner_shell_volume = 0.0; ///< bubbles dropped from the inside, m^3
-  std::vector<std::string> notes;  ///< each mend in words, with counts
+  TriangleMesh mesh;                ///< closed, 2-manifold, outward; metres, z up
+  MeshReport as_read;               ///< before anything was mended, after welding
+  double inner_shell_volume = 0.0;  ///< bubbles dropped from the inside, m^3
+  std::vector<std::string> notes;   ///< each mend in words, with counts
 };
 
 /// Reads, scales, welds, orients outward, closes tiny holes by a fan and drops inner shells.

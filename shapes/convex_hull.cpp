@@ -1,1 +1,121 @@
 #include "shapes/convex_hull.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/convex_hull_3.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace clast {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using HullMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+// Points thinner than this share of their extent are a plane, a line or a place: thinner than the
+// rounding of map coordinates.
+constexpr double kFlat = 1e-12;
+
+bool before(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+/// The point for which `measure` is largest, the first of equals.
+template <class Measure>
+Vec3 farthest(std::span<const Vec3> points, const Measure& measure) {
+  return *std::max_element(points.begin(), points.end(),
+                           [&](const Vec3& a, const Vec3& b) { return measure(a) < measure(b); });
+}
+
+/// Triangles start at their smallest vertex and ascend.
+void sort_triangles(TriangleMesh& mesh) {
+  for (auto& t : mesh.triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  }
+  std::sort(mesh.triangles.begin(), mesh.triangles.end());
+}
+
+}  // namespace
+
+std::vector<Vec3> sorted_points(std::span<const Vec3> points) {
+  std::vector<Vec3> sorted(points.begin(), points.end());
+  // A zero of either sign is the same place.
+  for (Vec3& p : sorted) p += Vec3::Zero();
+  std::sort(sorted.begin(), sorted.end(), before);
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  return sorted;
+}
+
+AffineSpan affine_span(std::span<const Vec3> points) {
+  AffineSpan span;
+  if (points.empty()) return span;
+  const Vec3 origin = *std::min_element(points.begin(), points.end(), before);
+  const Vec3 far = farthest(points, [&](const Vec3& p) { return (p - origin).norm(); });
+  const double extent = (far - origin).norm();
+  if (!(extent > 0.0)) return span;
+  const Vec3 along = (far - origin) / extent;
+  span.dimension = 1;
+  span.axes.col(0) = along;
+  span.axes.col(1) = along.unitOrthogonal();
+  span.axes.col(2) = along.cross(span.axes.col(1));
+
+  const auto beside = [&](const Vec3& p) {
+    return Vec3(p - origin - (p - origin).dot(along) * along);
+  };
+  const Vec3 offset = beside(farthest(points, [&](const Vec3& p) { return beside(p).norm(); }));
+  if (!(offset.norm() > kFlat * extent)) return span;
+  span.dimension = 2;
+  span.axes.col(1) = (offset - offset.dot(along) * along).normalized();
+  const Vec3 normal = along.cross(span.axes.col(1));
+  span.axes.col(2) = normal;
+
+  const auto height = [&](const Vec3& p) { return std::abs((p - origin).dot(normal)); };
+  if (height(farthest(points, height)) > kFlat * extent) span.dimension = 3;
+  return span;
+}
+
+TriangleMesh convex_hull(std::span<const Vec3> points) {
+  for (const Vec3& p : points) {
+    if (!p.allFinite())
+      throw GeometryError("convex hull: a point has coordinates that are not finite");
+  }
+  const std::vector<Vec3> sorted = sorted_points(points);
+  const int dimension = affine_span(sorted).dimension;
+  if (sorted.size() < 4 || dimension < 3) {
+    const char* what = dimension == 2   ? "in one plane"
+                       : dimension == 1 ? "on one line"
+                                        : "at one place";
+    throw GeometryError("convex hull: the " + std::to_string(points.size()) + " points are all " +
+                        what + ", so they enclose no volume");
+  }
+  std::vector<Kernel::Point_3> input;
+  input.reserve(sorted.size());
+  for (const Vec3& p : sorted) input.emplace_back(p.x(), p.y(), p.z());
+  HullMesh hull;
+  CGAL::convex_hull_3(input.begin(), input.end(), hull);
+
+  TriangleMesh mesh;
+  for (const auto v : hull.vertices()) {
+    const auto& p = hull.point(v);
+    mesh.vertices.emplace_back(p.x(), p.y(), p.z());
+  }
+  const std::vector<Vec3> unordered = mesh.vertices;
+  std::sort(mesh.vertices.begin(), mesh.vertices.end(), before);
+  for (const auto face : hull.faces()) {
+    TriangleMesh::Triangle triangle{};
+    int corner = 0;
+    for (const auto v : CGAL::vertices_around_face(hull.halfedge(face), hull)) {
+      const auto found =
+          std::lower_bound(mesh.vertices.begin(), mesh.vertices.end(), unordered[v], before);
+      triangle[corner++] = static_cast<std::uint32_t>(found - mesh.vertices.begin());
+    }
+    mesh.triangles.push_back(triangle);
+  }
+  sort_triangles(mesh);
+  return mesh;
+}
+
+}  // namespace clast

@@ -1,1 +1,337 @@
 #include "shapes/oriented_box.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "core/error.hpp"
+#include "shapes/convex_hull.hpp"
+#include "shapes/detail/calipers.hpp"
+
+namespace clast {
+namespace {
+
+// About so many directions are looked at on the Gauss image of a hull before the best are refined.
+constexpr double kDirections = 4000.0;
+constexpr double kFinestStep = 0.002;  // rad
+constexpr std::size_t kRefined = 32;
+// A direction is dropped unseen only if its lower bound is this much above the best box.
+constexpr double kMargin = 1.02;
+// Volumes closer than this are equal; area and length decide.
+constexpr double kTie = 1e-11;
+constexpr int kGoldenSteps = 40;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void check_points(std::span<const Vec3> points, double radius) {
+  if (points.empty()) throw GeometryError("box: there are no points to put one around");
+  for (const Vec3& p : points) {
+    if (!p.allFinite()) throw GeometryError("box: a point has coordinates that are not finite");
+  }
+  if (!(radius >= 0.0) || !std::isfinite(radius)) {
+    throw InputError("box: radius " + std::to_string(radius) + " m must be zero or positive");
+  }
+}
+
+/// A direction seen as the normal of one pair of box sides, with the best box it allows.
+struct Posture {
+  double volume = kInfinity;
+  Mat3 axes = Mat3::Identity();
+};
+
+/// The hull with its Gauss image: faces are points on the sphere of directions, edges are arcs.
+class Hull {
+ public:
+  Hull(const TriangleMesh& mesh, double radius)
+      : vertices_(mesh.vertices), radius_(radius), seen_(mesh.vertices.size(), 0) {
+    const auto count = static_cast<Eigen::Index>(vertices_.size());
+    coordinates_.resize(count, 3);
+    for (Eigen::Index i = 0; i < count; ++i) coordinates_.row(i) = vertices_[i].transpose();
+    std::vector<std::array<std::uint32_t, 4>> sides;  // smaller vertex, larger vertex, face, 0
+    const auto faces = static_cast<Eigen::Index>(mesh.triangles.size());
+    normals_.resize(faces, 3);
+    areas_.resize(faces);
+    for (Eigen::Index f = 0; f < faces; ++f) {
+      const auto& [a, b, c] = mesh.triangles[f];
+      const Vec3 cross = (vertices_[b] - vertices_[a]).cross(vertices_[c] - vertices_[a]);
+      const double twice = cross.norm();
+      areas_[f] = 0.5 * twice;
+      // A face without area adds no direction of its own; any will do, as every box is measured.
+      const Vec3 normal = twice > 0.0 ? Vec3(cross / twice) : Vec3::UnitX();
+      normals_.row(f) = normal.transpose();
+      const auto face = static_cast<std::uint32_t>(f);
+      sides.push_back({std::min(a, b), std::max(a, b), face, 0});
+      sides.push_back({std::min(b, c), std::max(b, c), face, 0});
+      sides.push_back({std::min(c, a), std::max(c, a), face, 0});
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
+      edges_.push_back({sides[i][0], sides[i][1], sides[i][2], sides[i + 1][2]});
+    }
+  }
+
+  std::size_t face_count() const { return static_cast<std::size_t>(areas_.size()); }
+  std::size_t edge_count() const { return edges_.size(); }
+  Vec3 normal(std::size_t face) const { return normals_.row(static_cast<Eigen::Index>(face)); }
+  double face_area(std::size_t face) const { return areas_[static_cast<Eigen::Index>(face)]; }
+  std::array<std::size_t, 2> faces_of(std::size_t edge) const {
+    return {edges_[edge].face, edges_[edge].other_face};
+  }
+  double arc(std::size_t edge) const {
+    const Vec3 a = normal(edges_[edge].face), b = normal(edges_[edge].other_face);
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  /// At `share` of the way along the arc of an edge.
+  Vec3 on_arc(std::size_t edge, double share) const {
+    const Vec3 a = normal(edges_[edge].face), b = normal(edges_[edge].other_face);
+    const double angle = arc(edge);
+    if (!(angle > 1e-12)) return a;
+    return (std::sin((1.0 - share) * angle) * a + std::sin(share * angle) * b).normalized();
+  }
+
+  /// The smallest box with sides along and across `direction`; none where a lower bound (projected
+  /// area times width) says that it is above `limit`.
+  Posture best_about(const Vec3& direction, double limit) {
+    along_.noalias() = coordinates_ * direction;
+    const double width = along_.maxCoeff() - along_.minCoeff() + 2.0 * radius_;
+    slopes_.noalias() = normals_ * direction;
+    const double shadow = 0.5 * slopes_.cwiseAbs().dot(areas_);
+    const double side = std::sqrt(shadow) + 2.0 * radius_;
+    if (width * side * side > limit) return {};
+
+    Mat3 frame;
+    frame.col(0) = direction;
+    frame.col(1) = direction.unitOrthogonal();
+    frame.col(2) = direction.cross(frame.col(1));
+    const Rectangle rectangle = smallest_rectangle(outline_points(frame), radius_);
+    Posture posture;
+    posture.axes.col(0) = direction;
+    posture.axes.col(1) =
+        (rectangle.direction.x() * frame.col(1) + rectangle.direction.y() * frame.col(2))
+            .normalized();
+    posture.axes.col(2) = posture.axes.col(0).cross(posture.axes.col(1));
+    posture.volume = width * rectangle.area();
+    return posture;
+  }
+
+ private:
+  struct Edge {
+    std::uint32_t from, to, face, other_face;
+  };
+
+  /// Points of the shadow's outline: ends of edges between a face that looks up and one that looks
+  /// down.
+  std::vector<Vec2> outline_points(const Mat3& frame) {
+    ++round_;
+    std::vector<Vec2> points;
+    for (const Edge& edge : edges_) {
+      if (slopes_[edge.face] * slopes_[edge.other_face] > 0.0) continue;
+      for (const auto v : {edge.from, edge.to}) {
+        if (seen_[v] == round_) continue;
+        seen_[v] = round_;
+        points.emplace_back(frame.col(1).dot(vertices_[v]), frame.col(2).dot(vertices_[v]));
+      }
+    }
+    return points;
+  }
+
+  std::vector<Vec3> vertices_;
+  std::vector<Edge> edges_;
+  double radius_;
+  Eigen::MatrixX3d coordinates_, normals_;
+  Eigen::VectorXd areas_, along_, slopes_;
+  std::vector<std::uint64_t> seen_;
+  std::uint64_t round_ = 0;
+};
+
+/// A place on an arc, and half the distance to the next that was looked at.
+struct Candidate {
+  double volume;
+  std::size_t edge;
+  double share, reach;
+};
+
+/// Looks at every face and along every edge's arc: some smallest box has two adjacent sides flush
+/// with edges (O'Rourke 1985), so one of its axes is on an arc, and the calipers find the rest.
+std::vector<Candidate> scan_gauss_image(Hull& hull) {
+  double total = 0.0;
+  for (std::size_t e = 0; e < hull.edge_count(); ++e) total += hull.arc(e);
+  const double step = std::max(total / kDirections, kFinestStep);
+
+  double best = kInfinity;
+  std::vector<double> face_volume(hull.face_count());
+  std::vector<std::size_t> order(hull.face_count());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return hull.face_area(a) > hull.face_area(b);
+  });
+  for (const std::size_t f : order) {
+    face_volume[f] = hull.best_about(hull.normal(f), kMargin * best).volume;
+    best = std::min(best, face_volume[f]);
+  }
+  std::vector<Candidate> candidates;
+  std::vector<double> volumes;
+  for (std::size_t e = 0; e < hull.edge_count(); ++e) {
+    const auto pieces = static_cast<std::size_t>(std::ceil(hull.arc(e) / step)) + 1;
+    const double reach = 1.0 / static_cast<double>(pieces);
+    volumes.assign(1, face_volume[hull.faces_of(e)[0]]);
+    for (std::size_t i = 1; i < pieces; ++i) {
+      const Vec3 direction = hull.on_arc(e, static_cast<double>(i) * reach);
+      volumes.push_back(hull.best_about(direction, kMargin * best).volume);
+      best = std::min(best, volumes.back());
+    }
+    volumes.push_back(face_volume[hull.faces_of(e)[1]]);
+    for (std::size_t i = 0; i <= pieces; ++i) {
+      const bool lowest =
+          (i == 0 || volumes[i] <= volumes[i - 1]) && (i == pieces || volumes[i] <= volumes[i + 1]);
+      if (lowest && volumes[i] <= kMargin * best) {
+        candidates.push_back({volumes[i], e, static_cast<double>(i) * reach, reach});
+      }
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.volume < b.volume; });
+  return candidates;
+}
+
+/// The lowest posture within reach on the candidate's arc, by golden section.
+Posture refined(Hull& hull, const Candidate& candidate) {
+  constexpr double kGolden = 0.6180339887498949;
+  double low = std::max(0.0, candidate.share - candidate.reach);
+  double high = std::min(1.0, candidate.share + candidate.reach);
+  const auto look = [&](double share) {
+    return hull.best_about(hull.on_arc(candidate.edge, share), kInfinity);
+  };
+  Posture best = look(candidate.share);
+  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+  Posture at_left = look(left), at_right = look(right);
+  for (int i = 0; i < kGoldenSteps; ++i) {
+    if (at_left.volume < best.volume) best = at_left;
+    if (at_right.volume < best.volume) best = at_right;
+    if (at_left.volume <= at_right.volume) {
+      high = right;
+      right = left;
+      at_right = at_left;
+      left = high - kGolden * (high - low);
+      at_left = look(left);
+    } else {
+      low = left;
+      left = right;
+      at_left = at_right;
+      right = low + kGolden * (high - low);
+      at_right = look(right);
+    }
+  }
+  return best;
+}
+
+/// Calipers about the three axes in turn until none makes the box smaller.
+Posture settled(Hull& hull, Posture posture) {
+  for (bool smaller = true; smaller;) {
+    smaller = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Posture next = hull.best_about(posture.axes.col(axis), kInfinity);
+      if (next.volume < posture.volume * (1.0 - 1e-14)) {
+        posture = next;
+        smaller = true;
+      }
+    }
+  }
+  return posture;
+}
+
+double box_area(const OrientedBox& box) {
+  const Vec3& l = box.lengths;
+  return 2.0 * (l[0] * l[1] + l[1] * l[2] + l[2] * l[0]);
+}
+
+bool is_better(const OrientedBox& a, const OrientedBox& b) {
+  if (std::abs(a.volume() - b.volume()) > kTie * b.volume()) return a.volume() < b.volume();
+  if (std::abs(box_area(a) - box_area(b)) > kTie * box_area(b)) return box_area(a) < box_area(b);
+  return a.lengths[0] < b.lengths[0] * (1.0 - kTie);
+}
+
+Vec3 with_largest_component_positive(const Vec3& axis) {
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  return axis[largest] < 0.0 ? Vec3(-axis) : axis;
+}
+
+/// Around points of a plane, a line or one place.
+OrientedBox flat_box(std::span<const Vec3> points, const AffineSpan& span, double radius) {
+  Mat3 axes = span.axes;
+  if (span.dimension == 2) {
+    std::vector<Vec2> plane;
+    for (const Vec3& p : points) {
+      const Vec3 local = p - points.front();
+      plane.emplace_back(axes.col(0).dot(local), axes.col(1).dot(local));
+    }
+    const Vec2 direction = smallest_rectangle(std::move(plane), radius).direction;
+    const Vec3 along = direction.x() * axes.col(0) + direction.y() * axes.col(1);
+    axes.col(0) = along.normalized();
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+  }
+  OrientedBox box = box_along(points, axes, radius);
+  for (int i = span.dimension; i < 3; ++i) box.lengths[i] = 2.0 * radius;
+  return box;
+}
+
+}  // namespace
+
+OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double radius) {
+  check_points(points, radius);
+  // Relative to a point, so that large coordinates keep their digits.
+  const Vec3 origin = points.front();
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+  for (const Vec3& p : points) {
+    const Vec3 local = axes.transpose() * (p - origin);
+    low = low.cwiseMin(local);
+    high = high.cwiseMax(local);
+  }
+  const Vec3 extents = high - low;
+  std::array<int, 3> order = {0, 1, 2};
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return extents[a] > extents[b]; });
+
+  OrientedBox box;
+  box.centre = origin + axes * (0.5 * (low + high));
+  for (int i = 0; i < 3; ++i) box.lengths[i] = extents[order[i]] + 2.0 * radius;
+  box.axes.col(0) = with_largest_component_positive(axes.col(order[0]));
+  box.axes.col(1) = with_largest_component_positive(axes.col(order[1]));
+  box.axes.col(2) = box.axes.col(0).cross(box.axes.col(1));
+  return box;
+}
+
+OrientedBox smallest_box(std::span<const Vec3> points, double radius) {
+  check_points(points, radius);
+  const std::vector<Vec3> sorted = sorted_points(points);
+  const AffineSpan span = affine_span(sorted);
+  if (span.dimension < 3) return flat_box(sorted, span, radius);
+
+  TriangleMesh mesh = convex_hull(sorted);
+  const Bounds around = bounds(mesh);
+  const Vec3 middle = 0.5 * (around.low + around.high);
+  for (Vec3& v : mesh.vertices) v -= middle;
+  Hull hull(mesh, radius);
+
+  const std::vector<Candidate> candidates = scan_gauss_image(hull);
+  OrientedBox best;
+  bool first = true;
+  for (std::size_t i = 0; i < std::min(kRefined, candidates.size()); ++i) {
+    const Posture posture = settled(hull, refined(hull, candidates[i]));
+    const OrientedBox box = box_along(mesh.vertices, posture.axes, radius);
+    if (first || is_better(box, best)) best = box;
+    first = false;
+  }
+  best.centre += middle;
+  return best;
+}
+
+OrientedBox smallest_box(const SpheroPolyhedron& body) {
+  return smallest_box(body.vertices, body.radius);
+}
+
+}  // namespace clast

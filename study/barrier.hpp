@@ -18,20 +18,22 @@ struct Barrier {
 /// One passage of a centre of mass through a barrier.
 struct Crossing {
   std::uint32_t run = 0;
-  std::uint32_t barrier = 0;      ///< index into the campaign's barriers
+  std::uint32_t barrier = 0;  ///< index into the campaign's barriers
   bool forward = true;
-  double time = 0.0;              ///< s
-  Vec3 position = Vec3::Zero();   ///< of the centre, m
-  Vec3 velocity = Vec3::Zero();   ///< m/s
+  double time = 0.0;                     ///< s
+  Vec3 position = Vec3::Zero();          ///< of the centre, m
+  Vec3 velocity = Vec3::Zero();          ///< m/s
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
-  double height = 0.0;            ///< of the centre above the ground under it, m
-  double clearance = 0.0;         ///< of the lowest skin point above the ground under it, m
+  double height = 0.0;                   ///< of the centre above the ground under it, m
+  double clearance = 0.0;                ///< of the lowest skin point above the ground under it, m
   double translational_energy = 0.0;     ///< J
   double rotational_energy = 0.0;        ///< J
 };
 
 /// The crossing of `step` through the barrier, if there is one: exact time in flight, to 1e-9 s
-/// otherwise. `run` and `barrier` of the result are left to the caller.
+/// otherwise. A centre exactly on the plane counts as right of it. None where the centre is not
+/// over surveyed ground; where only the lowest skin point is not, its clearance is taken to the
+/// ground under the centre. `run` and `barrier` of the result are left to the caller.
 std::optional<Crossing> find_crossing(const Barrier& barrier, const RigidBody& body,
                                       const MotionStep& step, const TerrainSurface& terrain,
                                       double gravity);

@@ -1,7 +1,8 @@
 #pragma once
 /// Runs of one or more campaigns side by side, by block and by shape class.
+#include <cstdint>
 #include <filesystem>
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,45 +13,113 @@ namespace clast {
 
 /// One row of runs.csv. Positions are on the map.
 struct RunRow {
-  std::uint32_t file = 0;          ///< which results file
+  std::uint32_t file = 0;  ///< which results file
   const RunRecord* record = nullptr;
   const BlockSummary* block = nullptr;
   Vec3 start = Vec3::Zero();
   Vec3 stop = Vec3::Zero();
-  double runout = 0.0;             ///< m, along downslope
-  double lateral = 0.0;            ///< rad, + to the right looking downslope
+  double runout = 0.0;   ///< m, along downslope
+  double lateral = 0.0;  ///< rad, + to the right looking downslope
 };
 
-/// Runs of a group: all, one block ("block SP1A"), or one class ("class compact").
+/// By what the runs of a group belong together.
+enum class GroupKind { kAll, kBlock, kGarcia, kSneedFolk };
+
+/// Runs of a group: "all", one block ("block SP1A"), or one class ("class compact",
+/// "sneed-folk VE"). With several results files every group comes once over all files and once per
+/// file ("file 1: block SP1A"; files are numbered from 1 in the order they were given).
 struct Group {
   std::string name;
-  std::vector<std::size_t> rows;   ///< into Comparison::rows
+  GroupKind kind = GroupKind::kAll;
+  std::string key;                    ///< block id or class name; empty for all
+  std::optional<std::uint32_t> file;  ///< index, when the group is of one file only
+  std::vector<std::size_t> rows;      ///< into Comparison::rows
 };
 
-/// First forward crossings of one group at one barrier.
+/// A barrier on the map. The same name and line in several files is one barrier.
+struct BarrierLine {
+  std::string name;          ///< made unique by " (file 2)" where lines differ
+  Vec2 from = Vec2::Zero();  ///< map, m
+  Vec2 to = Vec2::Zero();
+  std::vector<std::uint32_t> files;  ///< that have it
+};
+
+/// One row of crossings.csv.
+struct CrossingRow {
+  const Crossing* crossing = nullptr;
+  std::size_t row = 0;           ///< into Comparison::rows
+  std::size_t barrier = 0;       ///< into Comparison::lines
+  Vec3 position = Vec3::Zero();  ///< map, m
+  bool counted = false;          ///< first forward crossing of this run at this barrier
+};
+
+/// Runs of one group at one barrier. Summaries are over first forward crossings.
 struct BarrierGroup {
   std::string barrier;
   std::string group;
-  std::size_t started = 0;
+  std::size_t line = 0;         ///< into Comparison::lines
+  std::size_t group_index = 0;  ///< into Comparison::groups
+  std::size_t started = 0;      ///< runs of the group in files that have the barrier
   std::size_t crossed = 0;
   double probability = 0.0;
-  Summary height, clearance, speed;                    ///< m, m, m/s
-  Summary translational, rotational, total;            ///< J
-  Summary rotation_rate;                               ///< rad/s
+  Summary height, clearance, speed;          ///< m, m, m/s
+  Summary translational, rotational, total;  ///< J
+  Summary rotation_rate;                     ///< rad/s
 };
 
-/// Everything the tables and the report are made from.
+/// How runs ended.
+struct StopCounts {
+  std::size_t rest = 0;
+  std::size_t left_terrain = 0;
+  std::size_t max_time = 0;
+  std::size_t error = 0;
+};
+
+/// Where the runs of a group came to rest. Runs that ended otherwise are counted only.
+struct DepositGroup {
+  std::size_t started = 0;
+  StopCounts stops;
+  Summary runout;                 ///< m
+  Summary lateral;                ///< rad
+  Vec3 mean_stop = Vec3::Zero();  ///< map, m
+};
+
+/// Everything the tables and the report are made from. Rows point into `results`: moved, not
+/// copied.
 struct Comparison {
+  Comparison() = default;
+  Comparison(Comparison&&) = default;
+  Comparison& operator=(Comparison&&) = default;
+
   std::vector<CampaignResults> results;
   Vec2 downslope = Vec2::UnitX();  ///< unit; as asked for, else along the mean release-to-stop line
-  std::vector<RunRow> rows;        ///< in order of file and run
+  bool downslope_asked = false;
+  std::vector<RunRow> rows;  ///< in order of file and run
   std::vector<Group> groups;
-  std::vector<BarrierGroup> barriers;
+  std::vector<DepositGroup> deposits;  ///< of every group
+  std::vector<BarrierLine> lines;
+  std::vector<CrossingRow> crossings;  ///< in order of file, run and time
+  std::vector<BarrierGroup>
+      barriers;                       ///< by barrier, then group; groups that never met it left out
   std::vector<std::string> warnings;  ///< for example "mass differs between classes"
 };
 
-/// @throws InputError  no runs, or results on terrains with different map frames
+/// @throws InputError  no runs; results on terrains with different map frames or asking for
+/// different
+///                     downslope directions; records that do not fit together (a damaged file)
 Comparison compare(std::vector<CampaignResults> results);
+
+/// A run's offset from its release point on the map.
+struct Runout {
+  double along = 0.0;    ///< m, along downslope
+  double lateral = 0.0;  ///< rad, + to the right looking downslope
+};
+/// @param downslope  unit
+Runout runout(const Vec3& start, const Vec3& stop, const Vec2& downslope);
+
+/// What a reader of the tables must know: unfinished or lost runs, unequal masses, poor energy
+/// balance. Called by `compare`.
+std::vector<std::string> comparison_warnings(const Comparison& comparison);
 
 /// runs.csv, barriers.csv, crossings.csv and deposits.csv as text; columns in docs/formats.md.
 std::string runs_csv(const Comparison& comparison);
@@ -58,7 +127,11 @@ std::string barriers_csv(const Comparison& comparison);
 std::string crossings_csv(const Comparison& comparison);
 std::string deposits_csv(const Comparison& comparison);
 
-/// Writes the tables, stops.gpkg (stops and crossings as map points) and report.html to `folder`.
+/// What made the results, as JSON: program versions, campaigns and input files with their hashes.
+std::string provenance_json(const Comparison& comparison);
+
+/// Writes the tables, provenance.json, stops.gpkg (map layers) and report.html to `folder`.
+/// @throws InputError  the folder can't be made or written to
 void write_comparison(const Comparison& comparison, const std::filesystem::path& folder);
 
 }  // namespace clast

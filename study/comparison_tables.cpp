@@ -1,1 +1,253 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "core/version.hpp"
 #include "study/comparison.hpp"
+#include "study/report/gis_layers.hpp"
+#include "study/report/html_report.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+
+/// CSV after RFC 4180, with "\n" line ends. Numbers are the shortest text that reads back to the
+/// same bits; what is not known is an empty cell.
+/// @cite rfc4180
+class CsvText {
+ public:
+  void cell(std::string_view text) {
+    if (!first_) text_ += ',';
+    first_ = false;
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+      text_ += text;
+      return;
+    }
+    text_ += '"';
+    for (const char c : text) text_.append(c == '"' ? 2 : 1, c);
+    text_ += '"';
+  }
+  void cell(double value) {
+    if (!std::isfinite(value)) return cell(std::string_view());
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    cell(std::string_view(text.data(), static_cast<std::size_t>(end.ptr - text.data())));
+  }
+  void count(std::uint64_t value) { cell(std::string_view(std::to_string(value))); }
+  void end_row() {
+    text_ += '\n';
+    first_ = true;
+  }
+  void header(std::string_view names) {
+    text_ += names;
+    end_row();
+  }
+  std::string text() && { return std::move(text_); }
+
+ private:
+  std::string text_;
+  bool first_ = true;
+};
+
+void cells(CsvText& csv, const Vec3& vector) {
+  for (int axis = 0; axis < 3; ++axis) csv.cell(vector[axis]);
+}
+
+void empty_cells(CsvText& csv, int count) {
+  for (int i = 0; i < count; ++i) csv.cell(std::string_view());
+}
+
+/// mean, std, median, p95, max; empty where nothing was measured.
+void cells(CsvText& csv, const Summary& summary, double unit = 1.0) {
+  if (summary.count == 0) return empty_cells(csv, 5);
+  for (const double value : {summary.mean, summary.std, summary.median, summary.p95, summary.max}) {
+    csv.cell(value * unit);
+  }
+}
+
+std::string summary_columns(std::string_view quantity, std::string_view unit) {
+  std::string columns;
+  for (const char* statistic : {"mean", "std", "median", "p95", "max"}) {
+    columns.append(",").append(quantity).append("_").append(statistic).append("_").append(unit);
+  }
+  return columns;
+}
+
+void cells_of_run(CsvText& csv, const RunRow& row) {
+  csv.count(row.record->run);
+  csv.cell(std::string_view(row.block->id));
+  csv.cell(std::string_view(row.block->sneed_folk));
+  csv.cell(std::string_view(row.block->garcia));
+}
+
+}  // namespace
+
+std::string runs_csv(const Comparison& comparison) {
+  CsvText csv;
+  csv.header(
+      "run,block,class,shape,point,orientation,stop_reason,duration_s,stop_x_m,stop_y_m,stop_z_m,"
+      "runout_m,lateral_deg,max_speed_m_s,max_penetration_m,energy_error,"
+      "file,mass_kg,start_x_m,start_y_m,start_z_m,path_length_m,settled_penetration_m,below_ground,"
+      "contact_steps,impacts,stop_qw,stop_qx,stop_qy,stop_qz,energy_initial_j,energy_final_j,"
+      "energy_normal_j,energy_friction_j,energy_rolling_j,energy_reassigned_j,message");
+  for (const RunRow& row : comparison.rows) {
+    const ReleaseResult& result = row.record->result;
+    cells_of_run(csv, row);
+    csv.count(row.record->point);
+    csv.count(row.record->orientation);
+    csv.cell(std::string_view(name_of(result.stop_reason)));
+    csv.cell(result.duration);
+    cells(csv, row.stop);
+    csv.cell(row.runout);
+    csv.cell(row.lateral * kDegrees);
+    csv.cell(result.max_speed);
+    csv.cell(result.max_penetration);
+    csv.cell(result.energy.error);
+    csv.count(row.file + 1);
+    csv.cell(row.block->mass);
+    cells(csv, row.start);
+    csv.cell(result.path_length);
+    csv.cell(result.settled_penetration);
+    csv.count(result.below_ground ? 1 : 0);
+    csv.count(result.contact_steps);
+    csv.count(result.impacts);
+    const Quat& q = result.final_state.orientation;
+    for (const double part : {q.w(), q.x(), q.y(), q.z()}) csv.cell(part);
+    const EnergyLedger& energy = result.energy;
+    for (const double part : {energy.initial, energy.final, energy.normal, energy.friction,
+                              energy.rolling, energy.reassigned}) {
+      csv.cell(part);
+    }
+    csv.cell(std::string_view(result.message));
+    csv.end_row();
+  }
+  return std::move(csv).text();
+}
+
+std::string barriers_csv(const Comparison& comparison) {
+  CsvText csv;
+  csv.header("barrier,group,runs,crossings,probability,probability_low,probability_high" +
+             summary_columns("height", "m") + summary_columns("clearance", "m") +
+             summary_columns("speed", "m_s") + summary_columns("translational_energy", "j") +
+             summary_columns("rotational_energy", "j") + summary_columns("total_energy", "j") +
+             summary_columns("rotation_rate", "rad_s"));
+  for (const BarrierGroup& group : comparison.barriers) {
+    csv.cell(std::string_view(group.barrier));
+    csv.cell(std::string_view(group.group));
+    csv.count(group.started);
+    csv.count(group.crossed);
+    csv.cell(group.probability);
+    const Interval interval = wilson_interval(group.crossed, group.started);
+    csv.cell(interval.low);
+    csv.cell(interval.high);
+    for (const Summary* summary :
+         {&group.height, &group.clearance, &group.speed, &group.translational, &group.rotational,
+          &group.total, &group.rotation_rate}) {
+      cells(csv, *summary);
+    }
+    csv.end_row();
+  }
+  return std::move(csv).text();
+}
+
+std::string crossings_csv(const Comparison& comparison) {
+  CsvText csv;
+  csv.header(
+      "run,block,class,shape,barrier,direction,counted,time_s,x_m,y_m,z_m,height_m,clearance_m,"
+      "speed_m_s,velocity_x_m_s,velocity_y_m_s,velocity_z_m_s,rotation_rate_rad_s,"
+      "angular_velocity_x_rad_s,angular_velocity_y_rad_s,angular_velocity_z_rad_s,"
+      "translational_energy_j,rotational_energy_j,total_energy_j,file");
+  for (const CrossingRow& row : comparison.crossings) {
+    const Crossing& crossing = *row.crossing;
+    cells_of_run(csv, comparison.rows[row.row]);
+    csv.cell(std::string_view(comparison.lines[row.barrier].name));
+    csv.cell(std::string_view(crossing.forward ? "forward" : "backward"));
+    csv.count(row.counted ? 1 : 0);
+    csv.cell(crossing.time);
+    cells(csv, row.position);
+    csv.cell(crossing.height);
+    csv.cell(crossing.clearance);
+    csv.cell(crossing.velocity.norm());
+    cells(csv, crossing.velocity);
+    csv.cell(crossing.angular_velocity.norm());
+    cells(csv, crossing.angular_velocity);
+    csv.cell(crossing.translational_energy);
+    csv.cell(crossing.rotational_energy);
+    csv.cell(crossing.translational_energy + crossing.rotational_energy);
+    csv.count(comparison.rows[row.row].file + 1);
+    csv.end_row();
+  }
+  return std::move(csv).text();
+}
+
+std::string deposits_csv(const Comparison& comparison) {
+  CsvText csv;
+  csv.header("group,count" + summary_columns("runout", "m") +
+             ",mean_stop_x_m,mean_stop_y_m,mean_stop_z_m,lateral_mean_deg,lateral_std_deg,"
+             "runs,left_terrain,max_time,error,downslope_x,downslope_y");
+  for (std::size_t i = 0; i < comparison.groups.size(); ++i) {
+    const DepositGroup& deposit = comparison.deposits[i];
+    csv.cell(std::string_view(comparison.groups[i].name));
+    csv.count(deposit.stops.rest);
+    cells(csv, deposit.runout);
+    if (deposit.stops.rest > 0) {
+      cells(csv, deposit.mean_stop);
+      csv.cell(deposit.lateral.mean * kDegrees);
+      csv.cell(deposit.lateral.std * kDegrees);
+    } else {
+      empty_cells(csv, 5);
+    }
+    csv.count(deposit.started);
+    csv.count(deposit.stops.left_terrain);
+    csv.count(deposit.stops.max_time);
+    csv.count(deposit.stops.error);
+    csv.cell(comparison.downslope.x());
+    csv.cell(comparison.downslope.y());
+    csv.end_row();
+  }
+  return std::move(csv).text();
+}
+
+std::string provenance_json(const Comparison& comparison) {
+  nlohmann::ordered_json json;
+  json["program_version"] = version();
+  json["downslope"] = {comparison.downslope.x(), comparison.downslope.y()};
+  json["downslope_from"] = comparison.downslope_asked ? "campaign" : "mean release-to-stop line";
+  json["warnings"] = comparison.warnings;
+  json["files"] = nlohmann::ordered_json::array();
+  for (std::size_t file = 0; file < comparison.results.size(); ++file) {
+    const CampaignResults& results = comparison.results[file];
+    json["files"].push_back({{"file", file + 1},
+                             {"results", results.file.filename().string()},
+                             {"program_version", results.program_version},
+                             {"campaign_sha256", results.campaign_sha256},
+                             {"inputs", results.inputs},
+                             {"runs", results.runs.size()},
+                             {"planned_runs", results.planned_runs},
+                             {"campaign", results.campaign_text}});
+  }
+  // Names and paths may hold bytes that are not UTF-8; they must not stop the tables.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void write_comparison(const Comparison& comparison, const std::filesystem::path& folder) {
+  std::error_code code;
+  if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
+    throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
+  }
+  write_text_file(folder / "runs.csv", runs_csv(comparison));
+  write_text_file(folder / "barriers.csv", barriers_csv(comparison));
+  write_text_file(folder / "crossings.csv", crossings_csv(comparison));
+  write_text_file(folder / "deposits.csv", deposits_csv(comparison));
+  write_text_file(folder / "provenance.json", provenance_json(comparison));
+  write_geopackage(folder / "stops.gpkg", comparison);
+  write_text_file(folder / "report.html", html_report(comparison));
+}
+
+}  // namespace clast

@@ -1,1 +1,248 @@
 #include "study/results.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/hdf5_file.hpp"
+#include "core/output_file.hpp"
+#include "study/results_journal.hpp"
+#include "study/results_layout.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+using namespace results_layout;
+
+std::string results_layout::trajectory_name(std::uint32_t run) {
+  char name[16];
+  std::snprintf(name, sizeof name, "%08u", run);
+  return name;
+}
+
+fs::path partial_results(const fs::path& target) {
+  fs::path part = target;
+  part += ".part";
+  return part;
+}
+
+namespace {
+
+void write_texts(Hdf5Group& group, const std::string& name, const std::vector<std::string>& texts) {
+  group.write<std::string>(name, texts);
+}
+
+template <class Rows, class Field>
+void write_column(Hdf5Group& group, const std::string& name, const std::string& unit, Rows& rows,
+                  const Field& field) {
+  using T = std::decay_t<decltype(field(rows.front()))>;
+  std::vector<T> values;
+  for (auto& row : rows) values.push_back(field(row));
+  group.write<T>(name, values);
+  if (!unit.empty()) group.set_unit(name, unit);
+}
+
+template <class Vector>
+void write_vectors(Hdf5Group& group, const std::string& name, const std::string& unit,
+                   const std::vector<Vector>& vectors) {
+  constexpr auto kSize = static_cast<std::size_t>(Vector::SizeAtCompileTime);
+  std::vector<double> flat;
+  flat.reserve(kSize * vectors.size());
+  for (const Vector& vector : vectors) flat.insert(flat.end(), vector.begin(), vector.end());
+  group.write<double>(name, flat, {vectors.size(), kSize});
+  if (!unit.empty()) group.set_unit(name, unit);
+}
+
+void write_terrain_group(Hdf5Group group, const Terrain& terrain, const MapFrame& frame) {
+  write_vectors(group, "vertices_m", "m", terrain.surface.vertices);
+  std::vector<std::uint32_t> corners;
+  corners.reserve(3 * terrain.surface.triangles.size());
+  for (const auto& triangle : terrain.surface.triangles) {
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  }
+  group.write<std::uint32_t>("triangles", corners, {terrain.surface.triangles.size(), 3});
+  group.write<std::uint16_t>("zone", terrain.zone);
+  write_texts(group, "notes", terrain.report.notes);
+  write_texts(group, "sources", terrain.sources);
+  write_vectors(group, "origin_m", "m", std::vector<Vec3>{frame.origin});
+  group.set_attribute<std::string>("crs", frame.crs);
+}
+
+void write_header(Hdf5Group root, const CampaignResults& header) {
+  root.set_attribute<std::string>("campaign_sha256", header.campaign_sha256);
+  root.set_attribute<std::int64_t>("planned_runs", header.planned_runs);
+  write_texts(root, "campaign", {header.campaign_text});
+  write_texts(root, "inputs", header.inputs);
+  write_texts(root, "warnings", header.warnings);
+  if (header.downslope) {
+    write_vectors(root, "downslope", "", std::vector<Vec2>{*header.downslope});
+  }
+  write_vectors(root, "release_points_m", "m", header.release_points);
+
+  Hdf5Group blocks = root.create_group("blocks");
+  const auto& list = header.blocks;
+  write_column(blocks, "id", "", list, [](const BlockSummary& b) { return b.id; });
+  write_column(blocks, "mass_kg", "kg", list, [](const BlockSummary& b) { return b.mass; });
+  write_column(blocks, "L_m", "m", list, [](const BlockSummary& b) { return b.axes.L; });
+  write_column(blocks, "I_m", "m", list, [](const BlockSummary& b) { return b.axes.I; });
+  write_column(blocks, "S_m", "m", list, [](const BlockSummary& b) { return b.axes.S; });
+  write_column(blocks, "garcia", "", list, [](const BlockSummary& b) { return b.garcia; });
+  write_column(blocks, "sneed_folk", "", list, [](const BlockSummary& b) { return b.sneed_folk; });
+  write_column(blocks, "zingg", "", list, [](const BlockSummary& b) { return b.zingg; });
+
+  Hdf5Group barriers = root.create_group("barriers");
+  std::vector<Vec2> from, to;
+  for (const Barrier& barrier : header.barriers) {
+    from.push_back(barrier.from);
+    to.push_back(barrier.to);
+  }
+  write_column(barriers, "name", "", header.barriers, [](const Barrier& b) { return b.name; });
+  write_vectors(barriers, "from_m", "m", from);
+  write_vectors(barriers, "to_m", "m", to);
+
+  Hdf5Group ground = root.create_group("ground");
+  const auto& zones = header.ground;
+  write_texts(ground, "zone", header.zone_names);
+  write_column(ground, "energy_restitution", "", zones,
+               [](const GroundParameters& g) { return g.energy_restitution; });
+  write_column(ground, "friction", "", zones, [](const GroundParameters& g) { return g.friction; });
+  write_column(ground, "rolling_friction", "", zones,
+               [](const GroundParameters& g) { return g.rolling_friction; });
+
+  Hdf5Group contact = root.create_group("contact");
+  contact.set_attribute<std::string>("law", "energy-restitution");
+  contact.set_attribute<std::string>("weights", name_of(header.weights));
+  contact.set_attribute<double>("stiffness_n_m", header.stiffness.normal);
+  contact.set_attribute<double>("tangential_stiffness_n_m", header.stiffness.tangential);
+  contact.set_attribute<double>("rolling_stiffness_n_m_rad", header.stiffness.rolling);
+  contact.set_attribute<double>("time_step_s", header.stiffness.time_step);
+
+  write_terrain_group(root.create_group("terrain"), header.terrain, header.frame);
+}
+
+void write_crossings(Hdf5Group group, std::vector<Crossing>& crossings) {
+  const auto write = [&](const auto& columns) {
+    for (const auto& column : columns) {
+      write_column(group, column.name, column.unit, crossings,
+                   [&](Crossing& crossing) { return column.field(crossing); });
+    }
+  };
+  write(kCrossingIndices);
+  write(kCrossingValues);
+  write_column(group, kForward, "", crossings,
+               [](const Crossing& crossing) -> std::uint8_t { return crossing.forward ? 1 : 0; });
+}
+
+void write_runs(Hdf5Group group, std::vector<RunRecord>& runs) {
+  for (const RunIndex& column : kRunIndices) {
+    write_column(group, column.name, column.unit, runs, column.field);
+  }
+  for (const StateOfRun& state : kRunStates) {
+    for (const StateValue& column : kStateValues) {
+      write_column(group, state.prefix + std::string(column.name), column.unit, runs,
+                   [&](RunRecord& run) { return column.field(state.field(run)); });
+    }
+  }
+  for (const RunValue& column : kRunValues) {
+    write_column(group, column.name, column.unit, runs, column.field);
+  }
+  for (const RunCount& column : kRunCounts) {
+    write_column(group, column.name, column.unit, runs,
+                 [&](RunRecord& run) { return static_cast<std::int64_t>(column.field(run)); });
+  }
+  write_column(group, kStopReason, "", runs, [](const RunRecord& run) {
+    return static_cast<std::uint8_t>(run.result.stop_reason);
+  });
+  write_column(group, kBelowGround, "", runs, [](const RunRecord& run) -> std::uint8_t {
+    return run.result.below_ground ? 1 : 0;
+  });
+  write_column(group, kMessage, "", runs, [](const RunRecord& run) { return run.result.message; });
+}
+
+void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& trajectory) {
+  if (trajectory.time.empty()) return;
+  const std::size_t frames = trajectory.time.size();
+  std::vector<double> rows(kTrajectoryRows * frames);
+  for (std::size_t i = 0; i < frames; ++i) {
+    rows[i] = trajectory.time[i];
+    RigidState state = trajectory.states[i];
+    for (std::size_t k = 1; k < kTrajectoryRows; ++k) {
+      rows[k * frames + i] = kStateValues[k - 1].field(state);
+    }
+  }
+  group.write<double>(trajectory_name(run), rows, {kTrajectoryRows, frames});
+}
+
+}  // namespace
+
+struct ResultsWriter::Impl {
+  fs::path target;
+  CampaignResults header;
+  ResultsJournal journal;
+  std::vector<std::uint32_t> stored;
+};
+
+ResultsWriter::ResultsWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ResultsWriter::~ResultsWriter() = default;
+ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
+
+ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignResults& header) {
+  if (std::error_code code; fs::is_directory(target, code)) {
+    throw InputError(target.string() + ": is a folder; give the name of a file");
+  }
+  return ResultsWriter(std::unique_ptr<Impl>(
+      new Impl{target, header, ResultsJournal::create(partial_results(target), header), {}}));
+}
+
+ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResults& header) {
+  ResultsJournal journal = ResultsJournal::resume(partial_results(target), header);
+  std::vector<std::uint32_t> stored = journal.runs();
+  std::sort(stored.begin(), stored.end());
+  return ResultsWriter(
+      std::unique_ptr<Impl>(new Impl{target, header, std::move(journal), std::move(stored)}));
+}
+
+const std::vector<std::uint32_t>& ResultsWriter::stored_runs() const { return impl_->stored; }
+
+void ResultsWriter::add(const RunRecord& run, const std::vector<Crossing>& crossings,
+                        const Trajectory& trajectory) {
+  impl_->journal.add({run, crossings, trajectory});
+  impl_->stored.insert(std::lower_bound(impl_->stored.begin(), impl_->stored.end(), run.run),
+                       run.run);
+}
+
+void ResultsWriter::finish() {
+  const std::vector<std::uint32_t>& runs = impl_->journal.runs();
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return runs[a] < runs[b]; });
+
+  OutputFile output(impl_->target);
+  {
+    Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchemaVersion);
+    Hdf5Group root = file.root();
+    write_header(root, impl_->header);
+    Hdf5Group trajectories = root.create_group("trajectories");
+    std::string row_names = "time_s";
+    for (const StateValue& row : kStateValues) row_names += std::string(" ") + row.name;
+    trajectories.set_attribute<std::string>("rows", row_names);
+    std::vector<RunRecord> records;
+    std::vector<Crossing> crossings;
+    for (const std::size_t index : order) {
+      const StoredRun run = impl_->journal.read(index);
+      records.push_back(run.record);
+      crossings.insert(crossings.end(), run.crossings.begin(), run.crossings.end());
+      write_trajectory(trajectories, run.record.run, run.trajectory);
+    }
+    write_runs(root.create_group("runs"), records);
+    write_crossings(root.create_group("crossings"), crossings);
+    file.flush();
+  }
+  output.commit();
+  std::error_code code;  // what is left of it is harmless
+  fs::remove(impl_->journal.path(), code);
+}
+
+}  // namespace clast

@@ -27,9 +27,9 @@ struct RunRecord {
 /// What the comparison needs to know of a block.
 struct BlockSummary {
   std::string id;
-  double mass = 0.0;           ///< kg
-  Axes axes;                   ///< m
-  std::string garcia;          ///< compact or elongated
+  double mass = 0.0;   ///< kg
+  Axes axes;           ///< m
+  std::string garcia;  ///< compact or elongated
   std::string sneed_folk;
   std::string zingg;
 };
@@ -45,22 +45,22 @@ struct CampaignResults {
   std::filesystem::path file;
   std::string campaign_text;
   std::string campaign_sha256;
-  std::vector<std::string> inputs;       ///< "path sha256" of library, terrain and release files
+  std::vector<std::string> inputs;  ///< "path sha256" of library, terrain and release files
   std::string program_version;
   std::vector<BlockSummary> blocks;
-  std::vector<Barrier> barriers;         ///< local frame
-  std::vector<Vec3> release_points;      ///< local frame; z as started for the first orientation
+  std::vector<Barrier> barriers;     ///< local frame
+  std::vector<Vec3> release_points;  ///< local frame; z as started for the first orientation
   std::vector<std::string> zone_names;
   std::vector<GroundParameters> ground;  ///< by zone
   ContactStiffness stiffness;
   ContactWeights weights = ContactWeights::kPatch;
   std::vector<std::string> warnings;
   MapFrame frame;
-  std::optional<Vec2> downslope;         ///< as asked for
-  Terrain terrain;                       ///< the surface that was used, for maps
+  std::optional<Vec2> downslope;  ///< as asked for
+  Terrain terrain;                ///< the surface that was used, for maps
   std::uint32_t planned_runs = 0;
-  std::vector<RunRecord> runs;           ///< in run order
-  std::vector<Crossing> crossings;       ///< in run order, then time
+  std::vector<RunRecord> runs;      ///< in run order
+  std::vector<Crossing> crossings;  ///< in run order, then time
 };
 
 /// @throws InputError  missing, not clast results, damaged, or of a newer schema
@@ -68,23 +68,28 @@ CampaignResults read_results(const std::filesystem::path& path);
 /// @throws InputError  no such run, or trajectories were not stored
 Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run);
 
-/// Writes results run by run; what is flushed survives a kill.
+/// Where runs are kept until all are done: target + ".part", a journal, not HDF5.
+std::filesystem::path partial_results(const std::filesystem::path& target);
+
+/// Keeps results run by run, so that a kill costs no run that was added, and writes the file when
+/// all are done.
 class ResultsWriter {
  public:
-  /// Starts a new file beside `target` (target + ".part"), with everything but the runs.
+  /// Starts anew, in place of what an interrupted campaign left. Makes missing parent folders.
   static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header);
-  /// Goes on with target + ".part".
-  /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and inputs)
+  /// Goes on with `partial_results(target)`; half a run that a kill left is dropped.
+  /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and
+  /// inputs)
   static ResultsWriter resume(const std::filesystem::path& target, const CampaignResults& header);
   ~ResultsWriter();
   ResultsWriter(ResultsWriter&&) noexcept;
 
   /// Runs that are in the file already, sorted.
   const std::vector<std::uint32_t>& stored_runs() const;
-  /// Appends one run and flushes. Order does not matter.
+  /// Adds one run and flushes. Order does not matter.
   void add(const RunRecord& run, const std::vector<Crossing>& crossings,
            const Trajectory& trajectory);
-  /// Renames to the target.
+  /// Writes the target, whole, with runs in order of their number; the journal goes.
   void finish();
 
  private:

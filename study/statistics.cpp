@@ -1,1 +1,54 @@
 #include "study/statistics.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace clast {
+
+Summary summarise(std::span<const double> values) {
+  Summary summary;
+  summary.count = values.size();
+  if (values.empty()) return summary;
+  const double count = static_cast<double>(values.size());
+
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  summary.mean = sum / count;
+
+  // Second pass about the mean: the one-pass formula loses all digits of map-sized values.
+  double squares = 0.0;
+  for (const double value : values) squares += (value - summary.mean) * (value - summary.mean);
+  summary.std = values.size() > 1 ? std::sqrt(squares / (count - 1.0)) : 0.0;
+
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  summary.median = quantile(sorted, 0.5);
+  summary.p95 = quantile(sorted, 0.95);
+  summary.max = sorted.back();
+  return summary;
+}
+
+double quantile(std::span<const double> sorted, double p) {
+  assert(!sorted.empty() && p >= 0.0 && p <= 1.0);
+  const double place = p * static_cast<double>(sorted.size() - 1);
+  const std::size_t below = static_cast<std::size_t>(std::floor(place));
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  const double fraction = place - static_cast<double>(below);
+  return sorted[below] + fraction * (sorted[above] - sorted[below]);
+}
+
+Interval wilson_interval(std::size_t hits, std::size_t trials) {
+  if (trials == 0) return {};
+  constexpr double kZ = 1.959963984540054;  // 97.5 % quantile of the standard normal
+  const double n = static_cast<double>(trials);
+  const double p = static_cast<double>(hits) / n;
+  const double shrink = 1.0 + kZ * kZ / n;
+  const double middle = (p + kZ * kZ / (2.0 * n)) / shrink;
+  const double half = kZ / shrink * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));
+  // At 0 and n hits the bound is exact; rounding must not take it outside.
+  return {hits == 0 ? 0.0 : middle - half, hits == trials ? 1.0 : middle + half};
+}
+
+}  // namespace clast

@@ -9,12 +9,30 @@ namespace clast {
 struct Summary {
   std::size_t count = 0;
   double mean = 0.0;
-  double std = 0.0;     ///< sample standard deviation (n - 1); 0 for one value
+  double std = 0.0;  ///< sample standard deviation (n - 1); 0 for one value
   double median = 0.0;
-  double p95 = 0.0;     ///< linear between order statistics (Hyndman & Fan type 7)
+  double p95 = 0.0;  ///< linear between order statistics (Hyndman & Fan type 7)
   double max = 0.0;
 };
 
+/// @param values  finite; sums run in their order, so equal input gives equal bits
 Summary summarise(std::span<const double> values);
+
+/// The value below which the share `p` of the sample lies, linear between order statistics.
+/// @param sorted  ascending, not empty
+/// @param p       in [0, 1]
+/// @cite hyndman1996
+double quantile(std::span<const double> sorted, double p);
+
+/// Bounds of a probability.
+struct Interval {
+  double low = 0.0;
+  double high = 1.0;
+};
+
+/// Wilson's 95 % interval for a probability seen `hits` times in `trials` independent trials; [0,
+/// 1] when there was none.
+/// @cite wilson1927
+Interval wilson_interval(std::size_t hits, std::size_t trials);
 
 }  // namespace clast

@@ -37,7 +37,7 @@ void add_compare(CLI::App& app) {
       "compare", "Compare shapes and classes: tables, map layers and one HTML report");
   command->add_option("results", args->results, "Results files of one or more campaigns")
       ->required()
-      ->type_name("RESULTS...");
+      ->type_name("RESULTS");
   command->add_option("-o,--output", args->folder, "Folder, made when missing")
       ->type_name("DIR")
       ->capture_default_str();

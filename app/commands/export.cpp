@@ -93,7 +93,7 @@ void add_export(CLI::App& app) {
   const auto args = std::make_shared<ExportArgs>();
   CLI::App* command = app.add_subcommand("export", "Hand blocks to other tools");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
-  command->add_option("ids", args->ids, "Blocks to export; without: all")->type_name("ID...");
+  command->add_option("ids", args->ids, "Blocks to export; without: all")->type_name("ID");
   command
       ->add_option("-o,--output", args->folder, "Folder, made when missing; a file for each block")
       ->type_name("DIR")

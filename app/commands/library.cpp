@@ -44,7 +44,7 @@ void add_merge(CLI::App& app) {
       ->type_name("OUT");
   command->add_option("inputs", args->inputs, "Libraries whose blocks are added")
       ->required()
-      ->type_name("IN...");
+      ->type_name("IN");
   command->add_flag("--replace", args->replace,
                     "Where an id is there already, the later block stays");
   command->footer("Example:\n  clast library merge all.h5 quarry.h5 talus.h5");
@@ -68,7 +68,7 @@ void add_remove(CLI::App& app) {
   const auto args = std::make_shared<RemoveArgs>();
   CLI::App* command = app.add_subcommand("remove", "Take blocks out of a library");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
-  command->add_option("ids", args->ids, "Blocks to remove")->required()->type_name("ID...");
+  command->add_option("ids", args->ids, "Blocks to remove")->required()->type_name("ID");
   command->footer("Example:\n  clast library remove blocks.h5 B017");
   command->callback([args] { remove_blocks(*args); });
 }
@@ -120,7 +120,7 @@ void add_set(CLI::App& app) {
   command->add_option("--note", args->note, "Anything else")->type_name("TEXT");
   command->add_option("--taped", args->taped, "Axes measured by tape, m")->type_name("L,I,S");
   command->add_option("--weighed", args->weighed, "Weighed mass, kg")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->type_name("KG");
   command->footer(
       "Notes are kept beside the computed values and change none of them.\n"

@@ -95,7 +95,7 @@ void add_reconstruct(CLI::App& app) {
       ->add_option("scans", args->scans,
                    "Mesh files (obj, ply, stl, off, glb, 3ds, tab), or folders of them")
       ->required()
-      ->type_name("SCAN...");
+      ->type_name("SCAN");
   command
       ->add_option("-o,--output", args->library,
                    "Block library; blocks are added to one that is there")
@@ -113,18 +113,19 @@ void add_reconstruct(CLI::App& app) {
       ->type_name("AXIS")
       ->capture_default_str();
   command
-      ->add_option("--vertices", options.simplify.target_vertices, "Vertices a block has at most")
-      ->check(CLI::Range(std::size_t{4}, std::size_t{1000000}))
+      ->add_option("--vertices", options.simplify.target_vertices,
+                   "Vertices a block has at most, 4 or more")
+      ->check(number_between(4, 1e6))
       ->type_name("N")
       ->capture_default_str();
   CLI::Option* radius =
       command->add_option("--radius", options.block.radius, "Minkowski radius of the rounding, m")
-          ->check(CLI::NonNegativeNumber)
+          ->check(number_between(0.0, 1e3))
           ->type_name("M");
   command
       ->add_option("--radius-share", options.block.radius_share,
-                   "The same as a share of S, the shortest side")
-      ->check(CLI::Range(0.0, 0.25))
+                   "The same as a share of S, the shortest side, 0 to 0.25")
+      ->check(number_between(0.0, 0.25))
       ->excludes(radius)
       ->type_name("SHARE")
       ->capture_default_str();
@@ -133,18 +134,19 @@ void add_reconstruct(CLI::App& app) {
                  "The mesh is the core that the sphere is swept over, not the rock's surface")
       ->needs(radius);
   CLI::Option* density = command->add_option("--density", options.block.density, "Density, kg/m3")
-                             ->check(CLI::PositiveNumber)
+                             ->check(positive_number())
                              ->type_name("KG/M3")
                              ->capture_default_str();
   command
       ->add_option("--mass", options.block.mass,
                    "Weighed mass of the block, kg: sets the density, or checks the volume when "
                    "--density is given too")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->type_name("KG");
   command
-      ->add_option("--accuracy", options.block.accuracy, "Relative accuracy of volume and inertia")
-      ->check(CLI::Range(1e-6, 1e-2))
+      ->add_option("--accuracy", options.block.accuracy,
+                   "Relative accuracy of volume and inertia, 1e-6 to 1e-2")
+      ->check(number_between(1e-6, 1e-2))
       ->type_name("REL")
       ->capture_default_str();
   command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");

@@ -92,7 +92,7 @@ void add_show(CLI::App& app) {
   CLI::App* command = app.add_subcommand("show", "Show what a library holds");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
   command->add_option("ids", args->ids, "Blocks to show in full; without: a line for each block")
-      ->type_name("ID...");
+      ->type_name("ID");
   command->add_flag("--json", args->json, "Print everything known of the blocks as JSON");
   command->footer(
       "Lengths in m, volumes in m3, masses in kg, moments of inertia in kg m2 about the "

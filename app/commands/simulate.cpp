@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
+#include "app/option_values.hpp"
 #include "app/progress.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
@@ -169,7 +170,7 @@ void add_simulate(CLI::App& app) {
       ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--threads", args->threads, "Threads to use; 0: one for each core")
-      ->check(CLI::Range(0, 4096))
+      ->check(number_between(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume, "Go on with an interrupted campaign");

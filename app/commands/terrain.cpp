@@ -123,7 +123,7 @@ void add_terrain(CLI::App& app) {
       ->add_option("inputs", args->inputs,
                    "Meshes (stl, obj, ply, ...), one raster (GeoTIFF, asc), or clouds (xyz)")
       ->required()
-      ->type_name("INPUT...");
+      ->type_name("INPUT");
   command->add_option("-o,--output", args->output, "Terrain file")
       ->type_name("FILE")
       ->capture_default_str();
@@ -139,7 +139,7 @@ void add_terrain(CLI::App& app) {
   command
       ->add_option("--resolution", args->options.resolution,
                    "Cell size for clouds and resampled rasters, m")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->type_name("M");
   CLI::Option* exported =
       command

@@ -1,1 +1,216 @@
 #include "study/report/gis_layers.hpp"
+
+#include <cpl_error.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+#include "core/version.hpp"
+
+namespace clast {
+namespace {
+
+struct DatasetCloser {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+struct FeatureDestroyer {
+  void operator()(OGRFeature* feature) const { OGRFeature::DestroyFeature(feature); }
+};
+using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
+using Feature = std::unique_ptr<OGRFeature, FeatureDestroyer>;
+
+/// Keeps GDAL from printing; its last message goes into ours instead.
+struct QuietGdal {
+  QuietGdal() { CPLPushErrorHandler(CPLQuietErrorHandler); }
+  ~QuietGdal() { CPLPopErrorHandler(); }
+};
+
+void check(bool done, const std::filesystem::path& target, const std::string& what) {
+  if (done) return;
+  throw InputError(target.string() + ": can't write " + what + " (" + CPLGetLastErrorMsg() + ")");
+}
+
+/// One layer being filled.
+class Layer {
+ public:
+  using Field = std::pair<const char*, OGRFieldType>;
+
+  Layer(GDALDataset& dataset, const std::filesystem::path& target, const char* name,
+        const OGRSpatialReference* crs, OGRwkbGeometryType type, const std::vector<Field>& fields)
+      : target_(target), name_(name) {
+    // The description keeps GeoPackage from guessing; the layer copies the reference.
+    layer_ = dataset.CreateLayer(name, const_cast<OGRSpatialReference*>(crs), type, nullptr);
+    check(layer_ != nullptr, target_, "layer " + name_);
+    for (const Field& field : fields) {
+      OGRFieldDefn definition(field.first, field.second);
+      check(layer_->CreateField(&definition) == OGRERR_NONE, target_, "layer " + name_);
+    }
+  }
+
+  Feature feature() const { return Feature(OGRFeature::CreateFeature(layer_->GetLayerDefn())); }
+  void add(Feature feature, const OGRGeometry& geometry) {
+    feature->SetGeometry(&geometry);
+    check(layer_->CreateFeature(feature.get()) == OGRERR_NONE, target_, "layer " + name_);
+  }
+
+ private:
+  std::filesystem::path target_;
+  std::string name_;
+  OGRLayer* layer_ = nullptr;
+};
+
+void set_run(OGRFeature& feature, const RunRow& row) {
+  feature.SetField("file", static_cast<int>(row.file + 1));
+  feature.SetField("run", static_cast<int>(row.record->run));
+  feature.SetField("block", row.block->id.c_str());
+  feature.SetField("class", row.block->sneed_folk.c_str());
+  feature.SetField("shape", row.block->garcia.c_str());
+}
+
+const std::vector<Layer::Field> kRunFields = {{"file", OFTInteger},
+                                              {"run", OFTInteger},
+                                              {"block", OFTString},
+                                              {"class", OFTString},
+                                              {"shape", OFTString}};
+
+std::vector<Layer::Field> with_run_fields(const std::vector<Layer::Field>& more) {
+  std::vector<Layer::Field> fields = kRunFields;
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
+}
+
+void write_stops(Layer layer, const Comparison& comparison) {
+  for (const RunRow& row : comparison.rows) {
+    if (!row.stop.allFinite()) continue;  // a failed run may have no place
+    const ReleaseResult& result = row.record->result;
+    Feature feature = layer.feature();
+    set_run(*feature, row);
+    feature->SetField("point", static_cast<int>(row.record->point));
+    feature->SetField("orientation", static_cast<int>(row.record->orientation));
+    feature->SetField("stop_reason", name_of(result.stop_reason).c_str());
+    feature->SetField("duration_s", result.duration);
+    feature->SetField("runout_m", row.runout);
+    feature->SetField("lateral_deg", row.lateral * 180.0 / kPi);
+    feature->SetField("max_speed_m_s", result.max_speed);
+    feature->SetField("mass_kg", row.block->mass);
+    layer.add(std::move(feature), OGRPoint(row.stop.x(), row.stop.y(), row.stop.z()));
+  }
+}
+
+void write_crossings(Layer layer, const Comparison& comparison) {
+  for (const CrossingRow& row : comparison.crossings) {
+    const Crossing& crossing = *row.crossing;
+    Feature feature = layer.feature();
+    set_run(*feature, comparison.rows[row.row]);
+    feature->SetField("barrier", comparison.lines[row.barrier].name.c_str());
+    feature->SetField("direction", crossing.forward ? "forward" : "backward");
+    feature->SetField("counted", row.counted ? 1 : 0);
+    feature->SetField("time_s", crossing.time);
+    feature->SetField("height_m", crossing.height);
+    feature->SetField("clearance_m", crossing.clearance);
+    feature->SetField("speed_m_s", crossing.velocity.norm());
+    feature->SetField("translational_energy_j", crossing.translational_energy);
+    feature->SetField("rotational_energy_j", crossing.rotational_energy);
+    feature->SetField("rotation_rate_rad_s", crossing.angular_velocity.norm());
+    layer.add(std::move(feature), OGRPoint(row.position.x(), row.position.y(), row.position.z()));
+  }
+}
+
+void write_barriers(Layer layer, const Comparison& comparison) {
+  for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
+    const BarrierLine& barrier = comparison.lines[line];
+    Feature feature = layer.feature();
+    feature->SetField("name", barrier.name.c_str());
+    for (const BarrierGroup& group : comparison.barriers) {
+      if (group.line != line || comparison.groups[group.group_index].kind != GroupKind::kAll ||
+          comparison.groups[group.group_index].file) {
+        continue;
+      }
+      feature->SetField("runs", static_cast<GIntBig>(group.started));
+      feature->SetField("crossings", static_cast<GIntBig>(group.crossed));
+      feature->SetField("probability", group.probability);
+      if (group.crossed > 0) {
+        feature->SetField("height_p95_m", group.height.p95);
+        feature->SetField("total_energy_p95_j", group.total.p95);
+      }
+    }
+    OGRLineString geometry;
+    geometry.addPoint(barrier.from.x(), barrier.from.y());
+    geometry.addPoint(barrier.to.x(), barrier.to.y());
+    layer.add(std::move(feature), geometry);
+  }
+}
+
+}  // namespace
+
+void write_geopackage(const std::filesystem::path& path, const Comparison& comparison) {
+  const QuietGdal quiet;
+  CPLErrorReset();
+  GDALAllRegister();
+  OutputFile output(path);
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+  check(driver != nullptr, path, "a GeoPackage: this GDAL has no GPKG driver");
+  // OutputFile has made an empty file to claim the name; GDAL refuses to create over it.
+  std::error_code ignored;
+  std::filesystem::remove(output.temporary(), ignored);
+  Dataset dataset(
+      driver->Create(output.temporary().string().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  check(dataset != nullptr, path, "a GeoPackage");
+
+  const std::string& name = comparison.results.front().frame.crs;
+  OGRSpatialReference crs;
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x east, y north, as the numbers are
+  const bool has_crs = !name.empty() && crs.SetFromUserInput(name.c_str()) == OGRERR_NONE;
+  const OGRSpatialReference* reference = has_crs ? &crs : nullptr;
+
+  check(dataset->StartTransaction() == OGRERR_NONE, path, "a GeoPackage");
+  write_stops(Layer(*dataset, path, "stops", reference, wkbPoint25D,
+                    with_run_fields({{"point", OFTInteger},
+                                     {"orientation", OFTInteger},
+                                     {"stop_reason", OFTString},
+                                     {"duration_s", OFTReal},
+                                     {"runout_m", OFTReal},
+                                     {"lateral_deg", OFTReal},
+                                     {"max_speed_m_s", OFTReal},
+                                     {"mass_kg", OFTReal}})),
+              comparison);
+  write_crossings(Layer(*dataset, path, "crossings", reference, wkbPoint25D,
+                        with_run_fields({{"barrier", OFTString},
+                                         {"direction", OFTString},
+                                         {"counted", OFTInteger},
+                                         {"time_s", OFTReal},
+                                         {"height_m", OFTReal},
+                                         {"clearance_m", OFTReal},
+                                         {"speed_m_s", OFTReal},
+                                         {"translational_energy_j", OFTReal},
+                                         {"rotational_energy_j", OFTReal},
+                                         {"rotation_rate_rad_s", OFTReal}})),
+                  comparison);
+  write_barriers(Layer(*dataset, path, "barriers", reference, wkbLineString,
+                       {{"name", OFTString},
+                        {"runs", OFTInteger64},
+                        {"crossings", OFTInteger64},
+                        {"probability", OFTReal},
+                        {"height_p95_m", OFTReal},
+                        {"total_energy_p95_j", OFTReal}}),
+                 comparison);
+  check(dataset->CommitTransaction() == OGRERR_NONE, path, "a GeoPackage");
+  dataset->SetMetadataItem("PROGRAM", (std::string("clast ") + version()).c_str());
+  for (std::size_t file = 0; file < comparison.results.size(); ++file) {
+    const std::string key = "CAMPAIGN_SHA256_" + std::to_string(file + 1);
+    dataset->SetMetadataItem(key.c_str(), comparison.results[file].campaign_sha256.c_str());
+  }
+  CPLErrorReset();
+  dataset.reset();
+  check(CPLGetLastErrorType() < CE_Failure, path, "a GeoPackage");
+  output.commit();
+}
+
+}  // namespace clast

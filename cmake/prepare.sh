@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing, configures, and builds in build/release.
+#
+#   cmake/prepare.sh program   the clast program alone
+#   cmake/prepare.sh tests     the program and its tests
+#
+# CLAST_JOBS sets the number of compilations at a time; the default is 2 at most, because one
+# file that uses CGAL takes up to 2.2 GB of memory.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=build/release
+
+say() { printf '== %s\n' "$*"; }
+fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
+
+packages=(g++ cmake ninja-build libeigen3-dev libcgal-dev libassimp-dev libhdf5-dev libgdal-dev
+          libcli11-dev libtomlplusplus-dev nlohmann-json3-dev)
+case "${1-}" in
+  program) ;;
+  tests) packages+=(libgtest-dev) ;;
+  *) printf 'usage: %s program|tests\n' "$0" >&2; exit 2 ;;
+esac
+
+is_installed() {
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+install_packages() {
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    say "Not a Debian system: using the libraries that are here (${packages[*]})"
+    return
+  fi
+  local package missing=() as_root=()
+  for package in "${packages[@]}"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    say "Every package needed is installed"
+    return
+  fi
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || fail "these packages are missing, and installing them needs root or sudo." \
+      "Ask whoever looks after this machine for: apt-get install --no-install-recommends ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "Installing ${missing[*]}"
+  as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=120)
+  "${as_root[@]}" update || say "The package lists could not all be refreshed; going on with what is known"
+  "${as_root[@]}" install -y --no-install-recommends "${missing[@]}" ||
+    fail "apt-get could not install ${missing[*]} (its message is above)"
+}
+
+# Two at most, one for each 2.25 GB of free memory.
+default_jobs() {
+  local cores memory
+  cores=$(nproc 2>/dev/null || echo 1)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 2359296) }' /proc/meminfo 2>/dev/null || true)
+  local jobs=$((cores < 2 ? cores : 2))
+  if [ -n "$memory" ] && [ "$memory" -lt "$jobs" ]; then jobs=$memory; fi
+  echo $((jobs < 1 ? 1 : jobs))
+}
+
+install_packages
+
+options=(-DCMAKE_BUILD_TYPE=Release)
+target=all
+# A build folder keeps the generator it was made with, and the tests it already has.
+if [ ! -f $build/CMakeCache.txt ]; then
+  if command -v ninja >/dev/null; then options+=(-G Ninja); fi
+  options+=(-DCLAST_TESTS=OFF)
+fi
+if [ "$1" = program ]; then target=clast; else options+=(-DCLAST_TESTS=ON); fi
+
+mkdir -p build
+log=build/configure.log
+say "Configuring in $build"
+cmake -S . -B $build "${options[@]}" --log-level=WARNING >"$log" 2>&1 ||
+  { cat "$log" >&2; fail "CMake could not configure clast (its message is above)"; }
+
+jobs=${CLAST_JOBS:-$(default_jobs)}
+say "Building with $jobs at a time; the first build takes some minutes"
+cmake --build $build --target "$target" -j "$jobs"

@@ -1,0 +1,64 @@
+#pragma once
+/// Forces of the contact points, with the history that Eqs. 2-5 of the paper ask for.
+/// @cite garcia2022
+#include <span>
+#include <vector>
+
+#include "dem/detail/contact_search.hpp"
+#include "dem/release.hpp"
+
+namespace clast {
+
+/// Force and torque about the centre of mass, in world axes.
+struct ContactLoad {
+  Vec3 force = Vec3::Zero();
+  Vec3 torque = Vec3::Zero();
+};
+
+/// One block's contacts over time: matched from step to step, loaded by the law, weighted.
+class ContactForces {
+ public:
+  ContactForces(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
+                const SurfaceFeatures& block, const RigidBody& body,
+                const ReleaseSettings& settings);
+
+  /// Loads at the present contacts after a step of `duration`, during which the block moved with
+  /// the mean velocities given. Books every joule of the step in `ledger`.
+  ContactLoad update(const std::vector<ContactPoint>& points, const Vec3& centre,
+                     const Vec3& velocity, const Vec3& angular_velocity, double duration,
+                     EnergyLedger& ledger);
+
+  bool empty() const { return contacts_.empty(); }
+  double stored_energy() const;  ///< what unloading would give back, J
+  double max_overlap() const;    ///< m
+  /// Overlap averaged with the normal forces, m: the depth that carries the block.
+  double carrying_overlap() const;
+  /// Smallest e_n^2 among the present contacts; 1 without any.
+  double smallest_restitution() const;
+
+ private:
+  /// A contact point with its loads before weighting.
+  struct Contact {
+    ContactPoint point;
+    const GroundParameters* ground = nullptr;
+    double weight = 1.0;
+    double normal = 0.0;             ///< N
+    Vec3 tangential = Vec3::Zero();  ///< N
+    Vec3 rolling = Vec3::Zero();     ///< N m
+  };
+
+  void match(const std::vector<ContactPoint>& points, std::vector<int>& previous_of) const;
+  void share_weights(std::vector<Contact>& contacts) const;
+  bool same_patch(const ContactPoint& a, const ContactPoint& b) const;
+  double stored(const Contact& contact) const;
+
+  const TerrainSurface& terrain_;
+  std::span<const GroundParameters> zones_;
+  const SurfaceFeatures& block_;
+  ContactStiffness stiffness_;
+  ContactWeights weights_;
+  double near_;  ///< contacts closer than this may hand their history on, m
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace clast

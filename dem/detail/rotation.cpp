@@ -1,0 +1,70 @@
+#include "dem/detail/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clast {
+namespace {
+
+/// Rotation per Runge-Kutta step, rad.
+constexpr double kFlightTurn = 0.01;
+
+/// Unit quaternion of the rotation vector.
+Quat exponential(const Vec3& rotation) {
+  const double angle = rotation.norm();
+  const double half = 0.5 * angle;
+  // sin(x)/x to the last bit for small x.
+  const double share = angle > 1e-4 ? std::sin(half) / angle : 0.5 - angle * angle / 48.0;
+  const Vec3 axis = share * rotation;
+  return {std::cos(half), axis.x(), axis.y(), axis.z()};
+}
+
+Vec3 body_spin(const Vec3& moments, const Quat& orientation, const Vec3& momentum) {
+  const Vec3 in_body = orientation.conjugate() * momentum;
+  return in_body.cwiseQuotient(moments);
+}
+
+Eigen::Vector4d rate(const Vec3& moments, const Eigen::Vector4d& coefficients,
+                     const Vec3& momentum) {
+  const Quat orientation(coefficients);
+  const Vec3 spin = body_spin(moments, orientation, momentum);
+  return 0.5 * (orientation * Quat(0.0, spin.x(), spin.y(), spin.z())).coeffs();
+}
+
+}  // namespace
+
+Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity) {
+  const Vec3 spin = orientation.conjugate() * angular_velocity;
+  return orientation * Vec3(moments.cwiseProduct(spin));
+}
+
+Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum) {
+  return orientation * body_spin(moments, orientation, momentum);
+}
+
+Quat turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+                     double step) {
+  const Vec3 first = body_spin(moments, orientation, momentum);
+  const Quat middle = orientation * exponential(0.5 * step * first);
+  const Vec3 spin = body_spin(moments, middle, momentum);
+  return (orientation * exponential(step * spin)).normalized();
+}
+
+Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+                   double duration) {
+  const double fastest = momentum.norm() / moments.minCoeff();
+  const double steps = std::max(1.0, std::ceil(fastest * std::abs(duration) / kFlightTurn));
+  const double step = duration / steps;
+  Eigen::Vector4d q = orientation.coeffs();
+  for (double i = 0; i < steps; ++i) {
+    const Eigen::Vector4d k1 = rate(moments, q, momentum);
+    const Eigen::Vector4d k2 = rate(moments, q + 0.5 * step * k1, momentum);
+    const Eigen::Vector4d k3 = rate(moments, q + 0.5 * step * k2, momentum);
+    const Eigen::Vector4d k4 = rate(moments, q + step * k3, momentum);
+    q += step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    q.normalize();
+  }
+  return Quat(q);
+}
+
+}  // namespace clast

@@ -1,0 +1,21 @@
+#pragma once
+/// Rotation of a rigid body from its angular momentum in world axes, which is what stays constant
+/// without torque. Moments are principal; orientations are world_from_body.
+#include "core/types.hpp"
+
+namespace clast {
+
+Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity);
+Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
+
+/// One short step at constant momentum, second order and reversible to third (explicit midpoint on
+/// the rotation group).
+Quat turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+                     double step);
+
+/// A long torque-free turn: fourth-order Runge-Kutta in steps of at most 0.01 rad, which keeps the
+/// angle to about 1e-10 rad per revolution.
+Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+                   double duration);
+
+}  // namespace clast

@@ -1,0 +1,208 @@
+#include "dem/detail/surface_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace clast {
+namespace {
+
+/// Sine of the angle between faces below which an edge counts as flat: single-precision files leave
+/// less than this on a true plane of metre-sized triangles, and no contact is lost by it.
+constexpr double kFlatSine = 1e-7;
+/// Slack of the arc and cone tests, a sine.
+constexpr double kConeSlack = 1e-9;
+
+struct HalfEdge {
+  std::uint32_t low, high, face, side;
+};
+
+std::string place(const Vec3& p) {
+  return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) +
+         ")";
+}
+
+void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
+  surface.faces.reserve(mesh.triangles.size());
+  for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+    SurfaceFace face{triangle, {}, {}, Vec3::Zero(), 0};
+    const Vec3& a = mesh.vertices[triangle[0]];
+    const Vec3& b = mesh.vertices[triangle[1]];
+    const Vec3& c = mesh.vertices[triangle[2]];
+    const Vec3 area = (b - a).cross(c - a);
+    if (!(area.norm() > 0.0)) {
+      throw GeometryError("triangle at " + place(a) + " has no area; remove degenerate triangles");
+    }
+    face.normal = area.normalized();
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 along = mesh.vertices[triangle[(k + 1) % 3]] - mesh.vertices[triangle[k]];
+      face.inward[k] = face.normal.cross(along).normalized();
+    }
+    surface.faces.push_back(face);
+  }
+}
+
+EdgeKind kind_of(const SurfaceFace& first, const SurfaceFace& second, const Vec3& into_second) {
+  const double rise = first.normal.dot(into_second);
+  if (rise > kFlatSine) return EdgeKind::kValley;
+  if (rise < -kFlatSine || first.normal.dot(second.normal) < 0.0) return EdgeKind::kRidge;
+  return EdgeKind::kFlat;
+}
+
+void make_edges(SurfaceFeatures& surface) {
+  std::vector<HalfEdge> halves;
+  halves.reserve(3 * surface.faces.size());
+  for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = surface.faces[f].vertices[k];
+      const std::uint32_t b = surface.faces[f].vertices[(k + 1) % 3];
+      halves.push_back({std::min(a, b), std::max(a, b), f, k});
+    }
+  }
+  std::sort(halves.begin(), halves.end(), [](const HalfEdge& p, const HalfEdge& q) {
+    return std::tie(p.low, p.high, p.face) < std::tie(q.low, q.high, q.face);
+  });
+  for (std::size_t i = 0; i < halves.size();) {
+    std::size_t end = i + 1;
+    while (end < halves.size() && halves[end].low == halves[i].low &&
+           halves[end].high == halves[i].high) {
+      ++end;
+    }
+    const HalfEdge& half = halves[i];
+    if (end - i > 2) {
+      throw GeometryError(std::to_string(end - i) + " triangles meet in the edge at " +
+                          place(surface.vertices[half.low]) + "; the surface must be manifold");
+    }
+    SurfaceEdge edge;
+    edge.vertices = {half.low, half.high};
+    const Vec3 along = surface.vertices[half.high] - surface.vertices[half.low];
+    edge.length = along.norm();
+    edge.direction = along / edge.length;
+    SurfaceFace& first = surface.faces[half.face];
+    first.edges[half.side] = static_cast<std::uint32_t>(surface.edges.size());
+    edge.faces = {half.face, kNoFeature};
+    edge.inward = {first.inward[half.side], Vec3::Zero()};
+    edge.normal = first.normal;
+    edge.kind = EdgeKind::kBorder;
+    if (end - i == 2) {
+      const HalfEdge& other = halves[i + 1];
+      SurfaceFace& second = surface.faces[other.face];
+      second.edges[other.side] = static_cast<std::uint32_t>(surface.edges.size());
+      edge.faces[1] = other.face;
+      edge.inward[1] = second.inward[other.side];
+      edge.kind = kind_of(first, second, edge.inward[1]);
+      const Vec3 sum = first.normal + second.normal;
+      if (sum.norm() > kFlatSine) edge.normal = sum.normalized();
+    }
+    surface.edges.push_back(edge);
+    i = end;
+  }
+}
+
+void add_wires(SurfaceFeatures& surface, std::span<const std::array<std::uint32_t, 2>> wires) {
+  for (const auto& [a, b] : wires) {
+    SurfaceEdge edge;
+    edge.vertices = {a, b};
+    edge.faces = {kNoFeature, kNoFeature};
+    const Vec3 along = surface.vertices[b] - surface.vertices[a];
+    edge.length = along.norm();
+    edge.direction = along / edge.length;
+    edge.inward = {Vec3::Zero(), Vec3::Zero()};
+    edge.normal = Vec3::UnitZ();
+    edge.kind = EdgeKind::kWire;
+    surface.edges.push_back(edge);
+  }
+}
+
+void number_planes(SurfaceFeatures& surface) {
+  std::vector<std::uint32_t> parent(surface.faces.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t f) {
+    while (parent[f] != f) f = parent[f] = parent[parent[f]];
+    return f;
+  };
+  for (const SurfaceEdge& edge : surface.edges) {
+    if (edge.kind != EdgeKind::kFlat) continue;
+    const std::uint32_t a = root(edge.faces[0]);
+    const std::uint32_t b = root(edge.faces[1]);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::uint32_t f = 0; f < surface.faces.size(); ++f) surface.faces[f].plane = root(f);
+}
+
+void describe_vertices(SurfaceFeatures& surface) {
+  const std::size_t count = surface.vertices.size();
+  surface.ray_offsets.assign(count + 1, 0);
+  surface.plane_offsets.assign(count + 1, 0);
+  surface.vertex_normals.assign(count, Vec3::Zero());
+  surface.pointed.assign(count, 0);
+  std::vector<std::vector<std::uint32_t>> edges_at(count), planes_at(count);
+  for (std::uint32_t e = 0; e < surface.edges.size(); ++e) {
+    for (const std::uint32_t v : surface.edges[e].vertices) edges_at[v].push_back(e);
+  }
+  for (const SurfaceFace& face : surface.faces) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 out =
+          (surface.vertices[face.vertices[(k + 1) % 3]] - surface.vertices[face.vertices[k]])
+              .normalized();
+      const Vec3 back =
+          (surface.vertices[face.vertices[(k + 2) % 3]] - surface.vertices[face.vertices[k]])
+              .normalized();
+      const double angle = std::atan2(out.cross(back).norm(), out.dot(back));
+      surface.vertex_normals[face.vertices[k]] += angle * face.normal;
+      planes_at[face.vertices[k]].push_back(face.plane);
+    }
+  }
+  for (std::size_t v = 0; v < count; ++v) {
+    if (surface.vertex_normals[v].norm() > 0.0) surface.vertex_normals[v].normalize();
+    bool convex = edges_at[v].empty();  // a lone ball
+    std::vector<Vec3> sharp;
+    for (const std::uint32_t e : edges_at[v]) {
+      const SurfaceEdge& edge = surface.edges[e];
+      const Vec3 ray = edge.vertices[0] == v ? edge.direction : Vec3(-edge.direction);
+      surface.rays.push_back(ray);
+      if (edge.kind != EdgeKind::kFlat) sharp.push_back(ray);
+      convex = convex || edge.convex();
+    }
+    const bool goes_straight_on = sharp.size() == 2 &&
+                                  sharp[0].cross(sharp[1]).norm() < kFlatSine &&
+                                  sharp[0].dot(sharp[1]) < 0;
+    surface.pointed[v] = convex && !goes_straight_on;
+    surface.ray_offsets[v + 1] = static_cast<std::uint32_t>(surface.rays.size());
+    std::vector<std::uint32_t>& around = planes_at[v];
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    surface.planes.insert(surface.planes.end(), around.begin(), around.end());
+    surface.plane_offsets[v + 1] = static_cast<std::uint32_t>(surface.planes.size());
+  }
+}
+
+}  // namespace
+
+SurfaceFeatures surface_features(const TriangleMesh& mesh,
+                                 std::span<const std::array<std::uint32_t, 2>> wires) {
+  SurfaceFeatures surface;
+  surface.vertices = mesh.vertices;
+  make_faces(surface, mesh);
+  make_edges(surface);
+  add_wires(surface, wires);
+  number_planes(surface);
+  describe_vertices(surface);
+  return surface;
+}
+
+bool in_arc(const SurfaceEdge& edge, const Vec3& direction) {
+  return direction.dot(edge.inward[0]) <= kConeSlack && direction.dot(edge.inward[1]) <= kConeSlack;
+}
+
+bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  for (const Vec3& ray : surface.rays_of(vertex)) {
+    if (direction.dot(ray) > kConeSlack) return false;
+  }
+  return true;
+}
+
+}  // namespace clast

@@ -1,0 +1,75 @@
+#pragma once
+/// The inside of TerrainSurface: features and a plan grid over them.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dem/detail/surface_features.hpp"
+#include "dem/terrain_surface.hpp"
+
+namespace clast {
+
+/// The point of a surface nearest to a query, with the side the query lies on.
+struct NearestPoint {
+  Vec3 point = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();  ///< out of the solid: of the face, edge or vertex hit
+  double distance = 0.0;        ///< signed: negative inside the solid
+  std::uint32_t face = kNoFeature;
+};
+
+/// Nearest point of one face to `query`; `distance` is signed by the normal of the feature hit.
+NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
+
+/// Plan grid: every cell lists the faces whose bounds reach into it, with their height range.
+class PlanGrid {
+ public:
+  PlanGrid() = default;
+  explicit PlanGrid(const SurfaceFeatures& surface);
+
+  struct Cell {
+    std::span<const std::uint32_t> faces;
+    double low = 0.0;
+    double high = 0.0;
+  };
+  /// Cell range [first, last] that covers the plan interval, clamped to the grid; empty (first >
+  /// last) when outside.
+  struct Range {
+    int first_column, last_column, first_row, last_row;
+  };
+  Range range(double x_low, double x_high, double y_low, double y_high) const;
+  Cell cell(int column, int row) const;
+  double cell_size() const { return size_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+
+ private:
+  double size_ = 1.0;
+  Vec2 corner_ = Vec2::Zero();
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<std::uint32_t> offsets_;
+  std::vector<std::uint32_t> faces_;
+  std::vector<float> lows_, highs_;  // widened to the next float, so never too tight
+};
+
+struct TerrainSurface::Impl {
+  TriangleMesh mesh;
+  SurfaceFeatures features;
+  std::vector<std::uint32_t> face_of_vertex;  ///< one face at every vertex: tells its zone
+  std::vector<std::uint16_t> zones;
+  std::uint16_t zone_count = 0;
+  double radius = 0.0;
+  Bounds extent;
+  PlanGrid grid;
+
+  /// Nearest point of the triangles (not the skin) to `query`, or none farther than `reach`.
+  std::optional<NearestPoint> nearest(const Vec3& query, double reach) const;
+  /// A lower bound of the distance from `query` to the triangles, by height ranges alone; 0 when
+  /// that can't tell. Cheap, for points well above the ground.
+  double height_clearance(const Vec3& query, double reach) const;
+  /// Faces whose bounds come within `reach` of the box, sorted.
+  std::vector<std::uint32_t> faces_near(const Bounds& box, double reach) const;
+};
+
+}  // namespace clast

@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include "dem/detail/contact_search.hpp"
+#include "dem/detail/segment_distance.hpp"
+#include "dem/release.hpp"
+
+namespace clast {
+namespace {
+
+/// Vertices, edges and faces of the ground near the block, each once.
+struct NearbyGround {
+  std::vector<std::uint32_t> vertices, edges;
+};
+
+NearbyGround nearby(const TerrainSurface::Impl& ground, const Bounds& box, double reach) {
+  NearbyGround found;
+  for (const std::uint32_t f : ground.faces_near(box, reach)) {
+    const SurfaceFace& face = ground.features.faces[f];
+    found.vertices.insert(found.vertices.end(), face.vertices.begin(), face.vertices.end());
+    found.edges.insert(found.edges.end(), face.edges.begin(), face.edges.end());
+  }
+  for (std::vector<std::uint32_t>* list : {&found.vertices, &found.edges}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<double> ground_gap(const TerrainSurface& terrain, const RigidBody& body,
+                                 const RigidState& state, double reach) {
+  const TerrainSurface::Impl& ground = terrain.impl();
+  ContactSearch search(ground, body);
+  const Pose world_from_body = state.world_from_body();
+  double deepest = 0.0;
+  for (const ContactPoint& contact : search.contacts(world_from_body, 0.0)) {
+    deepest = std::max(deepest, contact.overlap);
+  }
+  if (deepest > 0.0) return -deepest;
+
+  const SurfaceFeatures& block = search.block();
+  const double radii = body.shape.radius + ground.radius;
+  double nearest = reach + radii;
+  std::vector<Vec3> corners;
+  Bounds box;
+  for (const Vec3& vertex : block.vertices) {
+    corners.push_back(world_from_body * vertex);
+    box.include(corners.back());
+    if (const auto hit = ground.nearest(corners.back(), nearest)) {
+      nearest = std::min(nearest, hit->distance);
+    }
+  }
+  const NearbyGround around = nearby(ground, box, nearest);
+  const Pose body_from_world = world_from_body.inverse();
+  for (const std::uint32_t v : around.vertices) {
+    const Vec3 in_body = body_from_world * ground.features.vertices[v];
+    for (std::uint32_t f = 0; f < block.faces.size(); ++f) {
+      nearest = std::min(nearest, std::abs(nearest_on_face(block, f, in_body).distance));
+    }
+  }
+  for (const SurfaceEdge& edge : block.edges) {
+    const Vec3 along = world_from_body.rotation * edge.direction;
+    for (const std::uint32_t g : around.edges) {
+      const SurfaceEdge& other = ground.features.edges[g];
+      nearest = std::min(nearest, segment_distance(corners[edge.vertices[0]], along, edge.length,
+                                                   ground.features.vertices[other.vertices[0]],
+                                                   other.direction, other.length));
+    }
+  }
+  if (nearest >= reach + radii) return std::nullopt;
+  return nearest - radii;
+}
+
+}  // namespace clast

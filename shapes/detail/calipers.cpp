@@ -1,0 +1,78 @@
+#include "shapes/detail/calipers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clast {
+namespace {
+
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+}  // namespace
+
+std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  // Monotone chain: the lower outline forward, the upper one back.
+  std::vector<Vec2> outline(2 * points.size());
+  std::size_t size = 0;
+  for (const Vec2& p : points) {
+    while (size >= 2 && turn(outline[size - 2], outline[size - 1], p) <= 0.0) --size;
+    outline[size++] = p;
+  }
+  const std::size_t lower = size + 1;
+  for (std::size_t i = points.size() - 1; i-- > 0;) {
+    while (size >= lower && turn(outline[size - 2], outline[size - 1], points[i]) <= 0.0) --size;
+    outline[size++] = points[i];
+  }
+  outline.resize(size - 1);
+  return outline;
+}
+
+Rectangle smallest_rectangle(std::vector<Vec2> points, double radius) {
+  const std::vector<Vec2> outline = convex_outline(std::move(points));
+  const std::size_t count = outline.size();
+  Rectangle best;
+  best.along = best.across = 2.0 * radius;
+  if (count < 2) return best;
+
+  const auto next = [count](std::size_t i) { return i + 1 == count ? 0 : i + 1; };
+  // Farthest points ahead, behind and across; they only move on while the edge turns once around.
+  // A step that gains nothing is taken too, or points that tie would hold them back.
+  std::size_t ahead = 0, behind = 0, across = 0;
+  const auto advance = [&](std::size_t& i, const Vec2& direction) {
+    for (std::size_t steps = 0; steps < count; ++steps) {
+      if (direction.dot(outline[next(i)] - outline[i]) < 0.0) break;
+      i = next(i);
+    }
+  };
+  bool first = true;
+  for (std::size_t edge = 0; edge < count; ++edge) {
+    const Vec2 direction = (outline[next(edge)] - outline[edge]).normalized();
+    const Vec2 inward(-direction.y(), direction.x());
+    if (first) {
+      for (std::size_t i = 1; i < count; ++i) {
+        if (direction.dot(outline[i] - outline[ahead]) > 0.0) ahead = i;
+        if (direction.dot(outline[i] - outline[behind]) < 0.0) behind = i;
+        if (inward.dot(outline[i] - outline[across]) > 0.0) across = i;
+      }
+    }
+    advance(ahead, direction);
+    advance(across, inward);
+    advance(behind, -direction);
+    Rectangle candidate;
+    candidate.direction = direction;
+    candidate.along = direction.dot(outline[ahead] - outline[behind]) + 2.0 * radius;
+    candidate.across = inward.dot(outline[across] - outline[edge]) + 2.0 * radius;
+    if (first || candidate.area() < best.area()) best = candidate;
+    first = false;
+  }
+  return best;
+}
+
+}  // namespace clast

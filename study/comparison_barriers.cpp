@@ -1,0 +1,147 @@
+#include "study/comparison_barriers.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace clast {
+namespace {
+
+/// Lines of all files, and for every file the line each of its barriers is.
+struct Lines {
+  std::vector<BarrierLine> lines;
+  std::vector<std::vector<std::size_t>> line_of;
+};
+
+Lines collect_lines(const std::vector<CampaignResults>& results) {
+  Lines found;
+  std::vector<std::string> plain_names;
+  for (std::uint32_t file = 0; file < results.size(); ++file) {
+    const Vec2 origin = results[file].frame.origin.head<2>();
+    std::vector<std::size_t> line_of;
+    for (const Barrier& barrier : results[file].barriers) {
+      const Vec2 from = barrier.from + origin, to = barrier.to + origin;
+      std::size_t line = 0;
+      bool name_taken = false;
+      for (; line < found.lines.size(); ++line) {
+        if (plain_names[line] != barrier.name) continue;
+        if (found.lines[line].from == from && found.lines[line].to == to) break;
+        name_taken = true;
+      }
+      if (line == found.lines.size()) {
+        const std::string suffix = name_taken ? " (file " + std::to_string(file + 1) + ")" : "";
+        found.lines.push_back({barrier.name + suffix, from, to, {}});
+        plain_names.push_back(barrier.name);
+      }
+      std::vector<std::uint32_t>& files = found.lines[line].files;
+      if (files.empty() || files.back() != file) files.push_back(file);
+      line_of.push_back(line);
+    }
+    found.line_of.push_back(std::move(line_of));
+  }
+  return found;
+}
+
+/// Row of every (file, run number).
+std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> rows_by_run(
+    const std::vector<CampaignResults>& results, const std::vector<RunRow>& rows) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> found;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!found.emplace(std::pair(rows[i].file, rows[i].record->run), i).second) {
+      throw InputError(results[rows[i].file].file.string() + ": run " +
+                       std::to_string(rows[i].record->run) +
+                       " is stored twice; the file is damaged, run the campaign again");
+    }
+  }
+  return found;
+}
+
+std::vector<CrossingRow> collect_crossings(const std::vector<CampaignResults>& results,
+                                           const std::vector<RunRow>& rows, const Lines& lines) {
+  const auto row_of = rows_by_run(results, rows);
+  std::vector<CrossingRow> crossings;
+  for (std::uint32_t file = 0; file < results.size(); ++file) {
+    for (const Crossing& crossing : results[file].crossings) {
+      const auto row = row_of.find({file, crossing.run});
+      if (row == row_of.end() || crossing.barrier >= results[file].barriers.size()) {
+        throw InputError(
+            results[file].file.string() + ": a crossing of run " + std::to_string(crossing.run) +
+            " at barrier number " + std::to_string(crossing.barrier) +
+            " fits no run or barrier of the file; it is damaged, run the campaign again");
+      }
+      crossings.push_back({&crossing, row->second, lines.line_of[file][crossing.barrier],
+                           results[file].frame.map(crossing.position), false});
+    }
+  }
+  std::stable_sort(crossings.begin(), crossings.end(),
+                   [](const CrossingRow& a, const CrossingRow& b) {
+                     return std::pair(a.row, a.crossing->time) < std::pair(b.row, b.crossing->time);
+                   });
+  std::map<std::pair<std::size_t, std::size_t>, bool> counted;  // by row and barrier
+  for (CrossingRow& crossing : crossings) {
+    if (!crossing.crossing->forward) continue;
+    crossing.counted = counted.emplace(std::pair(crossing.row, crossing.barrier), true).second;
+  }
+  return crossings;
+}
+
+BarrierGroup measured(const std::vector<const Crossing*>& crossings) {
+  BarrierGroup group;
+  const auto over = [&](auto value) {
+    std::vector<double> values;
+    for (const Crossing* crossing : crossings) values.push_back(value(*crossing));
+    return summarise(values);
+  };
+  group.height = over([](const Crossing& c) { return c.height; });
+  group.clearance = over([](const Crossing& c) { return c.clearance; });
+  group.speed = over([](const Crossing& c) { return c.velocity.norm(); });
+  group.translational = over([](const Crossing& c) { return c.translational_energy; });
+  group.rotational = over([](const Crossing& c) { return c.rotational_energy; });
+  group.total =
+      over([](const Crossing& c) { return c.translational_energy + c.rotational_energy; });
+  group.rotation_rate = over([](const Crossing& c) { return c.angular_velocity.norm(); });
+  return group;
+}
+
+}  // namespace
+
+BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
+                                   const std::vector<RunRow>& rows,
+                                   const std::vector<Group>& groups) {
+  Lines lines = collect_lines(results);
+  BarrierComparison compared;
+  compared.crossings = collect_crossings(results, rows, lines);
+  compared.lines = std::move(lines.lines);
+
+  for (std::size_t line = 0; line < compared.lines.size(); ++line) {
+    std::vector<const Crossing*> first(rows.size(), nullptr);  // by row
+    for (const CrossingRow& crossing : compared.crossings) {
+      if (crossing.counted && crossing.barrier == line) first[crossing.row] = crossing.crossing;
+    }
+    const std::vector<std::uint32_t>& files = compared.lines[line].files;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      std::size_t started = 0;
+      std::vector<const Crossing*> crossings;
+      for (const std::size_t row : groups[g].rows) {
+        if (std::find(files.begin(), files.end(), rows[row].file) == files.end()) continue;
+        ++started;
+        if (first[row] != nullptr) crossings.push_back(first[row]);
+      }
+      if (started == 0) continue;
+      BarrierGroup group = measured(crossings);
+      group.barrier = compared.lines[line].name;
+      group.group = groups[g].name;
+      group.line = line;
+      group.group_index = g;
+      group.started = started;
+      group.crossed = crossings.size();
+      group.probability = static_cast<double>(group.crossed) / static_cast<double>(started);
+      compared.groups.push_back(std::move(group));
+    }
+  }
+  return compared;
+}
+
+}  // namespace clast

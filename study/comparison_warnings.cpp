@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "study/comparison.hpp"
+
+namespace clast {
+namespace {
+
+/// Mean block masses of two classes that differ by more than this share are named.
+constexpr double kNotableMassDifference = 0.01;
+/// Share of the dissipated energy that a run's balance may miss before it is named.
+constexpr double kNotableEnergyError = 0.01;
+/// Quaternion components closer than this are the same orientation.
+constexpr double kSameOrientation = 1e-6;
+
+std::string four_digits(double value) {
+  std::array<char, 32> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
+  return {text.data(), end.ptr};
+}
+
+std::string of(std::size_t part, std::size_t all) {
+  return std::to_string(part) + " of " + std::to_string(all);
+}
+
+void warn_of_unfinished(const Comparison& comparison, std::vector<std::string>& warnings) {
+  for (std::size_t file = 0; file < comparison.results.size(); ++file) {
+    const CampaignResults& results = comparison.results[file];
+    if (results.runs.size() >= results.planned_runs) continue;
+    warnings.push_back("file " + std::to_string(file + 1) +
+                       " is unfinished: " + of(results.runs.size(), results.planned_runs) +
+                       " planned runs are stored; go on with `clast simulate --resume`");
+  }
+}
+
+void warn_of_lost_runs(const Comparison& comparison, std::vector<std::string>& warnings) {
+  const DepositGroup& all = comparison.deposits.front();
+  const auto warn = [&](std::size_t count, const std::string& what) {
+    if (count > 0) warnings.push_back(of(count, all.started) + " runs " + what);
+  };
+  warn(all.stops.error, "ended with an error; they are in no deposit statistics");
+  warn(all.stops.max_time,
+       "were still moving at max_time; they are in no deposit statistics, so runout may be too "
+       "short. Raise [run] max_time_s");
+  warn(all.stops.left_terrain,
+       "left the surveyed terrain; they are in no deposit statistics, so runout may be too short. "
+       "Extend the terrain");
+  std::size_t below = 0, unbalanced = 0;
+  for (const RunRow& row : comparison.rows) {
+    if (row.record->result.below_ground) ++below;
+    // Written so that a balance that is not a number counts too.
+    if (row.record->result.stop_reason != StopReason::kError &&
+        !(row.record->result.energy.error <= kNotableEnergyError)) {
+      ++unbalanced;
+    }
+  }
+  warn(below, "ended below ground; their stops can't be trusted");
+  warn(unbalanced,
+       "miss more than 1 % of the dissipated energy in their balance; try a smaller "
+       "[contact] time_step_s");
+}
+
+/// Mean mass of the blocks of every Garcia class, each block once.
+std::map<std::string, double> mean_masses(const Comparison& comparison) {
+  std::map<std::string, std::map<std::string, double>> masses;
+  for (const RunRow& row : comparison.rows) {
+    masses[row.block->garcia][row.block->id] = row.block->mass;
+  }
+  std::map<std::string, double> means;
+  for (const auto& [name, blocks] : masses) {
+    double sum = 0.0;
+    for (const auto& [id, mass] : blocks) sum += mass;
+    means[name] = sum / static_cast<double>(blocks.size());
+  }
+  return means;
+}
+
+void warn_of_masses(const Comparison& comparison, std::vector<std::string>& warnings) {
+  const std::map<std::string, double> means = mean_masses(comparison);
+  double low = INFINITY, high = 0.0;
+  std::string list;
+  for (const auto& [name, mean] : means) {
+    low = std::min(low, mean);
+    high = std::max(high, mean);
+    list += (list.empty() ? "" : ", ") + name + " " + four_digits(mean) + " kg";
+  }
+  if (means.size() > 1 && high > low * (1.0 + kNotableMassDifference)) {
+    warnings.push_back("mass differs between classes (mean block: " + list +
+                       "); differences between classes are of shape and mass together");
+  }
+}
+
+void warn_of_changed_blocks(const Comparison& comparison, std::vector<std::string>& warnings) {
+  std::map<std::string, const BlockSummary*> first;
+  std::set<std::string> changed;
+  for (const RunRow& row : comparison.rows) {
+    const BlockSummary& block = *row.block;
+    const BlockSummary& known = *first.emplace(block.id, &block).first->second;
+    const bool same = known.mass == block.mass && known.axes.L == block.axes.L &&
+                      known.axes.I == block.axes.I && known.axes.S == block.axes.S;
+    if (!same && changed.insert(block.id).second) {
+      warnings.push_back("block " + block.id +
+                         " has another mass or size in another file; its groups mix both");
+    }
+  }
+}
+
+/// Runs of one block from one point that start in the orientation of an earlier one.
+void warn_of_repeated_orientations(const Comparison& comparison,
+                                   std::vector<std::string>& warnings) {
+  for (std::size_t file = 0; file < comparison.results.size(); ++file) {
+    const std::vector<RunRecord>& runs = comparison.results[file].runs;
+    std::set<std::uint32_t> indices;
+    std::set<std::array<long long, 4>> distinct;
+    for (const RunRecord& run : runs) {
+      if (run.block != runs.front().block || run.point != runs.front().point) continue;
+      std::array<long long, 4> key{};
+      const Quat& q = run.start.orientation;
+      const std::array<double, 4> parts = {q.w(), q.x(), q.y(), q.z()};
+      double sign = 0.0;  // q and -q are one rotation: the first part that counts is made positive
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (sign == 0.0 && std::abs(parts[i]) > kSameOrientation)
+          sign = parts[i] > 0.0 ? 1.0 : -1.0;
+        key[i] = std::llround(sign * parts[i] / kSameOrientation);
+      }
+      indices.insert(run.orientation);
+      distinct.insert(key);
+    }
+    if (distinct.size() < indices.size()) {
+      warnings.push_back("file " + std::to_string(file + 1) + ": only " +
+                         of(distinct.size(), indices.size()) +
+                         " orientations are distinct; repeated ones count more than once");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> comparison_warnings(const Comparison& comparison) {
+  std::vector<std::string> warnings;
+  warn_of_unfinished(comparison, warnings);
+  warn_of_lost_runs(comparison, warnings);
+  warn_of_masses(comparison, warnings);
+  warn_of_changed_blocks(comparison, warnings);
+  warn_of_repeated_orientations(comparison, warnings);
+  for (std::size_t file = 0; file < comparison.results.size(); ++file) {
+    for (const std::string& warning : comparison.results[file].warnings) {
+      warnings.push_back((comparison.results.size() > 1 ? "file " + std::to_string(file + 1) + ": "
+                                                        : std::string()) +
+                         warning);
+    }
+  }
+  return warnings;
+}
+
+}  // namespace clast

@@ -1,0 +1,185 @@
+#include "study/release_points.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast {
+namespace {
+
+// Quaternions are often written with four to ten digits; further off is another quantity.
+constexpr double kNormTolerance = 1e-3;
+constexpr std::string_view kSeparators = " \t\r,;";
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  line = line.substr(0, line.find('#'));
+  while (true) {
+    const std::size_t begin = line.find_first_not_of(kSeparators);
+    if (begin == std::string_view::npos) return words;
+    line.remove_prefix(begin);
+    const std::size_t length = std::min(line.find_first_of(kSeparators), line.size());
+    words.push_back(line.substr(0, length));
+    line.remove_prefix(length);
+  }
+}
+
+std::optional<double> number_in(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+struct NumberRow {
+  std::size_t line = 0;
+  std::vector<double> values;
+};
+
+std::vector<NumberRow> read_rows(const std::filesystem::path& file, std::size_t columns,
+                                 const std::string& meaning) {
+  const std::string text = read_text_file(file);
+  std::vector<NumberRow> rows;
+  std::string_view rest = text;
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // byte order mark
+  bool heading_allowed = true;
+  for (std::size_t line = 1; !rest.empty(); ++line) {
+    const std::size_t length = std::min(rest.find('\n'), rest.size());
+    const std::vector<std::string_view> words = words_of(rest.substr(0, length));
+    rest.remove_prefix(std::min(length + 1, rest.size()));
+    if (words.empty()) continue;
+    const std::string where = file.string() + ":" + std::to_string(line) + ": ";
+    NumberRow row{line, {}};
+    for (const std::string_view word : words) {
+      const std::optional<double> value = number_in(word);
+      if (!value) break;
+      if (!std::isfinite(*value)) {
+        throw InputError(where + std::string(word) + " is not a finite number");
+      }
+      row.values.push_back(*value);
+    }
+    const bool heading = heading_allowed && row.values.empty();
+    heading_allowed = false;
+    if (heading) continue;
+    if (row.values.size() != words.size()) {
+      throw InputError(where + "\"" + std::string(words[row.values.size()]).substr(0, 40) +
+                       "\" is not a number; a line must be " + meaning);
+    }
+    if (words.size() != columns) {
+      throw InputError(where + std::to_string(words.size()) + " numbers; a line must be " +
+                       meaning);
+    }
+    rows.push_back(std::move(row));
+  }
+  if (rows.empty()) {
+    throw InputError(file.string() + ": holds no line with numbers; each line must be " + meaning);
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Vec3> read_points(const std::filesystem::path& file) {
+  std::vector<Vec3> points;
+  for (const NumberRow& row : read_rows(file, 3, "three numbers, x y z")) {
+    points.emplace_back(row.values[0], row.values[1], row.values[2]);
+  }
+  return points;
+}
+
+std::vector<Quat> read_orientations(const std::filesystem::path& file) {
+  std::vector<Quat> orientations;
+  for (const NumberRow& row : read_rows(file, 4, "a quaternion, w x y z")) {
+    Quat orientation(row.values[0], row.values[1], row.values[2], row.values[3]);
+    const double norm = orientation.norm();
+    if (!(std::abs(norm - 1.0) <= kNormTolerance)) {
+      throw InputError(file.string() + ":" + std::to_string(row.line) + ": quaternion of length " +
+                       std::to_string(norm) + "; a rotation has length 1, written w x y z");
+    }
+    orientation.normalize();
+    orientations.push_back(orientation);
+  }
+  return orientations;
+}
+
+Vec3 turned_z_up(const Vec3& point) { return {point.x(), -point.z(), point.y()}; }
+
+Quat turned_z_up(const Quat& orientation) {
+  const double half = std::sqrt(0.5);
+  return (Quat(half, half, 0.0, 0.0) * orientation).normalized();
+}
+
+std::vector<Vec3> points_on_line(std::span<const Vec3> line, std::size_t count) {
+  std::vector<double> reached{0.0};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    reached.push_back(reached.back() + (line[i] - line[i - 1]).norm());
+  }
+  std::vector<Vec3> points;
+  std::size_t piece = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = count == 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(count - 1);
+    const double distance = share * reached.back();
+    while (piece + 1 < line.size() && reached[piece] < distance) ++piece;
+    const double length = reached[piece] - reached[piece - 1];
+    const double t = length > 0.0 ? (distance - reached[piece - 1]) / length : 0.0;
+    points.push_back((1.0 - t) * line[piece - 1] + t * line[piece]);
+  }
+  return points;
+}
+
+std::vector<Vec3> points_in_polygon(std::span<const Vec2> polygon, std::size_t count,
+                                    std::uint64_t seed) {
+  Bounds box;
+  double twice_area = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i] - polygon[0];
+    const Vec2 b = polygon[(i + 1) % polygon.size()] - polygon[0];
+    twice_area += a.x() * b.y() - a.y() * b.x();
+    box.include({polygon[i].x(), polygon[i].y(), 0.0});
+  }
+  const Vec3 size = box.high - box.low;
+  // Random points would hardly ever fall into a polygon thinner than this.
+  if (!(std::abs(twice_area) > 2e-3 * size.x() * size.y())) {
+    throw InputError("the polygon has no area");
+  }
+  const auto inside = [&](const Vec2& point) {
+    bool odd = false;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+      const Vec2& a = polygon[i];
+      const Vec2& b = polygon[j];
+      if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+      const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+      if (point.x() < x) odd = !odd;
+    }
+    return odd;
+  };
+  Random random(seed);
+  // A self-crossing polygon can have area by the formula and yet hold next to nothing; without a
+  // bound it would keep the search going for ever.
+  const std::size_t most_draws = 1000 + 10'000 * count;
+  std::vector<Vec3> points;
+  for (std::size_t draw = 0; points.size() < count; ++draw) {
+    if (draw == most_draws) throw InputError("the polygon is too thin to draw points from");
+    const double x = random.uniform(box.low.x(), box.high.x());
+    const double y = random.uniform(box.low.y(), box.high.y());
+    if (inside({x, y})) points.emplace_back(x, y, 0.0);
+  }
+  return points;
+}
+
+std::vector<Quat> random_orientations(std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Quat> orientations;
+  for (std::size_t i = 0; i < count; ++i) orientations.push_back(random.rotation());
+  return orientations;
+}
+
+}  // namespace clast

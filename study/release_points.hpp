@@ -1,0 +1,38 @@
+#pragma once
+/// Where and how blocks are released: point and orientation files, and sets made by rule.
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/random.hpp"
+#include "core/types.hpp"
+
+namespace clast {
+
+/// One point per line, "x y z" in m, separated by blanks, tabs, commas or semicolons. Empty lines,
+/// what follows a '#', and one heading in words before the first point are passed over.
+/// @throws InputError  missing or empty file, or a bad line: file, line and what was found
+std::vector<Vec3> read_points(const std::filesystem::path& file);
+
+/// One rotation per line, "w x y z", read like points. Norms within 1e-3 of 1 are set to 1.
+/// @throws InputError  as `read_points`, or a norm further from 1
+std::vector<Quat> read_orientations(const std::filesystem::path& file);
+
+/// Turns y up to z up: (x, y, z) -> (x, -z, y), a quarter turn about x.
+Vec3 turned_z_up(const Vec3& point);
+/// The same for rotations world_from_source whose world has y up.
+Quat turned_z_up(const Quat& orientation);
+
+/// `count` points at equal distances along a polyline, both ends included; the middle for one.
+std::vector<Vec3> points_on_line(std::span<const Vec3> line, std::size_t count);
+
+/// `count` points spread evenly at random over a plan polygon, z = 0.
+/// @throws InputError  the polygon has no area
+std::vector<Vec3> points_in_polygon(std::span<const Vec2> polygon, std::size_t count,
+                                    std::uint64_t seed);
+
+/// `count` rotations, uniform over all rotations.
+std::vector<Quat> random_orientations(std::size_t count, std::uint64_t seed);
+
+}  // namespace clast

@@ -1,0 +1,90 @@
+#include "study/report/report_sections.hpp"
+
+#include <set>
+
+#include "core/version.hpp"
+#include "study/report/html_page.hpp"
+#include "study/report/report_groups.hpp"
+
+namespace clast {
+namespace {
+
+std::string fact(const std::string& name, const std::string& value) {
+  return "<div><dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
+}
+
+/// The same text for all files, or each file's own.
+template <class Text>
+std::string per_file(const Comparison& comparison, Text text_of) {
+  std::string joined;
+  std::set<std::string> seen;
+  for (const CampaignResults& results : comparison.results) {
+    const std::string text = text_of(results);
+    if (seen.insert(text).second) joined += (joined.empty() ? "" : "; ") + text;
+  }
+  return joined;
+}
+
+std::string warning_box(const Comparison& comparison) {
+  if (comparison.warnings.empty()) {
+    return "<div class=\"fine\">No warnings: every planned run is stored and came to rest on the "
+           "terrain with its energy accounted for.</div>\n";
+  }
+  std::string html = "<div class=\"warnings\" role=\"note\"><h2>Read this first</h2><ul>\n";
+  for (const std::string& warning : comparison.warnings) {
+    html += "<li>" + escaped(warning) + "</li>\n";
+  }
+  return html + "</ul></div>\n";
+}
+
+}  // namespace
+
+std::string head_section(const Comparison& comparison) {
+  std::size_t blocks = 0, classes = 0;
+  for (const Group& group : comparison.groups) {
+    if (group.file) continue;
+    blocks += group.kind == GroupKind::kBlock;
+    classes += group.kind == GroupKind::kGarcia;
+  }
+  const auto many = [](std::size_t count, const std::string& one, const std::string& more) {
+    return std::to_string(count) + " " + (count == 1 ? one : more);
+  };
+  std::string lead = many(comparison.rows.size(), "run", "runs") + " of " +
+                     many(blocks, "block", "blocks") + " in " +
+                     many(classes, "shape class", "shape classes");
+  std::string html = "<h1>Rockfall runs compared by shape</h1>\n<p class=\"lead\">" +
+                     escaped(lead) +
+                     (several_files(comparison)
+                          ? ", from " + std::to_string(comparison.results.size()) + " campaigns"
+                          : std::string()) +
+                     "</p>\n";
+  html += warning_box(comparison);
+  html += "<dl class=\"facts\">\n";
+  html += fact("Results", per_file(comparison, [](const CampaignResults& results) {
+                 return results.file.filename().string();
+               }));
+  html += fact("Contact law", "energy restitution, weights " +
+                                  per_file(comparison, [](const CampaignResults& results) {
+                                    return name_of(results.weights);
+                                  }));
+  html += fact("Normal stiffness k_n", per_file(comparison, [](const CampaignResults& results) {
+                 return significant(results.stiffness.normal / 1e6, 4) + " MN/m";
+               }));
+  html += fact("Time step", per_file(comparison, [](const CampaignResults& results) {
+                 return significant(results.stiffness.time_step * 1e6, 4) + " \xC2\xB5s";
+               }));
+  html += fact("Downslope (x, y)",
+               fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +
+                   (comparison.downslope_asked ? " (as asked)" : " (mean release to stop)"));
+  html += fact("Coordinates", comparison.results.front().frame.crs.empty()
+                                  ? "map frame of the terrain, no CRS given"
+                                  : comparison.results.front().frame.crs);
+  html +=
+      fact("Simulated with", "clast " + per_file(comparison, [](const CampaignResults& results) {
+                               return results.program_version;
+                             }));
+  html += fact("Report by", std::string("clast ") + version());
+  return html + "</dl>\n";
+}
+
+}  // namespace clast

@@ -1,0 +1,198 @@
+#include "study/report/html_page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace clast {
+namespace {
+
+constexpr std::string_view kStyle = R"(
+:root{--ink:#1d2733;--soft:#5b6775;--line:#d5dbe1;--band:#f4f6f8;--warn:#fff4e0;--edge:#c77700}
+*{box-sizing:border-box}
+body{margin:0;color:var(--ink);background:#fff;font:15px/1.5 system-ui,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
+main{max-width:1120px;margin:0 auto;padding:28px 24px 56px}
+h1{font-size:27px;line-height:1.2;margin:0 0 4px}
+h2{font-size:19px;margin:38px 0 10px;padding-bottom:5px;border-bottom:2px solid var(--ink)}
+h3{font-size:15.5px;margin:22px 0 6px}
+p{margin:6px 0 10px;max-width:86ch}
+.lead{color:var(--soft);margin-bottom:16px}
+.note{color:var(--soft);font-size:13.5px}
+dl.facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(225px,1fr));gap:1px;margin:14px 0}
+dl.facts div{box-shadow:0 0 0 1px var(--line);padding:7px 12px}
+dl.facts dt{color:var(--soft);font-size:12.5px}
+dl.facts dd{margin:0;font-weight:600;overflow-wrap:anywhere}
+.warnings{background:var(--warn);border-left:5px solid var(--edge);padding:9px 16px;margin:18px 0}
+.warnings h2{border:0;margin:0 0 2px;padding:0;font-size:16px}
+.warnings ul{margin:2px 0;padding-left:20px}
+.fine{background:#eaf5ee;border-left:5px solid #009E73;padding:9px 16px;margin:18px 0}
+.scroll{overflow-x:auto;margin:8px 0 14px}
+table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums;min-width:50%}
+th,td{padding:4px 8px;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}
+th{background:var(--band);vertical-align:bottom;white-space:normal;line-height:1.25;min-width:5ch;cursor:pointer;user-select:none;border-bottom:2px solid var(--soft);font-weight:600}
+th:hover,th:focus{background:#e3e8ed;outline:none}
+th[aria-sort=ascending]::after{content:" \25B4"}
+th[aria-sort=descending]::after{content:" \25BE"}
+th.t,td.t{text-align:left}
+td.wrap{white-space:normal;min-width:24ch}
+tbody tr:hover{background:#f7f9fb}
+svg{display:block;width:100%;height:auto;font-family:inherit}
+.charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(440px,1fr));gap:18px 26px;margin:8px 0}
+figure{margin:0}
+figcaption{font-size:13.5px;color:var(--soft);margin-top:4px}
+.key{cursor:pointer}
+.key.off{opacity:.35}
+.hidden{display:none}
+.stop:hover{stroke:#000;stroke-width:2}
+details{margin:10px 0}
+summary{cursor:pointer;font-weight:600}
+pre{background:var(--band);padding:12px;overflow-x:auto;font-size:12.5px;line-height:1.4}
+code{font-size:12.5px;overflow-wrap:anywhere}
+footer{margin-top:40px;border-top:1px solid var(--line);padding-top:10px;color:var(--soft);font-size:13px}
+@media print{@page{margin:14mm}body{font-size:11px}main{padding:0;max-width:none}table{font-size:9.5px}th,td{padding:2px 5px}.scroll{overflow:visible}.note,figcaption,footer,code,pre{font-size:9.5px}h2{break-after:avoid}figure,tr,.warnings,.facts div{break-inside:avoid}.charts{grid-template-columns:1fr 1fr}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
+)";
+
+constexpr std::string_view kScript = R"(
+document.querySelectorAll('th').forEach(function(th){
+  th.tabIndex=0;
+  function sort(){
+    var body=th.closest('table').tBodies[0],column=th.cellIndex;
+    var up=th.getAttribute('aria-sort')!=='ascending';
+    th.parentNode.querySelectorAll('th').forEach(function(o){o.removeAttribute('aria-sort')});
+    th.setAttribute('aria-sort',up?'ascending':'descending');
+    var value=function(row){return row.cells[column].textContent.trim()};
+    Array.from(body.rows).sort(function(a,b){
+      var s=value(a),t=value(b),x=parseFloat(s),y=parseFloat(t);
+      var order=th.classList.contains('t')?s.localeCompare(t,undefined,{numeric:true})
+        :isNaN(x)?(isNaN(y)?0:1):isNaN(y)?-1:x-y;
+      return up?order:-order;
+    }).forEach(function(row){body.appendChild(row)});
+  }
+  th.addEventListener('click',sort);
+  th.addEventListener('keydown',function(e){if(e.key==='Enter'||e.key===' '){e.preventDefault();sort()}});
+});
+document.querySelectorAll('.key').forEach(function(key){
+  key.addEventListener('click',function(){
+    var off=key.classList.toggle('off');
+    document.querySelectorAll('.'+key.dataset.shows).forEach(function(e){e.classList.toggle('hidden',off)});
+  });
+});
+)";
+
+std::string number_text(double value, std::chars_format format, int precision) {
+  if (!std::isfinite(value)) return "-";
+  std::array<char, 400> text;  // the largest double has 309 digits before the point
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
+  std::string result(text.data(), end.ptr);
+  // "-0.0" is a rounding residue, not a sign anyone asked for.
+  if (result.find_first_not_of("-0.") == std::string::npos && result.front() == '-') {
+    result.erase(0, 1);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default: {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 || c == '\n' || c == '\t') result += c;
+      }
+    }
+  }
+  return result;
+}
+
+std::string fixed(double value, int decimals) {
+  return number_text(value, std::chars_format::fixed, decimals);
+}
+
+std::string significant(double value, int digits) {
+  if (!std::isfinite(value)) return "-";
+  if (value == 0.0) return "0";
+  const std::string scientific = number_text(value, std::chars_format::scientific, digits - 1);
+  // Read from the rounded number: 9.996 has two digits before the point once it is 10.0.
+  const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
+  if (exponent >= 7 || exponent < -4) return scientific;
+  return number_text(value, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
+}
+
+std::string percent(double share) { return fixed(100.0 * share, 1) + " %"; }
+
+HtmlTable::HtmlTable(std::vector<std::string> heads, std::size_t text_columns)
+    : heads_(std::move(heads)), text_columns_(text_columns) {}
+
+HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
+  constexpr std::size_t kLongText = 60;  // wrapped from here on
+  rows_ += "<tr>";
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool text = i < text_columns_;
+    rows_ += !text                         ? "<td>"
+             : cells[i].size() > kLongText ? "<td class=\"t wrap\">"
+                                           : "<td class=\"t\">";
+    rows_ += escaped(cells[i]) + "</td>";
+  }
+  rows_ += "</tr>\n";
+  return *this;
+}
+
+std::string HtmlTable::html() const {
+  std::string html = "<div class=\"scroll\"><table><thead><tr>";
+  for (std::size_t i = 0; i < heads_.size(); ++i) {
+    html += i < text_columns_ ? "<th class=\"t\">" : "<th>";
+    html += escaped(heads_[i]) + "</th>";
+  }
+  return html + "</tr></thead>\n<tbody>\n" + rows_ + "</tbody></table></div>\n";
+}
+
+std::string svg_line(double x1, double y1, double x2, double y2, std::string_view style) {
+  return "<line x1=\"" + fixed(x1, 1) + "\" y1=\"" + fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) +
+         "\" y2=\"" + fixed(y2, 1) + "\" " + std::string(style) + "/>";
+}
+
+std::string svg_text(double x, double y, std::string_view text, std::string_view style) {
+  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" " + std::string(style) + ">" +
+         escaped(text) + "</text>";
+}
+
+std::string svg_open(double width, double height, std::string_view label) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed(width, 0) + " " +
+         fixed(height, 0) + "\" role=\"img\" aria-label=\"" + escaped(label) + "\">";
+}
+
+std::string section(std::string_view title, std::string_view body) {
+  return "<section>\n<h2>" + escaped(title) + "</h2>\n" + std::string(body) + "</section>\n";
+}
+
+std::string paragraph(std::string_view text) { return "<p>" + escaped(text) + "</p>\n"; }
+
+std::string page(std::string_view title, std::string_view body) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+         escaped(title) + "</title>\n<style>" + std::string(kStyle) +
+         "</style>\n</head>\n<body>\n<main>\n" + std::string(body) + "</main>\n<script>" +
+         std::string(kScript) + "</script>\n</body>\n</html>\n";
+}
+
+}  // namespace clast

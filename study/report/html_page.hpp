@@ -1,0 +1,47 @@
+#pragma once
+/// The pieces a page is written with: escaped text, numbers, tables, SVG elements, the page frame.
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clast {
+
+/// Text for element content and quoted attributes: & < > " ' escaped, control characters dropped.
+std::string escaped(std::string_view text);
+
+/// A number with so many decimals; "-" when it is not finite.
+std::string fixed(double value, int decimals);
+/// A number with so many significant digits, with an exponent only when very large or small.
+std::string significant(double value, int digits = 3);
+/// 0.0312 to "3.1 %".
+std::string percent(double share);
+
+/// A table; all but the first `text_columns` columns are numbers. Rows are sorted by a click on a
+/// column's head.
+class HtmlTable {
+ public:
+  HtmlTable(std::vector<std::string> heads, std::size_t text_columns);
+
+  HtmlTable& row(std::vector<std::string> cells);  ///< plain text, escaped here
+  std::string html() const;
+
+ private:
+  std::vector<std::string> heads_;
+  std::size_t text_columns_;
+  std::string rows_;
+};
+
+/// "<line .../>" and "<text ...>": coordinates in px, `style` as further attributes.
+std::string svg_line(double x1, double y1, double x2, double y2, std::string_view style);
+std::string svg_text(double x, double y, std::string_view text, std::string_view style = {});
+/// Opening "<svg ...>" that scales with the page.
+std::string svg_open(double width, double height, std::string_view label);
+
+/// "<section><h2>title</h2>body</section>"
+std::string section(std::string_view title, std::string_view body);
+std::string paragraph(std::string_view text);  ///< plain text, escaped here
+
+/// The whole page, with its style and the few lines of script that sort tables and hide map keys.
+std::string page(std::string_view title, std::string_view body);
+
+}  // namespace clast

@@ -1,0 +1,40 @@
+#pragma once
+/// What the map and its legend draw alike.
+#include <array>
+#include <string>
+
+#include "study/report/relief.hpp"
+
+namespace clast {
+
+inline constexpr double kMapLeft = 88.0;  ///< of the map in its picture, px
+inline constexpr double kMapTop = 12.0;
+inline constexpr const char* kMapText = "font-size=\"12\" fill=\"#33404d\"";
+
+/// Few to many stops.
+inline constexpr std::array<const char*, 5> kDensityColours = {"#fcbba1", "#fb6a4a", "#de2d26",
+                                                               "#a50f15", "#4a0008"};
+
+/// The part of the plan that is drawn (map coordinates) and where it lies on the picture.
+struct Sheet {
+  Window window;
+  double scale = 1.0;  ///< px/m
+
+  double width() const { return window.size().x() * scale; }
+  double height() const { return window.size().y() * scale; }
+  double x(double map_x) const { return kMapLeft + (map_x - window.low.x()) * scale; }
+  double y(double map_y) const { return kMapTop + (window.high.y() - map_y) * scale; }
+};
+
+/// Cross with a white edge, in px.
+std::string release_mark(double x, double y, const std::string& title);
+
+/// Circle for compact, diamond for the rest; hollow when the run did not come to rest.
+std::string stop_mark(double x, double y, const std::string& garcia, bool at_rest,
+                      const std::string& title);
+
+/// Name that ties the stops of a block to its key in the legend.
+/// @param group  index into Comparison::groups
+std::string block_class(std::size_t group);
+
+}  // namespace clast

@@ -1,0 +1,24 @@
+#pragma once
+/// Small pictures inside an HTML page.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clast {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// A PNG file of `width` x `height` palette indices, row by row from the top. Colour 0 of the
+/// palette is transparent. Stored without compression, which needs no library.
+/// @param palette  1 to 256 colours
+/// @cite png3
+std::string palette_png(std::uint32_t width, std::uint32_t height,
+                        std::span<const std::uint8_t> pixels, const std::vector<Rgb>& palette);
+
+/// RFC 4648, with padding.
+std::string base64(std::string_view bytes);
+
+}  // namespace clast

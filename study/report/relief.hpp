@@ -1,0 +1,42 @@
+#pragma once
+/// Shaded relief of a terrain seen from above.
+#include <string>
+#include <vector>
+
+#include "study/report/png.hpp"
+#include "terrain/terrain.hpp"
+
+namespace clast {
+
+/// A rectangle of the plan, m.
+struct Window {
+  Vec2 low = Vec2::Zero();
+  Vec2 high = Vec2::Zero();
+
+  Vec2 size() const { return high - low; }
+};
+
+/// Heights and zones in square cells, row by row from the top (largest y).
+struct Relief {
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+  double cell = 0.0;           ///< m
+  std::vector<double> height;  ///< local z of the highest triangle, m; NaN where there is none
+  std::vector<std::uint16_t> zone;
+};
+
+/// Samples the surface at cell centres of `window` (local frame), `columns` cells wide.
+Relief sampled(const Terrain& terrain, const Window& window, std::uint32_t columns);
+
+/// Tint of a zone: the colour that its name says, else the n-th of a pale set.
+Rgb zone_tint(const std::string& name, std::size_t n);
+
+/// PNG of the relief, lit from the north-west at 45 degrees (Horn's slopes), zones tinted, with
+/// contour lines.
+/// @param first_height      map z of local z 0, so that contours are round on the map, m
+/// @param contour_interval  m
+/// @cite horn1981
+std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
+                       double first_height, double contour_interval);
+
+}  // namespace clast

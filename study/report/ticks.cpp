@@ -1,0 +1,35 @@
+#include "study/report/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clast {
+
+double round_up_to_nice(double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) return 1.0;
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (value <= factor * power * (1.0 + 1e-12)) return factor * power;
+  }
+  return 10.0 * power;
+}
+
+Ticks ticks(double low, double high, int wanted) {
+  Ticks found;
+  // Narrower than rounding can count through: one tick.
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (!(high - low > 1e-9 * size) || !std::isfinite(high - low)) {
+    found.values = {low};
+    return found;
+  }
+  found.step = round_up_to_nice((high - low) / std::max(wanted, 1));
+  found.decimals = std::max(0, -static_cast<int>(std::floor(std::log10(found.step) + 1e-9)));
+  // A hair of slack keeps a tick that rounding put just outside.
+  const double slack = 1e-9 * found.step;
+  for (double k = std::ceil((low - slack) / found.step); k * found.step <= high + slack; k += 1.0) {
+    found.values.push_back(k == 0.0 ? 0.0 : k * found.step);
+  }
+  return found;
+}
+
+}  // namespace clast

@@ -1,0 +1,19 @@
+#pragma once
+/// Round numbers for axes.
+#include <vector>
+
+namespace clast {
+
+struct Ticks {
+  double step = 1.0;
+  int decimals = 0;            ///< that tell neighbouring ticks apart
+  std::vector<double> values;  ///< multiples of step inside [low, high], ascending
+};
+
+/// Multiples of 1, 2 or 5 times a power of ten inside [low, high], about `wanted` of them.
+Ticks ticks(double low, double high, int wanted);
+
+/// The smallest of 1, 2, 5 times a power of ten that is not below `value`; 1 unless value > 0.
+double round_up_to_nice(double value);
+
+}  // namespace clast

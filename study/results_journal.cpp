@@ -1,0 +1,260 @@
+#include "study/results_journal.hpp"
+
+#include <bit>
+#include <cstring>
+#include <optional>
+#include <set>
+
+#include "core/digest.hpp"
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+#include "study/results_layout.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+using namespace results_layout;
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the journal is little-endian");
+
+constexpr std::size_t kDigestLength = 64;
+const std::string kMagic = "clast results journal 1\n";
+
+// A record to be, and the same calls that read it back.
+class Packer {
+ public:
+  template <class T>
+  void plain(const T& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  void text(const std::string& value) {
+    plain(std::uint64_t{value.size()});
+    bytes += value;
+  }
+  template <class T>
+  void size(const std::vector<T>& list) {
+    plain(std::uint64_t{list.size()});
+  }
+  std::string bytes;
+};
+
+class Unpacker {
+ public:
+  explicit Unpacker(const std::string& bytes) : bytes_(bytes) {}
+  template <class T>
+  void plain(T& value) {
+    std::memcpy(&value, take(sizeof value), sizeof value);
+  }
+  void text(std::string& value) {
+    std::uint64_t length = 0;
+    plain(length);
+    value.assign(take(length), length);
+  }
+  template <class T>
+  void size(std::vector<T>& list) {
+    std::uint64_t count = 0;
+    plain(count);
+    // An element takes a byte at least.
+    if (count > bytes_.size()) throw InputError("a record has an impossible size");
+    list.resize(count);
+  }
+
+ private:
+  const char* take(std::uint64_t count) {
+    if (count > bytes_.size() - at_) throw InputError("a record is too short");
+    at_ += count;
+    return bytes_.data() + (at_ - count);
+  }
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+};
+
+template <class Archive, class Columns, class Row>
+void transfer_fields(Archive& archive, const Columns& columns, Row& row) {
+  for (const auto& column : columns) archive.plain(column.field(row));
+}
+
+// Fields in one order for both ways.
+template <class Archive>
+void transfer(Archive& archive, StoredRun& run) {
+  RunRecord& record = run.record;
+  transfer_fields(archive, kRunIndices, record);
+  for (const StateOfRun& state : kRunStates) {
+    transfer_fields(archive, kStateValues, state.field(record));
+  }
+  transfer_fields(archive, kRunValues, record);
+  transfer_fields(archive, kRunCounts, record);
+  archive.plain(record.result.stop_reason);
+  archive.plain(record.result.below_ground);
+  archive.text(record.result.message);
+  archive.size(run.crossings);
+  for (Crossing& crossing : run.crossings) {
+    transfer_fields(archive, kCrossingIndices, crossing);
+    transfer_fields(archive, kCrossingValues, crossing);
+    archive.plain(crossing.forward);
+  }
+  archive.size(run.trajectory.time);
+  for (double& time : run.trajectory.time) archive.plain(time);
+  archive.size(run.trajectory.states);
+  for (RigidState& state : run.trajectory.states) transfer_fields(archive, kStateValues, state);
+}
+
+struct Identity {
+  std::string campaign, program;
+  std::vector<std::string> inputs;
+  std::uint32_t planned = 0;
+};
+
+template <class Archive>
+void transfer(Archive& archive, Identity& identity) {
+  archive.text(identity.campaign);
+  archive.text(identity.program);
+  archive.size(identity.inputs);
+  for (std::string& input : identity.inputs) archive.text(input);
+  archive.plain(identity.planned);
+}
+
+Identity identity_of(const CampaignResults& header) {
+  return {header.campaign_sha256, header.program_version, header.inputs, header.planned_runs};
+}
+
+template <class T>
+std::string record_of(T value) {
+  Packer packer;
+  transfer(packer, value);
+  Packer record;
+  record.plain(std::uint64_t{packer.bytes.size()});
+  return record.bytes + sha256(packer.bytes) + packer.bytes;
+}
+
+// The content of the record that begins at `begin`; none when it is cut short or damaged.
+std::optional<std::string> read_record(std::fstream& file, std::uint64_t begin,
+                                       std::uint64_t file_size) {
+  std::uint64_t length = 0;
+  constexpr std::uint64_t kOverhead = sizeof length + kDigestLength;
+  if (begin + kOverhead > file_size) return std::nullopt;
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(begin));
+  file.read(reinterpret_cast<char*>(&length), sizeof length);
+  if (!file || length > file_size - begin - kOverhead) return std::nullopt;
+  std::string digest(kDigestLength, '\0'), bytes(length, '\0');
+  file.read(digest.data(), kDigestLength);
+  file.read(bytes.data(), static_cast<std::streamsize>(length));
+  if (!file || sha256(bytes) != digest) return std::nullopt;
+  return bytes;
+}
+
+std::uint64_t record_size(const std::string& content) {
+  return sizeof(std::uint64_t) + kDigestLength + content.size();
+}
+
+std::multiset<std::string> digests(const std::vector<std::string>& inputs) {
+  std::multiset<std::string> result;
+  for (const std::string& input : inputs) result.insert(input.substr(input.rfind(' ') + 1));
+  return result;
+}
+
+void check_same_campaign(const fs::path& path, const Identity& stored, const Identity& now) {
+  std::string difference;
+  if (stored.campaign != now.campaign) {
+    difference = "another campaign file";
+  } else if (digests(stored.inputs) != digests(now.inputs)) {
+    difference = "other input files";
+    for (const std::string& input : now.inputs) {
+      if (digests(stored.inputs).count(input.substr(input.rfind(' ') + 1)) == 0) {
+        difference += " (" + input.substr(0, input.rfind(' ')) + " has changed)";
+        break;
+      }
+    }
+  } else if (stored.program != now.program) {
+    difference = "clast " + stored.program + ", this is clast " + now.program;
+  } else if (stored.planned != now.planned) {
+    difference = std::to_string(stored.planned) + " planned runs, now there are " +
+                 std::to_string(now.planned);
+  }
+  if (difference.empty()) return;
+  throw InputError(path.string() + ": was begun with " + difference +
+                   "; start again without resuming, which replaces it");
+}
+
+std::fstream opened(const fs::path& path) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  if (!file) throw InputError(path.string() + ": can't be opened; check its permissions");
+  return file;
+}
+
+}  // namespace
+
+ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignResults& header) {
+  const std::string begin = kMagic + record_of(identity_of(header));
+  OutputFile fresh(path);
+  {
+    std::ofstream file(fresh.temporary(), std::ios::binary);
+    file.write(begin.data(), static_cast<std::streamsize>(begin.size()));
+    file.close();
+    if (!file) throw InputError(path.string() + ": writing failed; is the disk full?");
+  }
+  fresh.commit();
+  ResultsJournal journal(path, opened(path));
+  journal.end_ = begin.size();
+  return journal;
+}
+
+ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResults& header) {
+  std::error_code code;
+  if (!fs::is_regular_file(path, code)) {
+    throw InputError(path.string() +
+                     ": no such file; there is no interrupted campaign to go on "
+                     "with");
+  }
+  ResultsJournal journal(path, opened(path));
+  const std::uint64_t size = fs::file_size(path);
+  std::string magic(kMagic.size(), '\0');
+  journal.file_.read(magic.data(), static_cast<std::streamsize>(magic.size()));
+  std::optional<std::string> content = read_record(journal.file_, kMagic.size(), size);
+  if (magic != kMagic || !content) {
+    throw InputError(path.string() +
+                     ": is not the journal of an interrupted campaign; start again "
+                     "without resuming, which replaces it");
+  }
+  Identity stored;
+  Unpacker unpacker(*content);
+  transfer(unpacker, stored);
+  check_same_campaign(path, stored, identity_of(header));
+  journal.end_ = kMagic.size() + record_size(*content);
+  while ((content = read_record(journal.file_, journal.end_, size))) {
+    StoredRun run;
+    Unpacker run_unpacker(*content);
+    transfer(run_unpacker, run);
+    journal.runs_.push_back(run.record.run);
+    journal.begins_.push_back(journal.end_);
+    journal.end_ += record_size(*content);
+  }
+  fs::resize_file(path, journal.end_);
+  return journal;
+}
+
+void ResultsJournal::add(const StoredRun& run) {
+  const std::string record = record_of(run);
+  file_.clear();
+  file_.seekp(static_cast<std::streamoff>(end_));
+  file_.write(record.data(), static_cast<std::streamsize>(record.size()));
+  file_.flush();
+  if (!file_) throw InputError(path_.string() + ": writing failed; is the disk full?");
+  runs_.push_back(run.record.run);
+  begins_.push_back(end_);
+  end_ += record.size();
+}
+
+StoredRun ResultsJournal::read(std::size_t index) {
+  const std::optional<std::string> content = read_record(file_, begins_[index], end_);
+  if (!content) throw InputError(path_.string() + ": was changed by another program");
+  StoredRun run;
+  Unpacker unpacker(*content);
+  transfer(unpacker, run);
+  return run;
+}
+
+}  // namespace clast

@@ -1,0 +1,49 @@
+#pragma once
+/// The journal in which runs are kept until a campaign is complete: records with a checksum, one
+/// after the other. An HDF5 file that is written to can be lost to a kill at the wrong moment,
+/// since its parts change in place; of a journal at most the last record is.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "study/results.hpp"
+
+namespace clast {
+
+/// Everything that is stored of one run.
+struct StoredRun {
+  RunRecord record;
+  std::vector<Crossing> crossings;
+  Trajectory trajectory;
+};
+
+class ResultsJournal {
+ public:
+  /// Begins a journal in place of what was there. Makes missing parent folders.
+  /// @throws InputError  the file can't be written
+  static ResultsJournal create(const std::filesystem::path& path, const CampaignResults& header);
+  /// Opens a journal and drops a broken end.
+  /// @throws InputError  missing, not a journal, or of another campaign, inputs or program
+  static ResultsJournal resume(const std::filesystem::path& path, const CampaignResults& header);
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Runs in the order they were added.
+  const std::vector<std::uint32_t>& runs() const { return runs_; }
+  /// @throws InputError  the disk is full
+  void add(const StoredRun& run);
+  /// @param index  into `runs()`
+  StoredRun read(std::size_t index);
+
+ private:
+  ResultsJournal(std::filesystem::path path, std::fstream file)
+      : path_(std::move(path)), file_(std::move(file)) {}
+
+  std::filesystem::path path_;
+  std::fstream file_;
+  std::vector<std::uint32_t> runs_;
+  std::vector<std::uint64_t> begins_;  ///< of the record of each run, bytes
+  std::uint64_t end_ = 0;              ///< of the last whole record
+};
+
+}  // namespace clast

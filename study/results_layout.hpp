@@ -1,0 +1,119 @@
+#pragma once
+/// Names, units and fields of the columns of a results file: what the writer writes and the reader
+/// reads.
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "study/results.hpp"
+
+namespace clast::results_layout {
+
+inline constexpr const char* kFormat = "clast results";
+inline constexpr int kSchemaVersion = 1;
+
+/// A column and the field of a row that it holds.
+template <class Row, class T>
+struct Column {
+  const char* name;
+  const char* unit;
+  T& (*field)(Row&);
+};
+
+using RunIndex = Column<RunRecord, std::uint32_t>;
+using RunValue = Column<RunRecord, double>;
+using StateValue = Column<RigidState, double>;
+using RunCount = Column<RunRecord, std::uint64_t>;
+using CrossingIndex = Column<Crossing, std::uint32_t>;
+using CrossingValue = Column<Crossing, double>;
+
+inline constexpr std::array<RunIndex, 4> kRunIndices{{
+    {"run", "", [](RunRecord& r) -> std::uint32_t& { return r.run; }},
+    {"block", "", [](RunRecord& r) -> std::uint32_t& { return r.block; }},
+    {"point", "", [](RunRecord& r) -> std::uint32_t& { return r.point; }},
+    {"orientation", "", [](RunRecord& r) -> std::uint32_t& { return r.orientation; }},
+}};
+
+inline constexpr std::array<RunCount, 2> kRunCounts{{
+    {"contact_steps", "", [](RunRecord& r) -> std::uint64_t& { return r.result.contact_steps; }},
+    {"impacts", "", [](RunRecord& r) -> std::uint64_t& { return r.result.impacts; }},
+}};
+
+/// A state takes 13 columns: "start_x_m", "stop_x_m", and rows 1 to 13 of a trajectory.
+inline constexpr std::array<StateValue, 13> kStateValues{{
+    {"x_m", "m", [](RigidState& s) -> double& { return s.position.x(); }},
+    {"y_m", "m", [](RigidState& s) -> double& { return s.position.y(); }},
+    {"z_m", "m", [](RigidState& s) -> double& { return s.position.z(); }},
+    {"qw", "", [](RigidState& s) -> double& { return s.orientation.w(); }},
+    {"qx", "", [](RigidState& s) -> double& { return s.orientation.x(); }},
+    {"qy", "", [](RigidState& s) -> double& { return s.orientation.y(); }},
+    {"qz", "", [](RigidState& s) -> double& { return s.orientation.z(); }},
+    {"vx_m_s", "m/s", [](RigidState& s) -> double& { return s.velocity.x(); }},
+    {"vy_m_s", "m/s", [](RigidState& s) -> double& { return s.velocity.y(); }},
+    {"vz_m_s", "m/s", [](RigidState& s) -> double& { return s.velocity.z(); }},
+    {"wx_rad_s", "rad/s", [](RigidState& s) -> double& { return s.angular_velocity.x(); }},
+    {"wy_rad_s", "rad/s", [](RigidState& s) -> double& { return s.angular_velocity.y(); }},
+    {"wz_rad_s", "rad/s", [](RigidState& s) -> double& { return s.angular_velocity.z(); }},
+}};
+/// The states of a run and what their columns begin with.
+struct StateOfRun {
+  const char* prefix;
+  RigidState& (*field)(RunRecord&);
+};
+inline constexpr std::array<StateOfRun, 2> kRunStates{{
+    {"start_", [](RunRecord& r) -> RigidState& { return r.start; }},
+    {"stop_", [](RunRecord& r) -> RigidState& { return r.result.final_state; }},
+}};
+
+inline constexpr std::array<RunValue, 12> kRunValues{{
+    {"duration_s", "s", [](RunRecord& r) -> double& { return r.result.duration; }},
+    {"path_length_m", "m", [](RunRecord& r) -> double& { return r.result.path_length; }},
+    {"max_speed_m_s", "m/s", [](RunRecord& r) -> double& { return r.result.max_speed; }},
+    {"max_penetration_m", "m", [](RunRecord& r) -> double& { return r.result.max_penetration; }},
+    {"settled_penetration_m", "m",
+     [](RunRecord& r) -> double& { return r.result.settled_penetration; }},
+    {"energy_initial_j", "J", [](RunRecord& r) -> double& { return r.result.energy.initial; }},
+    {"energy_final_j", "J", [](RunRecord& r) -> double& { return r.result.energy.final; }},
+    {"energy_normal_j", "J", [](RunRecord& r) -> double& { return r.result.energy.normal; }},
+    {"energy_friction_j", "J", [](RunRecord& r) -> double& { return r.result.energy.friction; }},
+    {"energy_rolling_j", "J", [](RunRecord& r) -> double& { return r.result.energy.rolling; }},
+    {"energy_reassigned_j", "J",
+     [](RunRecord& r) -> double& { return r.result.energy.reassigned; }},
+    {"energy_error", "", [](RunRecord& r) -> double& { return r.result.energy.error; }},
+}};
+
+/// Columns of /runs that are not plain fields.
+inline constexpr const char* kStopReason = "stop_reason";
+inline constexpr const char* kMessage = "message";
+inline constexpr const char* kBelowGround = "below_ground";
+
+inline constexpr std::array<CrossingIndex, 2> kCrossingIndices{{
+    {"run", "", [](Crossing& c) -> std::uint32_t& { return c.run; }},
+    {"barrier", "", [](Crossing& c) -> std::uint32_t& { return c.barrier; }},
+}};
+inline constexpr const char* kForward = "forward";
+
+inline constexpr std::array<CrossingValue, 14> kCrossingValues{{
+    {"time_s", "s", [](Crossing& c) -> double& { return c.time; }},
+    {"x_m", "m", [](Crossing& c) -> double& { return c.position.x(); }},
+    {"y_m", "m", [](Crossing& c) -> double& { return c.position.y(); }},
+    {"z_m", "m", [](Crossing& c) -> double& { return c.position.z(); }},
+    {"vx_m_s", "m/s", [](Crossing& c) -> double& { return c.velocity.x(); }},
+    {"vy_m_s", "m/s", [](Crossing& c) -> double& { return c.velocity.y(); }},
+    {"vz_m_s", "m/s", [](Crossing& c) -> double& { return c.velocity.z(); }},
+    {"wx_rad_s", "rad/s", [](Crossing& c) -> double& { return c.angular_velocity.x(); }},
+    {"wy_rad_s", "rad/s", [](Crossing& c) -> double& { return c.angular_velocity.y(); }},
+    {"wz_rad_s", "rad/s", [](Crossing& c) -> double& { return c.angular_velocity.z(); }},
+    {"height_m", "m", [](Crossing& c) -> double& { return c.height; }},
+    {"clearance_m", "m", [](Crossing& c) -> double& { return c.clearance; }},
+    {"translational_energy_j", "J", [](Crossing& c) -> double& { return c.translational_energy; }},
+    {"rotational_energy_j", "J", [](Crossing& c) -> double& { return c.rotational_energy; }},
+}};
+
+/// Rows of a trajectory dataset: time, then the state.
+inline constexpr std::size_t kTrajectoryRows = 1 + kStateValues.size();
+
+/// "00000012": sorts by name as by number.
+std::string trajectory_name(std::uint32_t run);
+
+}  // namespace clast::results_layout

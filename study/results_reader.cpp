@@ -1,0 +1,286 @@
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/hdf5_file.hpp"
+#include "study/results.hpp"
+#include "study/results_layout.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+using namespace results_layout;
+
+namespace {
+
+// One group of one file, read with the checks that all of it needs.
+struct Reader {
+  std::string file;
+  std::string path;  ///< "/runs"
+  Hdf5Group group;
+
+  [[noreturn]] void damaged(const std::string& name, const std::string& what) const {
+    throw InputError(file + ": " + path + "/" + name + " " + what + "; the file is damaged");
+  }
+
+  /// Values of a column that must have `rows` values.
+  template <class T>
+  std::vector<T> column(const std::string& name, std::size_t rows) const {
+    std::vector<T> values = group.read<T>(name);
+    if (values.size() != rows) {
+      damaged(name, "has " + std::to_string(values.size()) + " values where " +
+                        std::to_string(rows) + " belong");
+    }
+    return values;
+  }
+
+  template <class Vector>
+  std::vector<Vector> vectors(const std::string& name) const {
+    constexpr auto kSize = static_cast<std::size_t>(Vector::SizeAtCompileTime);
+    const std::vector<double> flat = group.read<double>(name);
+    const std::vector<std::size_t> shape = group.shape(name);
+    if (shape.size() != 2 || shape[1] != kSize) {
+      damaged(name, "is not a table of " + std::to_string(kSize) + " columns");
+    }
+    std::vector<Vector> result(shape[0]);
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      result[i / kSize][static_cast<Eigen::Index>(i % kSize)] = flat[i];
+    }
+    return result;
+  }
+
+  std::size_t length(const std::string& name) const {
+    const std::vector<std::size_t> shape = group.shape(name);
+    if (shape.size() != 1) damaged(name, "is not a list");
+    return shape[0];
+  }
+
+  template <class T>
+  void check_below(const std::string& name, const std::vector<T>& values, std::size_t limit) const {
+    for (const T value : values) {
+      if (static_cast<std::size_t>(value) >= limit) {
+        damaged(name, "holds " + std::to_string(value) + ", which must be below " +
+                          std::to_string(limit));
+      }
+    }
+  }
+
+  Reader into(const std::string& name) const {
+    return {file, path + "/" + name, group.group(name)};
+  }
+};
+
+void read_blocks(const Reader& reader, CampaignResults& results) {
+  const std::vector<std::string> ids = reader.group.read<std::string>("id");
+  const std::size_t rows = ids.size();
+  const auto mass = reader.column<double>("mass_kg", rows);
+  const auto longest = reader.column<double>("L_m", rows);
+  const auto middle = reader.column<double>("I_m", rows);
+  const auto shortest = reader.column<double>("S_m", rows);
+  const auto garcia = reader.column<std::string>("garcia", rows);
+  const auto sneed_folk = reader.column<std::string>("sneed_folk", rows);
+  const auto zingg = reader.column<std::string>("zingg", rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    results.blocks.push_back({ids[i],
+                              mass[i],
+                              {longest[i], middle[i], shortest[i]},
+                              garcia[i],
+                              sneed_folk[i],
+                              zingg[i]});
+  }
+}
+
+void read_barriers(const Reader& reader, CampaignResults& results) {
+  const std::vector<std::string> names = reader.group.read<std::string>("name");
+  const auto from = reader.vectors<Vec2>("from_m");
+  const auto to = reader.vectors<Vec2>("to_m");
+  if (from.size() != names.size() || to.size() != names.size()) {
+    reader.damaged("from_m", "and to_m do not have one row per name");
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    results.barriers.push_back({names[i], from[i], to[i]});
+  }
+}
+
+void read_ground(const Reader& reader, CampaignResults& results) {
+  results.zone_names = reader.group.read<std::string>("zone");
+  const std::size_t rows = results.zone_names.size();
+  const auto restitution = reader.column<double>("energy_restitution", rows);
+  const auto friction = reader.column<double>("friction", rows);
+  const auto rolling = reader.column<double>("rolling_friction", rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    results.ground.push_back({restitution[i], friction[i], rolling[i]});
+  }
+}
+
+void read_terrain_group(const Reader& reader, CampaignResults& results) {
+  Terrain& terrain = results.terrain;
+  terrain.surface.vertices = reader.vectors<Vec3>("vertices_m");
+  const std::vector<std::uint32_t> corners = reader.group.read<std::uint32_t>("triangles");
+  if (corners.size() % 3 != 0) reader.damaged("triangles", "is not a table of 3 columns");
+  reader.check_below("triangles", corners, terrain.surface.vertices.size());
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    terrain.surface.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  }
+  terrain.zone = reader.column<std::uint16_t>("zone", terrain.surface.triangles.size());
+  terrain.zone_names = results.zone_names;
+  reader.check_below("zone", terrain.zone, terrain.zone_names.size());
+  terrain.report.notes = reader.group.read<std::string>("notes");
+  terrain.sources = reader.group.read<std::string>("sources");
+  const std::vector<Vec3> origin = reader.vectors<Vec3>("origin_m");
+  if (origin.size() != 1) reader.damaged("origin_m", "is not one point");
+  terrain.frame = {origin.front(), reader.group.attribute<std::string>("crs")};
+  results.frame = terrain.frame;
+}
+
+void read_crossings(const Reader& reader, CampaignResults& results) {
+  const std::size_t rows = reader.length("run");
+  std::vector<Crossing>& crossings = results.crossings;
+  crossings.resize(rows);
+  for (const auto& column : kCrossingIndices) {
+    const auto values = reader.column<std::uint32_t>(column.name, rows);
+    for (std::size_t i = 0; i < rows; ++i) column.field(crossings[i]) = values[i];
+    if (column.name == std::string("barrier"))
+      reader.check_below(column.name, values, results.barriers.size());
+  }
+  for (const auto& column : kCrossingValues) {
+    const auto values = reader.column<double>(column.name, rows);
+    for (std::size_t i = 0; i < rows; ++i) column.field(crossings[i]) = values[i];
+  }
+  const auto forward = reader.column<std::uint8_t>(kForward, rows);
+  for (std::size_t i = 0; i < rows; ++i) crossings[i].forward = forward[i] != 0;
+}
+
+// Numbers of runs, which stand in rising order.
+void check_order(const Reader& reader, const std::vector<std::uint32_t>& runs) {
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    if (runs[i] <= runs[i - 1]) {
+      reader.damaged("run",
+                     "holds " + std::to_string(runs[i]) + " after " + std::to_string(runs[i - 1]));
+    }
+  }
+}
+
+void read_runs(const Reader& reader, CampaignResults& results) {
+  const std::size_t rows = reader.length("run");
+  std::vector<RunRecord>& runs = results.runs;
+  runs.resize(rows);
+  for (const RunIndex& column : kRunIndices) {
+    const auto values = reader.column<std::uint32_t>(column.name, rows);
+    for (std::size_t i = 0; i < rows; ++i) column.field(runs[i]) = values[i];
+    const std::string name = column.name;
+    if (name == "run") {
+      reader.check_below(name, values, results.planned_runs);
+      check_order(reader, values);
+    }
+    if (name == "block") reader.check_below(name, values, results.blocks.size());
+    if (name == "point") reader.check_below(name, values, results.release_points.size());
+  }
+  for (const StateOfRun& state : kRunStates) {
+    for (const StateValue& column : kStateValues) {
+      const auto values = reader.column<double>(state.prefix + std::string(column.name), rows);
+      for (std::size_t i = 0; i < rows; ++i) column.field(state.field(runs[i])) = values[i];
+    }
+  }
+  for (const RunValue& column : kRunValues) {
+    const auto values = reader.column<double>(column.name, rows);
+    for (std::size_t i = 0; i < rows; ++i) column.field(runs[i]) = values[i];
+  }
+  for (const RunCount& column : kRunCounts) {
+    const auto values = reader.column<std::int64_t>(column.name, rows);
+    for (std::size_t i = 0; i < rows; ++i) {
+      column.field(runs[i]) = static_cast<std::uint64_t>(values[i]);
+    }
+  }
+  const auto reason = reader.column<std::uint8_t>(kStopReason, rows);
+  reader.check_below(kStopReason, reason, static_cast<std::size_t>(StopReason::kError) + 1);
+  const auto below = reader.column<std::uint8_t>(kBelowGround, rows);
+  const auto message = reader.column<std::string>(kMessage, rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    runs[i].result.stop_reason = static_cast<StopReason>(reason[i]);
+    runs[i].result.below_ground = below[i] != 0;
+    runs[i].result.message = message[i];
+  }
+}
+
+// Crossings are in order of runs that there are.
+void check_crossings(const Reader& reader, const CampaignResults& results) {
+  auto run = results.runs.begin();
+  for (const Crossing& crossing : results.crossings) {
+    while (run != results.runs.end() && run->run < crossing.run) ++run;
+    if (run == results.runs.end() || run->run != crossing.run) {
+      reader.damaged("run", "holds run " + std::to_string(crossing.run) +
+                                ", which is not stored or not in order");
+    }
+  }
+}
+
+}  // namespace
+
+CampaignResults read_results(const fs::path& path) {
+  const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
+  const Reader root{path.string(), "", file.root()};
+  CampaignResults results;
+  results.file = path;
+  results.program_version = root.group.attribute<std::string>("program_version");
+  results.campaign_sha256 = root.group.attribute<std::string>("campaign_sha256");
+  results.campaign_text = root.column<std::string>("campaign", 1).front();
+  results.inputs = root.group.read<std::string>("inputs");
+  results.warnings = root.group.read<std::string>("warnings");
+  const auto planned = root.group.attribute<std::int64_t>("planned_runs");
+  if (planned < 0 || planned > std::numeric_limits<std::uint32_t>::max()) {
+    root.damaged("@planned_runs", "is " + std::to_string(planned));
+  }
+  results.planned_runs = static_cast<std::uint32_t>(planned);
+  if (root.group.has("downslope")) {
+    const std::vector<Vec2> downslope = root.vectors<Vec2>("downslope");
+    if (downslope.size() != 1) root.damaged("downslope", "is not one direction");
+    results.downslope = downslope.front();
+  }
+  results.release_points = root.vectors<Vec3>("release_points_m");
+  read_blocks(root.into("blocks"), results);
+  read_barriers(root.into("barriers"), results);
+  read_ground(root.into("ground"), results);
+
+  const Hdf5Group contact = root.group.group("contact");
+  results.weights = contact_weights(contact.attribute<std::string>("weights"));
+  results.stiffness = {.normal = contact.attribute<double>("stiffness_n_m"),
+                       .tangential = contact.attribute<double>("tangential_stiffness_n_m"),
+                       .rolling = contact.attribute<double>("rolling_stiffness_n_m_rad"),
+                       .time_step = contact.attribute<double>("time_step_s")};
+  read_terrain_group(root.into("terrain"), results);
+
+  read_runs(root.into("runs"), results);
+  read_crossings(root.into("crossings"), results);
+  check_crossings(root.into("crossings"), results);
+  return results;
+}
+
+Trajectory read_trajectory(const fs::path& path, std::uint32_t run) {
+  const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
+  const Reader reader{path.string(), "/trajectories", file.root().group("trajectories")};
+  const std::string name = trajectory_name(run);
+  if (!reader.group.has(name)) {
+    const bool any = !reader.group.names().empty();
+    throw InputError(path.string() + ": no trajectory of run " + std::to_string(run) + "; " +
+                     (any ? "there is no such run"
+                          : "none were stored, set [run] trajectory_interval_s above zero"));
+  }
+  const std::vector<double> rows = reader.group.read<double>(name);
+  const std::vector<std::size_t> shape = reader.group.shape(name);
+  if (shape.size() != 2 || shape[0] != kTrajectoryRows) {
+    reader.damaged(name, "is not a table of " + std::to_string(kTrajectoryRows) + " rows");
+  }
+  const std::size_t frames = shape[1];
+  Trajectory trajectory;
+  trajectory.time.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(frames));
+  for (std::size_t i = 0; i < frames; ++i) {
+    RigidState state;
+    for (std::size_t k = 1; k < kTrajectoryRows; ++k) {
+      kStateValues[k - 1].field(state) = rows[k * frames + i];
+    }
+    trajectory.states.push_back(state);
+  }
+  return trajectory;
+}
+
+}  // namespace clast

@@ -1,0 +1,15 @@
+# Fails where clang-format would change a source; its output names file, line and column.
+set(folders app benchmarks classify core dem library massprops reconstruct samples shapes study
+    terrain tests)
+set(files)
+foreach(folder ${folders})
+  file(GLOB_RECURSE found ${source}/${folder}/*.cpp ${source}/${folder}/*.hpp)
+  list(APPEND files ${found})
+endforeach()
+if(NOT files)
+  message(FATAL_ERROR "No sources under ${source}")
+endif()
+execute_process(COMMAND ${clang_format} --dry-run -Werror ${files} RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "Run clang-format -i on the files named above")
+endif()

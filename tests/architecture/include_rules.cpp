@@ -1,0 +1,251 @@
+#include "tests/architecture/include_rules.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace clast::architecture {
+namespace {
+
+using Folders = std::set<std::string>;
+
+/// The arrows: a folder may include these and what follows them.
+const std::map<std::string, Folders> kArrows = {
+    {"core", {}},
+    {"shapes", {"core"}},
+    {"reconstruct", {"shapes"}},
+    {"massprops", {"shapes"}},
+    {"classify", {"massprops"}},
+    {"library", {"classify"}},
+    {"dem", {"massprops"}},
+    {"terrain", {"dem", "shapes"}},
+    {"study", {"library", "terrain"}},
+    {"app", {"study", "reconstruct"}},
+};
+
+/// A package: how its headers and its CMake targets begin, and the folders that it is for.
+struct Package {
+  std::string name;
+  std::vector<std::string> headers;
+  std::vector<std::string> targets;
+  Folders folders;
+};
+
+const std::vector<Package> kHeavyPackages = {
+    {"CGAL", {"CGAL/"}, {"CGAL::"}, {"shapes", "reconstruct", "terrain"}},
+    {"assimp", {"assimp/"}, {"assimp::"}, {"shapes"}},
+    {"PCL", {"pcl/"}, {"pcl"}, {"reconstruct"}},
+    {"OpenCV", {"opencv2/"}, {"opencv"}, {"reconstruct"}},
+    {"HDF5", {"hdf5", "H5"}, {"hdf5::", "HDF5::"}, {"core"}},
+    {"GDAL", {"gdal", "ogr", "cpl_"}, {"GDAL::"}, {"terrain", "study"}},
+    {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"study"}},
+    {"CLI11", {"CLI/"}, {"CLI11::"}, {"app"}},
+    {"nlohmann_json", {"nlohmann/"}, {"nlohmann_json::"}, {"library", "terrain", "study", "app"}},
+};
+
+/// `dem` opens no file and prints nothing.
+const Folders kNotForDem = {"fstream", "iostream", "cstdio", "filesystem", "stdio.h"};
+
+struct Include {
+  std::size_t line;
+  std::string header;
+  bool quoted;
+};
+
+std::vector<Include> includes_of(const SourceFile& file) {
+  static const std::regex kInclude(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+  std::vector<Include> includes;
+  std::smatch match;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    if (std::regex_match(file.lines[i], match, kInclude)) {
+      includes.push_back({i + 1, match[2], match[1] == "\""});
+    }
+  }
+  return includes;
+}
+
+std::string listed(const Folders& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+bool starts_with_any(const std::string& text, const std::vector<std::string>& beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](const std::string& beginning) { return text.starts_with(beginning); });
+}
+
+/// The project folder of a header, none for a package's or the standard library's.
+std::optional<std::string> project_folder(const std::string& header) {
+  static const Folders kOthers = {"tests", "samples", "benchmarks"};
+  const std::string folder = header.substr(0, header.find('/'));
+  if (folder == header || !(kArrows.contains(folder) || kOthers.contains(folder))) return {};
+  return folder;
+}
+
+/// A target named in a CMakeLists.txt.
+struct Link {
+  std::size_t line;
+  std::string target;
+};
+
+std::vector<Link> links_of(const SourceFile& cmake_lists) {
+  static const std::regex kTarget(R"([A-Za-z_0-9]+(::[A-Za-z_0-9+]+)+|\b(pcl|opencv)_\w+)");
+  std::vector<Link> links;
+  for (std::size_t i = 0; i < cmake_lists.lines.size(); ++i) {
+    const std::string line = cmake_lists.lines[i].substr(0, cmake_lists.lines[i].find('#'));
+    for (std::sregex_iterator it(line.begin(), line.end(), kTarget), end; it != end; ++it) {
+      links.push_back({i + 1, it->str()});
+    }
+  }
+  return links;
+}
+
+}  // namespace
+
+bool is_public_header(const SourceFile& file) {
+  return file.is_header() && kArrows.contains(file.folder()) && file.folder() != "app" &&
+         file.path.find("/detail/") == std::string::npos;
+}
+
+Folders reachable(const std::string& folder) {
+  Folders all = {folder};
+  for (const std::string& next : kArrows.at(folder)) all.merge(reachable(next));
+  return all;
+}
+
+Findings include_findings(const SourceFile& file) {
+  Findings findings;
+  if (!file.is_source() || !kArrows.contains(file.folder())) return findings;
+  const Folders allowed = reachable(file.folder());
+  for (const Include& include : includes_of(file)) {
+    const std::optional<std::string> folder = project_folder(include.header);
+    if (include.quoted && !folder) {
+      findings.push_back(finding(file, include.line,
+                                 "\"" + include.header +
+                                     "\" is not written from the project's root "
+                                     "(\"folder/header.hpp\")"));
+    }
+    if (!folder) continue;
+    if (!allowed.contains(*folder)) {
+      findings.push_back(finding(
+          file, include.line,
+          file.folder() + " may not include " + include.header + ", only from " + listed(allowed)));
+    }
+    if (is_public_header(file) && include.header.find("/detail/") != std::string::npos) {
+      findings.push_back(
+          finding(file, include.line,
+                  "public header includes " + include.header + ", which is not installed"));
+    }
+  }
+  return findings;
+}
+
+Findings package_findings(const SourceFile& file) {
+  Findings findings;
+  if (!file.is_source() || !kArrows.contains(file.folder())) return findings;
+  for (const Include& include : includes_of(file)) {
+    if (project_folder(include.header)) continue;
+    for (const Package& package : kHeavyPackages) {
+      if (!starts_with_any(include.header, package.headers)) continue;
+      if (is_public_header(file)) {
+        findings.push_back(finding(file, include.line,
+                                   "public header includes " + include.header + " of " +
+                                       package.name + "; convert at the edge of the .cpp"));
+      }
+      if (!package.folders.contains(file.folder())) {
+        findings.push_back(finding(file, include.line,
+                                   package.name + " is not for " + file.folder() + ", only for " +
+                                       listed(package.folders)));
+      }
+    }
+    if (file.folder() == "dem" && kNotForDem.contains(include.header)) {
+      findings.push_back(
+          finding(file, include.line,
+                  "dem opens no file and prints nothing, but includes <" + include.header + ">"));
+    }
+  }
+  return findings;
+}
+
+Findings link_findings(const SourceFile& cmake_lists) {
+  Findings findings;
+  const std::string folder = cmake_lists.folder();
+  if (cmake_lists.path != folder + "/CMakeLists.txt" || !kArrows.contains(folder)) return findings;
+  const Folders allowed = reachable(folder);
+  for (const Link& link : links_of(cmake_lists)) {
+    if (link.target.starts_with("clast::") && !allowed.contains(link.target.substr(7))) {
+      findings.push_back(
+          finding(cmake_lists, link.line,
+                  folder + " may not link " + link.target + ", only " + listed(allowed)));
+    }
+    for (const Package& package : kHeavyPackages) {
+      if (starts_with_any(link.target, package.targets) && !package.folders.contains(folder)) {
+        findings.push_back(finding(
+            cmake_lists, link.line,
+            package.name + " is not for " + folder + ", only for " + listed(package.folders)));
+      }
+    }
+  }
+  return findings;
+}
+
+Findings unlinked_findings(const std::vector<SourceFile>& tree) {
+  std::map<std::string, Folders> linked;
+  for (const SourceFile& file : tree) {
+    if (file.path != file.folder() + "/CMakeLists.txt") continue;
+    for (const Link& link : links_of(file)) {
+      if (link.target.starts_with("clast::")) linked[file.folder()].insert(link.target.substr(7));
+    }
+  }
+  // Links of links, until nothing is added; the folders are few.
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (auto& [folder, targets] : linked) {
+      const Folders before = targets;
+      for (const std::string& target : before) {
+        if (linked.contains(target)) targets.insert(linked[target].begin(), linked[target].end());
+      }
+      grew = grew || targets.size() > before.size();
+    }
+  }
+  Findings findings;
+  for (const SourceFile& file : tree) {
+    if (!file.is_source() || !kArrows.contains(file.folder())) continue;
+    for (const Include& include : includes_of(file)) {
+      const std::optional<std::string> folder = project_folder(include.header);
+      if (folder && *folder != file.folder() && !linked[file.folder()].contains(*folder)) {
+        findings.push_back(finding(file, include.line,
+                                   "includes " + include.header + ", but " + file.folder() +
+                                       "/CMakeLists.txt does not link clast::" + *folder));
+      }
+    }
+  }
+  return findings;
+}
+
+Findings unlisted_findings(const std::vector<SourceFile>& tree) {
+  std::map<std::string, Folders> listed_files;
+  for (const SourceFile& file : tree) {
+    if (file.path != file.folder() + "/CMakeLists.txt") continue;
+    for (const std::string& line : file.lines) {
+      std::istringstream words(std::regex_replace(line, std::regex("[()]"), " "));
+      for (std::string word; words >> word && word[0] != '#';) {
+        listed_files[file.folder()].insert(file.folder() + "/" + word);
+      }
+    }
+  }
+  Findings findings;
+  for (const SourceFile& file : tree) {
+    if (!kArrows.contains(file.folder())) continue;
+    const bool must_be_listed = file.path.ends_with(".cpp") || is_public_header(file);
+    if (must_be_listed && !listed_files[file.folder()].contains(file.path)) {
+      findings.push_back(finding(file, 1, "not listed in " + file.folder() + "/CMakeLists.txt"));
+    }
+  }
+  return findings;
+}
+
+}  // namespace clast::architecture

@@ -1,0 +1,158 @@
+// The arrows of docs/architecture.md hold in every file, and the rules that say so do find what
+// breaks them.
+#include "tests/architecture/include_rules.hpp"
+
+#include <gtest/gtest.h>
+
+namespace clast::architecture {
+namespace {
+
+TEST(SourceTree, HoldsEveryFolderOfTheMap) {
+  std::set<std::string> folders;
+  for (const SourceFile& file : project()) {
+    if (file.is_source()) folders.insert(file.folder());
+  }
+  for (const std::string& folder : reachable("app")) {
+    EXPECT_TRUE(folders.contains(folder)) << folder;
+  }
+  EXPECT_EQ(reachable("app").size(), 10u);
+}
+
+TEST(IncludeRules, EveryIncludeFollowsAnArrow) {
+  const Findings findings = in_every_file(include_findings);
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+TEST(IncludeRules, PackagesStayInTheSourcesOfTheirFolders) {
+  const Findings findings = in_every_file(package_findings);
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+TEST(IncludeRules, EveryLinkFollowsAnArrow) {
+  const Findings findings = in_every_file(link_findings);
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+TEST(IncludeRules, WhatIsIncludedIsLinked) {
+  const Findings findings = unlinked_findings(project());
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+TEST(IncludeRules, EverySourceAndPublicHeaderIsListed) {
+  const Findings findings = unlisted_findings(project());
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+// The rules, applied to made-up files.
+
+TEST(IncludeRules, IncludeAgainstAnArrowIsFoundWithItsLine) {
+  const SourceFile file =
+      source_file("shapes/bad.cpp", "// A comment.\n#include \"dem/release.hpp\"\n");
+  ASSERT_EQ(include_findings(file).size(), 1u);
+  EXPECT_EQ(include_findings(file)[0],
+            "shapes/bad.cpp:2: shapes may not include dem/release.hpp, only from core, shapes");
+}
+
+TEST(IncludeRules, ArrowsReachWhatFollows) {
+  EXPECT_TRUE(include_findings(source_file("study/a.cpp", "#include \"core/pose.hpp\"\n")).empty());
+  EXPECT_TRUE(include_findings(source_file("terrain/a.cpp", "#include \"dem/a.hpp\"\n")).empty());
+}
+
+TEST(IncludeRules, SiblingsDoNotKnowEachOther) {
+  for (const std::string text :
+       {"#include \"reconstruct/scan.hpp\"\n", "# include  <reconstruct/scan.hpp>  // why\n"}) {
+    EXPECT_EQ(include_findings(source_file("study/a.cpp", text)).size(), 1u) << text;
+  }
+  EXPECT_EQ(include_findings(source_file("dem/a.hpp", "#include \"classify/a.hpp\"\n")).size(), 1u);
+  EXPECT_EQ(include_findings(source_file("library/a.cpp", "#include \"dem/a.hpp\"\n")).size(), 1u);
+  EXPECT_EQ(include_findings(source_file("core/a.cpp", "#include \"shapes/a.hpp\"\n")).size(), 1u);
+}
+
+TEST(IncludeRules, LibrariesDoNotIncludeTests) {
+  const std::string text = "#include \"tests/support/scratch_folder.hpp\"\n";
+  EXPECT_EQ(include_findings(source_file("app/a.cpp", text)).size(), 1u);
+  EXPECT_TRUE(include_findings(source_file("tests/app/a.cpp", text)).empty());
+}
+
+TEST(IncludeRules, IncludeThatIsNotWrittenFromTheRootIsFound) {
+  EXPECT_EQ(include_findings(source_file("dem/a.cpp", "#include \"release.hpp\"\n")).size(), 1u);
+  EXPECT_EQ(include_findings(source_file("dem/a.cpp", "#include \"../core/a.hpp\"\n")).size(), 1u);
+}
+
+TEST(IncludeRules, DetailHeaderInPublicHeaderIsFound) {
+  const std::string text = "#include \"shapes/detail/cgal_mesh.hpp\"\n";
+  EXPECT_EQ(include_findings(source_file("shapes/a.hpp", text)).size(), 1u);
+  EXPECT_TRUE(include_findings(source_file("shapes/a.cpp", text)).empty());
+  EXPECT_TRUE(include_findings(source_file("shapes/detail/a.hpp", text)).empty());
+}
+
+class HeavyHeader : public testing::TestWithParam<const char*> {};
+
+TEST_P(HeavyHeader, InPublicHeaderIsFound) {
+  const std::string text = std::string("#include <") + GetParam() + ">\n";
+  // Some folder may use each of them, but none in a public header.
+  for (const std::string folder : {"core", "shapes", "reconstruct", "massprops", "classify", "dem",
+                                   "terrain", "library", "study"}) {
+    EXPECT_FALSE(package_findings(source_file(folder + "/a.hpp", text)).empty()) << folder;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(IncludeRules, HeavyHeader,
+                         testing::Values("CGAL/Surface_mesh.h", "assimp/scene.h",
+                                         "pcl/point_types.h", "opencv2/core.hpp", "hdf5.h",
+                                         "H5Cpp.h", "gdal_priv.h", "ogrsf_frmts.h", "toml++/toml.h",
+                                         "CLI/CLI.hpp", "nlohmann/json.hpp"));
+
+TEST(IncludeRules, PackagesAreOnlyForTheirFolders) {
+  const SourceFile hdf5_in_study = source_file("study/results.cpp", "#include <hdf5.h>\n");
+  ASSERT_EQ(package_findings(hdf5_in_study).size(), 1u);
+  EXPECT_EQ(package_findings(hdf5_in_study)[0],
+            "study/results.cpp:1: HDF5 is not for study, only for core");
+  EXPECT_TRUE(package_findings(source_file("core/hdf5_file.cpp", "#include <hdf5.h>\n")).empty());
+  EXPECT_TRUE(
+      package_findings(source_file("shapes/detail/a.hpp", "#include <CGAL/a.h>\n")).empty());
+  EXPECT_EQ(package_findings(source_file("dem/a.cpp", "#include <CGAL/a.h>\n")).size(), 1u);
+}
+
+TEST(IncludeRules, DemOpensNoFileAndPrintsNothing) {
+  EXPECT_EQ(package_findings(source_file("dem/a.cpp", "#include <fstream>\n")).size(), 1u);
+  EXPECT_TRUE(package_findings(source_file("study/a.cpp", "#include <fstream>\n")).empty());
+}
+
+TEST(IncludeRules, LinkAgainstAnArrowIsFound) {
+  const SourceFile lists = source_file("dem/CMakeLists.txt",
+                                       "clast_library(dem\n"
+                                       "  # not clast::app\n"
+                                       "  PUBLIC clast::massprops clast::terrain\n"
+                                       "  PRIVATE CGAL::CGAL)\n");
+  EXPECT_EQ(link_findings(lists),
+            (Findings{"dem/CMakeLists.txt:3: dem may not link clast::terrain, only core, dem, "
+                      "massprops, shapes",
+                      "dem/CMakeLists.txt:4: CGAL is not for dem, only for reconstruct, shapes, "
+                      "terrain"}));
+}
+
+TEST(IncludeRules, IncludeThatIsNotLinkedIsFound) {
+  const std::vector<SourceFile> two = {
+      source_file("dem/CMakeLists.txt", "clast_library(dem PUBLIC clast::massprops)\n"),
+      source_file("dem/a.cpp", "#include \"core/a.hpp\"\n#include \"shapes/a.hpp\"\n"),
+      source_file("massprops/CMakeLists.txt", "clast_library(massprops PUBLIC clast::shapes)\n")};
+  ASSERT_EQ(unlinked_findings(two).size(), 1u);
+  EXPECT_EQ(unlinked_findings(two)[0],
+            "dem/a.cpp:1: includes core/a.hpp, but dem/CMakeLists.txt does not link clast::core");
+}
+
+TEST(IncludeRules, SourceThatIsNotListedIsFound) {
+  const std::vector<SourceFile> files = {
+      source_file("dem/CMakeLists.txt",
+                  "clast_library(dem HEADERS a.hpp\n  SOURCES a.cpp)  # b.cpp\n"),
+      source_file("dem/a.cpp", ""),
+      source_file("dem/a.hpp", ""),
+      source_file("dem/b.cpp", ""),
+      source_file("dem/detail/c.hpp", ""),
+      source_file("dem/d.hpp", "")};
+  EXPECT_EQ(unlisted_findings(files), (Findings{"dem/b.cpp:1: not listed in dem/CMakeLists.txt",
+                                                "dem/d.hpp:1: not listed in dem/CMakeLists.txt"}));
+}
+
+}  // namespace
+}  // namespace clast::architecture

@@ -1,0 +1,83 @@
+#include "tests/architecture/text_rules.hpp"
+
+#include <map>
+#include <regex>
+
+namespace clast::architecture {
+namespace {
+
+/// Keys of a BibTeX file with the line of each.
+std::multimap<std::string, std::size_t> keys_of(const SourceFile& references) {
+  static const std::regex kEntry(R"(^@\w+\{\s*([^,\s]+)\s*,.*)");
+  std::multimap<std::string, std::size_t> keys;
+  std::smatch match;
+  for (std::size_t i = 0; i < references.lines.size(); ++i) {
+    if (std::regex_match(references.lines[i], match, kEntry)) keys.emplace(match[1], i + 1);
+  }
+  return keys;
+}
+
+std::vector<std::smatch> matches(const std::string& text, const std::regex& pattern) {
+  return {std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()};
+}
+
+}  // namespace
+
+Findings guard_findings(const SourceFile& file) {
+  if (!file.is_header() || (!file.lines.empty() && file.lines.front() == "#pragma once")) return {};
+  return {finding(file, 1, "a header starts with #pragma once")};
+}
+
+Findings machine_path_findings(const SourceFile& file) {
+  // In pieces, so that this file is not among the findings. A path is absolute where nothing that
+  // could be the folder above stands before it, as in ${CMAKE_BINARY_DIR}/work/.
+  static const std::regex kPath(std::string(R"((^|[^\w.\-})*/])/()") +
+                                R"((home|Users|root|mnt|work|workspace)/[\w.\-]+|tmp/\w+))");
+  Findings findings;
+  std::smatch match;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    // Text lines are short; a long one is data, where std::regex would recurse too deep.
+    if (file.lines[i].size() < 2000 && std::regex_search(file.lines[i], match, kPath)) {
+      findings.push_back(finding(file, i + 1, "path of one machine: /" + match[2].str()));
+    }
+  }
+  return findings;
+}
+
+Findings citation_findings(const SourceFile& file, const SourceFile& references) {
+  static const std::regex kInHeader(R"([@\\]cite\s+([\w\-]+))");
+  static const std::regex kBrackets(R"(\[[a-z]{3,}\d{3,4}[a-z]?[^\]]*\])");
+  static const std::regex kInBrackets(R"(([a-z]{3,}\d{3,4}[a-z]?))");
+  const bool document = file.path.starts_with("docs/") && file.path.ends_with(".md");
+  if (!file.is_header() && !document) return {};
+  const std::multimap<std::string, std::size_t> keys = keys_of(references);
+  Findings findings;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    std::string text = file.lines[i];
+    if (document) {
+      std::string cited;
+      for (const std::smatch& match : matches(text, kBrackets)) cited += match.str();
+      text = cited;
+    }
+    for (const std::smatch& match : matches(text, document ? kInBrackets : kInHeader)) {
+      if (!keys.contains(match[1].str())) {
+        findings.push_back(finding(
+            file, i + 1, "cites " + match[1].str() + ", which " + references.path + " lacks"));
+      }
+    }
+  }
+  return findings;
+}
+
+Findings repeated_key_findings(const SourceFile& references) {
+  const std::multimap<std::string, std::size_t> keys = keys_of(references);
+  Findings findings;
+  for (const auto& [key, line] : keys) {
+    if (keys.lower_bound(key)->second != line) {
+      findings.push_back(finding(references, line, "key " + key + " stands twice"));
+    }
+  }
+  return findings;
+}
+
+}  // namespace clast::architecture

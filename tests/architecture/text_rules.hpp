@@ -1,0 +1,20 @@
+#pragma once
+/// Rules for the text of the project's files, as functions that list what breaks them.
+#include "tests/architecture/source_tree.hpp"
+
+namespace clast::architecture {
+
+/// Headers that do not start with `#pragma once`.
+Findings guard_findings(const SourceFile& file);
+
+/// Absolute paths of one machine.
+Findings machine_path_findings(const SourceFile& file);
+
+/// Keys cited in headers, after the at sign, and in documents, in brackets, that `references`
+/// (BibTeX) lacks.
+Findings citation_findings(const SourceFile& file, const SourceFile& references);
+
+/// Keys that stand twice in a BibTeX file.
+Findings repeated_key_findings(const SourceFile& references);
+
+}  // namespace clast::architecture

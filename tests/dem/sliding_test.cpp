@@ -1,0 +1,188 @@
+// Sliding, rolling and rest against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "tests/support/test_bodies.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kG = 9.81;
+
+/// A start in contact at the depth at which the unloaded spring carries the body on a slope.
+RigidState resting_start(const RigidBody& body, const ReleaseSettings& settings, double restitution,
+                         double slope, double height_of_centre) {
+  const Vec3 normal(std::sin(slope), 0.0, std::cos(slope));
+  const double depth = body.mass * kG * std::cos(slope) / (settings.stiffness.normal * restitution);
+  RigidState start;
+  start.position = (height_of_centre - depth) * normal;
+  start.orientation = Quat(Eigen::AngleAxisd(slope, Vec3::UnitY()));
+  return start;
+}
+
+double velocity_along(const RigidState& state, double slope) {
+  return state.velocity.dot(Vec3(std::cos(slope), 0.0, -std::sin(slope)));
+}
+
+TEST(Sliding, BlockOnThirtyDegrees) {
+  const double slope = kPi / 6;
+  const TerrainSurface terrain = ground(plane_mesh(60.0, 40, slope));
+  const RigidBody body = box(1000.0, {1.0, 1.0, 0.3});
+  ReleaseSettings settings = stiff_settings(body, 1e8);
+  settings.start_overlap = 1.0;
+  settings.max_time = 1.0;
+  const RigidState start = resting_start(body, settings, 0.5, slope, 0.15);
+  double first_speed = -1.0, first_time = 0.0;
+  const ReleaseResult result =
+      simulate_release(terrain, std::vector<GroundParameters>{{0.5, 0.3, 0.0}}, body, start,
+                       settings, [&](const MotionStep& step) {
+                         if (first_speed >= 0.0 || step.end_time < 0.2) return;
+                         first_speed = velocity_along(step.end, slope);
+                         first_time = step.end_time;
+                       });
+  const double acceleration =
+      (velocity_along(result.final_state, slope) - first_speed) / (result.duration - first_time);
+  EXPECT_NEAR(acceleration, 2.3563, 1e-3);
+  EXPECT_LT(result.energy.error, 0.005);
+}
+
+TEST(Sliding, StopsOnTheFlat) {
+  const TerrainSurface terrain = ground(plane_mesh(20.0, 30));
+  const RigidBody body = box(1000.0, {1.0, 1.0, 0.2});
+  ReleaseSettings settings = stiff_settings(body, 1e8);
+  settings.start_overlap = 1.0;
+  RigidState start = resting_start(body, settings, 0.5, 0.0, 0.1);
+  start.velocity.x() = 5.0;
+  const ReleaseResult result = simulate_release(
+      terrain, std::vector<GroundParameters>{{0.5, 0.3, 0.0}}, body, start, settings);
+  EXPECT_EQ(result.stop_reason, StopReason::kRest);
+  EXPECT_NEAR(result.final_state.position.x(), 4.2474, 0.02);
+  EXPECT_LT(result.energy.error, 0.005);
+}
+
+class StaticLimit : public testing::TestWithParam<double> {};
+
+TEST_P(StaticLimit, HoldsBelowAndSlidesAbove) {
+  const double friction = GetParam();
+  const double limit = std::atan(friction);
+  for (const double degrees : {-0.3, 0.3}) {
+    const double slope = limit + degrees * kPi / 180.0;
+    const TerrainSurface terrain = ground(plane_mesh(60.0, 20, slope));
+    const RigidBody body = box(1000.0, {1.0, 1.0, 0.2});
+    ReleaseSettings settings = stiff_settings(body, 1e8, 20.0);
+    settings.start_overlap = 1.0;
+    settings.rest_energy = 1e-300;
+    settings.max_time = 10.0;
+    const RigidState start = resting_start(body, settings, 0.01, slope, 0.1);
+    Vec3 after_one = Vec3::Zero();
+    const ReleaseResult result =
+        simulate_release(terrain, std::vector<GroundParameters>{{0.01, friction, 0.0}}, body, start,
+                         settings, [&](const MotionStep& step) {
+                           if (step.end_time < 1.0) after_one = step.end.position;
+                         });
+    const double moved = (result.final_state.position - after_one).norm();
+    if (degrees < 0) {
+      EXPECT_LT(moved, 1e-3);
+    } else {
+      EXPECT_GT(moved, 0.5);
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Frictions, StaticLimit, testing::Values(0.70, 0.30));
+
+TEST(Rolling, SphereOnThirtyDegrees) {
+  const double slope = kPi / 6;
+  const TerrainSurface terrain = ground(plane_mesh(60.0, 40, slope));
+  const RigidBody body = ball(100.0, 0.3);
+  ReleaseSettings settings = stiff_settings(body, 1e8);
+  settings.start_overlap = 1.0;
+  settings.max_time = 1.0;
+  const RigidState start = resting_start(body, settings, 0.5, slope, 0.3);
+  const auto after_one = [&](double friction) {
+    return simulate_release(terrain, std::vector<GroundParameters>{{0.5, friction, 0.0}}, body,
+                            start, settings)
+        .final_state;
+  };
+  EXPECT_NEAR(velocity_along(after_one(0.3), slope), 3.5036, 0.01);
+  const RigidState slipping = after_one(0.1);
+  EXPECT_NEAR(velocity_along(slipping, slope), 4.0554, 0.01);
+  EXPECT_NEAR(0.3 * slipping.angular_velocity.norm(), 2.1239, 0.01);
+}
+
+TEST(Rolling, ResistanceStopsASphere) {
+  for (const auto& [rolling, distance] : {std::pair{0.35, 5.0968}, std::pair{0.18, 9.9105}}) {
+    const TerrainSurface terrain = ground(plane_mesh(30.0, 40));
+    const RigidBody body = ball(100.0, 0.3);
+    ReleaseSettings settings = stiff_settings(body, 1e8);
+    settings.start_overlap = 1.0;
+    RigidState start = resting_start(body, settings, 0.5, 0.0, 0.3);
+    start.velocity.x() = 5.0;
+    start.angular_velocity.y() = 5.0 / 0.3;
+    const ReleaseResult result = simulate_release(
+        terrain, std::vector<GroundParameters>{{0.5, 0.7, rolling}}, body, start, settings);
+    EXPECT_EQ(result.stop_reason, StopReason::kRest);
+    EXPECT_NEAR(result.final_state.position.x(), distance, 0.02 * distance);
+  }
+}
+
+TEST(Rolling, SlidingLaunchEndsAtFiveSevenths) {
+  const TerrainSurface terrain = ground(plane_mesh(20.0, 30));
+  const RigidBody body = ball(100.0, 0.3);
+  ReleaseSettings settings = stiff_settings(body, 1e8);
+  settings.start_overlap = 1.0;
+  settings.max_time = 1.5;
+  RigidState start = resting_start(body, settings, 0.5, 0.0, 0.3);
+  start.velocity.x() = 4.0;
+  const RigidState end = simulate_release(terrain, std::vector<GroundParameters>{{0.5, 0.4, 0.0}},
+                                          body, start, settings)
+                             .final_state;
+  EXPECT_NEAR(end.velocity.x(), 5.0 / 7.0 * 4.0, 0.01);
+}
+
+TEST(FreeRotation, MiddleAxisFlipKeepsEnergyAndMomentum) {
+  const RigidBody body = box(100.0, {1.0, 0.7, 0.4});
+  RigidState state;
+  state.angular_velocity = {0.01, 2.0 * kPi, 0.02};
+  const double energy = rotational_energy(body, state);
+  const auto momentum = [&](const RigidState& s) {
+    return Vec3(s.orientation *
+                Vec3(body.moments.cwiseProduct(s.orientation.conjugate() * s.angular_velocity)));
+  };
+  const Vec3 before = momentum(state);
+  const RigidState after = free_flight(body, state, 20.0, 0.0);
+  EXPECT_NEAR(rotational_energy(body, after) / energy, 1.0, 1e-9);
+  EXPECT_LT((momentum(after) - before).norm() / before.norm(), 1e-12);
+}
+
+TEST(FreeRotation, OneLongFlightEqualsManyShortOnes) {
+  const RigidBody body = box(100.0, {1.0, 0.7, 0.4});
+  RigidState state;
+  state.velocity = {3.0, 1.0, 5.0};
+  state.angular_velocity = {2.0, 7.0, -1.0};
+  RigidState pieces = state;
+  for (int i = 0; i < 100; ++i) pieces = free_flight(body, pieces, 0.01, kG);
+  const RigidState whole = free_flight(body, state, 1.0, kG);
+  EXPECT_LT((pieces.position - whole.position).norm(), 1e-12);
+  EXPECT_LT(pieces.orientation.angularDistance(whole.orientation), 1e-9);
+}
+
+TEST(Determinism, RepeatedRunsGiveTheSameBits) {
+  const TerrainSurface terrain = ground(rough_slope(60, 0.5, 0.6, 0.1));
+  const RigidBody body = box(300.0, {0.8, 0.6, 0.4}, 0.02);
+  ReleaseSettings settings = stiff_settings(body, 3e7, 20.0);
+  settings.max_time = 5.0;
+  RigidState start;
+  start.position = {-8.0, 0.0, 7.5};
+  start.orientation = Random(5).rotation();
+  const std::vector<GroundParameters> zones{{0.01, 0.7, 0.2}};
+  const ReleaseResult first = simulate_release(terrain, zones, body, start, settings);
+  const ReleaseResult second = simulate_release(terrain, zones, body, start, settings);
+  EXPECT_EQ(first.final_state.position, second.final_state.position);
+  EXPECT_EQ(first.final_state.orientation.coeffs(), second.final_state.orientation.coeffs());
+  EXPECT_GT(first.impacts, 2u);
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,78 @@
+#include "reconstruct/weld.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "tests/shapes/shape_samples.hpp"
+
+namespace clast {
+namespace {
+
+/// Every triangle with vertices of its own, as STL stores it, each moved by up to `shift`.
+TriangleMesh exploded(const TriangleMesh& mesh, double shift = 0.0) {
+  TriangleMesh soup;
+  Random random(1);
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+    for (const std::uint32_t v : t) {
+      soup.vertices.push_back(mesh.vertices[v] + shift * random.uniform() * random.direction());
+    }
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+TEST(Weld, SoupBecomesTheMeshAgain) {
+  const TriangleMesh box = box_mesh({1, 2, 3}, 5);
+  for (const double tolerance : {0.0, 1e-6}) {
+    const TriangleMesh back = welded(exploded(box), tolerance);
+    EXPECT_EQ(back.vertices.size(), box.vertices.size());
+    EXPECT_TRUE(inspect(back).closed());
+    EXPECT_NEAR(enclosed_volume(back), 6.0, tolerance == 0.0 ? 1e-13 : 1e-4);
+  }
+}
+
+TEST(Weld, NearVerticesJoinOnlyWithinTheTolerance) {
+  for (const Vec3& offset : {Vec3(0, 0, 0), Vec3(888600, 6671300, 200)}) {
+    const TriangleMesh soup =
+        transformed(exploded(random_rock(3), 0.4e-5), Pose{offset, Quat::Identity()});
+    EXPECT_TRUE(inspect(welded(soup, 1e-5)).closed());
+    EXPECT_FALSE(inspect(welded(soup, 1e-7)).closed());
+    EXPECT_FALSE(inspect(welded(soup, 0.0)).closed());
+  }
+}
+
+TEST(Weld, PositionIsThatOfTheFirstVertex) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-7, 0, 0}, {1, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 2}};
+  const TriangleMesh result = welded(mesh, 1e-6);
+  EXPECT_EQ(result.vertices.size(), 4u);
+  EXPECT_EQ(result.triangles[1][0], 0u);
+  EXPECT_EQ(result.vertices[0], Vec3(0, 0, 0));
+}
+
+TEST(Weld, CollapsedAndRepeatedTrianglesAndUnusedVerticesGo) {
+  TriangleMesh mesh = tetrahedron();
+  mesh.vertices.push_back({9, 9, 9});
+  mesh.vertices.push_back({1, 0, 0});
+  mesh.triangles.push_back({1, 5, 2});  // collapses
+  mesh.triangles.push_back({2, 1, 0});  // the first triangle again, started elsewhere
+  const TriangleMesh result = welded(mesh, 0.0);
+  EXPECT_EQ(result.triangles, tetrahedron().triangles);
+  EXPECT_EQ(result.vertices, tetrahedron().vertices);
+}
+
+TEST(Weld, ToleranceThatIsNegativeOrNotFiniteIsRefused) {
+  EXPECT_THROW(welded(tetrahedron(), -1e-9), InputError);
+  EXPECT_THROW(welded(tetrahedron(), std::nan("")), InputError);
+  EXPECT_THROW(welded(tetrahedron(), std::numeric_limits<double>::infinity()), InputError);
+}
+
+TEST(Weld, EmptyMeshStaysEmpty) { EXPECT_TRUE(welded({}, 0.1).vertices.empty()); }
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,159 @@
+#include "study/barrier.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace clast {
+namespace {
+
+constexpr double kGravity = 9.81;
+
+// A square of 200 m, of height slope x.
+TerrainSurface plane(double slope) {
+  TriangleMesh mesh;
+  for (const Vec2& corner : {Vec2(-100, -100), Vec2(100, -100), Vec2(100, 100), Vec2(-100, 100)}) {
+    mesh.vertices.emplace_back(corner.x(), corner.y(), slope * corner.x());
+  }
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return TerrainSurface(mesh, {0, 0});
+}
+
+// A cube of core side 1 m and radius 0.1 m, 1000 kg.
+RigidBody cube() {
+  RigidBody body;
+  for (int i = 0; i < 8; ++i) {
+    body.shape.vertices.emplace_back(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
+  }
+  body.shape.radius = 0.1;
+  body.mass = 1000.0;
+  body.moments = Vec3(200.0, 220.0, 240.0);
+  body.smallest_side = 1.2;
+  return body;
+}
+
+// A flight from (0, 0, 10) at (3, 1, 2) m/s for one second.
+MotionStep flight(const RigidBody& body) {
+  MotionStep step;
+  step.begin_time = 4.0;
+  step.end_time = 5.0;
+  step.begin.position = Vec3(0, 0, 10);
+  step.begin.velocity = Vec3(3, 1, 2);
+  step.begin.angular_velocity = Vec3(0, 0, 1.5);
+  step.end = free_flight(body, step.begin, 1.0, kGravity);
+  step.flight = true;
+  return step;
+}
+
+// Left of a line that runs to +y is -x: motion to +x is forward.
+const Barrier kAcross{"across", {1.2, -5}, {1.2, 5}};
+
+TEST(Barrier, FlightIsCrossedWhereTheParabolaSays) {
+  const RigidBody body = cube();
+  const auto crossing = find_crossing(kAcross, body, flight(body), plane(0.0), kGravity);
+  ASSERT_TRUE(crossing);
+  const double t = 1.2 / 3.0;
+  EXPECT_TRUE(crossing->forward);
+  EXPECT_NEAR(crossing->time, 4.0 + t, 1e-14);
+  const Vec3 position(1.2, t, 10 + 2 * t - 0.5 * kGravity * t * t);
+  const Vec3 velocity(3, 1, 2 - kGravity * t);
+  EXPECT_LT((crossing->position - position).norm(), 1e-13);
+  EXPECT_LT((crossing->velocity - velocity).norm(), 1e-13);
+  EXPECT_LT((crossing->angular_velocity - Vec3(0, 0, 1.5)).norm(), 1e-9);
+  EXPECT_NEAR(crossing->height, position.z(), 1e-12);
+  EXPECT_NEAR(crossing->clearance, position.z() - 0.6, 1e-12);
+  EXPECT_NEAR(crossing->translational_energy, 500.0 * velocity.squaredNorm(), 1e-9);
+  EXPECT_NEAR(crossing->rotational_energy, 0.5 * 240.0 * 1.5 * 1.5, 1e-9);
+}
+
+TEST(Barrier, TurnedBarrierIsCrossedBackward) {
+  const RigidBody body = cube();
+  const Barrier turned{"turned", kAcross.to, kAcross.from};
+  const auto crossing = find_crossing(turned, body, flight(body), plane(0.0), kGravity);
+  ASSERT_TRUE(crossing);
+  EXPECT_FALSE(crossing->forward);
+  EXPECT_NEAR(crossing->time, 4.4, 1e-14);
+}
+
+TEST(Barrier, PassingBesideTheSegmentIsNoCrossing) {
+  const RigidBody body = cube();
+  // The parabola passes x = 1.2 at y = 0.4.
+  const MotionStep step = flight(body);
+  const TerrainSurface ground = plane(0.0);
+  EXPECT_TRUE(find_crossing({"holds it", {1.2, 0.39}, {1.2, 5}}, body, step, ground, kGravity));
+  EXPECT_FALSE(find_crossing({"beyond", {1.2, 0.41}, {1.2, 5}}, body, step, ground, kGravity));
+  EXPECT_FALSE(find_crossing({"before", {1.2, -5}, {1.2, 0.39}}, body, step, ground, kGravity));
+  EXPECT_FALSE(find_crossing({"not reached", {3.1, -5}, {3.1, 5}}, body, step, ground, kGravity));
+}
+
+TEST(Barrier, ContactStepIsCrossedToANanosecond) {
+  const RigidBody body = cube();
+  // Braked along x: x = 3 t - t^2 passes 1.2 at t = (3 - sqrt(9 - 4.8))/2.
+  MotionStep step;
+  step.begin_time = 50.0;
+  step.end_time = 51.0;
+  step.begin.position = Vec3(0, 0, 0.6);
+  step.begin.velocity = Vec3(3, 0, 0);
+  step.end.position = Vec3(2, 0, 0.6);
+  step.end.velocity = Vec3(1, 0, 0);
+  const auto crossing = find_crossing(kAcross, body, step, plane(0.0), kGravity);
+  ASSERT_TRUE(crossing);
+  const double t = (3.0 - std::sqrt(9.0 - 4.8)) / 2.0;
+  EXPECT_NEAR(crossing->time, 50.0 + t, 1.1e-9);
+  EXPECT_NEAR(crossing->position.x(), 1.2, 3e-9);
+  EXPECT_NEAR(crossing->velocity.x(), 3.0 - 2.0 * t, 1e-8);
+  EXPECT_NEAR(crossing->clearance, 0.0, 1e-12);
+}
+
+TEST(Barrier, StepsThatMeetOnThePlaneCrossItOnce) {
+  const RigidBody body = cube();
+  const TerrainSurface ground = plane(0.0);
+  MotionStep first;
+  first.end_time = 1.0;
+  first.begin.position = Vec3(0.2, 0, 2);
+  first.end.position = Vec3(1.2, 0, 2);
+  first.begin.velocity = first.end.velocity = Vec3(1, 0, 0);
+  MotionStep second = first;
+  second.begin_time = 1.0;
+  second.end_time = 2.0;
+  second.begin = first.end;
+  second.end.position = Vec3(2.2, 0, 2);
+  const auto at_end = find_crossing(kAcross, body, first, ground, kGravity);
+  const auto at_begin = find_crossing(kAcross, body, second, ground, kGravity);
+  EXPECT_TRUE(at_end);
+  EXPECT_FALSE(at_begin);
+}
+
+TEST(Barrier, HeightAndClearanceAreVerticalToTheGroundUnderEach) {
+  RigidBody body = cube();
+  const MotionStep level = flight(body);
+  MotionStep step = level;
+  // An eighth of a turn about y brings an edge down: lowest core points under the centre.
+  step.begin.orientation = Quat(Eigen::AngleAxisd(kPi / 4.0, Vec3::UnitY()));
+  step.begin.angular_velocity.setZero();
+  const auto crossing = find_crossing(kAcross, body, step, plane(0.5), kGravity);
+  ASSERT_TRUE(crossing);
+  EXPECT_NEAR(crossing->height, crossing->position.z() - 0.6, 1e-12);
+  EXPECT_NEAR(crossing->clearance, crossing->height - std::sqrt(0.5) - 0.1, 1e-9);
+
+  // Half of that turn: the lowest edge lies off the centre by d, where the ground is d/2 lower.
+  step.begin.orientation = Quat(Eigen::AngleAxisd(kPi / 8.0, Vec3::UnitY()));
+  const auto tilted = find_crossing(kAcross, body, step, plane(0.5), kGravity);
+  ASSERT_TRUE(tilted);
+  const double half_diagonal = std::sqrt(0.5), angle = kPi / 4.0 - kPi / 8.0;
+  // Turning about +y moves the lower edge at x = +0.5 down; it is ahead of the centre.
+  const double ahead = half_diagonal * std::sin(angle), under = half_diagonal * std::cos(angle);
+  EXPECT_NEAR(tilted->clearance, tilted->height - under - 0.1 - 0.5 * ahead, 1e-9);
+}
+
+TEST(Barrier, BesideTheSurveyedGroundNothingIsCounted) {
+  const RigidBody body = cube();
+  MotionStep step = flight(body);
+  step.begin.position.x() = 99.0;
+  step.end = free_flight(body, step.begin, 1.0, kGravity);
+  const Barrier outside{"outside", {101, -5}, {101, 5}};
+  EXPECT_FALSE(find_crossing(outside, body, step, plane(0.0), kGravity));
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,339 @@
+#include "study/campaign_runner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "library/make_block.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+namespace fs = std::filesystem;
+
+TriangleMesh box_mesh(const Vec3& size) {
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * size.x(), (i & 2 ? 0.5 : -0.5) * size.y(),
+                               (i & 4 ? 0.5 : -0.5) * size.z());
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+// An ASCII STL of a plane z = -slope x over x from `left` to `right`, y from -20 to 20, m.
+std::string plane_stl(double left, double right, double slope) {
+  std::string text = "solid plane\n";
+  const auto vertex = [&](double x, double y) {
+    return "vertex " + std::to_string(x) + " " + std::to_string(y) + " " +
+           std::to_string(-slope * x) + "\n";
+  };
+  const double middle = 0.5 * (left + right);
+  for (const auto& [a, b] : {std::pair{left, middle}, std::pair{middle, right}}) {
+    text += "facet normal 0 0 1\nouter loop\n" + vertex(a, -20) + vertex(b, -20) + vertex(b, 20) +
+            "endloop\nendfacet\n";
+    text += "facet normal 0 0 1\nouter loop\n" + vertex(a, -20) + vertex(b, 20) + vertex(a, 20) +
+            "endloop\nendfacet\n";
+  }
+  return text + "endsolid plane\n";
+}
+
+// A slope of 0.6 in a zone "slope" that runs out on a level "flat", and two boxes.
+class CampaignRun : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new ScratchFolder;
+    BlockLibrary library;
+    for (const auto& [id, size] :
+         {std::pair{"cube", Vec3(0.6, 0.6, 0.6)}, std::pair{"slab", Vec3(1.0, 0.6, 0.3)}}) {
+      const TriangleMesh mesh = transformed(
+          box_mesh(size), Pose{Vec3(5.0, 1.0, 2.0), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))});
+      BlockSource source;
+      source.file = "box.stl";
+      source.sha256 = std::string(64, '0');
+      BlockOptions options;
+      options.core = true;
+      options.radius = 0.05;
+      library.add(make_block(id, mesh, mesh, source, options));
+    }
+    library.write(*folder_ / "blocks.h5");
+    write_text_file(*folder_ / "slope.stl", plane_stl(-20, 0, 0.6));
+    write_text_file(*folder_ / "flat.stl", plane_stl(0, 30, 0.0));
+    write_text_file(*folder_ / "turns.txt", "1 0 0 0\n0.8 0.6 0 0\n0 0 0.6 0.8\n");
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+
+  static std::string campaign_text() {
+    return R"([blocks]
+library = "blocks.h5"
+[terrain]
+surface = ["slope.stl", "flat.stl"]
+zones = ["slope", "flat"]
+[ground.slope]
+energy_restitution = 0.1
+friction = 0.4
+rolling_friction = 0.1
+[ground.flat]
+energy_restitution = 0.1
+friction = 0.6
+rolling_friction = 0.3
+[release]
+points = [[-12, -3, 9.5], [-12, 3, 9.5]]
+orientations = "turns.txt"
+[[barrier]]
+name = "foot"
+from = [0, -20]
+to = [0, 20]
+[run]
+max_time_s = 6
+)";
+  }
+  static std::string with(const std::string& from, const std::string& to) {
+    std::string text = campaign_text();
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) ADD_FAILURE() << "the campaign has no " << from;
+    return text.replace(at, from.size(), to);
+  }
+  static Campaign campaign(const std::string& text) {
+    write_text_file(*folder_ / "campaign.toml", text);
+    return read_campaign(*folder_ / "campaign.toml");
+  }
+  static PreparedCampaign prepared(const std::string& text = campaign_text()) {
+    return prepare_campaign(campaign(text));
+  }
+  static std::string refusal(const std::string& text) {
+    const Campaign read = campaign(text);
+    try {
+      prepare_campaign(read);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  static bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  }
+
+  static ScratchFolder* folder_;
+};
+ScratchFolder* CampaignRun::folder_ = nullptr;
+
+TEST_F(CampaignRun, PlansEveryBlockPointAndOrientationInOrder) {
+  const PreparedCampaign plan = prepared();
+  ASSERT_EQ(plan.runs.size(), 2u * 2u * 3u);
+  EXPECT_EQ(plan.header.planned_runs, 12u);
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(plan.runs[i].run, i);
+    EXPECT_EQ(plan.runs[i].block, i / 6);
+    EXPECT_EQ(plan.runs[i].point, i / 3 % 2);
+    EXPECT_EQ(plan.runs[i].orientation, i % 3);
+  }
+  EXPECT_EQ(plan.header.zone_names, (std::vector<std::string>{"slope", "flat"}));
+  EXPECT_EQ(plan.header.ground[1].rolling_friction, 0.3);
+  EXPECT_EQ(plan.header.inputs.size(), 4u);
+  // Points are of the centre of mass, on the map.
+  const Vec3 start = plan.header.frame.map(plan.runs[4].start.position);
+  EXPECT_LT((start - Vec3(-12, 3, 9.5)).norm(), 1e-12);
+  // The only bound there is for a body that starts at rest: the fall to the lowest ground.
+  const double fastest = std::sqrt(2 * 9.81 * 9.5);
+  const StiffnessChoice expected =
+      choose_stiffness(plan.bodies, plan.header.ground, fastest, 9.81, {});
+  EXPECT_NEAR(plan.stiffness.stiffness.normal, expected.stiffness.normal,
+              1e-9 * expected.stiffness.normal);
+}
+
+TEST_F(CampaignRun, QuaternionFileTurnsTheBlockAsItsSourceHoldsIt) {
+  const PreparedCampaign plan = prepared();
+  for (const RunRecord& run : plan.runs) {
+    const Block& block = plan.blocks[run.block];
+    const RigidBody& body = plan.bodies[run.block];
+    const Quat& turn = plan.campaign.release.orientations[run.orientation];
+    for (std::size_t i = 0; i < body.shape.vertices.size(); ++i) {
+      const Vec3 placed = run.start.world_from_body() * body.shape.vertices[i];
+      const Vec3 expected =
+          run.start.position + turn * (block.body.vertices[i] - block.mass.centre);
+      ASSERT_LT((placed - expected).norm(), 1e-12);
+    }
+  }
+  const PreparedCampaign principal =
+      prepared(with("\"turns.txt\"", "\"turns.txt\"\nframe = \"principal\""));
+  EXPECT_EQ(principal.runs[1].start.orientation.coeffs(),
+            principal.campaign.release.orientations[1].coeffs());
+}
+
+TEST_F(CampaignRun, DropHeightIsTheClearanceOfTheLowestSkinPoint) {
+  const PreparedCampaign plan = prepared(with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]",
+                                              "points = [[-12, -3], [10, 3]]\nheight_m = 0.75"));
+  for (const RunRecord& run : plan.runs) {
+    const RigidBody& body = plan.bodies[run.block];
+    Vec3 lowest(0, 0, 1e9);
+    for (const Vec3& vertex : body.shape.vertices) {
+      const Vec3 point = plan.header.frame.map(run.start.world_from_body() * vertex);
+      if (point.z() < lowest.z()) lowest = point;
+    }
+    const double ground = lowest.x() < 0 ? -0.6 * lowest.x() : 0.0;
+    EXPECT_NEAR(lowest.z() - body.shape.radius - ground, 0.75, 1e-9);
+  }
+}
+
+TEST_F(CampaignRun, GridDuplicatesAreCounted) {
+  const PreparedCampaign plan = prepared(with("\"turns.txt\"", "\"grid-45\""));
+  ASSERT_EQ(plan.campaign.release.orientations.size(), 64u);
+  // By another measure than the quaternions: rotation matrices, compared entry by entry.
+  std::vector<Mat3> distinct;
+  for (const Quat& turn : plan.campaign.release.orientations) {
+    const Mat3 matrix = turn.toRotationMatrix();
+    bool known = false;
+    for (const Mat3& other : distinct) known |= (matrix - other).cwiseAbs().maxCoeff() < 1e-9;
+    if (!known) distinct.push_back(matrix);
+  }
+  bool told = false;
+  for (const std::string& warning : plan.header.warnings) {
+    told |= contains(warning, "64 orientations, of which " + std::to_string(distinct.size()));
+  }
+  EXPECT_TRUE(told);
+  EXPECT_LT(distinct.size(), 64u);
+}
+
+TEST_F(CampaignRun, BlocksAreSelectedByIdAndClass) {
+  const PreparedCampaign one = prepared(with("[terrain]", "select = [\"slab\"]\n[terrain]"));
+  ASSERT_EQ(one.blocks.size(), 1u);
+  EXPECT_EQ(one.blocks[0].id, "slab");
+  const PreparedCampaign elongated = prepared(
+      with("[terrain]", "select = { scheme = \"garcia\", class = \"elongated\" }\n[terrain]"));
+  ASSERT_EQ(elongated.blocks.size(), 1u);
+  EXPECT_EQ(elongated.blocks[0].id, "slab");
+  EXPECT_TRUE(contains(refusal(with("[terrain]", "select = [\"slap\"]\n[terrain]")), "slap"));
+  EXPECT_TRUE(contains(
+      refusal(with("[terrain]", "select = { scheme = \"zingg\", class = \"rod\" }\n[terrain]")),
+      "selects no block of"));
+}
+
+TEST_F(CampaignRun, ZonesAndParametersMustFit) {
+  const std::string missing = refusal(with("[ground.flat]", "[ground.flt]"));
+  EXPECT_TRUE(contains(missing,
+                       "campaign.toml: terrain zone \"flat\" has no parameters; add "
+                       "[ground.flat] to [ground.flt], [ground.slope]"))
+      << missing;
+  const std::string unused =
+      refusal(campaign_text() +
+              "[ground.scree]\nenergy_restitution = 1\nfriction = 1\nrolling_friction = 1\n");
+  EXPECT_TRUE(contains(unused,
+                       "[ground.scree] belongs to no zone of the terrain; its zones are "
+                       "slope, flat"))
+      << unused;
+}
+
+TEST_F(CampaignRun, ReleaseOffTheTerrainIsRefused) {
+  const std::string message = refusal(with("[-12, 3, 9.5]", "[-12, 33, 9.5]"));
+  EXPECT_TRUE(contains(message,
+                       "release point 2 at x -12.000, y 33.000 is off the terrain, which lies in x "
+                       "-20.000 to 30.000, y -20.000 to 20.000"))
+      << message;
+}
+
+TEST_F(CampaignRun, StartInsideTheGroundIsRefused) {
+  // Ground at 7.2 m; the cube reaches 0.35 m down.
+  const std::string touching = refusal(with("[-12, 3, 9.5]", "[-12, 3, 7.4]"));
+  EXPECT_TRUE(contains(touching, "block cube, release point 2, orientation 1: starts 0."))
+      << touching;
+  EXPECT_TRUE(contains(touching, "m inside the ground, with its centre at (-12.000, 3.000, 7.400)"))
+      << touching;
+  const std::string buried = refusal(with("[-12, 3, 9.5]", "[-12, 3, 2]"));
+  EXPECT_TRUE(contains(buried, "block cube, release point 2, orientation 1: starts 5.")) << buried;
+  const std::string low = refusal(
+      with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]", "points = [[-12, -3]]\nheight_m = 0.0"));
+  EXPECT_TRUE(contains(low, "raise [release] height_m")) << low;
+}
+
+TEST_F(CampaignRun, EveryRunIsStoredWithItsCrossingsAndTrajectory) {
+  const PreparedCampaign plan = prepared();
+  const fs::path target = *folder_ / "all.h5";
+  std::size_t calls = 0;
+  run_campaign(plan, target, {.threads = 2, .progress = [&](std::size_t done, std::size_t planned) {
+                                EXPECT_EQ(done, ++calls);
+                                EXPECT_EQ(planned, 12u);
+                              }});
+  EXPECT_EQ(calls, 12u);
+  const CampaignResults results = read_results(target);
+  ASSERT_EQ(results.runs.size(), 12u);
+  std::set<std::uint32_t> crossed;
+  for (const Crossing& crossing : results.crossings) {
+    EXPECT_NEAR(crossing.position.x() + results.frame.origin.x(), 0.0, 1e-8);
+    crossed.insert(crossing.run);
+  }
+  EXPECT_FALSE(crossed.empty());
+  for (const RunRecord& run : results.runs) {
+    EXPECT_NE(run.result.stop_reason, StopReason::kError) << run.result.message;
+    EXPECT_FALSE(run.result.below_ground);
+    // Who ends on the flat has crossed its edge.
+    const double stop_x = results.frame.map(run.result.final_state.position).x();
+    EXPECT_EQ(stop_x > 0.0, crossed.count(run.run) == 1) << run.run;
+    const Trajectory trajectory = read_trajectory(target, run.run);
+    ASSERT_GE(trajectory.time.size(), 2u);
+    EXPECT_EQ(trajectory.states.front().position, run.start.position);
+    EXPECT_EQ(trajectory.time.back(), run.result.duration);
+    EXPECT_LT((trajectory.states.back().position - run.result.final_state.position).norm(), 1e-12);
+    EXPECT_NEAR(trajectory.time[1], 0.1, 1e-15);
+    // Free fall until something is touched.
+    EXPECT_NEAR(trajectory.states[1].position.z(), run.start.position.z() - 0.5 * 9.81 * 0.01,
+                1e-9);
+  }
+}
+
+TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
+  const PreparedCampaign plan = prepared();
+  run_campaign(plan, *folder_ / "one.h5", {.threads = 1});
+  run_campaign(plan, *folder_ / "two.h5", {.threads = 2});
+  const std::string one = read_text_file(*folder_ / "one.h5");
+  EXPECT_TRUE(one == read_text_file(*folder_ / "two.h5"));
+
+  // Stopped twice from outside, and torn at its end.
+  struct Stop {};
+  for (int stop = 0; stop < 2; ++stop) {
+    const auto quit = [](std::size_t done, std::size_t) {
+      if (done % 4 == 0) throw Stop{};
+    };
+    EXPECT_THROW(
+        run_campaign(plan, *folder_ / "cut.h5", {.threads = 1, .resume = true, .progress = quit}),
+        Stop);
+    const fs::path part = partial_results(*folder_ / "cut.h5");
+    ASSERT_TRUE(fs::exists(part));
+    EXPECT_FALSE(fs::exists(*folder_ / "cut.h5"));
+    fs::resize_file(part, fs::file_size(part) - 7);
+  }
+  std::size_t runs = 0;
+  run_campaign(
+      plan, *folder_ / "cut.h5",
+      {.threads = 2, .resume = true, .progress = [&](std::size_t, std::size_t) { ++runs; }});
+  EXPECT_LT(runs, 12u);
+  EXPECT_TRUE(one == read_text_file(*folder_ / "cut.h5"));
+  EXPECT_FALSE(fs::exists(partial_results(*folder_ / "cut.h5")));
+}
+
+TEST_F(CampaignRun, ChangedInputsAreNotResumed) {
+  const PreparedCampaign plan = prepared();
+  const fs::path target = *folder_ / "changed.h5";
+  struct Stop {};
+  EXPECT_THROW(
+      run_campaign(plan, target, {.threads = 1, .progress = [](auto, auto) { throw Stop{}; }}),
+      Stop);
+  const PreparedCampaign other = prepared(with("max_time_s = 6", "max_time_s = 5"));
+  try {
+    run_campaign(other, target, {.resume = true});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(contains(error.what(), "was begun with another campaign file")) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace clast

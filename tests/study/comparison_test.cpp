@@ -1,0 +1,443 @@
+#include "study/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "core/text_file.hpp"
+#include "tests/study/csv_reader.hpp"
+#include "tests/study/hand_made_results.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+Comparison compared(CampaignResults results) {
+  std::vector<CampaignResults> all;
+  all.push_back(std::move(results));
+  return compare(std::move(all));
+}
+
+Comparison compared(CampaignResults first, CampaignResults second) {
+  std::vector<CampaignResults> all;
+  all.push_back(std::move(first));
+  all.push_back(std::move(second));
+  return compare(std::move(all));
+}
+
+std::size_t group_index(const Comparison& comparison, const std::string& name) {
+  for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
+    if (comparison.groups[g].name == name) return g;
+  }
+  ADD_FAILURE() << "no group " << name;
+  return 0;
+}
+
+const DepositGroup& deposit(const Comparison& comparison, const std::string& name) {
+  return comparison.deposits[group_index(comparison, name)];
+}
+
+const BarrierGroup& at_barrier(const Comparison& comparison, const std::string& barrier,
+                               const std::string& group) {
+  for (const BarrierGroup& one : comparison.barriers) {
+    if (one.barrier == barrier && one.group == group) return one;
+  }
+  throw std::runtime_error("no group " + group + " at " + barrier);
+}
+
+bool warns(const Comparison& comparison, const std::string& words) {
+  for (const std::string& warning : comparison.warnings) {
+    if (warning.find(words) != std::string::npos) return true;
+  }
+  return false;
+}
+
+std::string refusal(std::vector<CampaignResults> results) {
+  try {
+    compare(std::move(results));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal(const CampaignResults& results) {
+  return refusal(std::vector<CampaignResults>{results});
+}
+
+bool mentions(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+TEST(Runout, IsMeasuredAlongDownslope) {
+  const Vec2 down = Vec2(3.0, 4.0).normalized();
+  const Runout measured = runout(Vec3(1, 1, 9), Vec3(7, 9, 0), down);
+  EXPECT_NEAR(measured.along, 10.0, 1e-12);
+  EXPECT_NEAR(measured.lateral, 0.0, 1e-12);
+}
+
+TEST(Runout, LateralIsPositiveToTheRightLookingDownslope) {
+  // Looking along +x with z up, the right hand is -y; looking along +y it is +x.
+  EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, -5, 0), Vec2::UnitX()).lateral, kPi / 4, 1e-15);
+  EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitX()).lateral, -kPi / 4, 1e-15);
+  EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitY()).lateral, kPi / 4, 1e-15);
+}
+
+TEST(Runout, UphillIsNegativeAndBehind) {
+  const Runout measured = runout(Vec3::Zero(), Vec3(-2, 0, 1), Vec2::UnitX());
+  EXPECT_DOUBLE_EQ(measured.along, -2.0);
+  EXPECT_NEAR(std::abs(measured.lateral), kPi, 1e-15);
+}
+
+TEST(Runout, OfABlockThatStaysIsZero) {
+  const Runout measured = runout(Vec3(1, 2, 3), Vec3(1, 2, 2), Vec2::UnitX());
+  EXPECT_EQ(measured.along, 0.0);
+  EXPECT_EQ(measured.lateral, 0.0);
+}
+
+TEST(Runout, TurnsWithTheSite) {
+  Random random(7);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 start = 10.0 * random.direction(), stop = 50.0 * random.direction();
+    const Eigen::Rotation2Dd turn(random.uniform(-kPi, kPi));
+    const Eigen::AngleAxisd turn3(turn.angle(), Vec3::UnitZ());
+    const Runout before = runout(start, stop, Vec2::UnitX());
+    const Runout after = runout(turn3 * start, turn3 * stop, turn * Vec2::UnitX());
+    EXPECT_NEAR(after.along, before.along, 1e-12);
+    EXPECT_NEAR(std::sin(after.lateral - before.lateral), 0.0, 1e-12);
+  }
+}
+
+TEST(Compare, GroupsAreAllBlocksAndClassesThatOccur) {
+  std::vector<std::string> names;
+  const Comparison comparison = compared(hand_made_results());
+  for (const Group& group : comparison.groups) names.push_back(group.name);
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"all", "block long, \"2\"", "block round<1>", "class compact",
+                                      "class elongated", "sneed-folk C", "sneed-folk VE"}));
+}
+
+TEST(Compare, OneSneedFolkClassGetsNoGroupOfItsOwn) {
+  CampaignResults results = hand_made_results();
+  results.blocks[1].sneed_folk = "C";
+  for (const Group& group : compared(std::move(results)).groups) {
+    EXPECT_NE(group.kind, GroupKind::kSneedFolk);
+  }
+}
+
+TEST(Compare, DepositsAreAsComputedByHand) {
+  const Comparison comparison = compared(hand_made_results());
+  const DepositGroup& compact = deposit(comparison, "class compact");
+  EXPECT_EQ(compact.runout.count, 4u);
+  EXPECT_NEAR(compact.runout.mean, 25.0, 1e-9);
+  EXPECT_NEAR(compact.runout.std, std::sqrt(500.0 / 3.0), 1e-9);
+  EXPECT_NEAR(compact.runout.median, 25.0, 1e-9);
+  EXPECT_NEAR(compact.runout.p95, 38.5, 1e-9);
+  EXPECT_NEAR(compact.runout.max, 40.0, 1e-9);
+  EXPECT_LT((compact.mean_stop - (kMapOrigin + Vec3(25.0, 0.0, -12.5))).norm(), 1e-9);
+
+  const DepositGroup& elongated = deposit(comparison, "block long, \"2\"");
+  EXPECT_NEAR(elongated.runout.mean, 15.0, 1e-9);
+  EXPECT_NEAR(elongated.lateral.mean, 0.0, 1e-9);  // 45 degrees right and 45 left
+  EXPECT_NEAR(elongated.lateral.std, kPi / 4 * std::sqrt(2.0), 1e-9);
+}
+
+TEST(Compare, OnlyRunsAtRestAreDeposits) {
+  CampaignResults results = hand_made_results();
+  results.runs[3].result.stop_reason = StopReason::kLeftTerrain;
+  results.runs[2].result.stop_reason = StopReason::kMaxTime;
+  results.runs[1].result.stop_reason = StopReason::kError;
+  results.runs[1].result.final_state.position = Vec3::Constant(NAN);
+  const Comparison comparison = compared(std::move(results));
+  const DepositGroup& compact = deposit(comparison, "class compact");
+  EXPECT_EQ(compact.started, 4u);
+  EXPECT_EQ(compact.stops.rest, 1u);
+  EXPECT_EQ(compact.stops.left_terrain, 1u);
+  EXPECT_EQ(compact.stops.max_time, 1u);
+  EXPECT_EQ(compact.stops.error, 1u);
+  EXPECT_NEAR(compact.runout.mean, 10.0, 1e-9);
+  EXPECT_TRUE(warns(comparison, "1 of 6 runs left the surveyed terrain"));
+  EXPECT_TRUE(warns(comparison, "1 of 6 runs were still moving at max_time"));
+  EXPECT_TRUE(warns(comparison, "1 of 6 runs ended with an error"));
+}
+
+TEST(Compare, DownslopeDefaultsToTheMeanLineFromReleaseToStop) {
+  CampaignResults results = hand_made_results();
+  results.downslope.reset();
+  // Offsets sum to (130, 10).
+  const Comparison comparison = compared(std::move(results));
+  EXPECT_FALSE(comparison.downslope_asked);
+  EXPECT_LT((comparison.downslope - Vec2(13.0, 1.0).normalized()).norm(), 1e-9);
+}
+
+TEST(Compare, AskedDownslopeIsMadeUnit) {
+  const Comparison comparison = compared(hand_made_results());
+  EXPECT_TRUE(comparison.downslope_asked);
+  EXPECT_EQ(comparison.downslope, Vec2(1.0, 0.0));
+}
+
+TEST(Compare, StopsAtTheReleaseLeaveDownslopeUndefined) {
+  CampaignResults results = hand_made_results();
+  results.downslope.reset();
+  for (RunRecord& run : results.runs) run.result.final_state.position = run.start.position;
+  const Comparison comparison = compared(std::move(results));
+  EXPECT_TRUE(warns(comparison, "downslope is undefined"));
+  EXPECT_EQ(comparison.downslope, Vec2::UnitX());
+  EXPECT_EQ(deposit(comparison, "all").runout.max, 0.0);
+}
+
+TEST(Compare, FirstForwardCrossingCounts) {
+  const Comparison comparison = compared(hand_made_results());
+  const BarrierGroup& compact = at_barrier(comparison, "B<1>", "class compact");
+  EXPECT_EQ(compact.started, 4u);
+  EXPECT_EQ(compact.crossed, 3u);
+  EXPECT_DOUBLE_EQ(compact.probability, 0.75);
+  EXPECT_NEAR(compact.speed.mean, 4.0, 1e-12);  // 2, 4 and 6; the 9 is the second passage
+  EXPECT_NEAR(compact.speed.max, 6.0, 1e-12);
+  EXPECT_NEAR(compact.total.mean, 150.0 * (4.0 + 16.0 + 36.0) / 3.0 + 50.0, 1e-9);
+  EXPECT_NEAR(compact.rotation_rate.mean, 5.0, 1e-12);
+  EXPECT_NEAR(compact.clearance.median, 0.25, 1e-12);
+  EXPECT_DOUBLE_EQ(at_barrier(comparison, "B2", "all").probability, 1.0 / 6.0);
+  EXPECT_EQ(at_barrier(comparison, "B2", "class elongated").crossed, 0u);
+}
+
+TEST(Compare, BackwardCrossingFirstDoesNotCount) {
+  CampaignResults results = hand_made_results();
+  results.crossings[0].forward = false;
+  results.crossings[2].forward = false;
+  const Comparison comparison = compared(std::move(results));
+  EXPECT_EQ(at_barrier(comparison, "B<1>", "class compact").crossed, 2u);
+}
+
+TEST(Compare, UnequalMassesAreNamed) {
+  EXPECT_TRUE(warns(compared(hand_made_results()), "mass differs between classes"));
+  CampaignResults equal = hand_made_results();
+  equal.blocks[1].mass = equal.blocks[0].mass;
+  EXPECT_FALSE(warns(compared(std::move(equal)), "mass differs between classes"));
+}
+
+TEST(Compare, RepeatedOrientationsAreCounted) {
+  CampaignResults results = hand_made_results();
+  EXPECT_FALSE(warns(compared(results), "orientations are distinct"));
+  // -q turns as q does.
+  results.runs[2].start.orientation.coeffs() = -results.runs[1].start.orientation.coeffs();
+  EXPECT_TRUE(warns(compared(std::move(results)), "only 3 of 4 orientations are distinct"));
+}
+
+TEST(Compare, UnfinishedBelowGroundAndUnbalancedRunsAreCounted) {
+  CampaignResults results = hand_made_results();
+  results.planned_runs = 8;
+  results.runs[0].result.below_ground = true;
+  results.runs[1].result.energy.error = 0.5;
+  results.runs[2].result.energy.error = NAN;
+  results.warnings = {"stiffness is softer than auto"};
+  const Comparison comparison = compared(std::move(results));
+  EXPECT_TRUE(warns(comparison, "6 of 8 planned runs"));
+  EXPECT_TRUE(warns(comparison, "1 of 6 runs ended below ground"));
+  EXPECT_TRUE(warns(comparison, "2 of 6 runs miss more than 1 %"));
+  EXPECT_TRUE(warns(comparison, "stiffness is softer than auto"));
+}
+
+TEST(Compare, CleanRunsOfEqualMassGiveNoWarning) {
+  CampaignResults results = hand_made_results();
+  results.blocks[1].mass = results.blocks[0].mass;
+  EXPECT_TRUE(compared(std::move(results)).warnings.empty());
+}
+
+TEST(Compare, TwoFilesAreGroupedTogetherAndEachAlone) {
+  CampaignResults second = hand_made_results();
+  second.runs.resize(3);
+  second.crossings.resize(3);
+  second.planned_runs = 3;
+  const Comparison comparison = compared(hand_made_results(), std::move(second));
+  EXPECT_EQ(deposit(comparison, "all").started, 9u);
+  EXPECT_EQ(deposit(comparison, "file 1: all").started, 6u);
+  EXPECT_EQ(deposit(comparison, "file 2: class compact").started, 3u);
+  EXPECT_EQ(comparison.lines.size(), 2u);  // the same lines in both files
+  EXPECT_EQ(at_barrier(comparison, "B<1>", "all").started, 9u);
+  EXPECT_EQ(at_barrier(comparison, "B<1>", "file 2: all").crossed, 1u);
+}
+
+TEST(Compare, BarrierOfOneFileCountsOnlyThatFilesRuns) {
+  CampaignResults second = hand_made_results();
+  second.barriers[0].from.y() = -5.0;  // another line under the same name
+  const Comparison comparison = compared(hand_made_results(), std::move(second));
+  EXPECT_EQ(comparison.lines.size(), 3u);
+  EXPECT_EQ(at_barrier(comparison, "B<1>", "all").started, 6u);
+  EXPECT_EQ(at_barrier(comparison, "B<1> (file 2)", "all").started, 6u);
+  EXPECT_THROW(at_barrier(comparison, "B<1>", "file 2: all"), std::runtime_error);
+}
+
+TEST(Compare, NoFileOrNoRunsIsRefused) {
+  EXPECT_TRUE(mentions(refusal(std::vector<CampaignResults>{}), "no runs to compare"));
+  CampaignResults results = hand_made_results();
+  results.runs.clear();
+  results.crossings.clear();
+  EXPECT_TRUE(mentions(refusal(results), "hand-made.h5"));
+}
+
+TEST(Compare, DifferentMapFramesAreRefused) {
+  CampaignResults moved = hand_made_results(), other_crs = hand_made_results();
+  moved.frame.origin.x() += 1.0;
+  other_crs.frame.crs = "EPSG:2154";
+  EXPECT_TRUE(mentions(refusal({hand_made_results(), moved}), "map frame"));
+  EXPECT_TRUE(mentions(refusal({hand_made_results(), other_crs}), "EPSG:2154"));
+}
+
+TEST(Compare, DifferentDownslopesAreRefused) {
+  CampaignResults other = hand_made_results();
+  other.downslope = Vec2(0.0, 1.0);
+  EXPECT_TRUE(mentions(refusal({hand_made_results(), other}), "downslope"));
+  other.downslope = Vec2(0.0, 0.0);
+  EXPECT_TRUE(mentions(refusal({other}), "not a direction"));
+}
+
+TEST(Compare, RecordsThatFitNothingAreRefused) {
+  CampaignResults block = hand_made_results(), stop = block, run = block, barrier = block,
+                  twice = block;
+  block.runs[4].block = 2;
+  EXPECT_TRUE(mentions(refusal(block), "run 4 names block number 2 of 2"));
+  stop.runs[3].result.final_state.position.x() = NAN;
+  EXPECT_TRUE(mentions(refusal(stop), "run 3"));
+  run.crossings[0].run = 99;
+  EXPECT_TRUE(mentions(refusal(run), "run 99"));
+  barrier.crossings[0].barrier = 7;
+  EXPECT_TRUE(mentions(refusal(barrier), "barrier number 7"));
+  twice.runs[1].run = 0;
+  EXPECT_TRUE(mentions(refusal(twice), "run 0 is stored twice"));
+}
+
+TEST(RunsTable, StartsWithTheAgreedColumns) {
+  const std::string text = runs_csv(compared(hand_made_results()));
+  EXPECT_TRUE(text.starts_with(
+      "run,block,class,shape,point,orientation,stop_reason,duration_s,stop_x_m,stop_y_m,stop_z_m,"
+      "runout_m,lateral_deg,max_speed_m_s,max_penetration_m,energy_error,"));
+}
+
+TEST(RunsTable, ReadsBackToTheSameBits) {
+  CampaignResults results = hand_made_results();
+  Random random(3);
+  for (RunRecord& run : results.runs) {
+    run.result.final_state.position = Vec3(40.0, 20.0, 10.0).cwiseProduct(random.direction());
+    run.result.duration = 1.0 / 3.0 + random.uniform();
+  }
+  const Comparison comparison = compared(std::move(results));
+  const CsvTable table = read_csv(runs_csv(comparison));
+  ASSERT_EQ(table.rows.size(), comparison.rows.size());
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const RunRow& row = comparison.rows[i];
+    EXPECT_EQ(table.rows[i].at("block"), row.block->id);
+    EXPECT_EQ(table.rows[i].at("class"), row.block->sneed_folk);
+    EXPECT_EQ(table.rows[i].at("shape"), row.block->garcia);
+    EXPECT_EQ(table.rows[i].at("stop_reason"), "rest");
+    EXPECT_EQ(table.number(i, "stop_x_m"), row.stop.x());
+    EXPECT_EQ(table.number(i, "stop_y_m"), row.stop.y());
+    EXPECT_EQ(table.number(i, "stop_z_m"), row.stop.z());
+    EXPECT_EQ(table.number(i, "duration_s"), row.record->result.duration);
+    EXPECT_EQ(table.number(i, "runout_m"), row.runout);
+    EXPECT_NEAR(table.number(i, "lateral_deg"), row.lateral * 180.0 / kPi, 1e-12);
+  }
+}
+
+TEST(RunsTable, UnknownNumbersAreEmptyAndMessagesSurviveTheirCommas) {
+  CampaignResults results = hand_made_results();
+  results.runs[1].result.stop_reason = StopReason::kError;
+  results.runs[1].result.message = "step 3, block \"a\"\nlost";
+  results.runs[1].result.final_state.position = Vec3::Constant(NAN);
+  const CsvTable table = read_csv(runs_csv(compared(std::move(results))));
+  EXPECT_EQ(table.rows[1].at("stop_x_m"), "");
+  EXPECT_EQ(table.rows[1].at("runout_m"), "");
+  EXPECT_EQ(table.rows[1].at("message"), "step 3, block \"a\"\nlost");
+}
+
+TEST(BarriersTable, HoldsTheSummariesOfEveryGroup) {
+  const CsvTable table = read_csv(barriers_csv(compared(hand_made_results())));
+  EXPECT_EQ(table.rows.size(), 14u);  // two barriers, seven groups
+  const std::size_t compact = table.find("group", "class compact");
+  EXPECT_EQ(table.rows[compact].at("barrier"), "B<1>");
+  EXPECT_EQ(table.number(compact, "runs"), 4.0);
+  EXPECT_EQ(table.number(compact, "crossings"), 3.0);
+  EXPECT_EQ(table.number(compact, "probability"), 0.75);
+  EXPECT_NEAR(table.number(compact, "speed_mean_m_s"), 4.0, 1e-12);
+  EXPECT_NEAR(table.number(compact, "speed_p95_m_s"), 5.8, 1e-12);
+  EXPECT_NEAR(table.number(compact, "translational_energy_max_j"), 5400.0, 1e-9);
+  EXPECT_NEAR(table.number(compact, "rotational_energy_median_j"), 50.0, 1e-12);
+  EXPECT_NEAR(table.number(compact, "rotation_rate_std_rad_s"), 0.0, 1e-12);
+  EXPECT_NEAR(table.number(compact, "height_mean_m"), 1.0, 1e-12);
+}
+
+TEST(BarriersTable, GroupWithoutCrossingsHasEmptyStatistics) {
+  const CsvTable table = read_csv(barriers_csv(compared(hand_made_results())));
+  for (const auto& row : table.rows) {
+    if (row.at("barrier") != "B2" || row.at("group") != "class elongated") continue;
+    EXPECT_EQ(row.at("crossings"), "0");
+    EXPECT_EQ(row.at("probability"), "0");
+    EXPECT_EQ(row.at("speed_mean_m_s"), "");
+    return;
+  }
+  FAIL() << "no row of B2 and the elongated class";
+}
+
+TEST(CrossingsTable, HoldsAllInOrderOfRunAndTimeOnTheMap) {
+  CampaignResults results = hand_made_results();
+  std::reverse(results.crossings.begin(), results.crossings.end());
+  const CsvTable table = read_csv(crossings_csv(compared(std::move(results))));
+  ASSERT_EQ(table.rows.size(), 7u);
+  const std::vector<std::string> runs = {"1", "1", "1", "2", "3", "3", "5"};
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(table.rows[i].at("run"), runs[i]);
+  EXPECT_EQ(table.rows[1].at("direction"), "backward");
+  EXPECT_EQ(table.rows[0].at("counted"), "1");
+  EXPECT_EQ(table.rows[2].at("counted"), "0");
+  EXPECT_EQ(table.number(0, "x_m"), kMapOrigin.x() + 10.0);
+  EXPECT_EQ(table.number(0, "z_m"), kMapOrigin.z() - 4.0);
+  EXPECT_NEAR(table.number(0, "total_energy_j"), 650.0, 1e-9);
+}
+
+TEST(DepositsTable, HoldsEveryGroupInDegreesAndMapMetres) {
+  const CsvTable table = read_csv(deposits_csv(compared(hand_made_results())));
+  EXPECT_EQ(table.rows.size(), 7u);
+  const std::size_t elongated = table.find("group", "class elongated");
+  EXPECT_EQ(table.number(elongated, "count"), 2.0);
+  EXPECT_NEAR(table.number(elongated, "runout_mean_m"), 15.0, 1e-9);
+  EXPECT_NEAR(table.number(elongated, "lateral_std_deg"), 45.0 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(table.number(elongated, "mean_stop_y_m"), kMapOrigin.y() + 5.0, 1e-8);
+  EXPECT_EQ(table.number(elongated, "downslope_x"), 1.0);
+}
+
+TEST(Tables, HaveTheSameBytesForEqualResultsInFilesOfOtherNames) {
+  CampaignResults renamed = hand_made_results();
+  renamed.file = "elsewhere/eight-threads.h5";
+  const Comparison a = compared(hand_made_results()), b = compared(std::move(renamed));
+  EXPECT_EQ(runs_csv(a), runs_csv(b));
+  EXPECT_EQ(barriers_csv(a), barriers_csv(b));
+  EXPECT_EQ(crossings_csv(a), crossings_csv(b));
+  EXPECT_EQ(deposits_csv(a), deposits_csv(b));
+}
+
+TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
+  const ScratchFolder folder;
+  write_comparison(compared(hand_made_results()), folder / "out");
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "out")) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"barriers.csv", "crossings.csv", "deposits.csv",
+                                      "provenance.json", "report.html", "runs.csv", "stops.gpkg"}));
+  EXPECT_TRUE(mentions(read_text_file(folder / "out" / "provenance.json"), std::string(64, 'c')));
+}
+
+TEST(WriteComparison, FileInPlaceOfTheFolderIsRefused) {
+  const ScratchFolder folder;
+  write_text_file(folder / "out", "taken");
+  EXPECT_THROW(write_comparison(compared(hand_made_results()), folder / "out"), InputError);
+  EXPECT_EQ(read_text_file(folder / "out"), "taken");
+}
+
+}  // namespace
+}  // namespace clast
