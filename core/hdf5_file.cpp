@@ -441,11 +441,18 @@ bool Hdf5Group::has_attribute(const std::string& name) const {
   return H5Aexists(handle_->get(), name.c_str()) > 0;
 }
 
+Hdf5Group Hdf5Group::dataset(const std::string& name) const {
+  return Hdf5Group(std::make_shared<Handle>(
+      Handle{handle_->dataset(name), handle_->file, handle_->path + "/" + name}));
+}
+
 void Hdf5Group::set_unit(const std::string& name, const std::string& unit) {
-  Id id = handle_->dataset(name);
-  Hdf5Group dataset(
-      std::make_shared<Handle>(Handle{std::move(id), handle_->file, handle_->path + "/" + name}));
-  dataset.set_attribute("unit", unit);
+  dataset(name).set_attribute("unit", unit);
+}
+
+std::string Hdf5Group::unit(const std::string& name) const {
+  const Hdf5Group holder = dataset(name);
+  return holder.has_attribute("unit") ? holder.attribute<std::string>("unit") : "";
 }
 
 Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int schema_version) {

@@ -54,11 +54,15 @@ class Hdf5Group {
   bool has_attribute(const std::string& name) const;
   /// Attribute "unit" of the dataset `name`, for example "kg m^2".
   void set_unit(const std::string& name, const std::string& unit);
+  /// Empty when the dataset has none.
+  std::string unit(const std::string& name) const;
 
  private:
   friend class Hdf5File;
   struct Handle;
   explicit Hdf5Group(std::shared_ptr<Handle> handle) : handle_(std::move(handle)) {}
+  /// A dataset seen as a holder of attributes.
+  Hdf5Group dataset(const std::string& name) const;
   std::shared_ptr<Handle> handle_;
 };
 

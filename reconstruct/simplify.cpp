@@ -1,1 +1,98 @@
 #include "reconstruct/simplify.hpp"
+
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+#include "core/error.hpp"
+#include "shapes/detail/cgal_mesh.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "shapes/self_intersection.hpp"
+
+namespace clast {
+
+namespace {
+
+namespace Simplification = CGAL::Surface_mesh_simplification;
+
+/// Targets tried in turn, as shares of the one asked for, when a thinned mesh crosses itself.
+constexpr double kShares[] = {1.0, 0.97, 0.93, 0.88, 0.8};
+
+/// Edges of a closed mesh with `vertices` vertices: V - E + F = chi and 3 F = 2 E.
+std::size_t edges_of(std::size_t vertices, long euler) {
+  return static_cast<std::size_t>(3 * (static_cast<long>(vertices) - euler));
+}
+
+TriangleMesh collapsed_to(const detail::CgalMesh& start, std::size_t edges) {
+  using Placement = Simplification::LindstromTurk_placement<detail::CgalMesh>;
+  detail::CgalMesh mesh = start;
+  Simplification::edge_collapse(
+      mesh, Simplification::Count_stop_predicate<detail::CgalMesh>(edges + 1),
+      CGAL::parameters::get_cost(Simplification::LindstromTurk_cost<detail::CgalMesh>())
+          .get_placement(Placement())
+          .filter(Simplification::Bounded_normal_change_filter<>()));
+  return detail::from_cgal(mesh);
+}
+
+std::string place(const Vec3& point) {
+  std::ostringstream text;
+  text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
+  return text.str();
+}
+
+}  // namespace
+
+void SimplifyOptions::check() const {
+  if (target_vertices < 4) {
+    throw InputError("target_vertices = " + std::to_string(target_vertices) +
+                     ": a block needs at least 4");
+  }
+}
+
+TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options) {
+  options.check();
+  const MeshReport report = inspect(mesh);
+  if (!report.closed() || !report.oriented() || report.pinched_vertices > 0) {
+    throw GeometryError("only a closed surface can be thinned, this one has " + report.summary());
+  }
+  if (mesh.vertices.size() <= options.target_vertices) return mesh;
+
+  // About the middle of the block, or map coordinates would cost digits.
+  const Bounds box = bounds(mesh);
+  const Vec3 origin = 0.5 * (box.low + box.high);
+  TriangleMesh centred = mesh;
+  for (Vec3& vertex : centred.vertices) vertex -= origin;
+  const detail::CgalMesh start = detail::to_cgal(centred);
+
+  TriangleMesh first;
+  for (const double share : kShares) {
+    const auto target = std::max<std::size_t>(
+        4, static_cast<std::size_t>(share * static_cast<double>(options.target_vertices)));
+    TriangleMesh thinned = collapsed_to(start, edges_of(target, report.euler_characteristic));
+    for (Vec3& vertex : thinned.vertices) vertex += origin;
+    if (crossing_triangles(thinned).empty() && inspect(thinned).closed()) return thinned;
+    if (first.triangles.empty()) first = std::move(thinned);
+  }
+  const auto crossings = crossing_triangles(first);
+  const auto input_crossings = crossing_triangles(mesh);
+  std::string message = "thinned to " + std::to_string(options.target_vertices) +
+                        " vertices the surface passes through itself";
+  if (!crossings.empty()) {
+    message += " near " + place(first.vertices[first.triangles[crossings[0][0]][0]]);
+  }
+  message += input_crossings.empty()
+                 ? "; ask for more vertices"
+                 : "; so does the scan, at " + std::to_string(input_crossings.size()) +
+                       " pairs of triangles, the first near " +
+                       place(mesh.vertices[mesh.triangles[input_crossings[0][0]][0]]) +
+                       ": clean it there, or ask for more vertices";
+  throw GeometryError(message);
+}
+
+}  // namespace clast

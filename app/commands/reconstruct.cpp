@@ -44,6 +44,7 @@ void reconstruct(ReconstructArgs args) {
   std::size_t steps = 0;
   nlohmann::ordered_json made = nlohmann::ordered_json::array();
   nlohmann::ordered_json failed = nlohmann::ordered_json::array();
+  std::string last_failure;
   const auto reconstruct_one = [&](const ScanFile& scan) {
     if (library.has(scan.id) && !args.replace) {
       throw InputError("block " + scan.id + " is in " + args.library +
@@ -65,8 +66,11 @@ void reconstruct(ReconstructArgs args) {
       reconstruct_one(scans[i]);
     } catch (const Error& error) {  // one bad scan never costs the batch
       progress.clear();
-      failed.push_back({{"scan", scans[i].path.string()}, {"reason", error.what()}});
-      std::cerr << "clast: " << scans[i].path.string() << ": not used: " << error.what() << "\n";
+      const std::string path = scans[i].path.string();
+      const std::string reason = error.what();
+      failed.push_back({{"scan", path}, {"reason", reason}});
+      last_failure = reason.find(path) == std::string::npos ? path + ": " + reason : reason;
+      if (scans.size() > 1) std::cerr << "clast: " << last_failure << "\n";
     }
     steps = kStages * (i + 1);
   }
@@ -78,10 +82,10 @@ void reconstruct(ReconstructArgs args) {
     std::cout << args.library << ": " << made.size() << " blocks written, "
               << library.blocks().size() << " in all\n";
   }
-  if (!failed.empty()) {
-    throw InputError(std::to_string(failed.size()) + " of " + std::to_string(scans.size()) +
-                     " scans gave no block; the reasons are above");
-  }
+  if (failed.empty()) return;
+  if (scans.size() == 1) throw InputError(last_failure);
+  throw InputError(std::to_string(failed.size()) + " of " + std::to_string(scans.size()) +
+                   " scans gave no block; the reasons are above");
 }
 
 }  // namespace

@@ -101,6 +101,7 @@ TEST(Hdf5File, AttributesComeBackAndCanBeReplaced) {
   EXPECT_EQ(group.attribute<std::int64_t>("seed"), -5);
   EXPECT_EQ(group.attribute<std::string>("text"), std::string(200000, 'c'));
   EXPECT_EQ(group.attribute<std::string>("nothing"), "");
+  EXPECT_EQ(group.unit("moments"), "kg m^2");
   EXPECT_FALSE(group.has_attribute("mass"));
   EXPECT_EQ(file.root().attribute<std::string>("program_version"), version());
   EXPECT_TRUE(contains(refusal([&] { group.attribute<double>("mass"); }), "/g/@mass"));

@@ -1,0 +1,46 @@
+#pragma once
+/// Closest points on a triangle mesh, through a tree of boxes.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+/// Keeps a reference to the mesh, which must stay.
+class TriangleTree {
+ public:
+  /// @param mesh  at least one triangle; for `signed_distance` closed and outward
+  explicit TriangleTree(const TriangleMesh& mesh);
+
+  struct Closest {
+    Vec3 point = Vec3::Zero();
+    double squared_distance = 0.0;
+    std::uint32_t triangle = 0;
+    int feature = 0;  ///< 0: inside the triangle, 1..3: at corner k - 1, 4..6: on side k - 4
+  };
+  Closest closest(const Vec3& point) const;
+
+  /// Distance to the surface, negative inside: the side is told by the angle-weighted normal of
+  /// the face, edge or vertex that is closest.
+  /// @cite baerentzen2005
+  double signed_distance(const Vec3& point) const;
+
+ private:
+  struct Node {
+    Bounds box;
+    std::uint32_t first = 0, count = 0;  ///< leaf: triangles; inner: count 0
+    std::uint32_t right = 0;             ///< inner: the left child follows its parent
+  };
+  void build(std::uint32_t begin, std::uint32_t end);
+  void prepare_normals();
+
+  const TriangleMesh& mesh_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Vec3> face_normals_, vertex_normals_;
+  std::vector<std::array<Vec3, 3>> side_normals_;
+};
+
+}  // namespace clast::detail

@@ -1,0 +1,464 @@
+// The program as its users meet it: run as a process, judged by exit code, output and files.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/random.hpp"
+#include "core/text_file.hpp"
+#include "core/version.hpp"
+#include "shapes/convex_hull.hpp"
+#include "tests/library/block_samples.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Written by hand, so that these tests do not lean on the writer they run beside.
+void write_obj(const fs::path& path, const TriangleMesh& mesh) {
+  std::string text;
+  char line[128];
+  for (const Vec3& v : mesh.vertices) {
+    std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", v.x(), v.y(), v.z());
+    text += line;
+  }
+  for (const auto& [a, b, c] : mesh.triangles) {
+    std::snprintf(line, sizeof line, "f %u %u %u\n", a + 1, b + 1, c + 1);
+    text += line;
+  }
+  write_text_file(path, text);
+}
+
+TriangleMesh noisy_ellipsoid(std::uint64_t seed, const Vec3& axes) {
+  Random random(seed);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 400; ++i) {
+    points.push_back((1.0 + 0.02 * random.normal()) * random.direction().cwiseProduct(axes));
+  }
+  return convex_hull(points);
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename());
+  return names;
+}
+
+/// A failed command: exit code, a message that begins as all do and names `item`, nothing written.
+void expect_refused(const ScratchFolder& folder, const std::vector<std::string>& arguments,
+                    int code, const std::string& item) {
+  const std::set<std::string> before = names_in(folder.path());
+  const ProgramRun run = run_clast(arguments, folder.path());
+  EXPECT_EQ(run.exit_code, code) << run.err;
+  EXPECT_TRUE(run.err.starts_with("clast: ")) << run.err;
+  EXPECT_TRUE(contains(run.err, item)) << run.err;
+  EXPECT_EQ(names_in(folder.path()), before);
+}
+
+const std::vector<std::string> kCommands = {"reconstruct", "show",    "classify", "export",
+                                            "library",     "terrain", "simulate", "compare"};
+
+TEST(CommandLine, HelpOfEveryCommandShowsAnExample) {
+  EXPECT_EQ(run_clast({"--help"}).exit_code, 0);
+  for (const std::string& command : kCommands) {
+    EXPECT_TRUE(contains(run_clast({"--help"}).out, command));
+    if (command == "library") continue;
+    const ProgramRun run = run_clast({command, "--help"});
+    EXPECT_EQ(run.exit_code, 0) << command;
+    EXPECT_TRUE(contains(run.out, "Example") && contains(run.out, "clast " + command)) << run.out;
+  }
+  for (const char* part : {"merge", "remove", "set"}) {
+    EXPECT_TRUE(contains(run_clast({"library", part, "--help"}).out, "Example")) << part;
+  }
+}
+
+TEST(CommandLine, VersionIsThatOfTheLibraries) {
+  const ProgramRun run = run_clast({"--version"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out, std::string("clast ") + version() + "\n");
+}
+
+TEST(CommandLine, MisuseExitsWithTwoAndNamesTheMistake) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run_clast({}).exit_code, 2);
+  expect_refused(folder, {"launch"}, 2, "\"launch\" is no command");
+  expect_refused(folder, {"library", "join"}, 2, "\"join\" is no command");
+  expect_refused(folder, {"show"}, 2, "library is required");
+  expect_refused(folder, {"show", "a.h5", "--yaml"}, 2, "--yaml");
+  expect_refused(folder, {"reconstruct", "a.obj", "--units", "parsec"}, 2, "parsec");
+  expect_refused(folder, {"reconstruct", "a.obj", "--units", "-1"}, 2, "-1");
+  expect_refused(folder, {"reconstruct", "a.obj", "--up", "x"}, 2, "--up");
+  expect_refused(folder, {"reconstruct", "a.obj", "--core"}, 2, "--radius");
+  expect_refused(folder, {"reconstruct", "a.obj", "--radius", "-0.1"}, 2, "-0.1");
+  expect_refused(folder, {"reconstruct", "a.obj", "--radius", "0.1", "--radius-share", "0.1"}, 2,
+                 "--radius-share");
+  expect_refused(folder, {"reconstruct", "a.obj", "--density", "0"}, 2, "--density");
+  expect_refused(folder, {"reconstruct", "a.obj", "--density", "nan"}, 2, "nan");
+  expect_refused(folder, {"reconstruct", "a.obj", "--vertices", "3"}, 2, "--vertices");
+  expect_refused(folder, {"reconstruct", "a.obj", "b.obj", "--mass", "5"}, 2, "--mass");
+  expect_refused(folder, {"export", "a.h5", "--format", "dwg"}, 2, "dwg");
+  expect_refused(folder, {"export", "a.h5", "--what", "bones"}, 2, "--what");
+  expect_refused(folder, {"classify", "a.csv", "--scheme", "best"}, 2, "--scheme");
+  expect_refused(folder, {"classify", "a.csv", "--columns", "L=1,W=2"}, 2, "W=2");
+  expect_refused(folder, {"library", "set", "a.h5", "B1"}, 2, "--site");
+  expect_refused(folder, {"library", "set", "a.h5", "B1", "--taped", "1,2"}, 2, "1,2");
+  expect_refused(folder, {"library", "set", "a.h5", "B1", "--taped", "1,0,2"}, 2, "1,0,2");
+  expect_refused(folder, {"simulate", "a.toml", "--threads", "-1"}, 2, "--threads");
+  expect_refused(folder, {"terrain", "a.stl", "--resolution", "0"}, 2, "--resolution");
+}
+
+/// A folder with a library of two blocks: "flat" and "long".
+class WithLibrary : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_obj(folder / "flat.obj", noisy_ellipsoid(1, {0.5, 0.45, 0.15}));
+    write_obj(folder / "long.obj", noisy_ellipsoid(2, {0.9, 0.3, 0.28}));
+    const ProgramRun run = run_clast({"reconstruct", "flat.obj", "long.obj"}, folder.path());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    made = run.out;
+  }
+  Json shown(const std::string& library = "blocks.h5") {
+    return Json::parse(run_clast({"show", library, "--json"}, folder.path()).out);
+  }
+
+  ScratchFolder folder;
+  std::string made;
+};
+
+TEST_F(WithLibrary, ReconstructPrintsALineForEachBlock) {
+  EXPECT_TRUE(contains(made, "flat: ") && contains(made, "long: ")) << made;
+  EXPECT_TRUE(contains(made, "elongated")) << made;
+  EXPECT_TRUE(contains(made, "2 in all")) << made;
+}
+
+TEST_F(WithLibrary, ShowGivesEveryPromisedKey) {
+  const Json blocks = shown();
+  ASSERT_EQ(blocks.size(), 2u);
+  for (const Json& block : blocks) {
+    for (const char* key : {"id",
+                            "source",
+                            "vertices",
+                            "edges",
+                            "faces",
+                            "radius_m",
+                            "volume_m3",
+                            "area_m2",
+                            "density_kg_m3",
+                            "mass_kg",
+                            "centre_m",
+                            "inertia_kg_m2",
+                            "principal_moments_kg_m2",
+                            "box_m",
+                            "s_c",
+                            "sneed_folk",
+                            "zingg",
+                            "shape",
+                            "indices",
+                            "deviation_m",
+                            "warnings"}) {
+      EXPECT_TRUE(block.contains(key)) << key;
+    }
+    EXPECT_EQ(block["centre_m"].size(), 3u);
+    EXPECT_EQ(block["inertia_kg_m2"].size(), 3u);
+    EXPECT_EQ(block["inertia_kg_m2"][2].size(), 3u);
+    const double L = block["box_m"][0], I = block["box_m"][1], S = block["box_m"][2];
+    EXPECT_TRUE(L >= I && I >= S && S > 0.0);
+    EXPECT_NEAR(block["s_c"], L / I - 1.0, 1e-12);
+    EXPECT_NEAR(block["mass_kg"], 2650.0 * double(block["volume_m3"]), 1e-6);
+    const Json& J = block["principal_moments_kg_m2"];
+    EXPECT_TRUE(J[0] <= J[1] && J[1] <= J[2]);
+    // Euler: both the outer surface and its core are spheres.
+    EXPECT_EQ(int(block["vertices"]) - int(block["edges"]) + int(block["faces"]), 2);
+    EXPECT_LE(std::abs(double(block["deviation_m"]["volume_relative"])), 1e-3);
+  }
+  EXPECT_EQ(blocks[0]["shape"], "compact");
+  EXPECT_EQ(blocks[1]["shape"], "elongated");
+}
+
+TEST_F(WithLibrary, ShowPrintsATableAndDetailsOfNamedBlocks) {
+  const ProgramRun all = run_clast({"show", "blocks.h5"}, folder.path());
+  EXPECT_TRUE(contains(all.out, "flat") && contains(all.out, "mass kg")) << all.out;
+  const ProgramRun one = run_clast({"show", "blocks.h5", "long"}, folder.path());
+  EXPECT_TRUE(contains(one.out, "long.obj") && !contains(one.out, "flat")) << one.out;
+  expect_refused(folder, {"show", "blocks.h5", "round"}, 1, "flat, long");
+}
+
+TEST_F(WithLibrary, AnIdThatIsThereNeedsReplace) {
+  const std::string before = read_text_file(folder / "blocks.h5");
+  expect_refused(folder, {"reconstruct", "flat.obj"}, 1, "--replace");
+  EXPECT_EQ(read_text_file(folder / "blocks.h5"), before);
+  EXPECT_EQ(run_clast({"reconstruct", "flat.obj", "--replace", "--density", "2000"}, folder.path())
+                .exit_code,
+            0);
+  EXPECT_EQ(shown()[0]["density_kg_m3"], 2000.0);
+  EXPECT_EQ(shown().size(), 2u);
+}
+
+TEST_F(WithLibrary, ABadScanNeverCostsTheBatch) {
+  write_text_file(folder / "bad.obj", "not a mesh\n");
+  write_obj(folder / "good.obj", noisy_ellipsoid(5, {0.4, 0.3, 0.2}));
+  const ProgramRun run = run_clast({"reconstruct", "bad.obj", "good.obj"}, folder.path());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.err, "bad.obj") && contains(run.err, "1 of 2")) << run.err;
+  EXPECT_EQ(shown().size(), 3u);
+}
+
+TEST_F(WithLibrary, ClassifyCountsThePopulation) {
+  const ProgramRun run = run_clast({"classify", "blocks.h5", "--json"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json["blocks"].size(), 2u);
+  for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
+    int blocks = 0;
+    double share = 0.0;
+    for (const Json& row : json["population"][scheme]) {
+      blocks += int(row["blocks"]);
+      share += double(row["share"]);
+      EXPECT_TRUE(row["low"] <= row["share"] && row["share"] <= row["high"]);
+    }
+    EXPECT_EQ(blocks, 2) << scheme;
+    EXPECT_NEAR(share, 1.0, 1e-12) << scheme;
+  }
+  const ProgramRun one = run_clast({"classify", "blocks.h5", "--scheme", "zingg"}, folder.path());
+  EXPECT_TRUE(contains(one.out, "rod") && !contains(one.out, "garcia")) << one.out;
+}
+
+TEST_F(WithLibrary, ExportWritesEveryFormatAndTurnsBack) {
+  const ProgramRun run = run_clast(
+      {"export", "blocks.h5", "--format", "shp,obj,stl,ply,glb,vtp", "--what", "both", "-o", "out"},
+      folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::set<std::string> names = names_in(folder / "out");
+  for (const char* extension : {"shp", "obj", "stl", "ply", "glb", "vtp"}) {
+    EXPECT_TRUE(names.count(std::string("long.") + extension)) << extension;
+    EXPECT_EQ(names.count(std::string("long_core.") + extension),
+              std::string(extension) == "shp" ? 0u : 1u);
+  }
+  EXPECT_EQ(names.size(), 2u * 11u);
+
+  // A block read y up and handed back y up lies where it was; read back, it is the same block.
+  ASSERT_EQ(
+      run_clast({"reconstruct", "flat.obj", "--up", "y", "-o", "y.h5"}, folder.path()).exit_code,
+      0);
+  ASSERT_EQ(
+      run_clast({"export", "y.h5", "--format", "obj", "--what", "core", "--up", "y", "-o", "y"},
+                folder.path())
+          .exit_code,
+      0);
+  ASSERT_EQ(run_clast({"reconstruct", "y/flat.obj", "--up", "y", "--core", "--radius", "0", "-o",
+                       "back.h5"},
+                      folder.path())
+                .exit_code,
+            0);
+  const Json once = shown("y.h5")[0], back = shown("back.h5")[0];
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(once["centre_m"][i], back["centre_m"][i], 1e-4);
+  }
+}
+
+TEST_F(WithLibrary, LibrariesAreMergedCutAndAnnotated) {
+  write_obj(folder / "cube.obj", cuboid(1, 1, 1));
+  ASSERT_EQ(run_clast({"reconstruct", "cube.obj", "-o", "other.h5"}, folder.path()).exit_code, 0);
+  ASSERT_EQ(
+      run_clast({"library", "merge", "all.h5", "blocks.h5", "other.h5"}, folder.path()).exit_code,
+      0);
+  EXPECT_EQ(shown("all.h5").size(), 3u);
+  EXPECT_EQ(shown("all.h5")[1], shown("blocks.h5")[0]);
+  const ProgramRun again = run_clast({"library", "merge", "all.h5", "other.h5"}, folder.path());
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_TRUE(contains(again.err, "cube") && contains(again.err, "other.h5")) << again.err;
+
+  ASSERT_EQ(run_clast({"library", "remove", "all.h5", "flat", "long"}, folder.path()).exit_code, 0);
+  EXPECT_EQ(shown("all.h5").size(), 1u);
+  expect_refused(folder, {"library", "remove", "all.h5", "flat"}, 1, "flat");
+
+  const ProgramRun set =
+      run_clast({"library", "set", "all.h5", "cube", "--site", "Authume", "--note", "weathered",
+                 "--taped", "0.9,1.1,1.0", "--weighed", "2650"},
+                folder.path());
+  ASSERT_EQ(set.exit_code, 0) << set.err;
+  const Json field = shown("all.h5")[0]["field"];
+  EXPECT_EQ(field["site"], "Authume");
+  EXPECT_EQ(field["note"], "weathered");
+  EXPECT_EQ(field["taped_m"], Json({1.1, 1.0, 0.9}));
+  EXPECT_EQ(field["weighed_kg"], 2650.0);
+  expect_refused(folder, {"library", "set", "all.h5", "ball", "--note", "x"}, 1, "ball");
+}
+
+TEST_F(WithLibrary, ADamagedLibraryIsRefusedByEveryCommandAndLeftAlone) {
+  const std::string whole = read_text_file(folder / "blocks.h5");
+  write_text_file(folder / "cut.h5", whole.substr(0, whole.size() / 2));
+  write_text_file(folder / "text.h5", "id,L,I,S\n");
+  write_text_file(folder / "empty.h5", "");
+  for (const std::string file : {"cut.h5", "text.h5", "empty.h5", "none.h5"}) {
+    expect_refused(folder, {"show", file}, 1, file);
+    expect_refused(folder, {"classify", file}, 1, file);
+    expect_refused(folder, {"export", file, "-o", "out"}, 1, file);
+    expect_refused(folder, {"library", "merge", "all.h5", "blocks.h5", file}, 1, file);
+    expect_refused(folder, {"library", "remove", file, "flat"}, 1, file);
+    expect_refused(folder, {"library", "set", file, "flat", "--note", "x"}, 1, file);
+    if (file != "none.h5") {
+      const std::string before = read_text_file(folder / file);
+      expect_refused(folder, {"reconstruct", "flat.obj", "-o", file}, 1, file);
+      EXPECT_EQ(read_text_file(folder / file), before);
+    }
+  }
+}
+
+class Scans : public testing::Test {
+ protected:
+  void refuse(const std::string& file, const std::string& what) {
+    expect_refused(folder, {"reconstruct", file}, 1, file);
+    expect_refused(folder, {"reconstruct", file}, 1, what);
+  }
+  ScratchFolder folder;
+};
+
+TEST_F(Scans, WhatIsNoClosedMeshIsRefusedByName) {
+  write_text_file(folder / "empty.obj", "");
+  write_text_file(folder / "prose.stl", "Field notes of the second of May.\n");
+  write_text_file(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  write_text_file(folder / "scan.las", "LASF");
+  TriangleMesh open = noisy_ellipsoid(3, {0.5, 0.4, 0.3});
+  open.triangles.resize(open.triangles.size() - 40);
+  write_obj(folder / "open.obj", open);
+  write_text_file(folder / "nan.obj",
+                  "v 0 0 0\nv nan 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  write_text_file(folder / "flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 3 2\n");
+  refuse("none.obj", "none.obj");
+  refuse("empty.obj", "empty");
+  refuse("prose.stl", "prose.stl");
+  refuse("points.obj", "no faces");
+  refuse("scan.las", "scan.las");
+  refuse("open.obj", "open");
+  refuse("nan.obj", "nan.obj");
+  refuse("flat.obj", "flat.obj");
+}
+
+TEST_F(Scans, AFolderWithoutMeshesIsRefused) {
+  fs::create_directory(folder / "scans");
+  write_text_file(folder / "scans" / "notes.txt", "no mesh");
+  refuse("scans", "no mesh");
+}
+
+TEST_F(Scans, AFolderGivesEveryMeshInItOnce) {
+  fs::create_directories(folder / "scans" / "east");
+  write_obj(folder / "scans" / "b.obj", cuboid(1, 0.8, 0.6));
+  write_obj(folder / "scans" / "east" / "a.obj", cuboid(1, 0.8, 0.5));
+  const ProgramRun run =
+      run_clast({"reconstruct", "scans", "scans/b.obj", "--json"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  ASSERT_EQ(json["blocks"].size(), 2u);
+  EXPECT_EQ(json["blocks"][0]["id"], "b");
+  EXPECT_EQ(json["blocks"][1]["id"], "a");
+}
+
+TEST_F(Scans, SharedStemsTakeTheirFoldersName) {
+  for (const char* name : {"east", "west", "deep"}) fs::create_directories(folder / name);
+  fs::create_directories(folder / "deep" / "east");
+  write_obj(folder / "east" / "scan.obj", cuboid(1, 0.8, 0.6));
+  write_obj(folder / "west" / "scan.obj", cuboid(1, 0.8, 0.5));
+  write_obj(folder / "deep" / "east" / "scan.obj", cuboid(1, 0.7, 0.5));
+  const ProgramRun run =
+      run_clast({"reconstruct", "east/scan.obj", "west/scan.obj", "--json"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out)["blocks"][0]["id"], "east_scan");
+  EXPECT_EQ(Json::parse(run.out)["blocks"][1]["id"], "west_scan");
+  expect_refused(folder, {"reconstruct", "east/scan.obj", "deep/east/scan.obj", "-o", "two.h5"}, 1,
+                 "east_scan");
+}
+
+TEST_F(Scans, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
+  write_obj(folder / "mm.obj", cuboid(620, 500, 400));
+  refuse("mm.obj", "--units mm");
+  const ProgramRun run =
+      run_clast({"reconstruct", "mm.obj", "--units", "mm", "--json"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json block = Json::parse(run.out)["blocks"][0];
+  EXPECT_NEAR(block["volume_m3"], 0.62 * 0.5 * 0.4, 1e-4 * 0.124);
+  EXPECT_EQ(
+      run_clast({"reconstruct", "mm.obj", "--any-size", "-o", "huge.h5"}, folder.path()).exit_code,
+      0);
+  write_obj(folder / "tiny.obj", cuboid(1.0, 0.8, 0.6));
+  expect_refused(folder, {"reconstruct", "tiny.obj", "--units", "0.0001", "-o", "t.h5"}, 1,
+                 "--units m ");
+}
+
+TEST_F(Scans, ACoreKeepsItsVerticesAndTheFormulaHolds) {
+  const double r = 0.1;
+  write_obj(folder / "cube.obj", cuboid(1, 1, 1));
+  const ProgramRun run = run_clast(
+      {"reconstruct", "cube.obj", "--core", "--radius", "0.1", "--mass", "4000", "--json"},
+      folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json block = Json::parse(run.out)["blocks"][0];
+  const double volume = 1 + 6 * r + 3 * kPi * r * r + 4 * kPi / 3 * r * r * r;
+  EXPECT_EQ(block["vertices"], 8);
+  EXPECT_EQ(block["radius_m"], r);
+  EXPECT_NEAR(block["volume_m3"], volume, 1e-12 * volume);
+  EXPECT_NEAR(block["density_kg_m3"], 4000.0 / volume, 1e-9);
+  EXPECT_EQ(block["deviation_m"]["hausdorff"], 0.0);
+}
+
+TEST_F(Scans, ASmallHoleIsClosedAndSaid) {
+  TriangleMesh mesh = noisy_ellipsoid(4, {0.5, 0.4, 0.3});
+  mesh.triangles.pop_back();
+  write_obj(folder / "hole.obj", mesh);
+  const ProgramRun run = run_clast({"reconstruct", "hole.obj"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "note: ") && contains(run.out, "hole")) << run.out;
+}
+
+TEST_F(Scans, AnOutputThatCantBeWrittenIsRefused) {
+  write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
+  fs::create_directory(folder / "folder.h5");
+  expect_refused(folder, {"reconstruct", "cube.obj", "-o", "folder.h5"}, 1, "folder.h5");
+  expect_refused(folder, {"reconstruct", "cube.obj", "-o", "cube.obj/blocks.h5"}, 1, "cube.obj");
+}
+
+TEST_F(Scans, TheSameScanGivesTheSameLibrary) {
+  write_obj(folder / "rock.obj", noisy_ellipsoid(8, {0.5, 0.4, 0.3}));
+  for (const char* name : {"a.h5", "b.h5"}) {
+    ASSERT_EQ(run_clast({"reconstruct", "rock.obj", "-o", name}, folder.path()).exit_code, 0);
+  }
+  EXPECT_EQ(read_text_file(folder / "a.h5"), read_text_file(folder / "b.h5"));
+}
+
+TEST(Tables, ClassifyReadsTapedAxesInTheirUnit) {
+  const ScratchFolder folder;
+  // The two blocks of a teaching sheet: CB and VP after Sneed & Folk.
+  write_text_file(folder / "talus.csv", "name,litho,a,b,c\none,x,56,49.5,39\ntwo,y,46,36,13\n");
+  const ProgramRun run =
+      run_clast({"classify", "talus.csv", "--columns", "L=3,I=4,S=5", "--units", "cm", "--json"},
+                folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json blocks = Json::parse(run.out)["blocks"];
+  EXPECT_EQ(blocks[0]["sneed_folk"], "CB");
+  EXPECT_EQ(blocks[1]["sneed_folk"], "VP");
+  EXPECT_NEAR(blocks[1]["box_m"][0], 0.46, 1e-12);
+}
+
+TEST(Tables, TablesThatCantBeReadAreRefused) {
+  const ScratchFolder folder;
+  write_text_file(folder / "empty.csv", "");
+  write_text_file(folder / "other.csv", "name,weight\none,5\n");
+  write_text_file(folder / "bad.csv", "L,I,S\nlong,wide,high\n");
+  expect_refused(folder, {"classify", "none.csv"}, 1, "none.csv");
+  expect_refused(folder, {"classify", "empty.csv"}, 1, "empty.csv");
+  expect_refused(folder, {"classify", "other.csv"}, 1, "weight");
+  expect_refused(folder, {"classify", "bad.csv"}, 1, "bad.csv");
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,215 @@
+#include "library/block_library.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "core/hdf5_file.hpp"
+#include "core/text_file.hpp"
+#include "tests/library/block_samples.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+template <class Action>
+std::string refusal(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no InputError";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::filesystem::path written(const ScratchFolder& folder, const std::string& id = "SP1A") {
+  BlockLibrary library;
+  library.add(filled_block(id));
+  library.write(folder / "blocks.h5");
+  return folder / "blocks.h5";
+}
+
+/// The group of block SP1A, for damage.
+Hdf5Group writable_block(const Hdf5File& file) { return file.root().group("blocks").group("SP1A"); }
+
+TEST(BlockLibrary, EveryMemberOfABlockComesBack) {
+  const ScratchFolder folder;
+  const Block was = filled_block("SP1A");
+  const BlockLibrary library = BlockLibrary::read(written(folder));
+  const Block& is = library.block("SP1A");
+  EXPECT_EQ(is.id, was.id);
+  EXPECT_EQ(is.source.file, was.source.file);
+  EXPECT_EQ(is.source.sha256, was.source.sha256);
+  EXPECT_EQ(is.source.options, was.source.options);
+  EXPECT_EQ(is.source.program_version, was.source.program_version);
+  EXPECT_EQ(is.surface.vertices, was.surface.vertices);
+  EXPECT_EQ(is.surface.triangles, was.surface.triangles);
+  EXPECT_EQ(is.body.vertices, was.body.vertices);
+  EXPECT_EQ(is.body.edges, was.body.edges);
+  EXPECT_EQ(is.body.faces, was.body.faces);
+  EXPECT_EQ(is.body.radius, was.body.radius);
+  EXPECT_EQ(is.density, was.density);
+  EXPECT_EQ(is.mass.volume, was.mass.volume);
+  EXPECT_EQ(is.mass.mass, was.mass.mass);
+  EXPECT_EQ(is.mass.centre, was.mass.centre);
+  EXPECT_EQ(is.mass.inertia, was.mass.inertia);
+  EXPECT_EQ(is.mass.relative_error, was.mass.relative_error);
+  EXPECT_EQ(is.area, was.area);
+  EXPECT_EQ(is.principal.moments, was.principal.moments);
+  EXPECT_EQ(is.principal.rotation.coeffs(), was.principal.rotation.coeffs());
+  EXPECT_EQ(is.principal.nearly_equal, was.principal.nearly_equal);
+  EXPECT_EQ(is.box.centre, was.box.centre);
+  EXPECT_EQ(is.box.axes, was.box.axes);
+  EXPECT_EQ(is.box.lengths, was.box.lengths);
+  EXPECT_EQ(is.deviation.hausdorff, was.deviation.hausdorff);
+  EXPECT_EQ(is.deviation.mean, was.deviation.mean);
+  EXPECT_EQ(is.deviation.volume_relative, was.deviation.volume_relative);
+  EXPECT_EQ(is.from_core, was.from_core);
+  EXPECT_EQ(is.warnings, was.warnings);
+  EXPECT_EQ(is.field.site, was.field.site);
+  EXPECT_EQ(is.field.note, was.field.note);
+  EXPECT_EQ(is.field.taped->L, was.field.taped->L);
+  EXPECT_EQ(is.field.taped->S, was.field.taped->S);
+  EXPECT_EQ(is.field.weighed_mass, was.field.weighed_mass);
+}
+
+TEST(BlockLibrary, WhatWasNotMeasuredInTheFieldStaysUnknown) {
+  const ScratchFolder folder;
+  Block block = filled_block("SP1A");
+  block.field = {};
+  BlockLibrary library;
+  library.add(block);
+  library.write(folder / "blocks.h5");
+  const BlockLibrary read = BlockLibrary::read(folder / "blocks.h5");
+  EXPECT_FALSE(read.block("SP1A").field.taped.has_value());
+  EXPECT_FALSE(read.block("SP1A").field.weighed_mass.has_value());
+}
+
+TEST(BlockLibrary, BlocksAreInOrderOfIdAndFoundByIt) {
+  BlockLibrary library;
+  for (const char* id : {"SP3A", "a b", "B2", "SP1A"}) library.add(filled_block(id));
+  std::vector<std::string> ids;
+  for (const Block& block : library.blocks()) ids.push_back(block.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"B2", "SP1A", "SP3A", "a b"}));
+  EXPECT_TRUE(library.has("SP3A"));
+  library.remove("SP3A");
+  EXPECT_FALSE(library.has("SP3A"));
+  const std::string message = refusal([&] { library.block("SP3A"); });
+  EXPECT_TRUE(contains(message, "SP3A") && contains(message, "B2, SP1A, a b")) << message;
+  EXPECT_TRUE(contains(refusal([&] { library.remove("SP3A"); }), "SP3A"));
+}
+
+TEST(BlockLibrary, AnIdThatIsThereNeedsReplace) {
+  BlockLibrary library;
+  library.add(filled_block("SP1A"));
+  Block other = filled_block("SP1A");
+  other.density = 2700.0;
+  EXPECT_TRUE(contains(refusal([&] { library.add(other); }), "SP1A"));
+  EXPECT_EQ(library.block("SP1A").density, 2500.0);
+  library.add(other, true);
+  EXPECT_EQ(library.block("SP1A").density, 2700.0);
+  EXPECT_EQ(library.blocks().size(), 1u);
+}
+
+TEST(BlockLibrary, NamesThatCantBeIdsAreRefused) {
+  BlockLibrary library;
+  for (const char* id : {"", ".", "..", "a/b", "a\nb"}) {
+    EXPECT_THROW(library.add(filled_block(id)), InputError) << id;
+  }
+  EXPECT_NO_THROW(library.add(filled_block("Éboulis 3.2")));
+}
+
+TEST(BlockLibrary, AnEmptyLibraryIsALibrary) {
+  const ScratchFolder folder;
+  BlockLibrary().write(folder / "blocks.h5");
+  EXPECT_TRUE(BlockLibrary::read(folder / "blocks.h5").blocks().empty());
+}
+
+TEST(BlockLibrary, WritingLeavesNothingElseBehind) {
+  const ScratchFolder folder;
+  written(folder);
+  written(folder);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(BlockLibrary, ACutFileIsRefusedByName) {
+  const ScratchFolder folder;
+  const std::string whole = read_text_file(written(folder));
+  for (const double share : {0.0, 0.01, 0.2, 0.5, 0.9, 0.999}) {
+    write_text_file(folder / "cut.h5", whole.substr(0, std::size_t(share * double(whole.size()))));
+    EXPECT_TRUE(contains(refusal([&] { BlockLibrary::read(folder / "cut.h5"); }), "cut.h5"))
+        << share;
+  }
+}
+
+TEST(BlockLibrary, AMissingDatasetIsNamedWithItsBlock) {
+  const ScratchFolder folder;
+  const auto path = written(folder);
+  for (const char* name : {"surface", "core", "centre", "inertia", "box_lengths", "warnings",
+                           "source_from_body", "field"}) {
+    written(folder);
+    { writable_block(Hdf5File::open(path, "clast block library", 1, true)).remove(name); }
+    const std::string message = refusal([&] { BlockLibrary::read(path); });
+    EXPECT_TRUE(contains(message, std::string("/blocks/SP1A/") + name)) << message;
+  }
+}
+
+TEST(BlockLibrary, ImpossibleContentIsRefusedWithTheBlocksName) {
+  const ScratchFolder folder;
+  const auto path = written(folder);
+  const auto refused_after = [&](const auto& damage) {
+    written(folder);
+    {
+      Hdf5Group group = writable_block(Hdf5File::open(path, "clast block library", 1, true));
+      damage(group);
+    }
+    return refusal([&] { BlockLibrary::read(path); });
+  };
+  const std::vector<std::uint32_t> far = {0, 1, 99};
+  const std::vector<double> nan = {1.0, std::nan(""), 1.0};
+  const std::vector<double> no_rotation = {1.0, 1.0, 0.0, 0.0};
+  const std::string triangle = refused_after([&](Hdf5Group group) {
+    group.group("surface").remove("triangles");
+    group.group("surface").write<std::uint32_t>("triangles", far, {1, 3});
+  });
+  EXPECT_TRUE(contains(triangle, "block SP1A") && contains(triangle, "triangles")) << triangle;
+  EXPECT_TRUE(contains(refused_after([&](Hdf5Group group) {
+                         group.remove("centre");
+                         group.write<double>("centre", nan);
+                       }),
+                       "centre is not finite"));
+  EXPECT_TRUE(contains(refused_after([&](Hdf5Group group) {
+                         group.remove("source_from_body");
+                         group.write<double>("source_from_body", no_rotation);
+                       }),
+                       "source_from_body is not a rotation"));
+  EXPECT_TRUE(contains(
+      refused_after([&](Hdf5Group group) { group.set_attribute<double>("mass_kg", -1.0); }),
+      "mass_kg"));
+  EXPECT_TRUE(contains(refused_after([&](Hdf5Group group) {
+                         group.group("core").remove("face_sizes");
+                         group.group("core").write<std::uint32_t>("face_sizes", far);
+                       }),
+                       "face_sizes"));
+}
+
+TEST(BlockLibrary, EveryDatasetHasAUnit) {
+  const ScratchFolder folder;
+  const auto path = written(folder);
+  const Hdf5Group block = writable_block(Hdf5File::open(path, "clast block library", 1));
+  for (const char* group : {"surface", "core", "field"}) {
+    for (const std::string& name : block.group(group).names()) {
+      EXPECT_NE(block.group(group).unit(name), "") << group << "/" << name;
+    }
+  }
+  for (const char* name : {"centre", "inertia", "principal_moments", "source_from_body",
+                           "box_centre", "box_axes", "box_lengths", "warnings"}) {
+    EXPECT_NE(block.unit(name), "") << name;
+  }
+}
+
+}  // namespace
+}  // namespace clast

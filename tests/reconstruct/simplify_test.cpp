@@ -1,0 +1,97 @@
+#include "reconstruct/simplify.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "shapes/self_intersection.hpp"
+#include "tests/shapes/shape_samples.hpp"
+
+namespace clast {
+namespace {
+
+TEST(Simplify, AtOrBelowTheTargetNothingChanges) {
+  for (const TriangleMesh& mesh : {tetrahedron(), box_mesh({1, 1, 1}), random_rock(1)}) {
+    const TriangleMesh same = simplified(mesh, {.target_vertices = mesh.vertices.size()});
+    EXPECT_EQ(same.vertices, mesh.vertices);
+    EXPECT_EQ(same.triangles, mesh.triangles);
+  }
+}
+
+TEST(Simplify, SubdividedBoxBecomesItsEightCorners) {
+  const TriangleMesh thin = simplified(box_mesh({1, 2, 3}, 6), {.target_vertices = 8});
+  EXPECT_EQ(thin.vertices.size(), 8u);
+  EXPECT_NEAR(enclosed_volume(thin), 6.0, 1e-9);
+  EXPECT_NEAR(surface_area(thin), 22.0, 1e-9);
+}
+
+TEST(Simplify, MapCoordinatesGiveTheSameShape) {
+  const Vec3 offset(888600, 6671300, 200);
+  const TriangleMesh rock = random_rock(2, 4);
+  const TriangleMesh near = simplified(rock, {.target_vertices = 100});
+  const TriangleMesh far =
+      simplified(transformed(rock, Pose{offset, Quat::Identity()}), {.target_vertices = 100});
+  EXPECT_EQ(far.vertices.size(), near.vertices.size());
+  EXPECT_NEAR(enclosed_volume(far) / enclosed_volume(near), 1.0, 1e-3);
+}
+
+TEST(Simplify, SameInputGivesTheSameBits) {
+  const TriangleMesh rock = random_rock(3, 4);
+  const TriangleMesh a = simplified(rock), b = simplified(rock);
+  EXPECT_EQ(a.vertices, b.vertices);
+  EXPECT_EQ(a.triangles, b.triangles);
+}
+
+TEST(Simplify, OpenMeshAndTinyTargetAreRefused) {
+  TriangleMesh open = random_rock(4);
+  open.triangles.pop_back();
+  EXPECT_THROW(simplified(open, {.target_vertices = 50}), GeometryError);
+  EXPECT_THROW(simplified(random_rock(4), {.target_vertices = 3}), InputError);
+}
+
+TEST(Simplify, SurfaceThatPassesThroughItselfIsRefused) {
+  // One box pulled through another: a corner of a box pushed out of the opposite face.
+  TriangleMesh box = box_mesh({1, 1, 1}, 8);
+  for (Vec3& v : box.vertices) {
+    if (v.z() == 1.0 && (v - Vec3(0.5, 0.5, 1)).norm() < 0.3) v.z() = -1.0;
+  }
+  EXPECT_FALSE(crossing_triangles(box).empty());
+  try {
+    simplified(box, {.target_vertices = 200});
+    FAIL();
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("so does the scan"), std::string::npos);
+  }
+}
+
+TEST(SelfIntersection, SoundShapesHaveNoneAndAPokedBoxHasSome) {
+  EXPECT_TRUE(crossing_triangles(tetrahedron()).empty());
+  EXPECT_TRUE(crossing_triangles(box_mesh({1, 1, 1}, 3)).empty());
+  TriangleMesh poked = tetrahedron();
+  poked.vertices[3] = Vec3(0.2, 0.2, 1.0);
+  EXPECT_TRUE(crossing_triangles(poked).empty());
+  const TriangleMesh two =
+      merged(tetrahedron(), transformed(tetrahedron(), Pose{{0.1, 0.1, 0.1}, Quat::Identity()}));
+  EXPECT_FALSE(crossing_triangles(two).empty());
+}
+
+class ThinnedRocks : public testing::TestWithParam<int> {};
+
+TEST_P(ThinnedRocks, AreClosedSimpleAndKeepTheVolume) {
+  const TriangleMesh rock = random_rock(GetParam(), 4, 0.02);
+  for (const std::size_t target : {400u, 120u, 30u}) {
+    const TriangleMesh thin = simplified(rock, {.target_vertices = target});
+    const MeshReport report = inspect(thin);
+    EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+    EXPECT_EQ(report.euler_characteristic, 2);
+    EXPECT_LE(thin.vertices.size(), target);
+    EXPECT_GE(thin.vertices.size(), target * 3 / 4);
+    EXPECT_TRUE(crossing_triangles(thin).empty());
+    EXPECT_NEAR(enclosed_volume(thin) / enclosed_volume(rock), 1.0, 1e-3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, ThinnedRocks, testing::Range(0, 8));
+
+}  // namespace
+}  // namespace clast

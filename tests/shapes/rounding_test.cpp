@@ -1,0 +1,207 @@
+#include "shapes/rounding.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "shapes/self_intersection.hpp"
+#include "tests/shapes/shape_samples.hpp"
+
+namespace clast {
+namespace {
+
+/// Distance from p to triangle abc by trying all features: a second method beside the tree.
+double distance_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+  const auto to_segment = [&](const Vec3& s, const Vec3& e) {
+    const double t = std::clamp((p - s).dot(e - s) / (e - s).squaredNorm(), 0.0, 1.0);
+    return (p - s - t * (e - s)).norm();
+  };
+  double best = std::min({to_segment(a, b), to_segment(b, c), to_segment(c, a)});
+  const Vec3 n = (b - a).cross(c - a).normalized();
+  const Vec3 q = p - n.dot(p - a) * n;
+  if (n.dot((b - a).cross(q - a)) >= 0 && n.dot((c - b).cross(q - b)) >= 0 &&
+      n.dot((a - c).cross(q - c)) >= 0) {
+    best = std::min(best, std::abs(n.dot(p - a)));
+  }
+  return best;
+}
+
+std::string refusal(const TriangleMesh& scan, double radius) {
+  try {
+    rounded_core(scan, radius);
+  } catch (const GeometryError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Rounding, CoreOfACubeIsTheSmallerCube) {
+  Random random(4);
+  const Pose pose{Vec3(888600, 6671300, 200), random.rotation()};
+  for (const int n : {1, 2, 5, 9}) {
+    for (const double r : {0.01, 0.05, 0.1}) {
+      const TriangleMesh cube = box_mesh({1, 1, 1}, n);
+      const SpheroPolyhedron body = rounded_core(cube, r);
+      const TriangleMesh core = core_mesh(body);
+      EXPECT_EQ(body.radius, r);
+      EXPECT_NEAR((bounds(core).low - Vec3::Constant(r)).norm(), 0.0, 1e-14);
+      EXPECT_NEAR((bounds(core).high - Vec3::Constant(1 - r)).norm(), 0.0, 1e-14);
+      EXPECT_NEAR(enclosed_volume(core), std::pow(1 - 2 * r, 3), 1e-13);
+      EXPECT_NEAR(surface_area(core), 6 * std::pow(1 - 2 * r, 2), 1e-13);
+      const TriangleMesh turned = core_mesh(rounded_core(transformed(cube, pose), r));
+      EXPECT_NEAR(enclosed_volume(turned), std::pow(1 - 2 * r, 3), 1e-8);
+    }
+  }
+}
+
+TEST(Rounding, RadiusAboveTheMeshSizeStillGivesTheSmallerBox) {
+  // Spacing 1/20, 2/20 and 3/20 against a radius of 0.2: vertices near the edges must go.
+  const SpheroPolyhedron body = rounded_core(box_mesh({1, 2, 3}, 20), 0.2);
+  const TriangleMesh core = core_mesh(body);
+  EXPECT_NEAR(enclosed_volume(core), 0.6 * 1.6 * 2.6, 1e-12);
+  EXPECT_NEAR(surface_area(core), 2 * (0.6 * 1.6 + 0.6 * 2.6 + 1.6 * 2.6), 1e-12);
+  EXPECT_TRUE(inspect(core).closed() && inspect(core).oriented());
+}
+
+TEST(Rounding, TetrahedronShrinksAboutItsIncentre) {
+  // Every plane comes in by r: a homothety about the incentre by 1 - r / inradius.
+  const double area = 1.5 + 0.5 * std::sqrt(3.0), inradius = 3.0 * (1.0 / 6.0) / area;
+  const double r = 0.1;
+  const TriangleMesh core = core_mesh(rounded_core(tetrahedron(), r));
+  const double k = 1.0 - r / inradius;
+  const Vec3 incentre = Vec3::Constant(inradius);
+  for (std::size_t v = 0; v < 4; ++v) {
+    const Vec3 expected = incentre + k * (tetrahedron().vertices[v] - incentre);
+    EXPECT_NEAR((core.vertices[v] - expected).norm(), 0.0, 1e-14);
+  }
+}
+
+TEST(Rounding, ZeroRadiusKeepsTheScan) {
+  const TriangleMesh rock = random_rock(1);
+  EXPECT_EQ(core_mesh(rounded_core(rock, 0.0)).vertices, rock.vertices);
+}
+
+TEST(Rounding, TooLargeARadiusIsRefusedWithOneThatWorks) {
+  const std::string message = refusal(box_mesh({1, 1, 1}), 0.6);
+  EXPECT_NE(message.find("0.6 m is too large"), std::string::npos) << message;
+  const std::size_t at = message.find("turn inside out; ");
+  ASSERT_NE(at, std::string::npos) << message;
+  const double works = std::stod(message.substr(at + 17));
+  EXPECT_NEAR(works, 0.5, 0.02);
+  EXPECT_LT(works, 0.5);
+  EXPECT_NO_THROW(rounded_core(box_mesh({1, 1, 1}), works));
+  EXPECT_NE(refusal(box_mesh({1, 1, 0.1}, 4), 0.06), "");
+}
+
+TEST(Rounding, OpenInwardAndBadRadiusAreRefused) {
+  TriangleMesh open = tetrahedron();
+  open.triangles.pop_back();
+  EXPECT_NE(refusal(open, 0.01).find("closed"), std::string::npos);
+  TriangleMesh inward = tetrahedron();
+  for (TriangleMesh::Triangle& t : inward.triangles) std::swap(t[0], t[1]);
+  EXPECT_NE(refusal(inward, 0.01).find("inwards"), std::string::npos);
+  EXPECT_THROW(rounded_core(tetrahedron(), -0.1), InputError);
+  EXPECT_THROW(rounded_core(tetrahedron(), std::nan("")), InputError);
+}
+
+TEST(Deviation, OfASharpCubeIsItsMissingCorner) {
+  // The rounded cube touches all faces; its corners are r (sqrt 3 - 1) short of the sharp ones.
+  const double r = 0.1;
+  const TriangleMesh cube = box_mesh({1, 1, 1});
+  const Deviation deviation = surface_deviation(cube, rounded_core(cube, r));
+  EXPECT_NEAR(deviation.hausdorff, r * (std::sqrt(3.0) - 1.0), 1e-12);
+  EXPECT_EQ(deviation.volume_relative, 0.0);
+}
+
+TEST(Deviation, MeanOfASharpCubeIsTheIntegralOverItsRims) {
+  // At distance s < r from an edge the gap is sqrt(r^2 + (r-s)^2) - r along the foot at the edge of
+  // the core; integrated over the rims of the six faces, corners in two dimensions.
+  const double r = 0.1;
+  constexpr int n = 400;
+  double sum = 0.0;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const double x = (i + 0.5) / n, y = (j + 0.5) / n;
+      const double dx = std::max({r - x, x - (1 - r), 0.0}),
+                   dy = std::max({r - y, y - (1 - r), 0.0});
+      sum += std::sqrt(dx * dx + dy * dy + r * r) - r;
+    }
+  }
+  const double expected = sum / (n * n);
+  const TriangleMesh cube = box_mesh({1, 1, 1});
+  const Deviation deviation = surface_deviation(cube, rounded_core(cube, r), 200000);
+  EXPECT_NEAR(deviation.mean / expected, 1.0, 0.01);
+}
+
+TEST(Deviation, OfTheScanTakenAsCoreIsTheRadius) {
+  const TriangleMesh rock = random_rock(2);
+  const Deviation deviation = surface_deviation(rock, sphero_polyhedron(rock, 0.03));
+  EXPECT_NEAR(deviation.mean, 0.03, 1e-12);
+  const Deviation none = surface_deviation(rock, sphero_polyhedron(rock, 0.0));
+  EXPECT_LT(none.hausdorff, 1e-12);
+}
+
+TEST(Deviation, SeesWhatOnlyTheBodyHas) {
+  // A body with a spike far from the scan: only the way body to scan finds its height.
+  TriangleMesh spiked = box_mesh({1, 1, 1}, 10);
+  for (Vec3& v : spiked.vertices) {
+    if ((v - Vec3(0.5, 0.5, 1)).norm() < 1e-9) v.z() = 1.5;
+  }
+  const TriangleMesh box = box_mesh({1, 1, 1});
+  EXPECT_NEAR(surface_deviation(box, sphero_polyhedron(spiked, 0.0)).hausdorff, 0.5, 1e-12);
+  EXPECT_NEAR(surface_deviation(spiked, sphero_polyhedron(box, 0.0)).hausdorff, 0.5, 1e-12);
+}
+
+TEST(Deviation, InsideTheCoreCountsFromTheSkin) {
+  const Deviation deviation = surface_deviation(scaled(box_mesh({1, 1, 1}), 0.5),
+                                                sphero_polyhedron(box_mesh({1, 1, 1}), 0.1));
+  // The corner (1/2, 1/2, 1/2) of the small cube is half a unit inside the core, 0.6 under the
+  // skin.
+  EXPECT_GE(deviation.hausdorff, 0.6 - 1e-12);
+}
+
+TEST(Deviation, EmptySurfacesAreRefused) {
+  EXPECT_THROW(surface_deviation({}, sphero_polyhedron(tetrahedron(), 0.1)), GeometryError);
+  EXPECT_THROW(surface_deviation(tetrahedron(), {}), GeometryError);
+}
+
+class RoundedRocks : public testing::TestWithParam<int> {};
+
+TEST_P(RoundedRocks, StayCloseToTheScanAndSound) {
+  const TriangleMesh rock = random_rock(GetParam(), 3, 0.03);
+  const double thickness = (bounds(rock).high - bounds(rock).low).minCoeff();
+  for (const double share : {0.02, 0.05, 0.1}) {
+    const double r = share * thickness;
+    const SpheroPolyhedron body = rounded_core(rock, r);
+    const TriangleMesh core = core_mesh(body);
+    EXPECT_TRUE(inspect(core).closed() && inspect(core).oriented());
+    EXPECT_TRUE(crossing_triangles(core).empty());
+    EXPECT_GT(enclosed_volume(core), 0.0);
+    const Deviation deviation = surface_deviation(rock, body, 5000);
+    EXPECT_LT(deviation.hausdorff, 0.5 * r + 0.02 * thickness);
+    EXPECT_LT(deviation.mean, 0.1 * r);
+  }
+}
+
+TEST_P(RoundedRocks, DeviationAgreesWithBruteForce) {
+  const TriangleMesh rock = random_rock(GetParam(), 2, 0.05);
+  const SpheroPolyhedron body = rounded_core(rock, 0.05);
+  const TriangleMesh core = core_mesh(body);
+  double largest = 0.0;
+  for (const Vec3& p : rock.vertices) {
+    double nearest = 1e300;
+    for (const TriangleMesh::Triangle& t : core.triangles) {
+      nearest = std::min(nearest, distance_to_triangle(core.vertices[t[0]], core.vertices[t[1]],
+                                                       core.vertices[t[2]], p));
+    }
+    largest = std::max(largest, std::abs(nearest - body.radius));
+  }
+  EXPECT_GE(surface_deviation(rock, body, 100).hausdorff, largest - 1e-13);
+  const Deviation twice = surface_deviation(rock, body, 100);
+  EXPECT_EQ(twice.mean, surface_deviation(rock, body, 100).mean);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RoundedRocks, testing::Range(0, 10));
+
+}  // namespace
+}  // namespace clast

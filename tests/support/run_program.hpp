@@ -1,0 +1,48 @@
+#pragma once
+/// The clast program run as a process, with what it printed.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/text_file.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+
+struct ProgramRun {
+  int exit_code = -1;  ///< 128 + signal when it was killed
+  std::string out;
+  std::string err;
+};
+
+/// Runs `clast` with the arguments in `folder`; output goes through files, so that any amount fits.
+inline ProgramRun run_clast(const std::vector<std::string>& arguments,
+                            const std::filesystem::path& folder = ".") {
+  const ScratchFolder captured;
+  const std::string out = captured / "out";
+  const std::string err = captured / "err";
+  std::vector<std::string> words = {CLAST_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const bool ready = ::chdir(folder.c_str()) == 0 && std::freopen("/dev/null", "r", stdin) &&
+                       std::freopen(out.c_str(), "w", stdout) &&
+                       std::freopen(err.c_str(), "w", stderr);
+    if (ready) ::execv(argv[0], argv.data());
+    ::_exit(126);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {code, read_text_file(out), read_text_file(err)};
+}
+
+}  // namespace clast
