@@ -1,1 +1,9 @@
 #include "terrain/terrain.hpp"
+
+namespace clast {
+
+TerrainSurface terrain_surface(const Terrain& terrain, double radius) {
+  return {terrain.surface, terrain.zone, radius};
+}
+
+}  // namespace clast

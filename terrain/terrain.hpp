@@ -26,20 +26,20 @@ struct TerrainReport {
   std::size_t welded_vertices = 0;
   std::size_t dropped_degenerate = 0;
   std::size_t dropped_duplicates = 0;
-  std::size_t turned_triangles = 0;   ///< normals that pointed down
-  std::size_t boundary_edges = 0;     ///< outer border and holes
+  std::size_t turned_triangles = 0;  ///< normals that pointed down
+  std::size_t boundary_edges = 0;    ///< outer border and holes
   std::size_t components = 0;
-  std::vector<std::string> notes;     ///< each in words, with counts and places
+  std::vector<std::string> notes;  ///< each in words, with counts and places
 };
 
 /// Triangles with normals out of the ground, z up, in the local frame, each in a zone.
 struct Terrain {
   TriangleMesh surface;
-  std::vector<std::uint16_t> zone;      ///< of every triangle, index into zone_names
+  std::vector<std::uint16_t> zone;  ///< of every triangle, index into zone_names
   std::vector<std::string> zone_names;
   MapFrame frame;
   TerrainReport report;
-  std::vector<std::string> sources;     ///< "path sha256" of every input file
+  std::vector<std::string> sources;  ///< "path sha256" of every input file
 };
 
 /// The surface the dynamics runs on.

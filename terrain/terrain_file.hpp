@@ -1,6 +1,7 @@
 #pragma once
 /// The HDF5 terrain file (schema: docs/formats.md) and exports for other tools.
 #include <filesystem>
+#include <string>
 
 #include "terrain/terrain.hpp"
 
@@ -10,10 +11,15 @@ void write_terrain(const std::filesystem::path& path, const Terrain& terrain);
 /// @throws InputError  missing, not a clast terrain, damaged, or of a newer schema
 Terrain read_terrain_file(const std::filesystem::path& path);
 
-/// Writes the surface for viewing, by extension: .stl, .ply, .obj, .vtp (vertices in map coordinates
-/// less a whole-number origin that the note says), or .tif (heights as GeoTIFF, needs `cell`, m).
-/// @param up  "z", or "y" to turn back
-void export_terrain(const std::filesystem::path& path, const Terrain& terrain, const std::string& up,
-                    double cell = 0.5);
+/// Writes the surface for other tools, by extension: .ply, .obj, .vtp in map coordinates (double);
+/// .stl and .glb, which hold floats, in map coordinates less the local origin, with a file
+/// "<path>.origin.txt" that says so when that is not zero; .tif, the highest surface at the centres
+/// of square cells as GeoTIFF with the coordinate system.
+/// @param up    "z", or "y" to turn (x, y, z) to (x, z, -y); rasters are z up
+/// @param cell  of .tif, m
+/// @throws InputError  unknown extension or axis, a cell that is not positive or far too small, or
+///                     the folder can't be written to
+void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
+                    const std::string& up, double cell = 0.5);
 
 }  // namespace clast

@@ -1,1 +1,296 @@
 #include "terrain/terrain_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/digest.hpp"
+#include "core/error.hpp"
+#include "shapes/mesh_io.hpp"
+#include "terrain/detail/cloud_input.hpp"
+#include "terrain/detail/gdal_raster.hpp"
+#include "terrain/detail/mending.hpp"
+#include "terrain/detail/zone_polygons.hpp"
+#include "terrain/detail/zone_source.hpp"
+#include "terrain/terrain_file.hpp"
+
+namespace clast {
+namespace {
+
+namespace fs = std::filesystem;
+using detail::RawSurface;
+
+// Beyond this, coordinates are moved to a local origin.
+constexpr double kLargeCoordinate = 1e4;  // m
+// A ground smaller or larger than this is rather one in other units.
+constexpr double kSmallGround = 2.0, kLargeGround = 1e5;  // m
+
+enum class Kind { kMesh, kRaster, kCloud, kTerrain };
+
+Kind kind_of(const fs::path& path) {
+  const std::string extension = detail::extension_of(path);
+  if (extension == ".las" || extension == ".laz") {
+    throw InputError(path.string() +
+                     ": LAS and LAZ clouds can't be read yet; convert the ground points to text "
+                     "first, for example with: pdal translate " +
+                     path.filename().string() + " " + path.stem().string() +
+                     ".xyz, or save them as ASCII (x y z) in CloudCompare");
+  }
+  if (extension == ".h5" || extension == ".hdf5") return Kind::kTerrain;
+  if (detail::is_raster(path)) return Kind::kRaster;
+  if (detail::is_cloud(path)) return Kind::kCloud;
+  const std::vector<std::string>& meshes = readable_mesh_extensions();
+  if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end()) return Kind::kMesh;
+  throw InputError(path.string() +
+                   ": a ground is a mesh (stl, ply, obj, ...), a raster (tif, asc, "
+                   "...), a cloud (xyz, txt, csv, pts) or a terrain file (h5), not \"" +
+                   extension + "\"");
+}
+
+Kind common_kind(const std::vector<fs::path>& files) {
+  const Kind kind = kind_of(files.front());
+  for (const fs::path& file : files) {
+    if (kind_of(file) != kind) {
+      throw InputError(files.front().string() + " and " + file.string() +
+                       ": meshes, rasters and clouds can't be mixed in one ground");
+    }
+  }
+  if (files.size() > 1 && kind == Kind::kRaster) {
+    throw InputError(
+        files[1].string() +
+        ": a ground is one raster; join the tiles first (gdalbuildvrt ground.vrt ...)");
+  }
+  if (files.size() > 1 && kind == Kind::kTerrain) {
+    throw InputError(files[1].string() + ": a ground is one terrain file");
+  }
+  return kind;
+}
+
+RawSurface read_meshes(const TerrainOptions& options) {
+  RawSurface surface;
+  for (std::size_t i = 0; i < options.surface.size(); ++i) {
+    TriangleMesh mesh = read_mesh(options.surface[i]);
+    surface.source.insert(surface.source.end(), mesh.triangles.size(),
+                          static_cast<std::uint16_t>(i));
+    surface.mesh = merged(std::move(surface.mesh), mesh);
+  }
+  if (options.up == "y") {
+    for (Vec3& vertex : surface.mesh.vertices) vertex = detail::turned_z_up(vertex);
+  }
+  return surface;
+}
+
+RawSurface surface_of(const detail::HeightGrid& grid, const fs::path& path) {
+  RawSurface surface;
+  surface.mesh = detail::grid_surface(grid, path);
+  surface.source.assign(surface.mesh.triangles.size(), 0);
+  const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
+                                   [](double height) { return !std::isfinite(height); });
+  if (empty > 0) {
+    surface.notes.push_back(path.string() + ": " + std::to_string(empty) + " of " +
+                            std::to_string(grid.heights.size()) +
+                            " cells have no height; the ground is left out there");
+  }
+  return surface;
+}
+
+std::string cells_of(double size) {
+  std::string text = std::to_string(size);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return "cells of " + text + " m";
+}
+
+RawSurface read_one_raster(const TerrainOptions& options) {
+  const fs::path& path = options.surface.front();
+  detail::Raster raster = detail::read_raster(path);
+  if (options.resolution) {
+    const detail::HeightGrid& grid = raster.grid;
+    const double own = grid.step.maxCoeff();
+    if (*options.resolution < own * (1.0 - 1e-9)) {
+      throw InputError(path.string() + ": resolution = " + std::to_string(*options.resolution) +
+                       " m is finer than the raster, which has " + cells_of(own) +
+                       "; leave it out");
+    }
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < grid.heights.size(); ++i) {
+      if (!std::isfinite(grid.heights[i])) continue;
+      const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
+      points.emplace_back(centre.x(), centre.y(), grid.heights[i]);
+    }
+    if (points.empty()) throw InputError(path.string() + ": holds no heights, only nodata");
+    raster.grid = detail::binned(points, *options.resolution, path);
+    raster.notes.push_back(path.string() + ": made coarser, means over " +
+                           cells_of(*options.resolution));
+  } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
+                          [](double height) { return std::isfinite(height); })) {
+    throw InputError(path.string() + ": holds no heights, only nodata");
+  }
+  RawSurface surface = surface_of(raster.grid, path);
+  surface.crs = raster.crs;
+  surface.notes.insert(surface.notes.begin(), raster.notes.begin(), raster.notes.end());
+  return surface;
+}
+
+RawSurface read_clouds(const TerrainOptions& options) {
+  std::vector<Vec3> points;
+  for (const fs::path& path : options.surface) {
+    const std::vector<Vec3> more = detail::read_cloud(path);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  if (options.up == "y") {
+    for (Vec3& point : points) point = detail::turned_z_up(point);
+  }
+  const fs::path& path = options.surface.front();
+  const double cell = options.resolution.value_or(detail::default_cell(points));
+  RawSurface surface = surface_of(detail::binned(points, cell, path), path);
+  surface.notes.insert(surface.notes.begin(), path.string() + ": " + std::to_string(points.size()) +
+                                                  " points, mean heights over " + cells_of(cell));
+  return surface;
+}
+
+/// Zone of every surface file, and the names in order of first appearance.
+std::vector<std::uint16_t> zones_of_files(const TerrainOptions& options, Kind kind,
+                                          bool has_zone_file, std::vector<std::string>& names) {
+  const std::size_t files = options.surface.size();
+  if (options.zones.empty() || has_zone_file) {
+    if (!has_zone_file) names = {"ground"};
+    return std::vector<std::uint16_t>(files, 0);
+  }
+  if (options.zones.size() != files) {
+    throw InputError("zones: " + std::to_string(options.zones.size()) + " names for " +
+                     std::to_string(files) +
+                     " surface files; give one for each, or one zone raster or polygon file");
+  }
+  if (kind == Kind::kCloud && files > 1) {
+    throw InputError(
+        "zones: several clouds make one grid, so a name for each can't be kept; give "
+        "a zone raster or polygons");
+  }
+  std::vector<std::uint16_t> zone_of_file;
+  for (const std::string& name : options.zones) {
+    const auto known = std::find(names.begin(), names.end(), name);
+    zone_of_file.push_back(static_cast<std::uint16_t>(known - names.begin()));
+    if (known == names.end()) names.push_back(name);
+  }
+  return zone_of_file;
+}
+
+void move_to_local_origin(Terrain& terrain) {
+  const Bounds box = bounds(terrain.surface);
+  const Vec3 largest = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs());
+  Vec3& origin = terrain.frame.origin;
+  const Vec3 centre = (box.low + box.high) / 2.0;
+  if (largest.head<2>().maxCoeff() > kLargeCoordinate) {
+    origin.head<2>() = centre.head<2>().array().round();
+  }
+  if (largest.z() > kLargeCoordinate) origin.z() = std::round(centre.z());
+  for (Vec3& vertex : terrain.surface.vertices) vertex = terrain.frame.local(vertex);
+}
+
+void note_doubts(Terrain& terrain) {
+  std::vector<std::string>& notes = terrain.report.notes;
+  const Bounds box = bounds(terrain.surface);
+  const double extent = (box.high - box.low).head<2>().maxCoeff();
+  if (extent < kSmallGround || extent > kLargeGround) {
+    notes.push_back("the ground is " + std::to_string(extent) +
+                    " m across; are its coordinates in metres?");
+  }
+  if (box.high.z() - box.low.z() > 3.0 * extent) {
+    notes.push_back("the ground is " + std::to_string(box.high.z() - box.low.z()) + " m high and " +
+                    std::to_string(extent) + " m across; is z its upward axis?");
+  }
+  std::size_t overhangs = 0;
+  for (const auto& [a, b, c] : terrain.surface.triangles) {
+    const std::vector<Vec3>& v = terrain.surface.vertices;
+    const Vec3 ab = v[b] - v[a], ac = v[c] - v[a];
+    if (ab.x() * ac.y() - ab.y() * ac.x() < 0.0) ++overhangs;
+  }
+  if (overhangs > 0) notes.push_back(std::to_string(overhangs) + " triangles overhang");
+}
+
+void check_files(const TerrainOptions& options, const std::optional<detail::ZoneFile>& zones) {
+  std::vector<fs::path> files = options.surface;
+  if (zones) files.push_back(zones->path);
+  for (const fs::path& file : files) {
+    std::error_code code;
+    if (!fs::exists(file, code)) {
+      throw InputError(file.string() + ": no such file; check the path");
+    }
+    if (fs::is_directory(file, code)) {
+      throw InputError(file.string() + ": is a folder, a file is needed");
+    }
+  }
+}
+
+}  // namespace
+
+void TerrainOptions::check() const {
+  if (surface.empty()) throw InputError("surface: no file; name at least one");
+  if (surface.size() > 65535) throw InputError("surface: more than 65,535 files");
+  if (up != "z" && up != "y") throw InputError("up = \"" + up + "\"; must be \"z\" or \"y\"");
+  if (resolution && !(*resolution > 0.0 && std::isfinite(*resolution))) {
+    throw InputError("resolution = " + std::to_string(*resolution) + " m; must be more than 0");
+  }
+  for (const std::string& zone : zones) {
+    if (zone.empty()) throw InputError("zones: an empty name; every zone needs one");
+  }
+}
+
+Terrain read_terrain(const TerrainOptions& options) {
+  options.check();
+  const std::optional<detail::ZoneFile> zones = detail::zone_file(options.zones);
+  check_files(options, zones);
+  const Kind kind = common_kind(options.surface);
+  if (options.up == "y" && (kind == Kind::kRaster || kind == Kind::kTerrain)) {
+    throw InputError(options.surface.front().string() +
+                     ": rasters and terrain files are z up; leave out up = \"y\"");
+  }
+  if (options.resolution && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
+    throw InputError(options.surface.front().string() +
+                     ": resolution is for rasters and clouds; leave it out");
+  }
+  std::vector<std::string> digests;
+  const auto digest = [](const fs::path& file) {
+    return file.string() + " " + sha256_of_file(file);
+  };
+  for (const fs::path& file : options.surface) digests.push_back(digest(file));
+  if (zones) digests.push_back(digest(zones->path));
+  if (kind == Kind::kTerrain) {
+    if (!options.zones.empty()) {
+      throw InputError(options.surface.front().string() +
+                       ": a terrain file has its zones already; leave zones out");
+    }
+    Terrain terrain = read_terrain_file(options.surface.front());
+    terrain.sources.insert(terrain.sources.begin(), digests.front());
+    return terrain;
+  }
+
+  Terrain terrain;
+  const std::vector<std::uint16_t> zone_of_file =
+      zones_of_files(options, kind, zones.has_value(), terrain.zone_names);
+  RawSurface raw = kind == Kind::kMesh     ? read_meshes(options)
+                   : kind == Kind::kRaster ? read_one_raster(options)
+                                           : read_clouds(options);
+  terrain.sources = std::move(digests);
+  terrain.report.notes = std::move(raw.notes);
+  terrain.report.triangles_read = raw.mesh.triangles.size();
+  if (kind == Kind::kMesh) {
+    std::vector<std::string> files;
+    for (const fs::path& file : options.surface) files.push_back(file.string());
+    detail::weld(raw, terrain.report);
+    detail::drop_useless_triangles(raw, files, zone_of_file, terrain.report);
+  }
+  detail::orient_upwards(raw, terrain.report);
+  terrain.surface = std::move(raw.mesh);
+  terrain.frame.crs = raw.crs;
+  move_to_local_origin(terrain);
+  if (zones) {
+    detail::assign_zones(terrain, *zones);
+  } else {
+    for (const std::uint16_t file : raw.source) terrain.zone.push_back(zone_of_file[file]);
+  }
+  note_doubts(terrain);
+  return terrain;
+}
+
+}  // namespace clast

@@ -11,12 +11,17 @@ namespace clast {
 
 /// How surface files are read and zoned. File paths are used as given.
 struct TerrainOptions {
-  std::vector<std::filesystem::path> surface;  ///< meshes, one raster, clouds (.xyz), or one terrain.h5
-  /// A name per surface file, or one zone raster, or one GeoJSON of polygons with a property "zone".
-  /// Empty: one zone, "ground".
+  /// Meshes (.stl, .ply, .obj, ...), one raster (.tif, .asc, ...), clouds (.xyz, .txt, .csv, .pts),
+  /// or one terrain file (.h5).
+  std::vector<std::filesystem::path> surface;
+  /// A name per mesh, or one zone raster, or one file of polygons (GeoJSON, GeoPackage, Shapefile)
+  /// with a property "zone". A raster holds class numbers; they are the names, or get them by
+  /// "zones.asc:1=blue,2=gray". Empty: one zone, "ground".
   std::vector<std::string> zones;
-  std::string up = "z";                        ///< "z" or "y"; "y" turns (x, y, z) to (x, -z, y)
-  std::optional<double> resolution;            ///< cell size for clouds and resampled rasters, m
+  std::string up = "z";  ///< of meshes and clouds: "z" or "y"; "y" turns (x, y, z) to (x, -z, y)
+  /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), and
+  /// of a raster that is to be made coarser.
+  std::optional<double> resolution;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -24,7 +29,8 @@ struct TerrainOptions {
 /// Reads, turns z up, welds, drops degenerate and duplicate triangles, turns normals out of the
 /// ground, and assigns zones.
 /// Rasters: heights are at cell centres; the surface joins the centres with two triangles per cell,
-/// none at nodata. Clouds are binned to the mean height per cell.
+/// none at nodata. Clouds are binned to the mean height per cell. Zone files are in map coordinates
+/// and decide by the centroid of each triangle, seen from above.
 /// @throws InputError     a file that can't be read or a zone source that does not fit; names it
 /// @throws GeometryError  a surface that can't be mended, or triangles without a zone, with a place
 Terrain read_terrain(const TerrainOptions& options);

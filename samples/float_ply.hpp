@@ -1,0 +1,16 @@
+#pragma once
+/// Small PLY files for the samples: float vertices, as scanners and photogrammetry write them.
+#include <filesystem>
+#include <string>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast {
+
+/// Writes binary little-endian PLY with float coordinates rounded to `grid` (m). The rounding is
+/// far coarser than the differences between mathematics libraries, so that every machine writes the
+/// same bytes.
+void write_float_ply(const std::filesystem::path& path, const TriangleMesh& mesh, double grid,
+                     const std::string& comment);
+
+}  // namespace clast

@@ -1,0 +1,32 @@
+#pragma once
+/// Made-up rock blocks: facets, worn edges, rough skin. Closed and free of self-intersections by
+/// construction, because each is a radius over directions from one inner point.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast {
+
+/// What a block is to look like.
+struct RockRecipe {
+  std::string name = {};
+  Vec3 lengths = Vec3::Ones();  ///< about L, I, S, m
+  int joint_faces = 0;         ///< 6: bounded by three joint sets first, like a sawn cuboid; else 0
+  int facets = 24;             ///< further random planes that cut pieces off
+  double sharpness = 18.0;     ///< exponent that blends the planes; larger is sharper
+  double notch = 0.0;          ///< depth of a groove across the block, share of the radius
+  double roughness = 0.012;    ///< largest octave of the surface relief, share of the mean length
+  double scan_noise = 0.0008;  ///< standard deviation of the scanner along the ray, m
+  int frequency = 10;          ///< 20 frequency^2 triangles
+  std::uint64_t seed = 1;
+};
+
+/// The scan of one block, in an arbitrary pose above the origin, as a field scan has it.
+TriangleMesh rock(const RockRecipe& recipe);
+
+/// The clean blocks of samples/blocks.
+const std::vector<RockRecipe>& sample_recipes();
+
+}  // namespace clast

@@ -1,0 +1,186 @@
+#include "terrain/detail/gdal_raster.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+#include "terrain/detail/gdal_session.hpp"
+
+namespace clast::detail {
+namespace {
+
+constexpr double kNoData = -9999.0;
+
+void check_units(const std::filesystem::path& path, const OGRSpatialReference* system) {
+  if (!system) return;
+  if (system->IsGeographic()) {
+    throw InputError(path.string() +
+                     ": coordinates are degrees; project it to metres first, for example with "
+                     "gdalwarp -t_srs EPSG:25832");
+  }
+  const double metres = system->GetLinearUnits();
+  if (std::abs(metres - 1.0) > 1e-9) {
+    throw InputError(path.string() + ": its map unit is " + std::to_string(metres) +
+                     " m; project it to a system in metres first (gdalwarp -t_srs)");
+  }
+}
+
+std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesystem::path& path,
+                                         Raster& raster) {
+  std::array<double, 6> transform = {0.0, 1.0, 0.0, 0.0, 0.0, -1.0};
+  if (dataset.GetGeoTransform(transform.data()) != CE_None) {
+    transform = {0.0, 1.0, 0.0, static_cast<double>(dataset.GetRasterYSize()), 0.0, -1.0};
+    raster.notes.push_back(path.string() +
+                           ": no georeference; cells of 1 m with the south-west corner at 0, 0");
+  }
+  const double largest = std::max(std::abs(transform[1]), std::abs(transform[5]));
+  if (std::abs(transform[2]) > 1e-9 * largest || std::abs(transform[4]) > 1e-9 * largest) {
+    throw InputError(path.string() +
+                     ": the raster is rotated on the map; turn it north up first (gdalwarp)");
+  }
+  for (const double value : transform) {
+    if (!std::isfinite(value)) throw InputError(path.string() + ": its georeference is damaged");
+  }
+  if (!(transform[1] > 0.0) || transform[5] == 0.0) {
+    throw InputError(path.string() + ": cell size " + std::to_string(transform[1]) + " x " +
+                     std::to_string(transform[5]) + "; columns must run east, cells have a size");
+  }
+  return transform;
+}
+
+// Values of one row; NaN at nodata.
+void read_row(GDALRasterBand& band, int row, std::vector<double>& values,
+              std::vector<unsigned char>& mask, const std::filesystem::path& path) {
+  const int columns = static_cast<int>(values.size());
+  if (band.RasterIO(GF_Read, 0, row, columns, 1, values.data(), columns, 1, GDT_Float64, 0, 0,
+                    nullptr) != CE_None ||
+      band.GetMaskBand()->RasterIO(GF_Read, 0, row, columns, 1, mask.data(), columns, 1, GDT_Byte,
+                                   0, 0, nullptr) != CE_None) {
+    throw InputError(path.string() + ": row " + std::to_string(row + 1) + " can't be read (" +
+                     GdalSession::message() + "); the file may be cut short");
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (mask[i] == 0 || !std::isfinite(values[i])) {
+      values[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+}
+
+}  // namespace
+
+std::string crs_name(const OGRSpatialReference* system) {
+  if (!system) return {};
+  OGRSpatialReference known(*system);
+  known.AutoIdentifyEPSG();
+  const char* authority = known.GetAuthorityName(nullptr);
+  const char* code = known.GetAuthorityCode(nullptr);
+  if (authority && code && std::string(authority) == "EPSG") return std::string("EPSG:") + code;
+  char* wkt = nullptr;
+  std::string text;
+  if (system->exportToWkt(&wkt) == OGRERR_NONE && wkt) text = wkt;
+  CPLFree(wkt);
+  return text;
+}
+
+Raster read_raster(const std::filesystem::path& path) {
+  const GdalSession session;
+  const DatasetPointer dataset(
+      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  if (!dataset) {
+    throw InputError(path.string() + ": is not a raster that GDAL can read (" +
+                     GdalSession::message() + ")");
+  }
+  int bands = 0;
+  for (int i = 1; i <= dataset->GetRasterCount(); ++i) {
+    if (dataset->GetRasterBand(i)->GetColorInterpretation() != GCI_AlphaBand) ++bands;
+  }
+  if (bands != 1) {
+    throw InputError(path.string() + ": " + std::to_string(bands) +
+                     " bands; a raster of heights or zones has one. Is it a picture?");
+  }
+  GDALRasterBand& band = *dataset->GetRasterBand(1);
+  Raster raster;
+  check_units(path, dataset->GetSpatialRef());
+  raster.crs = crs_name(dataset->GetSpatialRef());
+  const std::array<double, 6> transform = north_up_transform(*dataset, path, raster);
+
+  HeightGrid& grid = raster.grid;
+  grid.columns = static_cast<std::size_t>(band.GetXSize());
+  grid.rows = static_cast<std::size_t>(band.GetYSize());
+  grid.step = {transform[1], std::abs(transform[5])};
+  const bool north_first = transform[5] < 0.0;
+  const double south =
+      north_first ? transform[3] + transform[5] * static_cast<double>(grid.rows) : transform[3];
+  grid.first = Vec2(transform[0], south) + grid.step / 2.0;
+  grid.heights.resize(grid.columns * grid.rows);
+  const double scale = band.GetScale(), offset = band.GetOffset();
+  std::vector<double> values(grid.columns);
+  std::vector<unsigned char> mask(grid.columns);
+  for (std::size_t j = 0; j < grid.rows; ++j) {
+    read_row(band, static_cast<int>(north_first ? grid.rows - 1 - j : j), values, mask, path);
+    for (std::size_t i = 0; i < grid.columns; ++i) {
+      grid.heights[j * grid.columns + i] = values[i] * scale + offset;
+    }
+  }
+  return raster;
+}
+
+void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
+                   const std::string& crs) {
+  const GdalSession session;
+  OutputFile file(path);
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  if (!driver) throw InputError(path.string() + ": this GDAL can't write GeoTIFF");
+  char compress[] = "COMPRESS=DEFLATE";
+  char* options[] = {compress, nullptr};
+  const int columns = static_cast<int>(grid.columns), rows = static_cast<int>(grid.rows);
+  DatasetPointer dataset(
+      driver->Create(file.temporary().c_str(), columns, rows, 1, GDT_Float32, options));
+  const auto check = [&](bool good) {
+    if (!good) {
+      throw InputError(path.string() + ": can't be written (" + GdalSession::message() + ")");
+    }
+  };
+  check(dataset != nullptr);
+  std::array<double, 6> transform = {
+      grid.first.x() - grid.step.x() / 2.0,
+      grid.step.x(),
+      0.0,
+      grid.first.y() + grid.step.y() * (static_cast<double>(grid.rows) - 0.5),
+      0.0,
+      -grid.step.y()};
+  check(dataset->SetGeoTransform(transform.data()) == CE_None);
+  if (!crs.empty()) {
+    OGRSpatialReference system;
+    if (system.SetFromUserInput(crs.c_str()) == OGRERR_NONE) dataset->SetSpatialRef(&system);
+  }
+  GDALRasterBand& band = *dataset->GetRasterBand(1);
+  check(band.SetNoDataValue(kNoData) == CE_None);
+  std::vector<float> values(grid.columns);
+  for (int row = 0; row < rows; ++row) {
+    const std::size_t south_row = grid.rows - 1 - static_cast<std::size_t>(row);
+    for (std::size_t i = 0; i < grid.columns; ++i) {
+      const double height = grid.heights[south_row * grid.columns + i];
+      values[i] = static_cast<float>(std::isfinite(height) ? height : kNoData);
+    }
+    check(band.RasterIO(GF_Write, 0, row, columns, 1, values.data(), columns, 1, GDT_Float32, 0, 0,
+                        nullptr) == CE_None);
+  }
+  // Closing writes the last blocks; only the error state tells whether that worked.
+  CPLErrorReset();
+  dataset.reset();
+  check(CPLGetLastErrorType() < CE_Failure);
+  file.commit();
+}
+
+bool is_raster(const std::filesystem::path& path) {
+  static const std::set<std::string> kKnown = {".tif", ".tiff", ".asc", ".vrt", ".img",
+                                               ".bil", ".flt",  ".grd", ".dem", ".hgt"};
+  return kKnown.contains(extension_of(path));
+}
+
+}  // namespace clast::detail

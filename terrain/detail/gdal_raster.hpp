@@ -1,0 +1,29 @@
+#pragma once
+/// Rasters through GDAL, with no GDAL type in sight.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "terrain/detail/raw_surface.hpp"
+
+namespace clast::detail {
+
+/// One band on a north-up grid. Heights of a digital elevation model, or class numbers.
+struct Raster {
+  HeightGrid grid;
+  std::string crs;  ///< "EPSG:2154" or WKT; empty when there is none
+  std::vector<std::string> notes;
+};
+
+/// Reads a raster with one band; rows that run north are turned over.
+/// @throws InputError  not a raster, several bands, rotated, in degrees, not in metres, too small
+Raster read_raster(const std::filesystem::path& path);
+
+/// Writes heights as GeoTIFF (float, deflated, nodata -9999), north up.
+void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
+                   const std::string& crs);
+
+/// Extensions that are taken for rasters.
+bool is_raster(const std::filesystem::path& path);
+
+}  // namespace clast::detail

@@ -1,0 +1,48 @@
+#pragma once
+/// Ground as read, before it is checked: map coordinates, z up.
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+struct RawSurface {
+  TriangleMesh mesh;
+  std::vector<std::uint16_t> source;  ///< of every triangle, index of the surface file
+  std::string crs;
+  std::vector<std::string> notes;
+};
+
+/// Heights on a regular grid, row by row from the south, NaN where unknown.
+struct HeightGrid {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  Vec2 first = Vec2::Zero();  ///< centre of the south-west cell
+  Vec2 step = Vec2::Ones();   ///< cell size, m, both positive
+  std::vector<double> heights;
+
+  Vec2 centre(std::size_t column, std::size_t row) const {
+    return {first.x() + step.x() * static_cast<double>(column),
+            first.y() + step.y() * static_cast<double>(row)};
+  }
+};
+
+/// Two triangles between any four neighbouring cell centres that all have a height. Diagonals
+/// alternate, so that the surface has no grain.
+/// @throws InputError  no such four cells; the message is about `path`
+TriangleMesh grid_surface(const HeightGrid& grid, const std::filesystem::path& path);
+
+/// (x, y, z) of a file whose y points up, turned z up.
+inline Vec3 turned_z_up(const Vec3& p) { return {p.x(), -p.z(), p.y()}; }
+inline Vec3 turned_y_up(const Vec3& p) { return {p.x(), p.z(), -p.y()}; }
+
+/// "x 652013.25, y 5203000.00" for messages; `point` on the map.
+std::string place(const Vec3& point);
+
+/// Lower-case extension with the dot.
+std::string extension_of(const std::filesystem::path& path);
+
+}  // namespace clast::detail

@@ -1,0 +1,31 @@
+#pragma once
+/// Polygons with zone names through GDAL's vector drivers, with no GDAL type in sight.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+/// A zone polygon with holes: a point is inside when a ray from it crosses the rings an odd number
+/// of times. A point on an edge shared by two polygons is in exactly one of them.
+struct ZonePolygon {
+  std::string zone;
+  std::vector<std::vector<Vec2>> rings;  ///< on the map, m
+  Vec2 low = Vec2::Zero();
+  Vec2 high = Vec2::Zero();
+
+  bool contains(const Vec2& point) const;
+};
+
+/// Reads GeoJSON, GeoPackage or Shapefile polygons with a text or number property "zone", and
+/// reprojects them when both sides name a coordinate system and they differ.
+/// @param crs  of the terrain; empty when unknown: coordinates are then taken as they are
+/// @throws InputError  unreadable, no property "zone", something that is not a polygon
+std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
+                                            const std::string& crs);
+
+bool is_polygon_file(const std::filesystem::path& path);
+
+}  // namespace clast::detail
