@@ -13,15 +13,15 @@ namespace clast {
 struct TerrainOptions {
   /// Meshes (.stl, .ply, .obj, ...), one raster (.tif, .asc, ...), clouds (.xyz, .txt, .csv, .pts),
   /// or one terrain file (.h5).
-  std::vector<std::filesystem::path> surface;
+  std::vector<std::filesystem::path> surface = {};
   /// A name per mesh, or one zone raster, or one file of polygons (GeoJSON, GeoPackage, Shapefile)
   /// with a property "zone". A raster holds class numbers; they are the names, or get them by
   /// "zones.asc:1=blue,2=gray". Empty: one zone, "ground".
-  std::vector<std::string> zones;
+  std::vector<std::string> zones = {};
   std::string up = "z";  ///< of meshes and clouds: "z" or "y"; "y" turns (x, y, z) to (x, -z, y)
   /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), and
   /// of a raster that is to be made coarser.
-  std::optional<double> resolution;
+  std::optional<double> resolution = {};
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -1,0 +1,126 @@
+// Point clouds as ground, and one plane in three forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "core/text_file.hpp"
+#include "tests/terrain/ground_samples.hpp"
+
+namespace clast {
+namespace {
+
+class CloudGround : public testing::Test {
+ protected:
+  std::filesystem::path cloud(const std::string& text, const std::string& name = "cloud.xyz") {
+    write_text_file(folder_ / name, text);
+    return folder_ / name;
+  }
+  std::string refused(const std::string& text) {
+    return refusal(TerrainOptions{.surface = {cloud(text)}, .resolution = 1.0});
+  }
+  const ScratchFolder folder_;
+};
+
+/// Points at quarter and three quarters of 1 m cells: four per cell, their mean at its centre.
+std::string plane_points(const Plane& plane, int cells) {
+  std::ostringstream text;
+  text.precision(17);
+  for (int j = 0; j < 2 * cells; ++j) {
+    for (int i = 0; i < 2 * cells; ++i) {
+      const double x = 0.25 + 0.5 * i, y = 0.25 + 0.5 * j;
+      text << x << ' ' << y << ' ' << plane.at(x, y) << '\n';
+    }
+  }
+  return text.str();
+}
+
+// The second and third form of a plane, against the formula that made it.
+TEST_F(CloudGround, APlaneIsTheSameAsRasterTinAndCloud) {
+  const Plane plane;
+  const auto z = [&](double x, double y) { return plane.at(x, y); };
+  write_mesh(folder_ / "tin.ply", squares(9, 1.0, z));
+  const Terrain tin = read_terrain({.surface = {folder_ / "tin.ply"}});
+  const Terrain from_cloud =
+      read_terrain({.surface = {cloud(plane_points(plane, 10))}, .resolution = 1.0});
+  // Slopes in eighths, which the floats of an Esri grid hold exactly.
+  const Plane eighths{.height = 64.0, .slope_x = -0.375, .slope_y = 0.25};
+  write_asc(folder_ / "dem.asc", 10, 10, 0.0, 0.0, 1.0,
+            [&](double x, double y) { return eighths.at(x, y); });
+  const Terrain from_raster = read_terrain({.surface = {folder_ / "dem.asc"}});
+
+  for (const Vec3& v : tin.surface.vertices) EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-6);
+  for (const Vec3& v : from_cloud.surface.vertices) {
+    EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-6);
+  }
+  for (const Vec3& v : from_raster.surface.vertices) {
+    EXPECT_NEAR(v.z(), eighths.at(v.x(), v.y()), 1e-6);
+  }
+  // 10 x 10 centres of cells of 1 m, for both.
+  for (const Terrain* grid : {&from_cloud, &from_raster}) {
+    EXPECT_EQ(grid->surface.vertices.size(), 100u);
+    EXPECT_EQ(grid->surface.triangles.size(), 162u);
+    const Bounds box = bounds(grid->surface);
+    EXPECT_NEAR(box.low.x(), 0.5, 1e-12);
+    EXPECT_NEAR(box.high.y(), 9.5, 1e-12);
+  }
+}
+
+TEST_F(CloudGround, HeightIsTheMeanOverTheCell) {
+  const auto path = cloud("0.1 0.1 1\n0.9 0.2 3\n0.5 0.5 8\n1.5 0.5 0\n0.5 1.5 0\n1.5 1.5 0\n");
+  const Terrain terrain = read_terrain({.surface = {path}, .resolution = 1.0});
+  ASSERT_EQ(terrain.surface.vertices.size(), 4u);
+  EXPECT_EQ(terrain.surface.vertices[0], Vec3(0.5, 0.5, 4.0));
+}
+
+TEST_F(CloudGround, TextInManyLayoutsIsRead) {
+  const std::string heads[] = {"",    "X;Y;Z\n",   "# by hand\n\n", "\xEF\xBB\xBFx,y,z,red\n",
+                               "4\n", "// x y z\n"};
+  for (const std::string& head : heads) {
+    const auto path = cloud(head + "0.5;0.5;1;255\r\n+1.5, 0.5\t2 7\n0.5 1.5 3\n1.5e0 1.5 4");
+    const Terrain terrain = read_terrain({.surface = {path}, .resolution = 1.0});
+    ASSERT_EQ(terrain.surface.vertices.size(), 4u) << head;
+    EXPECT_EQ(bounds(terrain.surface).high, Vec3(1.5, 1.5, 4)) << head;
+  }
+  const auto named =
+      cloud("id,Z,Y,X\n9,1,0.5,0.5\n9,2,0.5,1.5\n9,3,1.5,0.5\n9,4,1.5,1.5\n", "named.csv");
+  const Terrain terrain = read_terrain({.surface = {named}, .resolution = 1.0});
+  EXPECT_EQ(bounds(terrain.surface).high, Vec3(1.5, 1.5, 4));
+}
+
+TEST_F(CloudGround, SeveralCloudsMakeOneGround) {
+  const auto one = cloud("0.5 0.5 0\n1.5 0.5 0\n", "a.xyz");
+  const auto two = cloud("0.5 1.5 0\n1.5 1.5 0\n", "b.xyz");
+  const Terrain terrain = read_terrain({.surface = {one, two}, .resolution = 1.0});
+  EXPECT_EQ(terrain.surface.triangles.size(), 2u);
+  EXPECT_EQ(terrain.sources.size(), 2u);
+  EXPECT_TRUE(contains(
+      refusal(TerrainOptions{.surface = {one, two}, .zones = {"a", "b"}, .resolution = 1.0}),
+      "several clouds make one grid"));
+}
+
+// 400 points on 10 x 10 m: four per square metre.
+TEST_F(CloudGround, WithoutResolutionACellHoldsAboutFourPoints) {
+  const Terrain terrain = read_terrain({.surface = {cloud(plane_points({}, 10))}});
+  EXPECT_TRUE(contains(terrain.report.notes.front(), "400 points, mean heights over cells of 1 m"));
+}
+
+TEST_F(CloudGround, YUpCloudIsTurned) {
+  const auto path = cloud("0.5 1 -0.5\n1.5 2 -0.5\n0.5 3 -1.5\n1.5 4 -1.5\n");
+  const Terrain terrain = read_terrain({.surface = {path}, .up = "y", .resolution = 1.0});
+  EXPECT_EQ(bounds(terrain.surface).high, Vec3(1.5, 1.5, 4));
+}
+
+TEST_F(CloudGround, LinesThatAreNoPointsAreRefusedWithTheirNumber) {
+  EXPECT_TRUE(contains(refused("0 0 0\n1 2\n"), "cloud.xyz:2: fewer than three numbers"));
+  EXPECT_TRUE(contains(refused("0 0 0\n1 2 wet\n"), "cloud.xyz:2: \"wet\""));
+  EXPECT_TRUE(contains(refused("0 0 0\n1 nan 2\n"), "stands where y is needed"));
+  EXPECT_TRUE(contains(refused("0 0 0\n1 2 inf\n"), "stands where z is needed"));
+  EXPECT_TRUE(contains(refused(""), "holds no points"));
+  EXPECT_TRUE(contains(refused("x y z\n"), "holds no points"));
+  EXPECT_TRUE(contains(refused("0 0 0\n0.5 0 0\n"), "a surface needs at least four"));
+  EXPECT_TRUE(contains(refused("0 0 0\n1e9 1e9 0\n"), "too many"));
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,142 @@
+// Rasters as ground.
+#include <gtest/gtest.h>
+
+#include "core/text_file.hpp"
+#include "tests/terrain/ground_samples.hpp"
+
+namespace clast {
+namespace {
+
+class RasterGround : public testing::Test {
+ protected:
+  std::filesystem::path asc(int columns, int rows, const std::function<double(double, double)>& z,
+                            double west = 0.0, double south = 0.0, double cell = 1.0) {
+    write_asc(folder_ / "dem.asc", columns, rows, west, south, cell, z);
+    return folder_ / "dem.asc";
+  }
+  /// A raster described by a VRT over raw little-endian floats (north row first).
+  std::filesystem::path vrt(const std::string& head, const std::vector<float>& rows, int columns,
+                            int bands = 1) {
+    const std::string bytes(reinterpret_cast<const char*>(rows.data()),
+                            rows.size() * sizeof(float));
+    write_text_file(folder_ / "raw.bin", bytes);
+    const int height = static_cast<int>(rows.size()) / columns;
+    std::string text = "<VRTDataset rasterXSize=\"" + std::to_string(columns) +
+                       "\" rasterYSize=\"" + std::to_string(height) + "\">" + head;
+    for (int band = 1; band <= bands; ++band) {
+      text += "<VRTRasterBand dataType=\"Float32\" band=\"" + std::to_string(band) +
+              "\" subClass=\"VRTRawRasterBand\"><SourceFilename relativeToVRT=\"1\">raw.bin"
+              "</SourceFilename><ImageOffset>0</ImageOffset><PixelOffset>4</PixelOffset>"
+              "<LineOffset>" +
+              std::to_string(4 * columns) + "</LineOffset><ByteOrder>LSB</ByteOrder>" +
+              "</VRTRasterBand>";
+    }
+    write_text_file(folder_ / "dem.vrt", text + "</VRTDataset>");
+    return folder_ / "dem.vrt";
+  }
+  std::string refused(const std::filesystem::path& path) {
+    return refusal(TerrainOptions{.surface = {path}});
+  }
+  const ScratchFolder folder_;
+};
+
+TEST_F(RasterGround, CellCentresCarryTheHeights) {
+  const Plane plane;
+  const auto path = asc(
+      5, 4, [&](double x, double y) { return plane.at(x, y); }, 10, -20, 2.5);
+  const Terrain terrain = read_terrain({.surface = {path}});
+  EXPECT_EQ(terrain.surface.vertices.size(), 20u);
+  EXPECT_EQ(terrain.surface.triangles.size(), 2u * 4 * 3);
+  EXPECT_EQ(terrain.report.boundary_edges, 2u * (4 + 3));
+  EXPECT_EQ(facing_down(terrain), 0u);
+  const Bounds box = bounds(terrain.surface);
+  EXPECT_NEAR(box.low.x(), 11.25, 1e-12);
+  EXPECT_NEAR(box.high.x(), 21.25, 1e-12);
+  EXPECT_NEAR(box.low.y(), -18.75, 1e-12);
+  EXPECT_NEAR(box.high.y(), -11.25, 1e-12);
+  // GDAL holds an Esri grid as float.
+  for (const Vec3& v : terrain.surface.vertices) EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-5);
+}
+
+TEST_F(RasterGround, CellsWithoutHeightLeaveAHole) {
+  const auto path =
+      asc(6, 6, [](double x, double y) { return x == 2.5 && y == 3.5 ? -9999.0 : 50.0; });
+  const Terrain terrain = read_terrain({.surface = {path}});
+  EXPECT_EQ(terrain.surface.vertices.size(), 35u);
+  EXPECT_EQ(terrain.surface.triangles.size(), 2u * (25 - 4));
+  EXPECT_EQ(terrain.report.boundary_edges, 4u * 5 + 8);
+  EXPECT_TRUE(contains(terrain.report.notes.front(), "1 of 36 cells have no height"));
+}
+
+TEST_F(RasterGround, ResolutionMakesItCoarserByMeans) {
+  const Plane plane;
+  const auto path = asc(8, 8, [&](double x, double y) { return plane.at(x, y); });
+  const Terrain terrain = read_terrain({.surface = {path}, .resolution = 2.0});
+  EXPECT_EQ(terrain.surface.vertices.size(), 16u);
+  for (const Vec3& v : terrain.surface.vertices) EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-5);
+  EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {path}, .resolution = 0.5}),
+                       "finer than the raster"));
+}
+
+TEST_F(RasterGround, RowsThatRunNorthAreTurnedOver) {
+  const std::vector<float> rows = {0, 1, 2, 10, 11, 12};  // the first row is the southern one
+  const Terrain terrain = read_terrain(
+      {.surface = {vrt("<GeoTransform>100, 2, 0, 200, 0, 2</GeoTransform>", rows, 3)}});
+  ASSERT_EQ(terrain.surface.vertices.size(), 6u);
+  for (const Vec3& v : terrain.surface.vertices) {
+    EXPECT_EQ(v.z(), (v.x() - 101.0) / 2.0 + 10.0 * (v.y() - 201.0) / 2.0);
+  }
+  EXPECT_EQ(facing_down(terrain), 0u);
+}
+
+TEST_F(RasterGround, WithoutGeoreferenceCellsAreOneMetreAndThatIsNoted) {
+  const Terrain terrain = read_terrain({.surface = {vrt("", {3, 4, 5, 0, 1, 2}, 3)}});
+  EXPECT_TRUE(contains(terrain.report.notes.front(), "no georeference"));
+  for (const Vec3& v : terrain.surface.vertices) {
+    EXPECT_EQ(v.z(), v.x() - 0.5 + 3.0 * (v.y() - 0.5));
+  }
+}
+
+TEST_F(RasterGround, MapSystemIsCarriedThroughAsItsCode) {
+  const Terrain terrain =
+      read_terrain({.surface = {vrt("<SRS>EPSG:2154</SRS><GeoTransform>652000, 1, 0, 6203000, 0, -1"
+                                    "</GeoTransform>",
+                                    {1, 2, 3, 4}, 2)}});
+  EXPECT_EQ(terrain.frame.crs, "EPSG:2154");
+  EXPECT_EQ(terrain.frame.origin, Vec3(652001, 6202999, 0));
+  const Bounds box = bounds(terrain.surface);
+  EXPECT_EQ(terrain.frame.map(box.low), Vec3(652000.5, 6202998.5, 1));
+}
+
+TEST_F(RasterGround, WhatIsNoHeightRasterIsRefused) {
+  const std::vector<float> four = {1, 2, 3, 4};
+  EXPECT_TRUE(contains(
+      refused(vrt("<GeoTransform>0, 0.8, 0.6, 0, 0.6, -0.8</GeoTransform>", four, 2)), "rotated"));
+  EXPECT_TRUE(contains(
+      refused(
+          vrt("<SRS>EPSG:4326</SRS><GeoTransform>5, 0.1, 0, 47, 0, -0.1</GeoTransform>", four, 2)),
+      "degrees"));
+  EXPECT_TRUE(contains(refused(vrt("<SRS>EPSG:2227</SRS><GeoTransform>0, 1, 0, 0, 0, -1"
+                                   "</GeoTransform>",
+                                   four, 2)),
+                       "map unit"));
+  EXPECT_TRUE(contains(refused(vrt("", four, 2, 3)), "3 bands"));
+  EXPECT_TRUE(contains(refused(vrt("", {1, 2, 3}, 3)), "3 x 1 cells"));
+  EXPECT_TRUE(contains(refused(asc(4, 4, [](double, double) { return -9999.0; })),
+                       "holds no heights, only nodata"));
+  write_text_file(folder_ / "empty.tif", "");
+  EXPECT_TRUE(contains(refused(folder_ / "empty.tif"), "empty.tif: is not a raster"));
+  const auto path = asc(3, 3, [](double, double) { return 1.0; });
+  EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {path}, .up = "y"}), "z up"));
+  EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {path, path}}), "one raster"));
+}
+
+TEST_F(RasterGround, RasterCutShortIsRefused) {
+  const auto path = asc(20, 20, [](double x, double y) { return x + y; });
+  const std::string text = read_text_file(path);
+  write_text_file(path, text.substr(0, text.size() / 2));
+  EXPECT_TRUE(contains(refused(path), "can't be read"));
+}
+
+}  // namespace
+}  // namespace clast

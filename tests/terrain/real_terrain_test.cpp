@@ -1,0 +1,197 @@
+// Surveyed grounds against what is known of them.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "terrain/terrain_file.hpp"
+#include "tests/support/reference_data.hpp"
+#include "tests/terrain/ground_samples.hpp"
+
+namespace clast {
+namespace {
+
+/// An Esri grid read by a second method, not through GDAL.
+struct AscGrid {
+  int columns = 0, rows = 0;
+  double west = 0.0, south = 0.0, cell = 0.0, nodata = 0.0;
+  std::vector<double> values;  ///< north row first
+
+  explicit AscGrid(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::string key;
+    file >> key >> columns >> key >> rows >> key >> west >> key >> south >> key >> cell >> key >>
+        nodata;
+    for (double value; file >> value;) values.push_back(value);
+  }
+  Vec2 centre(std::size_t index) const {
+    const int i = static_cast<int>(index) % columns, j = static_cast<int>(index) / columns;
+    return {west + cell * (i + 0.5), south + cell * (rows - j - 0.5)};
+  }
+};
+
+TerrainOptions authume() {
+  return {.surface = {test_data("authume/terrain/DTM_Blue_zone.stl"),
+                      test_data("authume/terrain/DTM_Gray_zone.stl"),
+                      test_data("authume/terrain/DTM_Red_zone.stl")},
+          .zones = {"blue", "gray", "red"},
+          .up = "y"};
+}
+
+/// Height of the highest triangle over (x, y), all of them tried.
+std::optional<double> highest_over(const Terrain& terrain, const Vec2& at) {
+  std::optional<double> highest;
+  for (const auto& [ia, ib, ic] : terrain.surface.triangles) {
+    const Vec3 a = terrain.surface.vertices[ia];
+    const Vec3 ab = terrain.surface.vertices[ib] - a, ac = terrain.surface.vertices[ic] - a;
+    const double area = ab.x() * ac.y() - ab.y() * ac.x();
+    if (area == 0.0) continue;
+    const double x = at.x() - a.x(), y = at.y() - a.y();
+    const double v = (x * ac.y() - y * ac.x()) / area, w = (ab.x() * y - ab.y() * x) / area;
+    if (v < 0.0 || w < 0.0 || v + w > 1.0) continue;
+    const double z = a.z() + v * ab.z() + w * ac.z();
+    if (!highest || z > *highest) highest = z;
+  }
+  return highest;
+}
+
+TEST(RealTerrain, AuthumeHasItsZonesAndFacesUp) {
+  const Terrain terrain = read_terrain(authume());
+  EXPECT_EQ(terrain.report.triangles_read, 9001u);
+  EXPECT_EQ(terrain.surface.triangles.size() + terrain.report.dropped_degenerate +
+                terrain.report.dropped_duplicates,
+            9001u);
+  EXPECT_LE(terrain.report.dropped_degenerate + terrain.report.dropped_duplicates, 10u);
+  std::vector<std::size_t> count(3, 0);
+  for (const std::uint16_t zone : terrain.zone) ++count.at(zone);
+  EXPECT_EQ(terrain.zone_names, (std::vector<std::string>{"blue", "gray", "red"}));
+  EXPECT_LE(5300u - count[0], 10u);
+  EXPECT_LE(2953u - count[1], 10u);
+  EXPECT_LE(748u - count[2], 10u);
+  // Its Terrain.xyz lists 4640 vertices; every triangle of the files points down.
+  EXPECT_NEAR(static_cast<double>(terrain.surface.vertices.size()), 4640.0, 10.0);
+  EXPECT_EQ(facing_down(terrain), 0u);
+  EXPECT_EQ(terrain.report.turned_triangles, terrain.surface.triangles.size());
+  EXPECT_TRUE(terrain.frame.origin.isZero(0.0));
+}
+
+TEST(RealTerrain, AuthumeHasTheHeightsOfItsRaster) {
+  const Terrain terrain = read_terrain(authume());
+  const AscGrid dem(test_data("authume/gis/dem_0p5m.asc"));
+  std::vector<std::size_t> known;
+  for (std::size_t i = 0; i < dem.values.size(); ++i) {
+    if (dem.values[i] != dem.nodata) known.push_back(i);
+  }
+  ASSERT_GT(known.size(), 10000u);
+  constexpr std::size_t kSamples = 2000;
+  double worst = 0.0;
+  std::size_t missing = 0;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const std::size_t cell = known[k * known.size() / kSamples];
+    const std::optional<double> height = highest_over(terrain, dem.centre(cell));
+    if (!height) {
+      ++missing;
+      continue;
+    }
+    worst = std::max(worst, std::abs(*height - dem.values[cell]));
+  }
+  EXPECT_EQ(missing, 0u);
+  EXPECT_LT(worst, 1e-3);
+}
+
+TEST(RealTerrain, AuthumeRasterExportAgreesWithTheOneSampledElsewhere) {
+  const ScratchFolder folder;
+  export_terrain(folder / "dem.tif", read_terrain(authume()), "z", 0.5);
+  const Terrain ours = read_terrain({.surface = {folder / "dem.tif"}});
+  const AscGrid dem(test_data("authume/gis/dem_0p5m.asc"));
+  std::map<std::pair<long, long>, double> heights;
+  const auto key = [](const Vec2& p) {
+    return std::pair{std::lround(4 * p.x()), std::lround(4 * p.y())};
+  };
+  for (const Vec3& v : ours.surface.vertices) heights[key(v.head<2>())] = v.z();
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < dem.values.size(); ++i) {
+    const auto found = heights.find(key(dem.centre(i)));
+    if (dem.values[i] == dem.nodata || found == heights.end()) continue;
+    EXPECT_NEAR(found->second, dem.values[i], 1e-3);
+    ++compared;
+  }
+  EXPECT_GT(compared, 10000u);
+}
+
+TEST(RealTerrain, AuthumeByRasterHasTheSameZones) {
+  const Terrain terrain = read_terrain(
+      {.surface = {test_data("authume/gis/dem_0p5m.asc")},
+       .zones = {test_data("authume/gis/zones_0p5m.asc").string() + ":1=blue,2=gray,3=red"}});
+  EXPECT_EQ(terrain.zone_names, (std::vector<std::string>{"blue", "gray", "red"}));
+  EXPECT_EQ(facing_down(terrain), 0u);
+  // Plan areas of the zones against those of the TIN.
+  const auto areas = [](const Terrain& ground) {
+    std::vector<double> area(3, 0.0);
+    for (std::size_t t = 0; t < ground.zone.size(); ++t) {
+      area[ground.zone[t]] += normal_of(ground, t).z() / 2.0;
+    }
+    return area;
+  };
+  const std::vector<double> raster = areas(terrain), tin = areas(read_terrain(authume()));
+  for (std::size_t zone = 0; zone < 3; ++zone) {
+    EXPECT_NEAR(raster[zone] / tin[zone], 1.0, 0.05) << terrain.zone_names[zone];
+  }
+}
+
+// One vertex per cell with a height, at its centre, with the value of the ascii grid.
+TEST(RealTerrain, TirolRasterHasTheHeightsOfItsAsciiForm) {
+  const Terrain tif = read_terrain({.surface = {test_data("terrain/tirol_gar_5m.tif")}});
+  const AscGrid grid(test_data("terrain/tirol_gar_5m.asc"));
+  EXPECT_EQ(tif.surface.vertices.size(), 140u * 140u);
+  EXPECT_EQ(tif.surface.triangles.size(), 2u * 139 * 139);
+  EXPECT_EQ(facing_down(tif), 0u);
+  EXPECT_EQ(tif.frame.crs, "EPSG:31287");
+  std::map<std::pair<long, long>, double> heights;
+  const auto key = [](const Vec2& p) { return std::pair{std::lround(p.x()), std::lround(p.y())}; };
+  for (std::size_t i = 0; i < grid.values.size(); ++i)
+    heights[key(grid.centre(i))] = grid.values[i];
+  for (const Vec3& local : tif.surface.vertices) {
+    const Vec3 v = tif.frame.map(local);
+    ASSERT_TRUE(heights.contains(key(v.head<2>()))) << v.transpose();
+    EXPECT_NEAR(heights[key(v.head<2>())], v.z(), 1e-2);
+  }
+  const Terrain asc = read_terrain({.surface = {test_data("terrain/tirol_gar_5m.asc")}});
+  EXPECT_EQ(asc.surface.triangles.size(), tif.surface.triangles.size());
+}
+
+TEST(RealTerrain, ReliefOfTheRastersIsAsDocumented) {
+  const auto relief = [](const std::string& name) {
+    const Terrain terrain = read_terrain({.surface = {test_data("terrain/" + name)}});
+    const Bounds box = bounds(terrain.surface);
+    return std::tuple{terrain.frame.crs, box.low.z(), box.high.z()};
+  };
+  const auto [gabilan_crs, gabilan_low, gabilan_high] = relief("gabilan_a_1m.tif");
+  EXPECT_EQ(gabilan_crs, "EPSG:32611");
+  EXPECT_NEAR(gabilan_low, 199.0, 1.0);
+  EXPECT_NEAR(gabilan_high, 292.0, 1.0);
+  const auto [wog_crs, wog_low, wog_high] = relief("tirol_wog_5m.tif");
+  EXPECT_EQ(wog_crs, "EPSG:31287");
+  EXPECT_NEAR(wog_low, 1255.0, 1.0);
+  EXPECT_NEAR(wog_high, 1416.0, 1.0);
+}
+
+TEST(RealTerrain, TschamutProxyIsRead) {
+  const Terrain terrain = read_terrain({.surface = {test_data("tschamut2014/terrain.asc")}});
+  EXPECT_LE(terrain.surface.vertices.size(), 43u * 46u);
+  EXPECT_GT(terrain.surface.vertices.size(), 1000u);
+  EXPECT_EQ(facing_down(terrain), 0u);
+}
+
+TEST(RealTerrain, CompressedLidarIsRefusedWithAWayOut) {
+  const std::string message =
+      refusal(TerrainOptions{.surface = {test_data("terrain/lidr_topography.laz")}});
+  EXPECT_TRUE(contains(message, "lidr_topography.laz"));
+  EXPECT_TRUE(contains(message, "pdal translate lidr_topography.laz lidr_topography.xyz"));
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,188 @@
+// Terrain files and exports: what is written is what is read.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/hdf5_file.hpp"
+#include "core/text_file.hpp"
+#include "terrain/terrain_file.hpp"
+#include "tests/terrain/ground_samples.hpp"
+
+namespace clast {
+namespace {
+
+double dome(double x, double y) { return 120.0 - 0.05 * (x * x + y * y); }
+
+class TerrainFile : public testing::Test {
+ protected:
+  /// Two zones at large map coordinates.
+  Terrain sample() {
+    std::vector<std::filesystem::path> files;
+    for (int k = 0; k < 2; ++k) {
+      TriangleMesh mesh = squares(8, 0.5, [&](double x, double y) { return dome(x + 4 * k, y); });
+      for (Vec3& v : mesh.vertices) v += Vec3(652000.0 + 4.0 * k, 5203000.0, 0.0);
+      files.push_back(folder_ / ("zone" + std::to_string(k) + ".ply"));
+      write_mesh(files.back(), mesh);
+    }
+    Terrain terrain = read_terrain({.surface = files, .zones = {"rock", "éboulis"}});
+    terrain.frame.crs = "EPSG:2154";
+    terrain.report.notes = {"a note"};
+    return terrain;
+  }
+  std::string damaged(const std::function<void(Hdf5Group&)>& damage) {
+    write_terrain(folder_ / "t.h5", sample());
+    {
+      Hdf5File file = Hdf5File::open(folder_ / "t.h5", "clast terrain", 1, true);
+      Hdf5Group root = file.root();
+      damage(root);
+      file.flush();
+    }
+    return refusal([&] { read_terrain_file(folder_ / "t.h5"); });
+  }
+  const ScratchFolder folder_;
+};
+
+void expect_same(const Terrain& a, const Terrain& b) {
+  EXPECT_EQ(a.surface.vertices, b.surface.vertices);
+  EXPECT_EQ(a.surface.triangles, b.surface.triangles);
+  EXPECT_EQ(a.zone, b.zone);
+  EXPECT_EQ(a.zone_names, b.zone_names);
+  EXPECT_EQ(a.frame.origin, b.frame.origin);
+  EXPECT_EQ(a.frame.crs, b.frame.crs);
+  EXPECT_EQ(a.report.notes, b.report.notes);
+  EXPECT_EQ(a.report.triangles_read, b.report.triangles_read);
+  EXPECT_EQ(a.report.welded_vertices, b.report.welded_vertices);
+  EXPECT_EQ(a.report.boundary_edges, b.report.boundary_edges);
+  EXPECT_EQ(a.report.components, b.report.components);
+}
+
+TEST_F(TerrainFile, ComesBackToTheBit) {
+  const Terrain terrain = sample();
+  write_terrain(folder_ / "t.h5", terrain);
+  const Terrain back = read_terrain_file(folder_ / "t.h5");
+  expect_same(back, terrain);
+  EXPECT_EQ(back.sources, terrain.sources);
+}
+
+TEST_F(TerrainFile, IsAGroundWithItsOwnZones) {
+  const Terrain terrain = sample();
+  write_terrain(folder_ / "t.h5", terrain);
+  const Terrain back = read_terrain({.surface = {folder_ / "t.h5"}});
+  expect_same(back, terrain);
+  ASSERT_EQ(back.sources.size(), 3u);
+  EXPECT_TRUE(contains(back.sources[0], "t.h5 "));
+  EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "t.h5"}, .zones = {"x"}}),
+                       "has its zones"));
+}
+
+TEST_F(TerrainFile, DamageIsRefused) {
+  const auto replace = [](Hdf5Group& root, const std::string& name, const auto& values,
+                          const std::vector<std::size_t>& shape = {}) {
+    using T = typename std::decay_t<decltype(values)>::value_type;
+    root.remove(name);
+    root.write<T>(name, values, shape);
+  };
+  EXPECT_EQ(damaged([](Hdf5Group&) {}), "");
+  EXPECT_TRUE(contains(damaged([](Hdf5Group& root) { root.remove("zone"); }), "zone"));
+  EXPECT_TRUE(contains(damaged([&](Hdf5Group& root) {
+                         replace(root, "triangles", std::vector<std::uint32_t>{0, 1, 9999}, {1, 3});
+                       }),
+                       "names vertex 9999"));
+  EXPECT_TRUE(contains(damaged([&](Hdf5Group& root) {
+                         replace(root, "zone", std::vector<std::uint16_t>{0, 1});
+                       }),
+                       "2 zone numbers for 256 triangles"));
+  EXPECT_TRUE(contains(
+      damaged([&](Hdf5Group& root) { replace(root, "zone", std::vector<std::uint16_t>(256, 7)); }),
+      "zone number 7 has no name"));
+  EXPECT_TRUE(contains(damaged([&](Hdf5Group& root) {
+                         replace(root, "vertices", std::vector<double>(6, NAN), {2, 3});
+                       }),
+                       "vertex 0 is not finite"));
+  EXPECT_TRUE(contains(damaged([&](Hdf5Group& root) {
+                         replace(root, "vertices", std::vector<double>(6, 0.0), {3, 2});
+                       }),
+                       "must have 3 columns"));
+  EXPECT_TRUE(
+      contains(damaged([&](Hdf5Group& root) { replace(root, "origin", std::vector<double>{1.0}); }),
+               "\"origin\" must be three numbers"));
+  EXPECT_TRUE(contains(damaged([&](Hdf5Group& root) {
+                         replace(root, "triangles", std::vector<std::uint32_t>{}, {0, 3});
+                       }),
+                       "holds no triangles"));
+  write_text_file(folder_ / "u.h5", "not HDF5");
+  EXPECT_TRUE(contains(refusal([&] { read_terrain_file(folder_ / "u.h5"); }), "u.h5"));
+}
+
+TEST_F(TerrainFile, MeshExportsAreOnTheMap) {
+  const Terrain terrain = sample();
+  for (const std::string name : {"t.ply", "t.obj"}) {
+    export_terrain(folder_ / name, terrain, "z");
+    const TriangleMesh mesh = read_mesh(folder_ / name);
+    ASSERT_EQ(mesh.triangles, terrain.surface.triangles) << name;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      EXPECT_EQ(mesh.vertices[i], terrain.frame.map(terrain.surface.vertices[i])) << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / (name + ".origin.txt")));
+  }
+  // Back to y up, and read as such, nothing has changed.
+  export_terrain(folder_ / "y.ply", terrain, "y");
+  const Terrain back = read_terrain({.surface = {folder_ / "y.ply"}, .up = "y"});
+  EXPECT_EQ(back.surface.vertices, terrain.surface.vertices);
+}
+
+TEST_F(TerrainFile, FloatExportsAreNearTheOriginAndSayWhere) {
+  const Terrain terrain = sample();
+  export_terrain(folder_ / "t.stl", terrain, "z");
+  const Bounds box = bounds(read_mesh(folder_ / "t.stl"));
+  EXPECT_LT(box.high.head<2>().maxCoeff(), 10.0);
+  EXPECT_TRUE(contains(read_text_file(folder_ / "t.stl.origin.txt"),
+                       "origin x 652004.000, y 5203002.000, z 0.000"));
+}
+
+// Against the formula of the ground, of which triangles of half a metre miss at most
+// 0.05 * 0.5^2 / 4 per axis; heights at 120 m as float are good to 1e-5 m.
+TEST_F(TerrainFile, RasterExportHasTheHeightsAtCellCentres) {
+  const Terrain terrain = sample();
+  export_terrain(folder_ / "t.tif", terrain, "z", 0.25);
+  const Terrain back = read_terrain({.surface = {folder_ / "t.tif"}});
+  EXPECT_EQ(back.frame.crs, "EPSG:2154");
+  EXPECT_EQ(back.surface.vertices.size(), 32u * 16u);
+  double worst = 0.0;
+  for (const Vec3& local : back.surface.vertices) {
+    const Vec3 v = back.frame.map(local);
+    worst = std::max(worst, std::abs(v.z() - dome(v.x() - 652000.0, v.y() - 5203000.0)));
+  }
+  EXPECT_LT(worst, 2.0 * 0.05 * 0.25 / 4.0 + 1e-4);
+}
+
+TEST_F(TerrainFile, ExportsThatMakeNoSenseAreRefused) {
+  const Terrain terrain = sample();
+  const auto refused = [&](const std::string& name, const std::string& up, double cell) {
+    return refusal([&] { export_terrain(folder_ / name, terrain, up, cell); });
+  };
+  EXPECT_TRUE(contains(refused("t.doc", "z", 0.5), "t.doc"));
+  EXPECT_TRUE(contains(refused("t.stl", "x", 0.5), "up = \"x\""));
+  EXPECT_TRUE(contains(refused("t.tif", "y", 0.5), "z up"));
+  EXPECT_TRUE(contains(refused("t.tif", "z", 0.0), "cell = 0"));
+  EXPECT_TRUE(contains(refused("t.tif", "z", 1e-7), "too many"));
+  for (const char* name : {"t.doc", "t.stl", "t.tif"}) {
+    EXPECT_FALSE(std::filesystem::exists(folder_ / name)) << name;
+  }
+}
+
+// The highest surface counts where the ground lies over itself.
+TEST_F(TerrainFile, RasterExportTakesTheHighestSurface) {
+  TriangleMesh low = squares(4, 1.0, [](double, double) { return 1.0; });
+  TriangleMesh high = squares(2, 1.0, [](double, double) { return 3.0; });
+  write_mesh(folder_ / "two.ply", merged(high, low));
+  export_terrain(folder_ / "t.tif", read_terrain({.surface = {folder_ / "two.ply"}}), "z", 1.0);
+  const Terrain back = read_terrain({.surface = {folder_ / "t.tif"}});
+  ASSERT_EQ(back.surface.vertices.size(), 16u);
+  for (const Vec3& v : back.surface.vertices) {
+    EXPECT_EQ(v.z(), v.x() < 2.0 && v.y() < 2.0 ? 3.0 : 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace clast
