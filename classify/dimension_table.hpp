@@ -30,8 +30,8 @@ struct DimensionColumns {
 
 /// Reads comma, semicolon, tab or blank separated tables, with a header line or without one (then
 /// the columns must be numbers). Column names are matched without case and with a unit ending
-/// ("L_m", "l (cm)") cut off. Rows with zero, negative, missing or unreadable values are skipped and
-/// noted.
+/// ("L_m", "l (cm)") cut off. Rows with zero, negative, missing or unreadable values are skipped
+/// and noted.
 /// @throws InputError  no file, no such column (the message lists those found), or no usable row
 DimensionTable read_dimension_table(const std::filesystem::path& path,
                                     const DimensionColumns& columns = {});

@@ -14,7 +14,7 @@ struct ClassShare {
   std::string name;
   std::size_t count = 0;
   double share = 0.0;
-  double low = 0.0;   ///< Wilson interval, 95 %
+  double low = 0.0;  ///< Wilson interval, 95 %
   double high = 0.0;
 };
 

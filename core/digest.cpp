@@ -74,6 +74,8 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
-std::string sha256_of_file(const std::filesystem::path& path) { return sha256(read_text_file(path)); }
+std::string sha256_of_file(const std::filesystem::path& path) {
+  return sha256(read_text_file(path));
+}
 
 }  // namespace clast

@@ -10,7 +10,8 @@ namespace clast {
 /// Items are handed out in order, one at a time. `body` must write only what belongs to item i.
 /// If items throw, the exception of the smallest such i is rethrown once all threads stopped; no
 /// new item is started after the first exception.
-void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& body);
+void parallel_for(std::size_t count, unsigned threads,
+                  const std::function<void(std::size_t)>& body);
 
 /// The number of threads that `threads` stands for: itself, or one per core when 0.
 unsigned thread_count(unsigned threads);

@@ -9,16 +9,16 @@ namespace clast {
 /// A box with sides L >= I >= S along the columns of `axes`.
 struct OrientedBox {
   Vec3 centre = Vec3::Zero();
-  Mat3 axes = Mat3::Identity();    ///< columns: unit directions of L, I, S; right-handed
-  Vec3 lengths = Vec3::Zero();     ///< L, I, S, m
+  Mat3 axes = Mat3::Identity();  ///< columns: unit directions of L, I, S; right-handed
+  Vec3 lengths = Vec3::Zero();   ///< L, I, S, m
 
   double volume() const { return lengths.prod(); }
 };
 
 /// The box of smallest volume around the points, each swept by a ball of `radius`. The search uses
-/// the extents with 2 radius added, so it is the smallest box of the rounded body. Same bits for any
-/// order of the points; ties by smallest area, then smallest L.
-/// Points in a plane, on a line or at one place give a flat box.
+/// the extents with 2 radius added, so it is the smallest box of the rounded body. Same bits for
+/// any order of the points; ties by smallest area, then smallest L. Points in a plane, on a line or
+/// at one place give a flat box.
 /// @throws GeometryError  no points
 /// @cite orourke1985
 OrientedBox smallest_box(std::span<const Vec3> points, double radius = 0.0);

@@ -13,10 +13,10 @@ namespace clast {
 struct ShpShape {
   std::string name;  ///< no spaces
   SpheroPolyhedron body;
-  double volume = 0.0;                        ///< m^3
-  Vec3 inertia_per_mass = Vec3::Zero();       ///< principal, m^2
-  OrientedBox box;                            ///< of the rounded body, in the principal frame
-  Pose source_from_body;                      ///< where the centre and the axes were
+  double volume = 0.0;                   ///< m^3
+  Vec3 inertia_per_mass = Vec3::Zero();  ///< principal, m^2
+  OrientedBox box;                       ///< of the rounded body, in the principal frame
+  Pose source_from_body;                 ///< where the centre and the axes were
 };
 
 /// Writes the shapes in order with `preCompDone y`, so that nothing is sampled anew on loading.

@@ -66,9 +66,9 @@ class ContactForces {
 
   // Scratch of one update, kept to spare the allocations.
   std::vector<Contact> now_;
-  std::vector<int> previous_of_;            ///< contact of the step before, -1 for none
-  std::vector<char> carried_on_;            ///< contacts of the step before that live on
-  std::vector<std::size_t> patch_;          ///< union-find over the contacts
+  std::vector<int> previous_of_;    ///< contact of the step before, -1 for none
+  std::vector<char> carried_on_;    ///< contacts of the step before that live on
+  std::vector<std::size_t> patch_;  ///< union-find over the contacts
   std::vector<double> patch_overlap_;
   std::vector<std::vector<std::uint32_t>> on_plane_;  ///< contacts on each plane of the block
   std::vector<std::uint32_t> planes_used_;
