@@ -109,6 +109,7 @@ class Cleaning {
     check_closed();
     split_pinches();
     turn_outward();
+    count_tunnels();
     return std::move(scan_);
   }
 
@@ -230,6 +231,13 @@ class Cleaning {
     if (volume > 0.0) return;
     for (TriangleMesh::Triangle& t : scan_.mesh.triangles) std::swap(t[1], t[2]);
     note("the surface faced inwards and was turned");
+  }
+
+  void count_tunnels() {
+    const long handles = (2 - inspect(scan_.mesh).euler_characteristic) / 2;
+    if (handles <= 0) return;
+    note(counted(static_cast<std::size_t>(handles), "tunnel goes", "tunnels go") +
+         " through the block and stay open; if the rock has none, fill them in the scan");
   }
 
   std::string name_;

@@ -7,11 +7,16 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
+#include "reconstruct/detail/mend.hpp"
 #include "shapes/detail/cgal_mesh.hpp"
+#include "shapes/detail/edge_collapse.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "shapes/self_intersection.hpp"
 
@@ -21,8 +26,13 @@ namespace {
 
 namespace Simplification = CGAL::Surface_mesh_simplification;
 
-/// Targets tried in turn, as shares of the one asked for, when a thinned mesh crosses itself.
-constexpr double kShares[] = {1.0, 0.97, 0.93, 0.88, 0.8};
+/// Targets tried in turn, as multiples of the one asked for, when a thinned mesh crosses itself:
+/// tunnels of a porous scan need vertices to stay open.
+constexpr double kMultiples[] = {1.0, 1.25, 1.5, 2.0};
+/// Share of the volume that drawing crossing triangles together may change.
+constexpr double kVolumeKept = 1e-3;
+/// Rounds of collapsing what crosses before more vertices are tried.
+constexpr int kUntanglings = 20;
 
 /// Edges of a closed mesh with `vertices` vertices: V - E + F = chi and 3 F = 2 E.
 std::size_t edges_of(std::size_t vertices, long euler) {
@@ -38,6 +48,24 @@ TriangleMesh collapsed_to(const detail::CgalMesh& start, std::size_t edges) {
           .get_placement(Placement())
           .filter(Simplification::Bounded_normal_change_filter<>()));
   return detail::from_cgal(mesh);
+}
+
+/// Draws crossing triangles together until none is left; none when that doesn't end or would cost
+/// more than a sliver of the block.
+std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
+  const double volume = detail::signed_volume(mesh);
+  for (int round = 0; round < kUntanglings; ++round) {
+    std::vector<std::uint32_t> crossing;
+    for (const auto& pair : crossing_triangles(mesh)) {
+      crossing.insert(crossing.end(), pair.begin(), pair.end());
+    }
+    if (crossing.empty()) {
+      const double change = std::abs(detail::signed_volume(mesh) - volume);
+      return change <= kVolumeKept * volume ? std::optional(std::move(mesh)) : std::nullopt;
+    }
+    if (detail::collapse_edges_of(mesh, crossing) == 0) break;
+  }
+  return std::nullopt;
 }
 
 std::string place(const Vec3& point) {
@@ -71,12 +99,12 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   const detail::CgalMesh start = detail::to_cgal(centred);
 
   TriangleMesh first;
-  for (const double share : kShares) {
+  for (const double multiple : kMultiples) {
     const auto target = std::max<std::size_t>(
-        4, static_cast<std::size_t>(share * static_cast<double>(options.target_vertices)));
+        4, static_cast<std::size_t>(multiple * static_cast<double>(options.target_vertices)));
     TriangleMesh thinned = collapsed_to(start, edges_of(target, report.euler_characteristic));
     for (Vec3& vertex : thinned.vertices) vertex += origin;
-    if (crossing_triangles(thinned).empty() && inspect(thinned).closed()) return thinned;
+    if (std::optional<TriangleMesh> sound = untangled(thinned)) return std::move(*sound);
     if (first.triangles.empty()) first = std::move(thinned);
   }
   const auto crossings = crossing_triangles(first);

@@ -14,10 +14,11 @@ struct SimplifyOptions {
 };
 
 /// Edge collapse that keeps the volume (Lindstrom & Turk 1998), with bounded normal change. The
-/// result is closed and has at most `target_vertices` vertices unless the mesh has fewer triangles
-/// to spare. A mesh at or below the target is returned as it is.
+/// result is closed, crosses itself nowhere and has at most `target_vertices` vertices; where
+/// tunnels of a porous scan would then cut through each other, up to twice as many. A mesh at or
+/// below the target is returned as it is.
 /// @param mesh  closed, 2-manifold, outward
-/// @throws GeometryError  mesh not closed, or the thinned mesh crosses itself
+/// @throws GeometryError  mesh not closed, or the thinned mesh crosses itself all the same
 /// @cite lindstrom1998
 TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options = {});
 

@@ -15,8 +15,8 @@ mkdir -p out
 clast reconstruct samples/blocks/B*.ply -o out/blocks.h5 --replace
 clast show out/blocks.h5
 clast classify out/blocks.h5
-# A results file is continued where it stopped; the demo shows the whole run each time.
-rm -f out/results.h5
+# A demo that was interrupted left runs behind, which simulate keeps until it is told what to do.
+rm -f out/results.h5.part*
 clast simulate samples/campaign.toml -o out/results.h5
 clast compare out/results.h5 -o out/report
 

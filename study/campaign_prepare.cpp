@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
+#include <limits>
 
 #include "classify/schemes.hpp"
 #include "core/digest.hpp"
@@ -109,27 +109,22 @@ std::vector<Vec3> local_points(const Campaign& campaign, const TerrainSurface& s
   return points;
 }
 
-// The lowest point of the core, in the world.
-Vec3 lowest_vertex(const RigidBody& body, const RigidState& state) {
-  const Pose world_from_body = state.world_from_body();
-  Vec3 lowest = world_from_body * body.shape.vertices.front();
-  for (const Vec3& vertex : body.shape.vertices) {
-    const Vec3 point = world_from_body * vertex;
-    if (point.z() < lowest.z()) lowest = point;
-  }
-  return lowest;
-}
-
-// Lifts a block so that its lowest skin point is `drop_height` above the uppermost ground under it.
+// Lifts a block so that its lowest skin point is `drop_height` above the uppermost ground. Lowest
+// is meant over the ground, of the points straight under core vertices: on a slope the point of
+// smallest z is often not the first to touch, and for a level edge it is not even unique.
 void place_above_ground(const TerrainSurface& surface, const RigidBody& body, double drop_height,
                         RigidState& state) {
   const double sky = surface.extent().high.z() + surface.radius() + 1.0;
-  const Vec3 lowest = lowest_vertex(body, state);
-  std::optional<double> ground = surface.height(lowest.x(), lowest.y(), sky);
-  // At the rim of the terrain the centre can be over ground and the lowest point beside it.
-  if (!ground) ground = surface.height(state.position.x(), state.position.y(), sky);
-  if (!ground) return;
-  state.position.z() += *ground + drop_height - (lowest.z() - body.shape.radius);
+  const Pose world_from_body = state.world_from_body();
+  double clearance = std::numeric_limits<double>::infinity();
+  for (const Vec3& vertex : body.shape.vertices) {
+    const Vec3 point = world_from_body * vertex;
+    // At the rim of the terrain a vertex can be beside it.
+    if (const std::optional<double> ground = surface.height(point.x(), point.y(), sky)) {
+      clearance = std::min(clearance, point.z() - body.shape.radius - *ground);
+    }
+  }
+  if (std::isfinite(clearance)) state.position.z() += drop_height - clearance;
 }
 
 // How deep a block is in the ground, m; none when it is clear of it.

@@ -30,7 +30,7 @@ if [ -d "$data" ]; then
   export CLAST_DATA
 elif [ "$ci" != true ]; then
   labels=$(printf '%s\n' $labels | grep -v '^validation' | xargs)
-  left_out="Validation tests were left out: no data folder at $data (set CLAST_DATA to it; see "Data for validation" in docs/architecture.md)"
+  left_out="Validation tests were left out: no data folder at $data (set CLAST_DATA to it; see samples/authume/README.md)"
   printf '== %s\n' "$left_out"
 fi
 

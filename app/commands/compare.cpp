@@ -23,8 +23,8 @@ void compare_results(const CompareArgs& args) {
   for (const std::string& warning : comparison.warnings) {
     std::cerr << "clast: warning: " << warning << "\n";
   }
-  for (const char* name :
-       {"runs.csv", "barriers.csv", "crossings.csv", "deposits.csv", "stops.gpkg", "report.html"}) {
+  for (const char* name : {"runs.csv", "barriers.csv", "crossings.csv", "deposits.csv",
+                           "provenance.json", "stops.gpkg", "report.html"}) {
     std::cout << (std::filesystem::path(args.folder) / name).string() << "\n";
   }
 }
@@ -42,7 +42,7 @@ void add_compare(CLI::App& app) {
       ->type_name("DIR")
       ->capture_default_str();
   command->footer(
-      "Writes runs.csv, barriers.csv, crossings.csv, deposits.csv, stops.gpkg and "
+      "Writes runs.csv, barriers.csv, crossings.csv, deposits.csv, provenance.json, stops.gpkg and "
       "report.html, whose path\ncomes last. Units are in the column names.\n"
       "Example:\n  clast compare compact.h5 elongated.h5 -o comparison");
   command->callback([args] { compare_results(*args); });

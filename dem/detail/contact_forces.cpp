@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace clast {
 namespace {
@@ -49,10 +50,9 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
   if (points.empty() && contacts_.empty()) return load;
   const double k_n = stiffness_.normal, k_t = stiffness_.tangential, k_r = stiffness_.rolling;
 
-  std::vector<int> previous_of(points.size(), -1);
-  match(points, previous_of);
-  std::vector<bool> carried_on(contacts_.size(), false);
-  std::vector<Contact> now(points.size());
+  match(points);
+  std::vector<Contact>& now = now_;
+  now.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i) {
     now[i].point = points[i];
     now[i].ground = &zones_[terrain_.zone(points[i].ground_face)];
@@ -77,9 +77,8 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
     double weight_before = w;
     double restitution_before = restitution;
     Vec3 tangential_before = Vec3::Zero(), rolling_before = Vec3::Zero();
-    if (previous_of[i] >= 0) {
-      const Contact& previous = contacts_[previous_of[i]];
-      carried_on[previous_of[i]] = true;
+    if (previous_of_[i] >= 0) {
+      const Contact& previous = contacts_[previous_of_[i]];
       before = previous.point.overlap;
       normal_before = previous.normal;
       weight_before = previous.weight;
@@ -129,7 +128,7 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
   }
 
   for (std::size_t j = 0; j < contacts_.size(); ++j) {
-    if (carried_on[j]) continue;
+    if (carried_on_[j]) continue;
     const Contact& gone = contacts_[j];
     const Vec3 arm = gone.point.point() - centre;
     const Vec3 moving = velocity + angular_velocity.cross(arm);
@@ -139,108 +138,127 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
     const bool parted = moving.dot(gone.point.normal) > 0.0;
     (parted ? ledger.normal : ledger.reassigned) += stored(gone) - given_back;
   }
-  contacts_ = std::move(now);
+  std::swap(contacts_, now_);
   return load;
 }
 
-void ContactForces::match(const std::vector<ContactPoint>& points,
-                          std::vector<int>& previous_of) const {
-  std::vector<bool> taken(contacts_.size(), false);
-  const auto pass = [&](const auto& related) {
+void ContactForces::match(const std::vector<ContactPoint>& points) {
+  previous_of_.assign(points.size(), -1);
+  carried_on_.assign(contacts_.size(), 0);
+  const auto carry_on = [&](std::size_t i, std::size_t j) {
+    previous_of_[i] = static_cast<int>(j);
+    carried_on_[j] = 1;
+  };
+  // The same pair of features. Both lists are in the same order, so the search goes on where the
+  // last one ended.
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t tried = 0; tried < contacts_.size(); ++tried) {
+      const std::size_t j = (next + tried) % contacts_.size();
+      const ContactPoint& a = points[i];
+      const ContactPoint& b = contacts_[j].point;
+      if (carried_on_[j] || a.kind != b.kind || a.block_feature != b.block_feature ||
+          a.ground_feature != b.ground_feature || a.normal.dot(b.normal) < kHandOverCosine) {
+        continue;
+      }
+      carry_on(i, j);
+      next = j + 1;
+      break;
+    }
+  }
+  const auto hand_over = [&](const auto& related) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (previous_of[i] >= 0) continue;
-      int best = -1;
+      if (previous_of_[i] >= 0) continue;
+      std::optional<std::size_t> best;
       double best_cosine = kHandOverCosine;
       for (std::size_t j = 0; j < contacts_.size(); ++j) {
-        if (taken[j] || !related(points[i], contacts_[j].point)) continue;
+        if (carried_on_[j] || !related(points[i], contacts_[j].point)) continue;
         const double cosine = points[i].normal.dot(contacts_[j].point.normal);
         if (cosine > best_cosine) {
           best_cosine = cosine;
-          best = static_cast<int>(j);
+          best = j;
         }
       }
-      if (best >= 0) {
-        previous_of[i] = best;
-        taken[best] = true;
-      }
+      if (best) carry_on(i, *best);
     }
   };
-  // The same pair of features; then the same block feature on the next ground feature, or the same
-  // ground feature under the next block feature; then whatever took over at the same place.
-  pass([](const ContactPoint& a, const ContactPoint& b) {
-    return a.kind == b.kind && a.block_feature == b.block_feature &&
-           a.ground_feature == b.ground_feature;
-  });
-  pass([](const ContactPoint& a, const ContactPoint& b) {
+  // The same block feature on the next ground feature, or the same ground feature under the next
+  // block feature; then whatever took over at the same place.
+  hand_over([](const ContactPoint& a, const ContactPoint& b) {
     return a.kind == b.kind &&
            (a.block_feature == b.block_feature ||
             (a.kind != ContactKind::kVertexGround && a.ground_feature == b.ground_feature));
   });
-  pass([&](const ContactPoint& a, const ContactPoint& b) {
-    return (a.foot - b.foot).norm() < near_;
+  hand_over([&](const ContactPoint& a, const ContactPoint& b) {
+    return (a.foot - b.foot).squaredNorm() < near_ * near_;
   });
 }
 
-bool ContactForces::same_patch(const ContactPoint& a, const ContactPoint& b) const {
-  // On the ground: flat or smoothly convex between the two.
-  if (a.normal.dot(b.normal) < kPatchCosine) return false;
-  const Vec3 between = b.foot - a.foot;
-  const double rise = kPatchRise * between.norm();
-  if (a.normal.dot(between) > rise || b.normal.dot(between) < -rise) return false;
-  // On the block: both belong to one plane of its surface.
-  const auto planes = [&](const ContactPoint& point, std::array<std::uint32_t, 2>& buffer) {
-    const auto plane_of = [&](std::uint32_t face) {
-      return face == kNoFeature ? kNoFeature : block_.faces[face].plane;
-    };
-    switch (point.kind) {
-      case ContactKind::kVertexGround:
-        return block_.planes_of(point.block_feature);
-      case ContactKind::kFaceVertex:
-        buffer[0] = plane_of(point.block_feature);
-        return std::span<const std::uint32_t>(buffer.data(), 1);
-      default: {
-        const SurfaceEdge& edge = block_.edges[point.block_feature];
-        buffer = {plane_of(edge.faces[0]), plane_of(edge.faces[1])};
-        return std::span<const std::uint32_t>(buffer.data(), 2);
-      }
-    }
-  };
-  std::array<std::uint32_t, 2> of_a, of_b;
-  for (const std::uint32_t plane : planes(a, of_a)) {
-    for (const std::uint32_t other : planes(b, of_b)) {
-      if (plane == other && plane != kNoFeature) return true;
-    }
+std::span<const std::uint32_t> ContactForces::planes_of(
+    const ContactPoint& point, std::array<std::uint32_t, 2>& buffer) const {
+  if (point.kind == ContactKind::kVertexGround) return block_.planes_of(point.block_feature);
+  if (point.kind == ContactKind::kFaceVertex) {
+    buffer[0] = block_.faces[point.block_feature].plane;
+    return {buffer.data(), 1};
   }
-  return false;
+  const SurfaceEdge& edge = block_.edges[point.block_feature];
+  std::size_t count = 0;
+  for (const std::uint32_t face : edge.faces) {
+    if (face != kNoFeature) buffer[count++] = block_.faces[face].plane;
+  }
+  return {buffer.data(), count};
 }
 
-void ContactForces::share_weights(std::vector<Contact>& contacts) const {
+std::size_t ContactForces::patch_of(std::size_t contact) {
+  while (patch_[contact] != contact) contact = patch_[contact] = patch_[patch_[contact]];
+  return contact;
+}
+
+void ContactForces::join_patches(const std::vector<Contact>& contacts) {
+  // Flat or smoothly convex ground between the two.
+  const auto smooth_between = [](const ContactPoint& a, const ContactPoint& b) {
+    if (a.normal.dot(b.normal) < kPatchCosine) return false;
+    const Vec3 between = b.foot - a.foot;
+    const double rise = kPatchRise * between.norm();
+    return a.normal.dot(between) <= rise && b.normal.dot(between) >= -rise;
+  };
+  patch_.resize(contacts.size());
+  std::iota(patch_.begin(), patch_.end(), std::size_t{0});
+  on_plane_.resize(block_.faces.size());
+  std::array<std::uint32_t, 2> buffer;
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    for (const std::uint32_t plane : planes_of(contacts[i].point, buffer)) {
+      if (on_plane_[plane].empty()) planes_used_.push_back(plane);
+      for (const std::uint32_t j : on_plane_[plane]) {
+        const std::size_t a = patch_of(i), b = patch_of(j);
+        if (a == b || !smooth_between(contacts[i].point, contacts[j].point)) continue;
+        patch_[std::max(a, b)] = std::min(a, b);
+      }
+      on_plane_[plane].push_back(i);
+    }
+  }
+  for (const std::uint32_t plane : planes_used_) on_plane_[plane].clear();
+  planes_used_.clear();
+}
+
+void ContactForces::share_weights(std::vector<Contact>& contacts) {
   const std::size_t count = contacts.size();
   if (weights_ == ContactWeights::kNone || count == 0) return;
   if (weights_ == ContactWeights::kCount) {
     for (Contact& contact : contacts) contact.weight = 1.0 / static_cast<double>(count);
     return;
   }
-  std::vector<std::size_t> patch(count, 0);
   if (weights_ == ContactWeights::kPatch) {
-    std::iota(patch.begin(), patch.end(), std::size_t{0});
-    const auto root = [&](std::size_t i) {
-      while (patch[i] != i) i = patch[i] = patch[patch[i]];
-      return i;
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t j = i + 1; j < count; ++j) {
-        if (!same_patch(contacts[i].point, contacts[j].point)) continue;
-        const std::size_t a = root(i), b = root(j);
-        patch[std::max(a, b)] = std::min(a, b);
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i) patch[i] = root(i);
+    join_patches(contacts);
+  } else {
+    patch_.assign(count, 0);
   }
-  std::vector<double> total(count, 0.0);
-  for (std::size_t i = 0; i < count; ++i) total[patch[i]] += contacts[i].point.overlap;
+  patch_overlap_.assign(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
-    contacts[i].weight = contacts[i].point.overlap / total[patch[i]];
+    patch_overlap_[patch_of(i)] += contacts[i].point.overlap;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    contacts[i].weight = contacts[i].point.overlap / patch_overlap_[patch_of(i)];
   }
 }
 

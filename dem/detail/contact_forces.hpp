@@ -1,6 +1,7 @@
 #pragma once
 /// Forces of the contact points, with the history that Eqs. 2-5 of the paper ask for.
 /// @cite garcia2022
+#include <array>
 #include <span>
 #include <vector>
 
@@ -47,9 +48,12 @@ class ContactForces {
     Vec3 rolling = Vec3::Zero();     ///< N m
   };
 
-  void match(const std::vector<ContactPoint>& points, std::vector<int>& previous_of) const;
-  void share_weights(std::vector<Contact>& contacts) const;
-  bool same_patch(const ContactPoint& a, const ContactPoint& b) const;
+  void match(const std::vector<ContactPoint>& points);
+  void share_weights(std::vector<Contact>& contacts);
+  void join_patches(const std::vector<Contact>& contacts);
+  std::size_t patch_of(std::size_t contact);
+  std::span<const std::uint32_t> planes_of(const ContactPoint& point,
+                                           std::array<std::uint32_t, 2>& buffer) const;
   double stored(const Contact& contact) const;
 
   const TerrainSurface& terrain_;
@@ -59,6 +63,15 @@ class ContactForces {
   ContactWeights weights_;
   double near_;  ///< contacts closer than this may hand their history on, m
   std::vector<Contact> contacts_;
+
+  // Scratch of one update, kept to spare the allocations.
+  std::vector<Contact> now_;
+  std::vector<int> previous_of_;            ///< contact of the step before, -1 for none
+  std::vector<char> carried_on_;            ///< contacts of the step before that live on
+  std::vector<std::size_t> patch_;          ///< union-find over the contacts
+  std::vector<double> patch_overlap_;
+  std::vector<std::vector<std::uint32_t>> on_plane_;  ///< contacts on each plane of the block
+  std::vector<std::uint32_t> planes_used_;
 };
 
 }  // namespace clast

@@ -123,6 +123,9 @@ void ContactSearch::look_at_vertex(std::uint32_t vertex, double travel) {
   NearestPoint nearest;
   nearest.distance = 1e300;
   for (const std::uint32_t f : state.faces) {
+    const SurfaceFace& face = ground_.features.faces[f];
+    const double height = face.normal.dot(centre - ground_.features.vertices[face.vertices[0]]);
+    if (std::abs(height) >= std::abs(nearest.distance)) continue;
     const NearestPoint candidate = nearest_on_face(ground_.features, f, centre);
     if (std::abs(candidate.distance) < std::abs(nearest.distance)) nearest = candidate;
   }

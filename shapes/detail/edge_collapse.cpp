@@ -20,6 +20,9 @@ constexpr double kFold = 0.2;
 /// A meeting point farther from the edge's middle than this many edge lengths is not trusted.
 constexpr double kFarthest = 1.5;
 
+/// How far around triangles that can't be collapsed themselves their neighbours are tried.
+constexpr int kRings = 3;
+
 bool has_corner(const Triangle& t, std::uint32_t vertex) {
   return t[0] == vertex || t[1] == vertex || t[2] == vertex;
 }
@@ -144,6 +147,20 @@ class Collapser {
   std::vector<bool> locked_;
 };
 
+/// The triangles and all that touch them.
+Indices widened(const TriangleMesh& mesh, const Indices& triangles) {
+  std::vector<bool> touched(mesh.vertices.size(), false);
+  for (const std::uint32_t t : triangles) {
+    for (const std::uint32_t v : mesh.triangles[t]) touched[v] = true;
+  }
+  Indices result;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (touched[a] || touched[b] || touched[c]) result.push_back(t);
+  }
+  return result;
+}
+
 }  // namespace
 
 Vec3 unit_normal(const TriangleMesh& mesh, const Triangle& t) {
@@ -160,14 +177,21 @@ double corner_angle(const TriangleMesh& mesh, const Triangle& t, std::size_t k) 
 }
 
 std::size_t collapse_edges_of(TriangleMesh& mesh, std::span<const std::uint32_t> wanted) {
-  Collapser collapser(mesh);
-  std::size_t count = 0;
-  for (const std::uint32_t triangle : wanted) {
-    // Vertices of an earlier collapse are locked, so a changed triangle is left for the next pass.
-    if (!collapsed(mesh.triangles[triangle]) && collapser.collapse_shortest(triangle)) ++count;
+  Indices tried(wanted.begin(), wanted.end());
+  for (int ring = 0; ring <= kRings; ++ring) {
+    Collapser collapser(mesh);
+    std::size_t count = 0;
+    for (const std::uint32_t triangle : tried) {
+      // Vertices of an earlier collapse are locked: a changed triangle is left for the next call.
+      if (!collapsed(mesh.triangles[triangle]) && collapser.collapse_shortest(triangle)) ++count;
+    }
+    if (count > 0) {
+      collapser.compact();
+      return count;
+    }
+    tried = widened(mesh, tried);
   }
-  if (count > 0) collapser.compact();
-  return count;
+  return 0;
 }
 
 }  // namespace clast::detail

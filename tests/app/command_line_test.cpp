@@ -2,42 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "core/random.hpp"
 #include "core/text_file.hpp"
 #include "core/version.hpp"
 #include "shapes/convex_hull.hpp"
+#include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
-#include "tests/support/run_program.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// Written by hand, so that these tests do not lean on the writer they run beside.
-void write_obj(const fs::path& path, const TriangleMesh& mesh) {
-  std::string text;
-  char line[128];
-  for (const Vec3& v : mesh.vertices) {
-    std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", v.x(), v.y(), v.z());
-    text += line;
-  }
-  for (const auto& [a, b, c] : mesh.triangles) {
-    std::snprintf(line, sizeof line, "f %u %u %u\n", a + 1, b + 1, c + 1);
-    text += line;
-  }
-  write_text_file(path, text);
-}
 
 TriangleMesh noisy_ellipsoid(std::uint64_t seed, const Vec3& axes) {
   Random random(seed);
@@ -46,23 +24,6 @@ TriangleMesh noisy_ellipsoid(std::uint64_t seed, const Vec3& axes) {
     points.push_back((1.0 + 0.02 * random.normal()) * random.direction().cwiseProduct(axes));
   }
   return convex_hull(points);
-}
-
-std::set<std::string> names_in(const fs::path& folder) {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename());
-  return names;
-}
-
-/// A failed command: exit code, a message that begins as all do and names `item`, nothing written.
-void expect_refused(const ScratchFolder& folder, const std::vector<std::string>& arguments,
-                    int code, const std::string& item) {
-  const std::set<std::string> before = names_in(folder.path());
-  const ProgramRun run = run_clast(arguments, folder.path());
-  EXPECT_EQ(run.exit_code, code) << run.err;
-  EXPECT_TRUE(run.err.starts_with("clast: ")) << run.err;
-  EXPECT_TRUE(contains(run.err, item)) << run.err;
-  EXPECT_EQ(names_in(folder.path()), before);
 }
 
 const std::vector<std::string> kCommands = {"reconstruct", "show",    "classify", "export",

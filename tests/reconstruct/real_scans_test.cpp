@@ -2,52 +2,15 @@
 /// with a reason.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <map>
-#include <sstream>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
 #include "reconstruct/scan.hpp"
+#include "tests/reconstruct/reference_meshes.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {
 namespace {
-
-std::filesystem::path data_folder() {
-  const char* named = std::getenv("CLAST_DATA");
-  return named ? std::filesystem::path(named)
-               : std::filesystem::path(CLAST_SOURCE_DIR) / ".." / "shared" / "data";
-}
-
-std::filesystem::path data_file(const std::string& name) {
-  const std::filesystem::path path = data_folder() / name;
-  if (!std::filesystem::exists(path)) {
-    throw InputError(path.string() + " is missing: set CLAST_DATA to the folder of the test data");
-  }
-  return path;
-}
-
-/// Column name to text, for every file of the reference table.
-std::map<std::string, std::map<std::string, std::string>> reference() {
-  std::istringstream table(read_text_file(data_file("meshes/reference.csv")));
-  const auto split = [](const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    return cells;
-  };
-  std::string line;
-  std::getline(table, line);
-  const std::vector<std::string> names = split(line);
-  std::map<std::string, std::map<std::string, std::string>> rows;
-  while (std::getline(table, line)) {
-    const std::vector<std::string> cells = split(line);
-    for (std::size_t i = 0; i < cells.size(); ++i) rows[cells[0]][names[i]] = cells[i];
-  }
-  return rows;
-}
 
 TEST(RealScans, EveryClosedMeshIsReadWithItsReferenceVolume) {
   std::size_t checked = 0;
@@ -69,7 +32,7 @@ TEST(RealScans, EveryClosedMeshIsReadWithItsReferenceVolume) {
     // The reference of the text PLY was computed from its numbers rounded to floats.
     EXPECT_NEAR(enclosed_volume(scan.mesh) / expected, 1.0, file.ends_with(".ply") ? 1e-8 : 1e-10);
     if (pieces) {
-      // The reference sums shells with their sign, and one of the fourteen is turned the other way.
+      // The reference counts fourteen shells; one of them is a scrap that is not inside.
       const double bubbles = expected - std::stod(row["volume"]);
       EXPECT_NEAR(scan.inner_shell_volume / bubbles, 1.0, 1e-4);
     }

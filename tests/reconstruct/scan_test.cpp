@@ -172,6 +172,36 @@ TEST(Scan, TouchingAtOneVertexIsSplit) {
   EXPECT_HAS(all_notes(scan), "touches itself");
 }
 
+TEST(Scan, TunnelsAreCounted) {
+  // A 3 x 3 x 3 grid box with the middle cells of top and bottom joined by a square tube.
+  TriangleMesh box = box_mesh({1, 1, 1}, 3);
+  const auto middle = [&](const TriangleMesh::Triangle& t) {
+    Vec3 centre = Vec3::Zero();
+    for (const std::uint32_t v : t) centre += box.vertices[v] / 3.0;
+    return std::abs(centre.x() - 0.5) < 0.17 && std::abs(centre.y() - 0.5) < 0.17 &&
+           std::abs(centre.z() - 0.5) > 0.49;
+  };
+  EXPECT_EQ(std::erase_if(box.triangles, middle), 4u);
+  const auto at_place = [&](double x, double y, double z) {
+    for (std::uint32_t v = 0; v < box.vertices.size(); ++v) {
+      if ((box.vertices[v] - Vec3(x, y, z)).norm() < 1e-9) return v;
+    }
+    return std::uint32_t(0);
+  };
+  const double low = 1.0 / 3.0, high = 2.0 / 3.0;
+  const std::vector<Vec2> square = {{low, low}, {high, low}, {high, high}, {low, high}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 &p = square[i], &q = square[(i + 1) % 4];
+    const std::uint32_t a = at_place(p.x(), p.y(), 0), b = at_place(q.x(), q.y(), 0);
+    const std::uint32_t c = at_place(q.x(), q.y(), 1), d = at_place(p.x(), p.y(), 1);
+    box.triangles.push_back({a, c, b});
+    box.triangles.push_back({a, d, c});
+  }
+  const Scan scan = cleaned_scan(box, "B017");
+  EXPECT_NEAR(enclosed_volume(scan.mesh), 8.0 / 9.0, 1e-14);
+  EXPECT_HAS(all_notes(scan), "1 tunnel goes through");
+}
+
 TEST(Scan, TwoSidedExportAndFoldedSliversAreMended) {
   const TriangleMesh rock = random_rock(9);
   EXPECT_NEAR(enclosed_volume(cleaned_scan(merged(rock, inverted(rock)), "B017").mesh),

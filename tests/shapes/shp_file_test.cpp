@@ -100,7 +100,7 @@ TEST(ShpFile, HoldsEveryNumberToTheLastBit) {
         FAIL() << "unknown keyword " << word;
       }
     }
-    EXPECT_EQ(seen.size(), 14u);
+    EXPECT_EQ(seen.size(), 15u);
     for (const auto& [keyword, count] : seen) EXPECT_EQ(count, 1) << keyword;
   }
 }

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "library/make_block.hpp"
+#include "tests/study/results_equal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
@@ -174,13 +175,15 @@ TEST_F(CampaignRun, DropHeightIsTheClearanceOfTheLowestSkinPoint) {
                                               "points = [[-12, -3], [10, 3]]\nheight_m = 0.75"));
   for (const RunRecord& run : plan.runs) {
     const RigidBody& body = plan.bodies[run.block];
-    Vec3 lowest(0, 0, 1e9);
+    double clearance = 1e9;
     for (const Vec3& vertex : body.shape.vertices) {
       const Vec3 point = plan.header.frame.map(run.start.world_from_body() * vertex);
-      if (point.z() < lowest.z()) lowest = point;
+      const double ground = point.x() < 0 ? -0.6 * point.x() : 0.0;
+      clearance = std::min(clearance, point.z() - body.shape.radius - ground);
     }
-    const double ground = lowest.x() < 0 ? -0.6 * lowest.x() : 0.0;
-    EXPECT_NEAR(lowest.z() - body.shape.radius - ground, 0.75, 1e-9);
+    EXPECT_NEAR(clearance, 0.75, 1e-9);
+    EXPECT_NEAR(plan.header.frame.map(run.start.position).x(), run.point == 0 ? -12.0 : 10.0,
+                1e-12);
   }
 }
 
@@ -293,8 +296,7 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
   const PreparedCampaign plan = prepared();
   run_campaign(plan, *folder_ / "one.h5", {.threads = 1});
   run_campaign(plan, *folder_ / "two.h5", {.threads = 2});
-  const std::string one = read_text_file(*folder_ / "one.h5");
-  EXPECT_TRUE(one == read_text_file(*folder_ / "two.h5"));
+  expect_equal_results(*folder_ / "one.h5", *folder_ / "two.h5");
 
   // Stopped twice from outside, and torn at its end.
   struct Stop {};
@@ -315,8 +317,30 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
       plan, *folder_ / "cut.h5",
       {.threads = 2, .resume = true, .progress = [&](std::size_t, std::size_t) { ++runs; }});
   EXPECT_LT(runs, 12u);
-  EXPECT_TRUE(one == read_text_file(*folder_ / "cut.h5"));
+  expect_equal_results(*folder_ / "one.h5", *folder_ / "cut.h5");
   EXPECT_FALSE(fs::exists(partial_results(*folder_ / "cut.h5")));
+}
+
+TEST_F(CampaignRun, RunThatFailsIsStoredWithItsReason) {
+  PreparedCampaign plan = prepared();
+  plan.runs[5].start.position.z() -= 20.0;
+  const fs::path target = *folder_ / "failed.h5";
+  run_campaign(plan, target, {.threads = 2});
+  const CampaignResults results = read_results(target);
+  ASSERT_EQ(results.runs.size(), 12u);
+  for (const RunRecord& run : results.runs) {
+    EXPECT_EQ(run.result.stop_reason == StopReason::kError, run.run == 5) << run.run;
+    EXPECT_EQ(run.result.message.empty(), run.run != 5) << run.run;
+  }
+  EXPECT_EQ(results.runs[5].result.final_state.position, plan.runs[5].start.position);
+}
+
+TEST_F(CampaignRun, TargetThatCantBeWrittenIsRefusedBeforeAnythingRuns) {
+  const PreparedCampaign plan = prepared();
+  fs::create_directory(*folder_ / "folder.h5");
+  const auto ran = [](std::size_t, std::size_t) { FAIL() << "a run was done"; };
+  EXPECT_THROW(run_campaign(plan, *folder_ / "folder.h5", {.progress = ran}), InputError);
+  EXPECT_THROW(run_campaign(plan, *folder_ / "turns.txt/r.h5", {.progress = ran}), InputError);
 }
 
 TEST_F(CampaignRun, ChangedInputsAreNotResumed) {

@@ -8,6 +8,7 @@
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "core/text_file.hpp"
 #include "study/release_points.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -405,6 +406,20 @@ TEST_F(CampaignFile, WhatIsNotTomlIsRefusedWithItsLine) {
     const std::string begin = "campaign.toml:" + std::to_string(line) + ": not TOML: ";
     EXPECT_EQ(message.substr(0, begin.size()), begin) << message;
   }
+}
+
+TEST_F(CampaignFile, DamagedTextIsReadOrRefusedButNeverMore) {
+  Random random(20);
+  std::size_t refused = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::string text = kCampaign;
+    if (i % 3 == 0) text.resize(random.below(text.size()));
+    if (i % 3 == 1) text[random.below(text.size())] = static_cast<char>(random.below(256));
+    if (i % 3 == 2) text.erase(random.below(text.size() - 20), random.below(20));
+    if (!refusal(text).empty()) ++refused;
+  }
+  EXPECT_GT(refused, 150u);
+  EXPECT_NE(refusal("x = " + std::string(100000, '[')), "");
 }
 
 TEST_F(CampaignFile, MissingTablesAreNamed) {

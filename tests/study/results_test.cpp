@@ -13,6 +13,7 @@
 #include "core/text_file.hpp"
 #include "core/version.hpp"
 #include "study/results_journal.hpp"
+#include "tests/study/results_equal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
@@ -108,54 +109,6 @@ void add_run(ResultsWriter& writer, std::uint32_t number) {
   writer.add(run.record, run.crossings, run.trajectory);
 }
 
-void expect_equal(const RigidState& a, const RigidState& b) {
-  EXPECT_EQ(a.position, b.position);
-  EXPECT_EQ(a.orientation.coeffs(), b.orientation.coeffs());
-  EXPECT_EQ(a.velocity, b.velocity);
-  EXPECT_EQ(a.angular_velocity, b.angular_velocity);
-}
-
-void expect_equal(const Crossing& a, const Crossing& b) {
-  EXPECT_EQ(a.run, b.run);
-  EXPECT_EQ(a.barrier, b.barrier);
-  EXPECT_EQ(a.forward, b.forward);
-  EXPECT_EQ(a.time, b.time);
-  EXPECT_EQ(a.position, b.position);
-  EXPECT_EQ(a.velocity, b.velocity);
-  EXPECT_EQ(a.angular_velocity, b.angular_velocity);
-  EXPECT_EQ(a.height, b.height);
-  EXPECT_EQ(a.clearance, b.clearance);
-  EXPECT_EQ(a.translational_energy, b.translational_energy);
-  EXPECT_EQ(a.rotational_energy, b.rotational_energy);
-}
-
-void expect_equal(const RunRecord& a, const RunRecord& b) {
-  EXPECT_EQ(a.run, b.run);
-  EXPECT_EQ(a.block, b.block);
-  EXPECT_EQ(a.point, b.point);
-  EXPECT_EQ(a.orientation, b.orientation);
-  expect_equal(a.start, b.start);
-  const ReleaseResult &x = a.result, &y = b.result;
-  EXPECT_EQ(x.stop_reason, y.stop_reason);
-  EXPECT_EQ(x.message, y.message);
-  EXPECT_EQ(x.duration, y.duration);
-  expect_equal(x.final_state, y.final_state);
-  EXPECT_EQ(x.path_length, y.path_length);
-  EXPECT_EQ(x.max_speed, y.max_speed);
-  EXPECT_EQ(x.max_penetration, y.max_penetration);
-  EXPECT_EQ(x.settled_penetration, y.settled_penetration);
-  EXPECT_EQ(x.below_ground, y.below_ground);
-  EXPECT_EQ(x.energy.initial, y.energy.initial);
-  EXPECT_EQ(x.energy.final, y.energy.final);
-  EXPECT_EQ(x.energy.normal, y.energy.normal);
-  EXPECT_EQ(x.energy.friction, y.energy.friction);
-  EXPECT_EQ(x.energy.rolling, y.energy.rolling);
-  EXPECT_EQ(x.energy.reassigned, y.energy.reassigned);
-  EXPECT_EQ(x.energy.error, y.energy.error);
-  EXPECT_EQ(x.contact_steps, y.contact_steps);
-  EXPECT_EQ(x.impacts, y.impacts);
-}
-
 // That the file holds the sample runs `numbers` (sorted), whole.
 void expect_runs(const fs::path& file, const std::vector<std::uint32_t>& numbers) {
   const CampaignResults results = read_results(file);
@@ -168,12 +121,7 @@ void expect_runs(const fs::path& file, const std::vector<std::uint32_t>& numbers
       ASSERT_LT(crossing, results.crossings.size());
       expect_equal(results.crossings[crossing++], expected);
     }
-    const Trajectory trajectory = read_trajectory(file, numbers[i]);
-    EXPECT_EQ(trajectory.time, run.trajectory.time);
-    ASSERT_EQ(trajectory.states.size(), run.trajectory.states.size());
-    for (std::size_t k = 0; k < trajectory.states.size(); ++k) {
-      expect_equal(trajectory.states[k], run.trajectory.states[k]);
-    }
+    expect_equal(read_trajectory(file, numbers[i]), run.trajectory);
   }
   EXPECT_EQ(crossing, results.crossings.size());
 }
@@ -334,7 +282,7 @@ TEST(Results, FileDoesNotDependOnTheOrderOfRunsOrOnInterruptions) {
   ResultsWriter writer = ResultsWriter::resume(folder / "b.h5", sample_header());
   add_run(writer, 1);
   writer.finish();
-  EXPECT_EQ(read_text_file(folder / "a.h5"), read_text_file(folder / "b.h5"));
+  expect_equal_results(folder / "a.h5", folder / "b.h5");
 }
 
 TEST(Results, KilledWriterLosesNoRunItReported) {
@@ -383,8 +331,7 @@ TEST(Results, AnotherCampaignIsNotResumed) {
     return refusal([&] { ResultsWriter::resume(target, header); });
   };
   EXPECT_TRUE(contains(refused(sample_header()), "r.h5.part: no such file"));
-  for (const char* text :
-       {"", "something else altogether", "clast results journal 1\nxyz"}) {
+  for (const char* text : {"", "something else altogether", "clast results journal 1\nxyz"}) {
     write_text_file(partial_results(target), text);
     EXPECT_TRUE(contains(refused(sample_header()), "r.h5.part: is not the journal")) << text;
   }

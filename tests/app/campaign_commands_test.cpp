@@ -1,0 +1,153 @@
+// terrain, simulate and compare as processes, on a slope of two zones made here.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command_support.hpp"
+#include "tests/library/block_samples.hpp"
+
+namespace clast {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A slope that falls by one in two along x, from (0, -10, 20) to (20, 10, 10), and flat ground
+/// after.
+TriangleMesh ground(double from, double to, double z_from, double z_to) {
+  TriangleMesh mesh;
+  mesh.vertices = {{from, -10, z_from}, {to, -10, z_to}, {to, 10, z_to}, {from, 10, z_from}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+std::string campaign_text(const std::string& more = "") {
+  return "[blocks]\nlibrary = \"blocks.h5\"\n"
+         "[terrain]\nsurface = [\"slope.obj\", \"flat.obj\"]\nzones = [\"slope\", \"flat\"]\n"
+         "[ground.slope]\nenergy_restitution = 0.01\nfriction = 0.4\nrolling_friction = 0.1\n"
+         "[ground.flat]\nenergy_restitution = 0.01\nfriction = 0.7\nrolling_friction = 0.3\n"
+         "[release]\npoints = [[5, 0, 0], [5, 3, 0]]\nheight_m = 0.5\n"
+         "orientations = { random = 2, seed = 4 }\n"
+         "[[barrier]]\nname = \"B1\"\nfrom = [12, -9]\nto = [12, 9]\n"
+         "[run]\nmax_time_s = 5\ntrajectory_interval_s = 0\n" +
+         more;
+}
+
+std::string replaced(std::string text, const std::string& part, const std::string& by) {
+  return text.replace(text.find(part), part.size(), by);
+}
+
+class Campaigns : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_obj(folder / "slope.obj", ground(0, 20, 20, 10));
+    write_obj(folder / "flat.obj", ground(20, 40, 10, 10));
+    write_obj(folder / "cube.obj", cuboid(0.6, 0.5, 0.4));
+    write_obj(folder / "bar.obj", cuboid(1.2, 0.4, 0.4));
+    write_text_file(folder / "campaign.toml", campaign_text());
+    const ProgramRun run = run_clast({"reconstruct", "cube.obj", "bar.obj"}, folder.path());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  void refuse_campaign(const std::string& text, const std::string& item) {
+    write_text_file(folder / "bad.toml", text);
+    expect_refused(folder, {"simulate", "bad.toml"}, 1, item);
+    expect_refused(folder, {"simulate", "bad.toml", "--dry-run"}, 1, item);
+  }
+  ScratchFolder folder;
+};
+
+TEST_F(Campaigns, RunFromTerrainToReport) {
+  const ProgramRun terrain = run_clast(
+      {"terrain", "slope.obj", "flat.obj", "--zones", "slope,flat", "-o", "t.h5", "--json"},
+      folder.path());
+  ASSERT_EQ(terrain.exit_code, 0) << terrain.err;
+  const Json report = Json::parse(terrain.out);
+  EXPECT_EQ(report["triangles"], 4);
+  EXPECT_NEAR(report["zones"][0]["plan_area_m2"], 400.0, 1e-9);
+  EXPECT_NEAR(report["high_m"][2], 20.0, 1e-9);
+
+  const ProgramRun dry = run_clast({"simulate", "campaign.toml", "--dry-run"}, folder.path());
+  ASSERT_EQ(dry.exit_code, 0) << dry.err;
+  EXPECT_TRUE(contains(dry.out, "8 runs") && contains(dry.out, "k_n")) << dry.out;
+  EXPECT_FALSE(fs::exists(folder / "results.h5"));
+
+  for (const std::string threads : {"1", "2"}) {
+    const ProgramRun run = run_clast(
+        {"simulate", "campaign.toml", "-o", threads + ".h5", "--threads", threads, "--json"},
+        folder.path());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json summary = Json::parse(run.out);
+    EXPECT_EQ(summary["runs"], 8);
+    std::size_t stopped = 0;
+    for (const auto& [reason, count] : summary["stop_reasons"].items()) {
+      stopped += count.get<std::size_t>();
+    }
+    EXPECT_EQ(stopped, 8u);
+    EXPECT_EQ(summary["stop_reasons"]["error"], 0);
+    EXPECT_EQ(summary["below_ground"], 0);
+    const ProgramRun compared =
+        run_clast({"compare", threads + ".h5", "-o", "out" + threads}, folder.path());
+    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    EXPECT_TRUE(compared.out.ends_with("report.html\n")) << compared.out;
+  }
+  for (const char* table : {"runs.csv", "barriers.csv", "crossings.csv", "deposits.csv"}) {
+    EXPECT_EQ(read_text_file(folder / "out1" / table), read_text_file(folder / "out2" / table));
+  }
+  EXPECT_TRUE(fs::exists(folder / "out1" / "report.html"));
+  EXPECT_FALSE(fs::exists(folder / "1.h5.part"));
+}
+
+TEST_F(Campaigns, WhatAnInterruptedCampaignLeftIsNotThrownAway) {
+  write_text_file(folder / "results.h5.part", "runs of yesterday");
+  expect_refused(folder, {"simulate", "campaign.toml"}, 1, "--resume");
+  EXPECT_EQ(read_text_file(folder / "results.h5.part"), "runs of yesterday");
+  expect_refused(folder, {"simulate", "campaign.toml", "--resume"}, 1, "results.h5.part");
+}
+
+TEST_F(Campaigns, MistakesInTheCampaignFileAreNamed) {
+  expect_refused(folder, {"simulate", "none.toml"}, 1, "none.toml");
+  refuse_campaign("", "blocks");
+  refuse_campaign("[blocks\n", "bad.toml");
+  refuse_campaign(campaign_text("colour = \"red\"\n"), "colour");
+  refuse_campaign(replaced(campaign_text(), "friction = 0.4", "friction = -0.4"), "-0.4");
+  refuse_campaign(replaced(campaign_text(), "[ground.flat]", "[ground.flot]"), "fl");
+  refuse_campaign(replaced(campaign_text(), "[[5, 0, 0], [5, 3, 0]]", "[[5, 0, 0], [90, 3, 0]]"),
+                  "90");
+  refuse_campaign(replaced(campaign_text(), "blocks.h5", "stones.h5"), "stones.h5");
+  refuse_campaign(replaced(campaign_text(), "flat.obj", "flot.obj"), "flot.obj");
+  refuse_campaign(replaced(campaign_text(), "\"blocks.h5\"", "\"blocks.h5\"\nselect = [\"ball\"]"),
+                  "ball");
+}
+
+TEST_F(Campaigns, DamagedInputsAreNamed) {
+  const std::string whole = read_text_file(folder / "blocks.h5");
+  write_text_file(folder / "cut.h5", whole.substr(0, whole.size() / 2));
+  refuse_campaign(replaced(campaign_text(), "blocks.h5", "cut.h5"), "cut.h5");
+  write_text_file(folder / "text.obj", "no ground\n");
+  refuse_campaign(replaced(campaign_text(), "flat.obj", "text.obj"), "text.obj");
+}
+
+TEST_F(Campaigns, TerrainRefusesWhatIsNoGround) {
+  write_text_file(folder / "empty.obj", "");
+  write_text_file(folder / "prose.stl", "no ground\n");
+  write_text_file(folder / "nan.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n");
+  for (const std::string file : {"none.obj", "empty.obj", "prose.stl", "nan.obj"}) {
+    expect_refused(folder, {"terrain", file, "-o", "t.h5"}, 1, file);
+  }
+  // As many names as files: anything else is a misuse or a failure, but never a guess.
+  const ProgramRun run = run_clast(
+      {"terrain", "slope.obj", "flat.obj", "--zones", "a,b,c", "-o", "t.h5"}, folder.path());
+  EXPECT_TRUE(run.exit_code == 1 || run.exit_code == 2) << run.exit_code;
+  EXPECT_TRUE(contains(run.err, "zone")) << run.err;
+  EXPECT_FALSE(fs::exists(folder / "t.h5"));
+}
+
+TEST_F(Campaigns, CompareRefusesWhatIsNoResult) {
+  write_text_file(folder / "text.h5", "run,block\n");
+  write_text_file(folder / "empty.h5", "");
+  for (const std::string file : {"none.h5", "empty.h5", "text.h5", "blocks.h5"}) {
+    expect_refused(folder, {"compare", file, "-o", "out"}, 1, file);
+  }
+}
+
+}  // namespace
+}  // namespace clast

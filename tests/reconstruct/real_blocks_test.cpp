@@ -1,0 +1,42 @@
+/// Real scans all the way to rounded blocks.
+#include <gtest/gtest.h>
+
+#include "reconstruct/scan.hpp"
+#include "reconstruct/simplify.hpp"
+#include "shapes/rounding.hpp"
+#include "shapes/self_intersection.hpp"
+#include "tests/reconstruct/reference_meshes.hpp"
+#include "tests/shapes/shape_samples.hpp"
+
+namespace clast {
+namespace {
+
+/// Thinned to 250 vertices and rounded by 2 % and 5 % of the smallest bounding side, as a default
+/// block would be.
+TEST(RealBlocks, BecomeRoundedBlocksCloseToTheScan) {
+  for (auto& [file, row] : reference()) {
+    if (row["kind"] != "mesh" || row["trimesh_watertight"] != "True") continue;
+    SCOPED_TRACE(file);
+    const TriangleMesh scan = read_scan(data_file("meshes/" + file)).mesh;
+    const TriangleMesh thin = simplified(scan);
+    const bool porous = row["euler"] != "2";
+    EXPECT_LE(thin.vertices.size(), porous ? 500u : 250u);
+    EXPECT_TRUE(crossing_triangles(thin).empty());
+    EXPECT_NEAR(enclosed_volume(thin) / enclosed_volume(scan), 1.0, 1e-3);
+    const double longest = std::stod(row["L1"]), shortest = std::stod(row["L3"]);
+    // Walls between tunnels are thinner than two larger radii.
+    for (const double share : porous ? std::vector{0.02} : std::vector{0.02, 0.05}) {
+      const SpheroPolyhedron body = rounded_core(thin, share * shortest);
+      const TriangleMesh core = core_mesh(body);
+      EXPECT_TRUE(inspect(core).closed() && inspect(core).oriented());
+      EXPECT_TRUE(crossing_triangles(core).empty());
+      const Deviation deviation = surface_deviation(thin, body, 5000);
+      // What a ball can't reach: about 0.7 r at a right corner, whole tunnels of the porous stone.
+      EXPECT_LT(deviation.hausdorff, porous ? 0.05 * longest : 1.25 * body.radius);
+      EXPECT_LT(deviation.mean, 0.003 * longest);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,78 @@
+#pragma once
+/// Bit-for-bit comparison of what results files hold.
+#include <gtest/gtest.h>
+
+#include "study/results.hpp"
+
+namespace clast {
+
+inline void expect_equal(const RigidState& a, const RigidState& b) {
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.orientation.coeffs(), b.orientation.coeffs());
+  EXPECT_EQ(a.velocity, b.velocity);
+  EXPECT_EQ(a.angular_velocity, b.angular_velocity);
+}
+
+inline void expect_equal(const Crossing& a, const Crossing& b) {
+  EXPECT_EQ(a.run, b.run);
+  EXPECT_EQ(a.barrier, b.barrier);
+  EXPECT_EQ(a.forward, b.forward);
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.velocity, b.velocity);
+  EXPECT_EQ(a.angular_velocity, b.angular_velocity);
+  EXPECT_EQ(a.height, b.height);
+  EXPECT_EQ(a.clearance, b.clearance);
+  EXPECT_EQ(a.translational_energy, b.translational_energy);
+  EXPECT_EQ(a.rotational_energy, b.rotational_energy);
+}
+
+inline void expect_equal(const RunRecord& a, const RunRecord& b) {
+  EXPECT_EQ(a.run, b.run);
+  EXPECT_EQ(a.block, b.block);
+  EXPECT_EQ(a.point, b.point);
+  EXPECT_EQ(a.orientation, b.orientation);
+  expect_equal(a.start, b.start);
+  const ReleaseResult &x = a.result, &y = b.result;
+  EXPECT_EQ(x.stop_reason, y.stop_reason);
+  EXPECT_EQ(x.message, y.message);
+  EXPECT_EQ(x.duration, y.duration);
+  expect_equal(x.final_state, y.final_state);
+  EXPECT_EQ(x.path_length, y.path_length);
+  EXPECT_EQ(x.max_speed, y.max_speed);
+  EXPECT_EQ(x.max_penetration, y.max_penetration);
+  EXPECT_EQ(x.settled_penetration, y.settled_penetration);
+  EXPECT_EQ(x.below_ground, y.below_ground);
+  EXPECT_EQ(x.energy.initial, y.energy.initial);
+  EXPECT_EQ(x.energy.final, y.energy.final);
+  EXPECT_EQ(x.energy.normal, y.energy.normal);
+  EXPECT_EQ(x.energy.friction, y.energy.friction);
+  EXPECT_EQ(x.energy.rolling, y.energy.rolling);
+  EXPECT_EQ(x.energy.reassigned, y.energy.reassigned);
+  EXPECT_EQ(x.energy.error, y.energy.error);
+  EXPECT_EQ(x.contact_steps, y.contact_steps);
+  EXPECT_EQ(x.impacts, y.impacts);
+}
+
+inline void expect_equal(const Trajectory& a, const Trajectory& b) {
+  EXPECT_EQ(a.time, b.time);
+  ASSERT_EQ(a.states.size(), b.states.size());
+  for (std::size_t i = 0; i < a.states.size(); ++i) expect_equal(a.states[i], b.states[i]);
+}
+
+/// Runs, crossings and trajectories of both files. Not the bytes of the files: HDF5 writes times.
+inline void expect_equal_results(const std::filesystem::path& one,
+                                 const std::filesystem::path& other) {
+  const CampaignResults a = read_results(one), b = read_results(other);
+  ASSERT_EQ(a.runs.size(), b.runs.size());
+  for (std::size_t i = 0; i < a.runs.size(); ++i) {
+    expect_equal(a.runs[i], b.runs[i]);
+    expect_equal(read_trajectory(one, a.runs[i].run), read_trajectory(other, b.runs[i].run));
+  }
+  ASSERT_EQ(a.crossings.size(), b.crossings.size());
+  for (std::size_t i = 0; i < a.crossings.size(); ++i) {
+    expect_equal(a.crossings[i], b.crossings[i]);
+  }
+}
+
+}  // namespace clast
