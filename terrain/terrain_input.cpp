@@ -142,9 +142,16 @@ RawSurface read_clouds(const TerrainOptions& options) {
   }
   const fs::path& path = options.surface.front();
   const double cell = options.resolution.value_or(detail::default_cell(points));
-  RawSurface surface = surface_of(detail::binned(points, cell, path), path);
-  surface.notes.insert(surface.notes.begin(), path.string() + ": " + std::to_string(points.size()) +
-                                                  " points, mean heights over " + cells_of(cell));
+  detail::HeightGrid grid = detail::binned(points, cell, path);
+  const std::size_t filled = detail::fill_pinholes(grid);
+  RawSurface surface = surface_of(grid, path);
+  std::vector<std::string> notes = {path.string() + ": " + std::to_string(points.size()) +
+                                    " points, mean heights over " + cells_of(cell)};
+  if (filled > 0) {
+    notes.push_back(path.string() + ": " + std::to_string(filled) +
+                    " cells without points were filled from their neighbours");
+  }
+  surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
   return surface;
 }
 

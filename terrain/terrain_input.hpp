@@ -29,8 +29,9 @@ struct TerrainOptions {
 /// Reads, turns z up, welds, drops degenerate and duplicate triangles, turns normals out of the
 /// ground, and assigns zones.
 /// Rasters: heights are at cell centres; the surface joins the centres with two triangles per cell,
-/// none at nodata. Clouds are binned to the mean height per cell. Zone files are in map coordinates
-/// and decide by the centroid of each triangle, seen from above.
+/// none at nodata. Clouds are binned to the mean height per cell; empty cells between known ones
+/// are filled from their neighbours, larger gaps stay open. Zone files are in map coordinates and
+/// decide by the centroid of each triangle, seen from above.
 /// @throws InputError     a file that can't be read or a zone source that does not fit; names it
 /// @throws GeometryError  a surface that can't be mended, or triangles without a zone, with a place
 Terrain read_terrain(const TerrainOptions& options);

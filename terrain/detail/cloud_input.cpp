@@ -144,6 +144,39 @@ HeightGrid binned(std::span<const Vec3> points, double cell, const std::filesyst
   return grid;
 }
 
+std::size_t fill_pinholes(HeightGrid& grid) {
+  constexpr std::array<std::pair<long, long>, 4> kHalf = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+  constexpr int kRounds = 2;
+  constexpr int kLeastKnown = 5;  // so that at least one pair of opposite neighbours is known
+  const long columns = static_cast<long>(grid.columns), rows = static_cast<long>(grid.rows);
+  const auto height = [&](long i, long j) {
+    const bool inside = i >= 0 && j >= 0 && i < columns && j < rows;
+    return inside ? grid.heights[static_cast<std::size_t>(j * columns + i)]
+                  : std::numeric_limits<double>::quiet_NaN();
+  };
+  std::size_t total = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<std::pair<std::size_t, double>> filled;
+    for (std::size_t cell = 0; cell < grid.heights.size(); ++cell) {
+      if (std::isfinite(grid.heights[cell])) continue;
+      const long i = static_cast<long>(cell) % columns, j = static_cast<long>(cell) / columns;
+      int known = 0, pairs = 0;
+      double sum = 0.0;
+      for (const auto& [di, dj] : kHalf) {
+        const double one = height(i + di, j + dj), other = height(i - di, j - dj);
+        known += std::isfinite(one) + std::isfinite(other);
+        if (!std::isfinite(one) || !std::isfinite(other)) continue;
+        sum += (one + other) / 2.0;
+        ++pairs;
+      }
+      if (known >= kLeastKnown) filled.emplace_back(cell, sum / pairs);
+    }
+    for (const auto& [cell, value] : filled) grid.heights[cell] = value;
+    total += filled.size();
+  }
+  return total;
+}
+
 double default_cell(std::span<const Vec3> points) {
   Bounds box;
   for (const Vec3& point : points) box.include(point);

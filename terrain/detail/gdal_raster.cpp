@@ -177,6 +177,14 @@ void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
   file.commit();
 }
 
+bool same_crs(const std::string& one, const std::string& other) {
+  if (one == other) return true;
+  const GdalSession session;
+  OGRSpatialReference a, b;
+  return a.SetFromUserInput(one.c_str()) == OGRERR_NONE &&
+         b.SetFromUserInput(other.c_str()) == OGRERR_NONE && a.IsSame(&b) != 0;
+}
+
 bool is_raster(const std::filesystem::path& path) {
   static const std::set<std::string> kKnown = {".tif", ".tiff", ".asc", ".vrt", ".img",
                                                ".bil", ".flt",  ".grd", ".dem", ".hgt"};

@@ -23,6 +23,9 @@ Raster read_raster(const std::filesystem::path& path);
 void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
                    const std::string& crs);
 
+/// True when both name the same coordinate system, whichever way it is written.
+bool same_crs(const std::string& one, const std::string& other);
+
 /// Extensions that are taken for rasters.
 bool is_raster(const std::filesystem::path& path);
 

@@ -45,7 +45,7 @@ struct ZoneMap {
 ZoneMap raster_zones(const ZoneFile& source, const std::string& crs,
                      std::vector<std::string>& notes) {
   Raster raster = read_raster(source.path);
-  if (!crs.empty() && !raster.crs.empty() && crs != raster.crs) {
+  if (!crs.empty() && !raster.crs.empty() && !same_crs(crs, raster.crs)) {
     throw InputError(source.path.string() + ": is in " + raster.crs.substr(0, 60) +
                      ", the ground in " + crs.substr(0, 60) + "; reproject one (gdalwarp -t_srs)");
   }

@@ -73,6 +73,38 @@ TEST_F(CloudGround, HeightIsTheMeanOverTheCell) {
   EXPECT_EQ(terrain.surface.vertices[0], Vec3(0.5, 0.5, 4.0));
 }
 
+/// The points of a 20 x 20 m plane, one per square metre, without those that `left_out` names.
+std::string plane_without(const Plane& plane, const std::function<bool(int, int)>& left_out) {
+  std::ostringstream text;
+  text.precision(17);
+  for (int j = 0; j < 20; ++j) {
+    for (int i = 0; i < 20; ++i) {
+      if (left_out(i, j)) continue;
+      text << i + 0.5 << ' ' << j + 0.5 << ' ' << plane.at(i + 0.5, j + 0.5) << '\n';
+    }
+  }
+  return text.str();
+}
+
+TEST_F(CloudGround, PinholesAreFilledAndAPlaneStaysOne) {
+  const Plane plane;
+  const auto pinholes = [](int i, int j) { return i % 5 == 2 && (j % 5 == 2 || j % 5 == 3); };
+  const Terrain terrain =
+      read_terrain({.surface = {cloud(plane_without(plane, pinholes))}, .resolution = 1.0});
+  EXPECT_EQ(terrain.surface.vertices.size(), 400u);
+  for (const Vec3& v : terrain.surface.vertices) EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-9);
+  EXPECT_TRUE(contains(terrain.report.notes.at(1), "32 cells without points were filled"));
+}
+
+TEST_F(CloudGround, GapsStayOpen) {
+  const auto pond = [](int i, int j) { return i >= 6 && i < 14 && j >= 6 && j < 14; };
+  const Terrain terrain =
+      read_terrain({.surface = {cloud(plane_without({}, pond))}, .resolution = 1.0});
+  // Only the four corners of the gap have five known neighbours.
+  EXPECT_EQ(terrain.surface.vertices.size(), 400u - 64u + 4u);
+  EXPECT_TRUE(contains(terrain.report.notes.at(2), "60 of 400 cells have no height"));
+}
+
 TEST_F(CloudGround, TextInManyLayoutsIsRead) {
   const std::string heads[] = {"",    "X;Y;Z\n",   "# by hand\n\n", "\xEF\xBB\xBFx,y,z,red\n",
                                "4\n", "// x y z\n"};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/text_file.hpp"
+#include "terrain/terrain_file.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
 namespace clast {
@@ -138,6 +139,42 @@ TEST_F(Zones, MultiPolygonsAreOneZone) {
       R"([[[[0,0],[3,0],[3,10],[0,10],[0,0]]],[[[7,0],[10,0],[10,10],[7,10],[7,0]]]]}})";
   expect_zones(read({geojson(both + "," + box_feature("b", 3, 0, 7, 10))}),
                [](double x, double) { return x < 3.0 || x > 7.0 ? "a" : "b"; });
+}
+
+/// A GeoTIFF of 4 x 4 cells of 100 m around a place in a coordinate system.
+void write_map_raster(const std::filesystem::path& path, const Vec2& middle,
+                      const std::string& crs) {
+  TriangleMesh mesh = squares(4, 100.0, level);
+  for (Vec3& v : mesh.vertices) v += Vec3(middle.x() - 200.0, middle.y() - 200.0, 0.0);
+  Terrain terrain;
+  terrain.surface = mesh;
+  terrain.frame.crs = crs;
+  export_terrain(path, terrain, "z", 100.0);
+}
+
+// Lambert-93 puts E 700 km on the meridian of 3 degrees east and N 6,600 km on the parallel of 46.5
+// degrees, by definition. GeoJSON without a system is in degrees (RFC 7946).
+TEST_F(Zones, PolygonsInDegreesAreProjectedToTheMapOfTheGround) {
+  write_map_raster(folder_ / "dem.tif", {700000.0, 6600000.0}, "EPSG:2154");
+  const Terrain terrain =
+      read_terrain({.surface = {folder_ / "dem.tif"},
+                    .zones = {geojson(box_feature("west", 2.9, 46.4, 3.0, 46.6) + "," +
+                                      box_feature("east", 3.0, 46.4, 3.1, 46.6))}});
+  EXPECT_EQ(terrain.zone_names, (std::vector<std::string>{"west", "east"}));
+  expect_zones(terrain, [](double x, double) { return x < 700000.0 ? "west" : "east"; });
+  // Numbers beyond degrees are map metres, whatever the format says.
+  EXPECT_EQ(refusal(TerrainOptions{
+                .surface = {folder_ / "dem.tif"},
+                .zones = {geojson(box_feature("all", 699000, 6599000, 701000, 6601000))}}),
+            "");
+}
+
+TEST_F(Zones, AZoneRasterOfAnotherMapSystemIsRefused) {
+  write_map_raster(folder_ / "dem.tif", {700000.0, 6600000.0}, "EPSG:2154");
+  write_map_raster(folder_ / "zones.tif", {700000.0, 6600000.0}, "EPSG:32631");
+  const std::string message = refusal(TerrainOptions{.surface = {folder_ / "dem.tif"},
+                                                     .zones = {(folder_ / "zones.tif").string()}});
+  EXPECT_TRUE(contains(message, "is in EPSG:32631, the ground in EPSG:2154"));
 }
 
 TEST_F(Zones, PolygonsThatDoNotFitAreRefused) {
