@@ -457,7 +457,10 @@ std::string Hdf5Group::unit(const std::string& name) const {
 
 Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int schema_version) {
   silence();
-  Id id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_properties()), H5Fclose);
+  // Without times on the root group equal content is equal bytes.
+  const Id creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation, false);
+  Id id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access_properties()), H5Fclose);
   if (!id.valid()) {
     throw InputError(path.string() +
                      ": can't be written; check the folder and that no other "
