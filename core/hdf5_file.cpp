@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <new>
-#include <stdexcept>
-#include <type_traits>
 #include <utility>
 
+#include "core/detail/hdf5_types.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
 
 namespace clast {
 
 namespace fs = std::filesystem;
+using namespace hdf5;
 
 namespace {
 
@@ -25,156 +25,6 @@ constexpr unsigned kGzipLevel = 4;
 /// Deflate shrinks at most 1032 times: an array that claims more than this of its bytes on disk is
 /// damaged, and is refused before memory is asked for.
 constexpr std::size_t kLargestRatio = 1040;
-
-/// Stops HDF5 from printing its own errors, which it decides thread by thread.
-void silence() {
-  thread_local const bool done = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
-  static_cast<void>(done);
-}
-
-/// An HDF5 identifier that is closed with its owner.
-class Id {
- public:
-  using Closer = herr_t (*)(hid_t);
-  Id(hid_t id, Closer close) : id_(id), close_(close) {}
-  Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  ~Id() {
-    if (id_ >= 0) close_(id_);
-  }
-  operator hid_t() const { return id_; }
-  bool valid() const { return id_ >= 0; }
-
- private:
-  hid_t id_;
-  Closer close_;
-};
-
-/// The innermost reason HDF5 gives for the failure of its last call, in brackets, or nothing.
-std::string reason() {
-  std::string found;
-  H5Ewalk2(
-      H5E_DEFAULT, H5E_WALK_UPWARD,
-      [](unsigned depth, const H5E_error2_t* error, void* out) -> herr_t {
-        if (depth == 0 && error->desc) *static_cast<std::string*>(out) = error->desc;
-        return 0;
-      },
-      &found);
-  return found.empty() ? "" : " (HDF5: " + found + ")";
-}
-
-/// Text is stored at a fixed width, padded with zeros: HDF5's variable-length text lies in a heap
-/// without checksums, and following a damaged one crashes inside HDF5.
-Id text_type(std::size_t width) {
-  Id type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, std::max<std::size_t>(1, width));
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  return type;
-}
-
-/// The type of numbers T as it lies in memory or, little-endian, in the file.
-template <class T>
-Id number_type(bool in_file) {
-  const auto copy = [](hid_t type) { return Id(H5Tcopy(type), H5Tclose); };
-  if constexpr (std::is_same_v<T, double>) {
-    return copy(in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
-  } else if constexpr (std::is_same_v<T, float>) {
-    return copy(in_file ? H5T_IEEE_F32LE : H5T_NATIVE_FLOAT);
-  } else if constexpr (std::is_same_v<T, std::int64_t>) {
-    return copy(in_file ? H5T_STD_I64LE : H5T_NATIVE_INT64);
-  } else if constexpr (std::is_same_v<T, std::int32_t>) {
-    return copy(in_file ? H5T_STD_I32LE : H5T_NATIVE_INT32);
-  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
-    return copy(in_file ? H5T_STD_U32LE : H5T_NATIVE_UINT32);
-  } else if constexpr (std::is_same_v<T, std::uint16_t>) {
-    return copy(in_file ? H5T_STD_U16LE : H5T_NATIVE_UINT16);
-  } else {
-    static_assert(std::is_same_v<T, std::uint8_t>);
-    return copy(in_file ? H5T_STD_U8LE : H5T_NATIVE_UINT8);
-  }
-}
-
-template <class T>
-const char* name_of_type() {
-  if constexpr (std::is_same_v<T, std::string>) return "text";
-  if constexpr (std::is_same_v<T, double>) return "64-bit numbers";
-  if constexpr (std::is_same_v<T, float>) return "32-bit numbers";
-  if constexpr (std::is_same_v<T, std::int64_t>) return "64-bit integers";
-  if constexpr (std::is_same_v<T, std::int32_t>) return "32-bit integers";
-  if constexpr (std::is_same_v<T, std::uint32_t>) return "unsigned 32-bit integers";
-  if constexpr (std::is_same_v<T, std::uint16_t>) return "unsigned 16-bit integers";
-  return "unsigned 8-bit integers";
-}
-
-/// True when values of the stored type are values of T without loss.
-template <class T>
-bool fits(hid_t stored) {
-  const H5T_class_t kind = H5Tget_class(stored);
-  if constexpr (std::is_same_v<T, std::string>) {
-    return kind == H5T_STRING && H5Tis_variable_str(stored) == 0;
-  } else if constexpr (std::is_floating_point_v<T>) {
-    return kind == H5T_FLOAT && H5Tget_size(stored) <= sizeof(T);
-  } else {
-    return kind == H5T_INTEGER && H5Tget_size(stored) <= sizeof(T) &&
-           (H5Tget_sign(stored) == H5T_SGN_2) == std::is_signed_v<T>;
-  }
-}
-
-/// The texts one after the other, each padded or cut to `width` bytes; never inside a character.
-std::string padded(std::span<const std::string> texts, std::size_t width) {
-  std::string result;
-  result.reserve(texts.size() * width);
-  for (const std::string& text : texts) {
-    std::size_t length = std::min(text.size(), width);
-    while (length < text.size() && length > 0 && (text[length] & 0xC0) == 0x80) --length;
-    result.append(text, 0, length).append(width - length, '\0');
-  }
-  return result;
-}
-
-std::string unpadded(const std::string& bytes, std::size_t begin, std::size_t width) {
-  const std::string text = bytes.substr(begin, width);
-  return text.substr(0, text.find_last_not_of('\0') + 1);
-}
-
-std::size_t longest(std::span<const std::string> texts) {
-  std::size_t width = 1;
-  for (const std::string& text : texts) width = std::max(width, text.size());
-  return width;
-}
-
-/// Values as they are handed to HDF5.
-template <class T>
-struct Stored {
-  explicit Stored(std::span<const T> all)
-      : element(sizeof(T)),
-        in_file(number_type<T>(true)),
-        in_memory(number_type<T>(false)),
-        values(all) {}
-  Stored(std::span<const T> all, std::size_t) : Stored(all) {}
-  const void* data() const { return values.data(); }
-
-  std::size_t element;  ///< bytes of one value in the file
-  Id in_file;
-  Id in_memory;
-  std::span<const T> values;
-};
-
-template <>
-struct Stored<std::string> {
-  Stored(std::span<const std::string> all, std::size_t width)
-      : element(width),
-        in_file(text_type(width)),
-        in_memory(text_type(width)),
-        bytes(padded(all, width)) {}
-  explicit Stored(std::span<const std::string> all) : Stored(all, longest(all)) {}
-  const void* data() const { return bytes.data(); }
-
-  std::size_t element;
-  Id in_file;
-  Id in_memory;
-  std::string bytes;
-};
 
 /// Creation properties of a dataset; no times, so that equal content gives equal bytes.
 Id dataset_properties() {

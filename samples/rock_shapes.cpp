@@ -137,10 +137,10 @@ TriangleMesh rock(const RockRecipe& recipe) {
     const Vec3 direction = vertex.cwiseProduct(recipe.lengths).normalized();
     double radius = facet_radius(facets, direction, recipe.sharpness);
     if (recipe.notch > 0.0) {
-      // A groove over one side: a plane x = const, fading out below the middle.
-      const double across = direction.x() / 0.3;
-      const double side = std::clamp(0.5 + 1.2 * direction.z(), 0.0, 1.0);
-      radius *= 1.0 - recipe.notch * side * std::exp(-across * across);
+      // A notch in one side: deepest on the plane x = 0, fading out behind the middle.
+      const double across = direction.x() / 0.4;
+      const double side = std::clamp(0.3 + 1.2 * direction.y(), 0.0, 1.0);
+      radius *= 1.0 - recipe.notch * side * std::exp(-std::pow(across, 4));
     }
     radius += relief.at(radius * direction) + recipe.scan_noise * random.normal();
     vertex = radius * direction;
@@ -164,10 +164,11 @@ const std::vector<RockRecipe>& sample_recipes() {
        .frequency = 9,
        .seed = 106},
       {.name = "B07_concave",
-       .lengths = {1.15, 0.98, 0.66},
-       .notch = 0.42,
+       .lengths = {1.20, 1.05, 0.62},
+       .notch = 0.6,
+       .roughness = 0.006,
        .frequency = 12,
-       .seed = 107}};
+       .seed = 137}};
   return kRecipes;
 }
 

@@ -16,7 +16,7 @@ struct RockRecipe {
   int joint_faces = 0;         ///< 6: bounded by three joint sets first, like a sawn cuboid; else 0
   int facets = 24;             ///< further random planes that cut pieces off
   double sharpness = 18.0;     ///< exponent that blends the planes; larger is sharper
-  double notch = 0.0;          ///< depth of a groove across the block, share of the radius
+  double notch = 0.0;          ///< depth of a notch in one side, share of the radius
   double roughness = 0.012;    ///< largest octave of the surface relief, share of the mean length
   double scan_noise = 0.0008;  ///< standard deviation of the scanner along the ray, m
   int frequency = 10;          ///< 20 frequency^2 triangles

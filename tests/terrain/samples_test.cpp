@@ -10,6 +10,7 @@
 #include "classify/schemes.hpp"
 #include "core/text_file.hpp"
 #include "massprops/solid.hpp"
+#include "shapes/convex_hull.hpp"
 #include "shapes/mesh_io.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
@@ -111,6 +112,19 @@ INSTANTIATE_TEST_SUITE_P(Blocks, CleanScan,
                                          Scan{"B06_cuboid.ply", "CB"},
                                          Scan{"B07_concave.ply", "CP"}),
                          [](const auto& scan) { return scan.param.file.substr(0, 3); });
+
+// Share of the convex hull that is rock.
+TEST(Samples, OnlyTheConcaveBlockIsClearlyConcave) {
+  for (const auto& entry : fs::directory_iterator(kSamples / "blocks")) {
+    const TriangleMesh mesh = read_mesh(entry.path());
+    const double share = signed_volume(mesh) / signed_volume(convex_hull(mesh.vertices));
+    if (entry.path().stem() == "B07_concave") {
+      EXPECT_LT(share, 0.90);
+    } else {
+      EXPECT_GT(share, 0.94) << entry.path();
+    }
+  }
+}
 
 TEST(Samples, DirtyScansAreAsDirtyAsTheirNamesSay) {
   const auto report = [](const std::string& name) {

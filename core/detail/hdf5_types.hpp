@@ -1,0 +1,128 @@
+#pragma once
+/// How C++ values look to HDF5: identifiers with an owner, element types, text of fixed width.
+#include <hdf5.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace clast::hdf5 {
+
+/// Stops HDF5 from printing its own errors, which it decides thread by thread.
+void silence();
+
+/// An HDF5 identifier that is closed with its owner.
+class Id {
+ public:
+  using Closer = herr_t (*)(hid_t);
+  Id(hid_t id, Closer close) : id_(id), close_(close) {}
+  Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  ~Id() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+  bool valid() const { return id_ >= 0; }
+
+ private:
+  hid_t id_;
+  Closer close_;
+};
+
+/// The innermost reason HDF5 gives for the failure of its last call, in brackets, or nothing.
+std::string reason();
+
+/// Text is stored at a fixed width, padded with zeros: HDF5's variable-length text lies in a heap
+/// without checksums, and following a damaged one crashes inside HDF5.
+Id text_type(std::size_t width);
+
+/// The type of numbers T as it lies in memory or, little-endian, in the file.
+template <class T>
+Id number_type(bool in_file) {
+  const auto copy = [](hid_t type) { return Id(H5Tcopy(type), H5Tclose); };
+  if constexpr (std::is_same_v<T, double>) {
+    return copy(in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
+  } else if constexpr (std::is_same_v<T, float>) {
+    return copy(in_file ? H5T_IEEE_F32LE : H5T_NATIVE_FLOAT);
+  } else if constexpr (std::is_same_v<T, std::int64_t>) {
+    return copy(in_file ? H5T_STD_I64LE : H5T_NATIVE_INT64);
+  } else if constexpr (std::is_same_v<T, std::int32_t>) {
+    return copy(in_file ? H5T_STD_I32LE : H5T_NATIVE_INT32);
+  } else if constexpr (std::is_same_v<T, std::uint32_t>) {
+    return copy(in_file ? H5T_STD_U32LE : H5T_NATIVE_UINT32);
+  } else if constexpr (std::is_same_v<T, std::uint16_t>) {
+    return copy(in_file ? H5T_STD_U16LE : H5T_NATIVE_UINT16);
+  } else {
+    static_assert(std::is_same_v<T, std::uint8_t>);
+    return copy(in_file ? H5T_STD_U8LE : H5T_NATIVE_UINT8);
+  }
+}
+
+template <class T>
+const char* name_of_type() {
+  if constexpr (std::is_same_v<T, std::string>) return "text";
+  if constexpr (std::is_same_v<T, double>) return "64-bit numbers";
+  if constexpr (std::is_same_v<T, float>) return "32-bit numbers";
+  if constexpr (std::is_same_v<T, std::int64_t>) return "64-bit integers";
+  if constexpr (std::is_same_v<T, std::int32_t>) return "32-bit integers";
+  if constexpr (std::is_same_v<T, std::uint32_t>) return "unsigned 32-bit integers";
+  if constexpr (std::is_same_v<T, std::uint16_t>) return "unsigned 16-bit integers";
+  return "unsigned 8-bit integers";
+}
+
+/// True when values of the stored type are values of T without loss.
+template <class T>
+bool fits(hid_t stored) {
+  const H5T_class_t kind = H5Tget_class(stored);
+  if constexpr (std::is_same_v<T, std::string>) {
+    return kind == H5T_STRING && H5Tis_variable_str(stored) == 0;
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return kind == H5T_FLOAT && H5Tget_size(stored) <= sizeof(T);
+  } else {
+    return kind == H5T_INTEGER && H5Tget_size(stored) <= sizeof(T) &&
+           (H5Tget_sign(stored) == H5T_SGN_2) == std::is_signed_v<T>;
+  }
+}
+
+/// The texts one after the other, each padded or cut to `width` bytes; never inside a character.
+std::string padded(std::span<const std::string> texts, std::size_t width);
+/// One of them again.
+std::string unpadded(const std::string& bytes, std::size_t begin, std::size_t width);
+/// Bytes of the longest text, at least one.
+std::size_t longest(std::span<const std::string> texts);
+
+/// Values as they are handed to HDF5.
+template <class T>
+struct Stored {
+  explicit Stored(std::span<const T> all)
+      : element(sizeof(T)),
+        in_file(number_type<T>(true)),
+        in_memory(number_type<T>(false)),
+        values(all) {}
+  Stored(std::span<const T> all, std::size_t) : Stored(all) {}
+  const void* data() const { return values.data(); }
+
+  std::size_t element;  ///< bytes of one value in the file
+  Id in_file;
+  Id in_memory;
+  std::span<const T> values;
+};
+
+template <>
+struct Stored<std::string> {
+  Stored(std::span<const std::string> all, std::size_t width)
+      : element(width),
+        in_file(text_type(width)),
+        in_memory(text_type(width)),
+        bytes(padded(all, width)) {}
+  explicit Stored(std::span<const std::string> all) : Stored(all, longest(all)) {}
+  const void* data() const { return bytes.data(); }
+
+  std::size_t element;
+  Id in_file;
+  Id in_memory;
+  std::string bytes;
+};
+
+}  // namespace clast::hdf5
