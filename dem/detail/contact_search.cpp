@@ -76,10 +76,14 @@ double ContactSearch::safe_travel() const {
 }
 
 void ContactSearch::add(const ContactPoint& contact) {
-  // A point on the border between two ground faces of one plane, or at the joint of two collinear
-  // edges, is found twice but is one contact.
+  // A point on the border between two faces of one plane, or at the joint of two collinear edges,
+  // is found twice but is one contact.
   for (const ContactPoint& known : contacts_) {
-    if (known.normal.dot(contact.normal) > 1.0 - 1e-12 &&
+    const bool related =
+        known.kind == contact.kind && (known.block_feature == contact.block_feature ||
+                                       (known.kind != ContactKind::kVertexGround &&
+                                        known.ground_feature == contact.ground_feature));
+    if (related && known.normal.dot(contact.normal) > 1.0 - 1e-12 &&
         (known.foot - contact.foot).squaredNorm() < 1e-18) {
       return;
     }
@@ -105,44 +109,93 @@ void ContactSearch::look_at_vertex(std::uint32_t vertex, double travel) {
   };
 
   if (travel > state.list_until) {
-    const double look = reach_ + 8.0 * margin_;
-    const double above = ground_.height_clearance(centre, look);
-    if (above > reach_ + margin_) return sleep(above);
-    const std::optional<NearestPoint> nearest =
-        ground_.nearest(centre, reach_ + 4.0 * bounding_radius_ + 8.0 * margin_);
-    if (!nearest) return sleep(reach_ + 4.0 * bounding_radius_ + 8.0 * margin_);
-    if (nearest->distance > reach_ + margin_) return sleep(nearest->distance);
+    double deepest = travel - seen_at_[vertex] - distances_[vertex];
+    if (distances_[vertex] > reach_ + margin_ || deepest > margin_) {
+      // Not known well enough to gather a short list: measured anew.
+      const double look = reach_ + 8.0 * margin_;
+      const double above = ground_.height_clearance(centre, look);
+      if (above > reach_ + margin_) return sleep(above);
+      const double far = look + 4.0 * bounding_radius_;
+      const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
+      if (!nearest) return sleep(far);
+      if (nearest->distance > reach_ + margin_) return sleep(nearest->distance);
+      deepest = -nearest->distance;
+    }
     // Until the list runs out the centre moves by at most one margin and sinks by at most one more.
-    const double radius = std::max(reach_, std::max(0.0, -nearest->distance) + margin_) + margin_;
+    const double radius = std::max(reach_, std::max(0.0, deepest) + margin_) + margin_;
     Bounds here;
     here.include(centre);
     state.faces = ground_.faces_near(here, radius);
     state.list_until = travel + margin_;
+    state.sure_face = kNoFeature;
   }
 
+  if (look_at_sure_face(vertex, centre, travel)) return;
   NearestPoint nearest;
   nearest.distance = 1e300;
+  double second = 1e300;  // a lower bound of how far all other faces are
   for (const std::uint32_t f : state.faces) {
     const SurfaceFace& face = ground_.features.faces[f];
     const double height = face.normal.dot(centre - ground_.features.vertices[face.vertices[0]]);
-    if (std::abs(height) >= std::abs(nearest.distance)) continue;
+    if (std::abs(height) >= std::abs(nearest.distance)) {
+      second = std::min(second, std::abs(height));
+      continue;
+    }
     const NearestPoint candidate = nearest_on_face(ground_.features, f, centre);
-    if (std::abs(candidate.distance) < std::abs(nearest.distance)) nearest = candidate;
+    const bool nearer = std::abs(candidate.distance) < std::abs(nearest.distance);
+    second = std::min(second, std::abs(nearer ? nearest.distance : candidate.distance));
+    if (nearer) nearest = candidate;
   }
+  state.sure_face = nearest.within_face ? nearest.face : kNoFeature;
+  state.sure_inside_until =
+      std::min(state.list_until, travel + 0.5 * (second - std::abs(nearest.distance)));
+  state.sure_outside_until = std::min(state.list_until, travel + second - reach_);
   if (nearest.face == kNoFeature || nearest.distance >= reach_) {
+    // Beyond the list's reach nothing is known.
     const double known = nearest.face == kNoFeature ? reach_ + margin_ : nearest.distance;
-    sleep(std::min(known, reach_ + std::max(state.list_until - travel, 0.0)));
-    return;
+    return sleep(std::min(known, reach_ + state.list_until - travel));
   }
   sleep(nearest.distance);
   if (nearest.distance >= 0.0) return add_outside_contacts(vertex, centre);
+  add_inside_contact(vertex, centre, nearest);
+}
 
+bool ContactSearch::look_at_sure_face(std::uint32_t vertex, const Vec3& centre, double travel) {
+  VertexState& state = vertices_[vertex];
+  if (state.sure_face == kNoFeature) return false;
+  const SurfaceFace& face = ground_.features.faces[state.sure_face];
+  const double height = face.normal.dot(centre - ground_.features.vertices[face.vertices[0]]);
+  if (travel >= (height < 0.0 ? state.sure_inside_until : state.sure_outside_until)) return false;
+  distances_[vertex] = height;
+  seen_at_[vertex] = travel;
+  if (height >= reach_) {
+    state.due = std::min(travel + height - reach_, state.sure_outside_until);
+    return true;
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (face.inward[k].dot(centre - ground_.features.vertices[face.vertices[k]]) < 0.0)
+      return false;
+  }
+  state.due = travel;
+  ContactPoint contact;
+  contact.block_feature = vertex;
+  contact.ground_feature = contact.ground_face = state.sure_face;
+  contact.normal = face.normal;
+  contact.overlap = reach_ - height;
+  contact.foot = centre + (ground_.radius - height) * face.normal;
+  add(contact);
+  return true;
+}
+
+void ContactSearch::add_inside_contact(std::uint32_t vertex, const Vec3& centre,
+                                       const NearestPoint& nearest) {
   ContactPoint contact;
   contact.block_feature = vertex;
   contact.ground_feature = contact.ground_face = nearest.face;
-  const Vec3 out = nearest.point - centre;
   const double depth = -nearest.distance;
-  contact.normal = depth > 1e-9 ? Vec3(out / depth) : nearest.normal;
+  // On the surface itself, and above a face, the direction to it is its normal.
+  contact.normal =
+      nearest.within_face || depth < 1e-9 ? nearest.normal : Vec3((nearest.point - centre) / depth);
   contact.overlap = reach_ + depth;
   contact.foot = nearest.point + ground_.radius * contact.normal;
   add(contact);

@@ -51,6 +51,11 @@ class ContactSearch {
     double due = -1.0;         ///< travel at which this vertex must be looked at again
     double list_until = -1.0;  ///< travel until which `faces` is complete
     std::vector<std::uint32_t> faces;
+    // While its foot stays on `sure_face`, no other face matters: inside the ground until the one
+    // travel, outside within reach until the other.
+    std::uint32_t sure_face = kNoFeature;
+    double sure_inside_until = -1.0;
+    double sure_outside_until = -1.0;
   };
   struct Pair {
     ContactKind kind;
@@ -60,6 +65,8 @@ class ContactSearch {
   };
 
   void look_at_vertex(std::uint32_t vertex, double travel);
+  bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre, double travel);
+  void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
   void add_outside_contacts(std::uint32_t vertex, const Vec3& centre);
   void refresh_pairs(double travel);
   void look_at_pair(Pair& pair, double travel);

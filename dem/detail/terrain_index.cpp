@@ -28,6 +28,7 @@ NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
     inside = inside && depth[k] >= 0.0;
   }
   if (inside) {
+    best.within_face = true;
     best.point = query - height * f.normal;
     best.normal = f.normal;
     best.distance = height;
