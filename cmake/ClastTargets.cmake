@@ -33,10 +33,11 @@ function(clast_executable name)
   target_link_libraries(${name} PRIVATE clast_options ${ARG_LINK})
 endfunction()
 
-# clast_test(name LABEL label SOURCES ... LINK ... [TIMEOUT seconds]): one GoogleTest program, each
-# of its tests registered with ctest under the label.
+# clast_test(name LABEL label SOURCES ... LINK ... [TIMEOUT seconds] [WHOLE]): one GoogleTest
+# program, each of its tests registered with ctest under the label; with WHOLE the program is one
+# test, for suites whose tests share a costly set-up.
 function(clast_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "WHOLE" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
@@ -44,8 +45,13 @@ function(clast_test name)
   target_link_libraries(${name} PRIVATE clast_options ${ARG_LINK} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     CLAST_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLAST_PROGRAM="$<TARGET_FILE:clast>")
-  gtest_discover_tests(${name} TEST_PREFIX "${ARG_LABEL}." DISCOVERY_TIMEOUT 60
-                       PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+  if(ARG_WHOLE)
+    add_test(NAME ${ARG_LABEL}.${name} COMMAND ${name})
+    set_tests_properties(${ARG_LABEL}.${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+  else()
+    gtest_discover_tests(${name} TEST_PREFIX "${ARG_LABEL}." DISCOVERY_TIMEOUT 60
+                         PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+  endif()
 endfunction()
 
 # clast_benchmark(name SOURCES ... LINK ...): one Google Benchmark program, run by hand.
