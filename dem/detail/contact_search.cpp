@@ -11,6 +11,9 @@ namespace {
 /// Candidate lists look ahead this share of the block's smallest side: long enough to be rebuilt
 /// rarely, short enough to stay short.
 constexpr double kMarginShare = 0.05;
+/// Pairs of edges and faces are gathered for this many margins of travel: gathering is dear, a pair
+/// that sleeps is cheap.
+constexpr double kPairMargins = 2.0;
 /// Distances of block vertices older than this many margins are measured anew when edges are
 /// paired.
 constexpr double kStaleMargins = 3.0;
@@ -36,6 +39,7 @@ ContactSearch::ContactSearch(const TerrainSurface::Impl& ground, const RigidBody
   for (const SurfaceEdge& edge : block_.edges) longest_edge_ = std::max(longest_edge_, edge.length);
   const std::size_t count = block_.vertices.size();
   vertices_.resize(count);
+  due_.assign(count, -1.0);
   distances_.assign(count, 0.0);
   seen_at_.assign(count, -1e300);
   for (std::uint32_t v = 0; v < count; ++v) {
@@ -52,11 +56,11 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& world_from_
     horizon_ = travel + margin_;
     awake_.clear();
     for (const std::uint32_t v : pointed_) {
-      if (vertices_[v].due <= horizon_) awake_.push_back(v);
+      if (due_[v] <= horizon_) awake_.push_back(v);
     }
   }
   for (const std::uint32_t v : awake_) {
-    if (vertices_[v].due <= travel) look_at_vertex(v, travel);
+    if (due_[v] <= travel) look_at_vertex(v, travel);
   }
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   if (travel >= pairs_until_) refresh_pairs(travel);
@@ -70,7 +74,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& world_from_
 
 double ContactSearch::safe_travel() const {
   double earliest = std::min(pairs_until_, 1e300);
-  for (const std::uint32_t v : pointed_) earliest = std::min(earliest, vertices_[v].due);
+  for (const std::uint32_t v : pointed_) earliest = std::min(earliest, due_[v]);
   for (const Pair& pair : pairs_) earliest = std::min(earliest, pair.due);
   return earliest;
 }
@@ -105,7 +109,7 @@ void ContactSearch::look_at_vertex(std::uint32_t vertex, double travel) {
   const auto sleep = [&](double distance) {
     distances_[vertex] = distance;
     seen_at_[vertex] = travel;
-    state.due = travel + (distance - reach_);
+    due_[vertex] = travel + (distance - reach_);
   };
 
   if (travel > state.list_until) {
@@ -169,21 +173,21 @@ bool ContactSearch::look_at_sure_face(std::uint32_t vertex, const Vec3& centre, 
   distances_[vertex] = height;
   seen_at_[vertex] = travel;
   if (height >= reach_) {
-    state.due = std::min(travel + height - reach_, state.sure_outside_until);
+    due_[vertex] = std::min(travel + height - reach_, state.sure_outside_until);
     return true;
   }
   for (int k = 0; k < 3; ++k) {
     if (face.inward[k].dot(centre - ground_.features.vertices[face.vertices[k]]) < 0.0)
       return false;
   }
-  state.due = travel;
+  due_[vertex] = travel;
   ContactPoint contact;
   contact.block_feature = vertex;
   contact.ground_feature = contact.ground_face = state.sure_face;
   contact.normal = face.normal;
   contact.overlap = reach_ - height;
   contact.foot = centre + (ground_.radius - height) * face.normal;
-  add(contact);
+  contacts_.push_back(contact);
   return true;
 }
 
@@ -198,7 +202,7 @@ void ContactSearch::add_inside_contact(std::uint32_t vertex, const Vec3& centre,
       nearest.within_face || depth < 1e-9 ? nearest.normal : Vec3((nearest.point - centre) / depth);
   contact.overlap = reach_ + depth;
   contact.foot = nearest.point + ground_.radius * contact.normal;
-  add(contact);
+  contacts_.push_back(contact);
 }
 
 void ContactSearch::add_outside_contacts(std::uint32_t vertex, const Vec3& centre) {
@@ -267,12 +271,13 @@ void ContactSearch::refresh_pairs(double travel) {
     pairs_until_ = travel + above - bounding_radius_ - reach_;
     return;
   }
-  pairs_until_ = travel + margin_;
+  const double ahead = kPairMargins * margin_;
+  pairs_until_ = travel + ahead;
 
   Bounds box;
   for (const Vec3& vertex : block_.vertices) box.include(position_ + rotation_ * vertex);
   std::vector<std::uint32_t> edges, corners;
-  for (const std::uint32_t f : ground_.faces_near(box, reach_ + 2.0 * margin_)) {
+  for (const std::uint32_t f : ground_.faces_near(box, reach_ + 2.0 * ahead)) {
     const SurfaceFace& face = ground_.features.faces[f];
     for (int k = 0; k < 3; ++k) {
       const SurfaceEdge& edge = ground_.features.edges[face.edges[k]];
@@ -305,7 +310,7 @@ void ContactSearch::refresh_pairs(double travel) {
       seen_at_[v] = travel;
     }
   }
-  const double interest = std::max(reach_, deepest_) + 2.0 * margin_;
+  const double interest = std::max(reach_, deepest_) + 2.0 * ahead;
   // Enclosing balls in the body frame rule most pairs out.
   struct Ball {
     Vec3 centre;
@@ -331,7 +336,7 @@ void ContactSearch::refresh_pairs(double travel) {
       Pair pair{kind, of_block, candidates[i], 0.0};
       const double apart = distance(pair);
       if (apart > interest) continue;
-      pair.due = travel + std::max(0.0, apart - std::max(reach_, deepest_ + margin_));
+      pair.due = travel + std::max(0.0, apart - std::max(reach_, deepest_ + ahead));
       pairs_.push_back(pair);
     }
   };

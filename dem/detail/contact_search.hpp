@@ -48,7 +48,6 @@ class ContactSearch {
 
  private:
   struct VertexState {
-    double due = -1.0;         ///< travel at which this vertex must be looked at again
     double list_until = -1.0;  ///< travel until which `faces` is complete
     std::vector<std::uint32_t> faces;
     // While its foot stays on `sure_face`, no other face matters: inside the ground until the one
@@ -94,6 +93,7 @@ class ContactSearch {
   Vec3 position_ = Vec3::Zero();
   std::vector<std::uint32_t> pointed_;  ///< block vertices that can touch
   std::vector<VertexState> vertices_;   ///< of every block vertex
+  std::vector<double> due_;             ///< travel at which a vertex must be looked at again
   std::vector<double> distances_;       ///< last known signed distance of vertex centres, m
   std::vector<double> seen_at_;         ///< and the travel it was known at
   std::vector<std::uint32_t> awake_;    ///< pointed vertices due before `horizon_`
