@@ -37,7 +37,6 @@ class Release {
     meet_ground(0.0);
     result_.energy = {};
     result_.energy.initial = energy();
-    start_height_ = state_.position.z();
     while (true) {
       if (const std::optional<StopReason> reason = stopped()) {
         result_.stop_reason = *reason;
@@ -210,7 +209,6 @@ class Release {
   double time_ = 0.0;
   double travel_ = 0.0;
   double resting_ = 0.0;
-  double start_height_ = 0.0;
   bool left_ = false;
   ReleaseResult result_;
 };

@@ -77,9 +77,11 @@ class ContactSearch {
   Vec3 world(std::uint32_t block_vertex) const {
     return position_ + rotation_ * block_.vertices[block_vertex];
   }
-  /// True when `direction` (world, out of the ground) can be met by the block vertex: its own
-  /// surface falls away from it.
-  bool block_cone_holds(std::uint32_t vertex, const Vec3& direction) const;
+  void touch_corner(const Pair& pair, const Vec3& normal, double distance);
+  /// True when the block's own surface falls away from a ground that it touches along `normal`
+  /// (world, out of the ground) with this vertex or edge.
+  bool meets_vertex(std::uint32_t vertex, const Vec3& normal) const;
+  bool meets_edge(const SurfaceEdge& edge, const Vec3& normal) const;
 
   const TerrainSurface::Impl& ground_;
   SurfaceFeatures block_;

@@ -16,7 +16,7 @@ struct NearestPoint {
   Vec3 normal = Vec3::UnitZ();  ///< out of the solid: of the face, edge or vertex hit
   double distance = 0.0;        ///< signed: negative inside the solid
   std::uint32_t face = kNoFeature;
-  bool within_face = false;      ///< the foot of the query lies on the face, not on its border
+  bool within_face = false;  ///< the foot of the query lies on the face, not on its border
 };
 
 /// Nearest point of one face to `query`; `distance` is signed by the normal of the feature hit.
