@@ -154,8 +154,9 @@ class Release {
       half_velocity_ = state_.velocity;
       half_spin_ = state_.angular_velocity;
     }
-    load_ = forces_.update(search_.contacts(state_.world_from_body(), travel_), state_.position,
-                           half_velocity_, half_spin_, dt, result_.energy);
+    const Pose pose = state_.world_from_body();
+    load_ = forces_.update(search_.contacts(pose, travel_), pose, half_velocity_, half_spin_, dt,
+                           result_.energy);
     if (flying && !forces_.empty() && time_ > 0.0) ++result_.impacts;
     result_.max_penetration = std::max(result_.max_penetration, forces_.max_overlap());
   }

@@ -18,6 +18,8 @@ constexpr double kPatchCosine = 0.8660254037844386;
 /// How far a point of a patch may stand above the tangent plane of another, as a sine: 3 degrees.
 /// More is a valley, and its two sides carry the block apart.
 constexpr double kPatchRise = 0.052;
+/// A plane of the block joins contact points when it faces the ground within 60 degrees.
+constexpr double kFacingCosine = 0.5;
 
 Vec3 turned_into_plane(const Vec3& vector, const Vec3& normal) {
   const double length = vector.norm();
@@ -43,10 +45,12 @@ ContactForces::ContactForces(const TerrainSurface& terrain, std::span<const Grou
       weights_(settings.weights),
       near_(kHandOverShare * body.smallest_side) {}
 
-ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const Vec3& centre,
-                                  const Vec3& velocity, const Vec3& angular_velocity,
-                                  double duration, EnergyLedger& ledger) {
+ContactLoad ContactForces::update(const std::vector<ContactPoint>& points,
+                                  const Pose& world_from_body, const Vec3& velocity,
+                                  const Vec3& angular_velocity, double duration,
+                                  EnergyLedger& ledger) {
   ContactLoad load;
+  const Vec3& centre = world_from_body.translation;
   if (points.empty() && contacts_.empty()) return load;
   const double k_n = stiffness_.normal, k_t = stiffness_.tangential, k_r = stiffness_.rolling;
 
@@ -57,7 +61,7 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
     now[i].point = points[i];
     now[i].ground = &zones_[terrain_.zone(points[i].ground_face)];
   }
-  share_weights(now);
+  share_weights(now, world_from_body.rotation);
 
   for (std::size_t i = 0; i < now.size(); ++i) {
     Contact& contact = now[i];
@@ -194,15 +198,16 @@ void ContactForces::match(const std::vector<ContactPoint>& points) {
   });
 }
 
-std::span<const std::uint32_t> ContactForces::planes_of(
-    const ContactPoint& point, std::array<std::uint32_t, 2>& buffer) const {
-  if (point.kind == ContactKind::kVertexGround) return block_.planes_of(point.block_feature);
+std::span<const std::uint32_t> ContactForces::joints_of(
+    const ContactPoint& point, std::array<std::uint32_t, 3>& buffer) const {
+  if (point.kind == ContactKind::kVertexGround) return block_.joints_of(point.block_feature);
   if (point.kind == ContactKind::kFaceVertex) {
     buffer[0] = block_.faces[point.block_feature].plane;
     return {buffer.data(), 1};
   }
   const SurfaceEdge& edge = block_.edges[point.block_feature];
   std::size_t count = 0;
+  buffer[count++] = block_.joint_of_line(edge.line);
   for (const std::uint32_t face : edge.faces) {
     if (face != kNoFeature) buffer[count++] = block_.faces[face].plane;
   }
@@ -214,7 +219,7 @@ std::size_t ContactForces::patch_of(std::size_t contact) {
   return contact;
 }
 
-void ContactForces::join_patches(const std::vector<Contact>& contacts) {
+void ContactForces::join_patches(const std::vector<Contact>& contacts, const Quat& orientation) {
   // Flat or smoothly convex ground between the two.
   const auto smooth_between = [](const ContactPoint& a, const ContactPoint& b) {
     if (a.normal.dot(b.normal) < kPatchCosine) return false;
@@ -224,24 +229,30 @@ void ContactForces::join_patches(const std::vector<Contact>& contacts) {
   };
   patch_.resize(contacts.size());
   std::iota(patch_.begin(), patch_.end(), std::size_t{0});
-  on_plane_.resize(block_.faces.size());
-  std::array<std::uint32_t, 2> buffer;
+  on_joint_.resize(block_.faces.size() + block_.edges.size());
+  const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
+  std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-    for (const std::uint32_t plane : planes_of(contacts[i].point, buffer)) {
-      if (on_plane_[plane].empty()) planes_used_.push_back(plane);
-      for (const std::uint32_t j : on_plane_[plane]) {
+    const Vec3 in_body = body_from_world * contacts[i].point.normal;
+    for (const std::uint32_t joint : joints_of(contacts[i].point, buffer)) {
+      // A side wall joins nothing that stands on the ground: two feet stay two.
+      const bool wall =
+          joint < block_.faces.size() && block_.faces[joint].normal.dot(in_body) > -kFacingCosine;
+      if (wall) continue;
+      if (on_joint_[joint].empty()) joints_used_.push_back(joint);
+      for (const std::uint32_t j : on_joint_[joint]) {
         const std::size_t a = patch_of(i), b = patch_of(j);
         if (a == b || !smooth_between(contacts[i].point, contacts[j].point)) continue;
         patch_[std::max(a, b)] = std::min(a, b);
       }
-      on_plane_[plane].push_back(i);
+      on_joint_[joint].push_back(i);
     }
   }
-  for (const std::uint32_t plane : planes_used_) on_plane_[plane].clear();
-  planes_used_.clear();
+  for (const std::uint32_t joint : joints_used_) on_joint_[joint].clear();
+  joints_used_.clear();
 }
 
-void ContactForces::share_weights(std::vector<Contact>& contacts) {
+void ContactForces::share_weights(std::vector<Contact>& contacts, const Quat& orientation) {
   const std::size_t count = contacts.size();
   if (weights_ == ContactWeights::kNone || count == 0) return;
   if (weights_ == ContactWeights::kCount) {
@@ -249,7 +260,7 @@ void ContactForces::share_weights(std::vector<Contact>& contacts) {
     return;
   }
   if (weights_ == ContactWeights::kPatch) {
-    join_patches(contacts);
+    join_patches(contacts, orientation);
   } else {
     patch_.assign(count, 0);
   }

@@ -25,7 +25,7 @@ class ContactForces {
 
   /// Loads at the present contacts after a step of `duration`, during which the block moved with
   /// the mean velocities given. Books every joule of the step in `ledger`.
-  ContactLoad update(const std::vector<ContactPoint>& points, const Vec3& centre,
+  ContactLoad update(const std::vector<ContactPoint>& points, const Pose& world_from_body,
                      const Vec3& velocity, const Vec3& angular_velocity, double duration,
                      EnergyLedger& ledger);
 
@@ -49,11 +49,12 @@ class ContactForces {
   };
 
   void match(const std::vector<ContactPoint>& points);
-  void share_weights(std::vector<Contact>& contacts);
-  void join_patches(const std::vector<Contact>& contacts);
+  void share_weights(std::vector<Contact>& contacts, const Quat& orientation);
+  void join_patches(const std::vector<Contact>& contacts, const Quat& orientation);
   std::size_t patch_of(std::size_t contact);
-  std::span<const std::uint32_t> planes_of(const ContactPoint& point,
-                                           std::array<std::uint32_t, 2>& buffer) const;
+  /// Planes and straight edges of the block that a contact point lies on.
+  std::span<const std::uint32_t> joints_of(const ContactPoint& point,
+                                           std::array<std::uint32_t, 3>& buffer) const;
   double stored(const Contact& contact) const;
 
   const TerrainSurface& terrain_;
@@ -70,8 +71,8 @@ class ContactForces {
   std::vector<char> carried_on_;    ///< contacts of the step before that live on
   std::vector<std::size_t> patch_;  ///< union-find over the contacts
   std::vector<double> patch_overlap_;
-  std::vector<std::vector<std::uint32_t>> on_plane_;  ///< contacts on each plane of the block
-  std::vector<std::uint32_t> planes_used_;
+  std::vector<std::vector<std::uint32_t>> on_joint_;  ///< contacts on each plane and line
+  std::vector<std::uint32_t> joints_used_;
 };
 
 }  // namespace clast

@@ -28,7 +28,7 @@ std::string place(const Vec3& p) {
 void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
   surface.faces.reserve(mesh.triangles.size());
   for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-    SurfaceFace face{triangle, {}, {}, Vec3::Zero(), 0};
+    SurfaceFace face{triangle, {}, {}, Vec3::Zero()};
     const Vec3& a = mesh.vertices[triangle[0]];
     const Vec3& b = mesh.vertices[triangle[1]];
     const Vec3& c = mesh.vertices[triangle[2]];
@@ -117,66 +117,98 @@ void add_wires(SurfaceFeatures& surface, std::span<const std::array<std::uint32_
   }
 }
 
-void number_planes(SurfaceFeatures& surface) {
-  std::vector<std::uint32_t> parent(surface.faces.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
-    return f;
-  };
-  for (const SurfaceEdge& edge : surface.edges) {
-    if (edge.kind != EdgeKind::kFlat) continue;
-    const std::uint32_t a = root(edge.faces[0]);
-    const std::uint32_t b = root(edge.faces[1]);
-    parent[std::max(a, b)] = std::min(a, b);
+/// Sets of numbers that are joined pairwise; each is named by its smallest member.
+class Joined {
+ public:
+  explicit Joined(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
   }
-  for (std::uint32_t f = 0; f < surface.faces.size(); ++f) surface.faces[f].plane = root(f);
+  std::uint32_t name(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t a = name(i), b = name(j);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+void number_planes(SurfaceFeatures& surface) {
+  Joined planes(surface.faces.size());
+  for (const SurfaceEdge& edge : surface.edges) {
+    if (edge.kind == EdgeKind::kFlat) planes.join(edge.faces[0], edge.faces[1]);
+  }
+  for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
+    surface.faces[f].plane = planes.name(f);
+  }
 }
 
-void describe_vertices(SurfaceFeatures& surface) {
+using Incident = std::vector<std::vector<std::uint32_t>>;
+
+/// Rays, pointedness and the lines of edges that go straight on.
+void describe_vertices(SurfaceFeatures& surface, const Incident& edges_at) {
   const std::size_t count = surface.vertices.size();
   surface.ray_offsets.assign(count + 1, 0);
-  surface.plane_offsets.assign(count + 1, 0);
-  surface.vertex_normals.assign(count, Vec3::Zero());
   surface.pointed.assign(count, 0);
-  std::vector<std::vector<std::uint32_t>> edges_at(count), planes_at(count);
-  for (std::uint32_t e = 0; e < surface.edges.size(); ++e) {
-    for (const std::uint32_t v : surface.edges[e].vertices) edges_at[v].push_back(e);
-  }
-  for (const SurfaceFace& face : surface.faces) {
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 out =
-          (surface.vertices[face.vertices[(k + 1) % 3]] - surface.vertices[face.vertices[k]])
-              .normalized();
-      const Vec3 back =
-          (surface.vertices[face.vertices[(k + 2) % 3]] - surface.vertices[face.vertices[k]])
-              .normalized();
-      const double angle = std::atan2(out.cross(back).norm(), out.dot(back));
-      surface.vertex_normals[face.vertices[k]] += angle * face.normal;
-      planes_at[face.vertices[k]].push_back(face.plane);
-    }
-  }
+  Joined lines(surface.edges.size());
   for (std::size_t v = 0; v < count; ++v) {
-    if (surface.vertex_normals[v].norm() > 0.0) surface.vertex_normals[v].normalize();
     bool convex = edges_at[v].empty();  // a lone ball
-    std::vector<Vec3> sharp;
-    for (const std::uint32_t e : edges_at[v]) {
+    std::vector<std::uint32_t> sharp;
+    const auto ray = [&](std::uint32_t e) {
       const SurfaceEdge& edge = surface.edges[e];
-      const Vec3 ray = edge.vertices[0] == v ? edge.direction : Vec3(-edge.direction);
-      surface.rays.push_back(ray);
-      if (edge.kind != EdgeKind::kFlat) sharp.push_back(ray);
-      convex = convex || edge.convex();
+      return edge.vertices[0] == v ? edge.direction : Vec3(-edge.direction);
+    };
+    for (const std::uint32_t e : edges_at[v]) {
+      surface.rays.push_back(ray(e));
+      if (surface.edges[e].kind != EdgeKind::kFlat) sharp.push_back(e);
+      convex = convex || surface.edges[e].convex();
     }
     const bool goes_straight_on = sharp.size() == 2 &&
-                                  sharp[0].cross(sharp[1]).norm() < kFlatSine &&
-                                  sharp[0].dot(sharp[1]) < 0;
+                                  ray(sharp[0]).cross(ray(sharp[1])).norm() < kFlatSine &&
+                                  ray(sharp[0]).dot(ray(sharp[1])) < 0.0;
+    if (goes_straight_on) lines.join(sharp[0], sharp[1]);
     surface.pointed[v] = convex && !goes_straight_on;
     surface.ray_offsets[v + 1] = static_cast<std::uint32_t>(surface.rays.size());
-    std::vector<std::uint32_t>& around = planes_at[v];
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    surface.planes.insert(surface.planes.end(), around.begin(), around.end());
-    surface.plane_offsets[v + 1] = static_cast<std::uint32_t>(surface.planes.size());
+  }
+  for (std::uint32_t e = 0; e < surface.edges.size(); ++e) surface.edges[e].line = lines.name(e);
+}
+
+void make_vertex_normals(SurfaceFeatures& surface) {
+  surface.vertex_normals.assign(surface.vertices.size(), Vec3::Zero());
+  for (const SurfaceFace& face : surface.faces) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& here = surface.vertices[face.vertices[k]];
+      const Vec3 out = surface.vertices[face.vertices[(k + 1) % 3]] - here;
+      const Vec3 back = surface.vertices[face.vertices[(k + 2) % 3]] - here;
+      const double angle = std::atan2(out.cross(back).norm(), out.dot(back));
+      surface.vertex_normals[face.vertices[k]] += angle * face.normal;
+    }
+  }
+  for (Vec3& normal : surface.vertex_normals) {
+    if (normal.norm() > 0.0) normal.normalize();
+  }
+}
+
+void gather_joints(SurfaceFeatures& surface, const Incident& edges_at) {
+  const std::size_t count = surface.vertices.size();
+  Incident joints_at(count);
+  for (const SurfaceFace& face : surface.faces) {
+    for (const std::uint32_t v : face.vertices) joints_at[v].push_back(face.plane);
+  }
+  surface.joint_offsets.assign(count + 1, 0);
+  for (std::size_t v = 0; v < count; ++v) {
+    std::vector<std::uint32_t>& joints = joints_at[v];
+    for (const std::uint32_t e : edges_at[v]) {
+      const SurfaceEdge& edge = surface.edges[e];
+      if (edge.convex()) joints.push_back(surface.joint_of_line(edge.line));
+    }
+    std::sort(joints.begin(), joints.end());
+    joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+    surface.joints.insert(surface.joints.end(), joints.begin(), joints.end());
+    surface.joint_offsets[v + 1] = static_cast<std::uint32_t>(surface.joints.size());
   }
 }
 
@@ -190,7 +222,13 @@ SurfaceFeatures surface_features(const TriangleMesh& mesh,
   make_edges(surface);
   add_wires(surface, wires);
   number_planes(surface);
-  describe_vertices(surface);
+  make_vertex_normals(surface);
+  Incident edges_at(surface.vertices.size());
+  for (std::uint32_t e = 0; e < surface.edges.size(); ++e) {
+    for (const std::uint32_t v : surface.edges[e].vertices) edges_at[v].push_back(e);
+  }
+  describe_vertices(surface, edges_at);
+  gather_joints(surface, edges_at);
   return surface;
 }
 

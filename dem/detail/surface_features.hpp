@@ -24,7 +24,7 @@ struct SurfaceFace {
   std::array<std::uint32_t, 3> edges;  ///< edge k runs from vertex k to vertex k + 1
   std::array<Vec3, 3> inward;          ///< in the plane, perpendicular to edge k, into the face
   Vec3 normal;                         ///< unit, out of the solid
-  std::uint32_t plane;                 ///< faces joined over flat edges share this number
+  std::uint32_t plane = 0;             ///< faces joined over flat edges share this number
 };
 
 struct SurfaceEdge {
@@ -35,6 +35,7 @@ struct SurfaceEdge {
   Vec3 normal;                         ///< mean of the face normals, unit
   double length = 0.0;
   EdgeKind kind = EdgeKind::kFlat;
+  std::uint32_t line = 0;  ///< convex edges that go straight on into each other share this number
 
   bool convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kValley; }
 };
@@ -49,14 +50,18 @@ struct SurfaceFeatures {
                                              ///< there and does not go straight on
   std::vector<std::uint32_t> ray_offsets;    ///< edges leaving vertex v: rays[ray_offsets[v] ..]
   std::vector<Vec3> rays;                    ///< unit directions
-  std::vector<std::uint32_t> plane_offsets;  ///< plane numbers around vertex v, sorted
-  std::vector<std::uint32_t> planes;
+  std::vector<std::uint32_t> joint_offsets;  ///< joints of vertex v: joints[joint_offsets[v] ..]
+  std::vector<std::uint32_t> joints;         ///< planes and lines that meet there, sorted
 
   std::span<const Vec3> rays_of(std::uint32_t vertex) const {
     return {rays.data() + ray_offsets[vertex], rays.data() + ray_offsets[vertex + 1]};
   }
-  std::span<const std::uint32_t> planes_of(std::uint32_t vertex) const {
-    return {planes.data() + plane_offsets[vertex], planes.data() + plane_offsets[vertex + 1]};
+  std::span<const std::uint32_t> joints_of(std::uint32_t vertex) const {
+    return {joints.data() + joint_offsets[vertex], joints.data() + joint_offsets[vertex + 1]};
+  }
+  /// Planes and lines in one numbering: a plane by its number, a line after all faces.
+  std::uint32_t joint_of_line(std::uint32_t line) const {
+    return static_cast<std::uint32_t>(faces.size()) + line;
   }
 };
 

@@ -1,0 +1,146 @@
+// How stiffness is shared among contact points, and how it is chosen.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "dem/stiffness.hpp"
+#include "tests/support/test_rock.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kG = 9.81;
+
+/// A bridge of 1000 kg on two feet, 1.2 m of air between them.
+RigidBody bridge() {
+  const std::array<Vec2, 8> profile = {Vec2(-1, 0),  Vec2(-0.6, 0), Vec2(-0.6, 0.3), Vec2(0.6, 0.3),
+                                       Vec2(0.6, 0), Vec2(1, 0),    Vec2(1, 0.6),    Vec2(-1, 0.6)};
+  const std::array<std::array<std::uint32_t, 3>, 6> cap = {
+      {{0, 1, 2}, {0, 2, 7}, {2, 3, 6}, {2, 6, 7}, {3, 4, 5}, {3, 5, 6}}};
+  TriangleMesh mesh;
+  for (const double y : {-0.5, 0.5}) {
+    for (const Vec2& p : profile) mesh.vertices.emplace_back(p.x(), y, p.y() - 0.35);
+  }
+  for (const auto& [a, b, c] : cap) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a + 8, c + 8, b + 8});
+  }
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const std::uint32_t j = (i + 1) % 8;
+    mesh.triangles.push_back({i, i + 8, j + 8});
+    mesh.triangles.push_back({i, j + 8, j});
+  }
+  RigidBody body;
+  body.shape = sphero_polyhedron(mesh, 0.0);
+  body.mass = 1000.0;
+  body.moments = {150.0, 400.0, 400.0};
+  body.smallest_side = 0.6;
+  return body;
+}
+
+struct Sharing {
+  ContactWeights weights;
+  double laws;  ///< how many times the full stiffness carries the bridge
+};
+
+class RestDepth : public testing::TestWithParam<Sharing> {};
+
+// Each foot has four corners: one law per patch, per body, per body, or per point.
+TEST_P(RestDepth, IsThatOfTheLawsThatCarryTheBlock) {
+  const auto [weights, laws] = GetParam();
+  const TerrainSurface terrain = ground(plane_mesh(5.0, 12));
+  const RigidBody body = bridge();
+  ReleaseSettings settings = stiff_settings(body, 1e8);
+  settings.weights = weights;
+  settings.start_overlap = 1.0;
+  settings.max_time = 0.3;
+  settings.rest_energy = 1e-300;
+  const double depth = 1000.0 * kG / (laws * 1e8 * 0.04);
+  RigidState start;
+  start.position = {0.1, 0.2, 0.35 - depth};
+  const ReleaseResult result = simulate_release(
+      terrain, std::vector<GroundParameters>{{0.04, 0.5, 0.0}}, body, start, settings);
+  EXPECT_NEAR(0.35 - result.final_state.position.z(), depth, 0.01 * depth);
+  EXPECT_LT(result.final_state.orientation.angularDistance(Quat::Identity()), 1e-6);
+}
+INSTANTIATE_TEST_SUITE_P(Weights, RestDepth,
+                         testing::Values(Sharing{ContactWeights::kPatch, 2.0},
+                                         Sharing{ContactWeights::kOverlap, 1.0},
+                                         Sharing{ContactWeights::kCount, 1.0},
+                                         Sharing{ContactWeights::kNone, 8.0}));
+
+class AnyWeights : public testing::TestWithParam<ContactWeights> {};
+
+TEST_P(AnyWeights, RocksComeToRestWithTheirEnergyAccountedFor) {
+  const TerrainSurface terrain = ground(rough_slope(80, 0.5, 0.45, 0.10));
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const RigidBody body = rock(4, {0.45, 0.33, 0.28}, 0.01, 2650.0, seed);
+    const std::vector<GroundParameters> zones = {{0.01, 0.7, 0.3}};
+    ReleaseSettings settings;
+    settings.weights = GetParam();
+    settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 15.0, kG).stiffness;
+    RigidState start;
+    start.orientation = Random(seed).rotation();
+    start.position = {-5.0, 0.0, 5.0 * std::tan(0.45) + 2.0};
+    const ReleaseResult result = simulate_release(terrain, zones, body, start, settings);
+    EXPECT_EQ(result.stop_reason, StopReason::kRest);
+    EXPECT_FALSE(result.below_ground);
+    EXPECT_LT(result.energy.error, 0.005);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Weights, AnyWeights,
+                         testing::Values(ContactWeights::kPatch, ContactWeights::kOverlap,
+                                         ContactWeights::kCount, ContactWeights::kNone));
+
+TEST(Weights, NamesGoBothWays) {
+  for (const char* name : {"patch", "overlap", "count", "none"}) {
+    EXPECT_EQ(name_of(contact_weights(name)), name);
+  }
+  EXPECT_THROW(contact_weights("fair"), InputError);
+}
+
+TEST(AutoStiffness, RestsWithinTwoPercentOfTheShortestSide) {
+  const std::vector<RigidBody> bodies = {box(1000.0, {1.0, 0.8, 0.5}), box(400.0, {3.0, 2.0, 1.5})};
+  const std::vector<GroundParameters> zones = {{0.25, 0.7, 0.0}, {0.01, 0.7, 0.0}};
+  const StiffnessChoice choice = choose_stiffness(bodies, zones, 1.0, kG);
+  // The first body governs: 2 % of 0.5 m; the second may sink 2 cm.
+  EXPECT_NEAR(choice.stiffness.normal, 1000.0 * kG / (0.01 * 0.01), 1.0);
+  EXPECT_NEAR(choice.settled_depth, 0.01, 1e-12);
+  EXPECT_TRUE(choice.warnings.empty());
+}
+
+TEST(AutoStiffness, FastImpactsStayWithinAQuarterOfTheShortestSide) {
+  const RigidBody body = box(1000.0, Vec3::Ones());
+  const std::vector<GroundParameters> zones = {{1.0, 0.7, 0.0}};
+  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 40.0, kG);
+  EXPECT_NEAR(choice.impact_depth, 0.25, 1e-12);
+  EXPECT_NEAR(choice.stiffness.normal, 1000.0 * 40.0 * 40.0 / (0.25 * 0.25), 1.0);
+}
+
+TEST(AutoStiffness, ASofterValueIsObeyedWithAWarning) {
+  const RigidBody body = box(1000.0, Vec3::Ones());
+  const std::vector<GroundParameters> zones = {{0.01, 0.7, 0.0}};
+  StiffnessOptions options;
+  options.normal = 2e6;
+  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 10.0, kG, options);
+  EXPECT_EQ(choice.stiffness.normal, 2e6);
+  ASSERT_EQ(choice.warnings.size(), 1u);
+  EXPECT_NE(choice.warnings[0].find("0.49 m deep"), std::string::npos) << choice.warnings[0];
+}
+
+// The step resolves the fastest contact a body can have: a cube's corner moves under a force as a
+// mass of m / (1 + r^2 m / J) with r^2 = 3/4 and J = m/6.
+TEST(AutoStiffness, TimeStepFollowsTheLightestPoint) {
+  const RigidBody body = box(1000.0, Vec3::Ones());
+  const std::vector<GroundParameters> zones = {{0.01, 0.7, 0.0}};
+  StiffnessOptions options;
+  options.normal = 1e8;
+  options.rolling = 1.0;
+  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 10.0, kG, options);
+  const double point_mass = 1000.0 / (1.0 + 0.75 * 6.0);
+  EXPECT_NEAR(choice.stiffness.time_step, 0.1 * std::sqrt(point_mass / 1e8), 1e-12);
+}
+
+}  // namespace
+}  // namespace clast
