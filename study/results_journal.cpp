@@ -7,7 +7,7 @@
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "core/text_file.hpp"
 #include "study/results_layout.hpp"
 
 namespace clast {
@@ -189,14 +189,7 @@ std::fstream opened(const fs::path& path) {
 
 ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignResults& header) {
   const std::string begin = kMagic + record_of(identity_of(header));
-  OutputFile fresh(path);
-  {
-    std::ofstream file(fresh.temporary(), std::ios::binary);
-    file.write(begin.data(), static_cast<std::streamsize>(begin.size()));
-    file.close();
-    if (!file) throw InputError(path.string() + ": writing failed; is the disk full?");
-  }
-  fresh.commit();
+  write_text_file(path, begin);
   ResultsJournal journal(path, opened(path));
   journal.end_ = begin.size();
   return journal;
