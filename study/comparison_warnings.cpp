@@ -116,11 +116,20 @@ std::vector<std::string> comparison_warnings(const Comparison& comparison) {
   warn_of_lost_runs(comparison, warnings);
   warn_of_masses(comparison, warnings);
   warn_of_changed_blocks(comparison, warnings);
+  // What all files warn of is said once.
+  const auto in_all_files = [&](const std::string& warning) {
+    return std::all_of(
+        comparison.results.begin(), comparison.results.end(), [&](const CampaignResults& results) {
+          return std::count(results.warnings.begin(), results.warnings.end(), warning) > 0;
+        });
+  };
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     for (const std::string& warning : comparison.results[file].warnings) {
-      warnings.push_back((comparison.results.size() > 1 ? "file " + std::to_string(file + 1) + ": "
-                                                        : std::string()) +
-                         warning);
+      if (!in_all_files(warning)) {
+        warnings.push_back("file " + std::to_string(file + 1) + ": " + warning);
+      } else if (file == 0) {
+        warnings.push_back(warning);
+      }
     }
   }
   return warnings;

@@ -241,6 +241,16 @@ TEST(Compare, CleanRunsOfEqualMassGiveNoWarning) {
   EXPECT_TRUE(compared(std::move(results)).warnings.empty());
 }
 
+TEST(Compare, WarningOfAllFilesIsSaidOnce) {
+  CampaignResults first = hand_made_results(), second = first;
+  first.blocks[1].mass = first.blocks[0].mass;
+  second.blocks[1].mass = second.blocks[0].mass;
+  first.warnings = {"soft", "common"};
+  second.warnings = {"common", "hard"};
+  EXPECT_EQ(compared(first, second).warnings,
+            (std::vector<std::string>{"file 1: soft", "common", "file 2: hard"}));
+}
+
 TEST(Compare, TwoFilesAreGroupedTogetherAndEachAlone) {
   CampaignResults second = hand_made_results();
   second.runs.resize(3);
