@@ -330,7 +330,7 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
                         bool writable) {
   silence();
   std::error_code code;
-  const std::string expected = "; expected a " + format;
+  const std::string expected = "; expected a \"" + format + "\" file";
   if (!fs::exists(path, code)) throw InputError(path.string() + ": no such file" + expected);
   if (fs::is_directory(path, code)) throw InputError(path.string() + ": is a folder" + expected);
   if (fs::file_size(path, code) == 0) throw InputError(path.string() + ": is empty" + expected);
@@ -352,7 +352,7 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
     throw InputError(path.string() + ": is an HDF5 file that clast did not write" + expected);
   }
   const std::string found = root.attribute<std::string>("format");
-  if (found != format) throw InputError(path.string() + ": is a " + found + expected);
+  if (found != format) throw InputError(path.string() + ": is a \"" + found + "\" file" + expected);
   const std::int64_t schema = root.attribute<std::int64_t>("schema_version");
   if (schema > newest_schema_version) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +

@@ -16,6 +16,11 @@ OutputFile::OutputFile(fs::path target) : target_(std::move(target)) {
   if (fs::is_directory(target_, code)) {
     throw InputError(target_.string() + ": is a folder; name a file to write");
   }
+  // The rename would take the place of a device such as /dev/null, for every program on the
+  // machine.
+  if (fs::exists(target_, code) && !fs::is_regular_file(target_, code)) {
+    throw InputError(target_.string() + ": is a device or a pipe; name a file to write");
+  }
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   fs::create_directories(folder, code);
   if (code) throw InputError(folder.string() + ": can't make this folder (" + code.message() + ")");

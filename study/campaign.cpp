@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
 
 #include "classify/schemes.hpp"
 #include "core/digest.hpp"
@@ -26,8 +25,8 @@ std::string data_folder() {
 }
 
 // A file named in the campaign, which must be there.
-fs::path input_file(const TomlTable& table, const std::string& key, const TomlNode& node) {
-  std::string text = node.text;
+fs::path input_file(const TomlTable& table, const std::string& key, const TomlNode& node,
+                    std::string text) {
   const std::string variable = "${CLAST_DATA}";
   for (std::size_t at; (at = text.find(variable)) != std::string::npos;) {
     text.replace(at, variable.size(), data_folder());
@@ -40,6 +39,10 @@ fs::path input_file(const TomlTable& table, const std::string& key, const TomlNo
   if (!fs::exists(path, code)) table.refuse(key, node, "no such file: " + path.string());
   if (!fs::is_regular_file(path, code)) table.refuse(key, node, "must be a file: " + path.string());
   return path;
+}
+
+fs::path input_file(const TomlTable& table, const std::string& key, const TomlNode& node) {
+  return input_file(table, key, node, node.text);
 }
 
 const TomlNode& element(const TomlNode& node, std::size_t index) {
@@ -95,12 +98,13 @@ BlockSelection read_blocks(const TomlTable& top) {
   return blocks;
 }
 
-// A zone source that is a file and not a name.
-bool names_zone_file(const std::string& text) {
-  const std::string extension = fs::path(text).extension().string();
-  static const std::set<std::string> known{".tif",  ".tiff",    ".asc",  ".vrt", ".img",
-                                           ".json", ".geojson", ".gpkg", ".shp"};
-  return known.count(extension) > 0;
+std::optional<ZoneFile> named_zone_file(const TomlTable& table, const TomlNode& node,
+                                        const std::vector<std::string>& zones) {
+  try {
+    return zone_file(zones);
+  } catch (const InputError& error) {
+    table.refuse("zones", node, error.what());
+  }
 }
 
 void read_terrain_table(const TomlTable& top, Campaign& campaign) {
@@ -114,8 +118,9 @@ void read_terrain_table(const TomlTable& top, Campaign& campaign) {
   if (const std::optional<std::vector<std::string>> zones = table.texts("zones")) {
     const TomlNode& node = *table.find("zones");
     campaign.terrain.zones = *zones;
-    if (zones->size() == 1 && names_zone_file(zones->front())) {
-      campaign.terrain.zones.front() = input_file(table, "zones", element(node, 0)).string();
+    if (std::optional<ZoneFile> file = named_zone_file(table, node, *zones)) {
+      file->path = input_file(table, "zones", element(node, 0), file->path.string());
+      campaign.terrain.zones = file->zones();
     } else if (zones->size() != files.size()) {
       table.refuse("zones", node,
                    "must name one zone per surface file (" + std::to_string(files.size()) +

@@ -98,10 +98,13 @@ std::vector<Vec3> local_points(const Campaign& campaign, const TerrainSurface& s
     if (!surface.covers(point.x(), point.y())) {
       const Vec3 low = frame.map(surface.extent().low);
       const Vec3 high = frame.map(surface.extent().high);
+      const bool inside =
+          map.x() > low.x() && map.x() < high.x() && map.y() > low.y() && map.y() < high.y();
       throw InputError(campaign.file.string() + ": release point " + std::to_string(i + 1) +
                        " at x " + metres(map.x()) + ", y " + metres(map.y()) +
-                       " is off the terrain, which lies in x " + metres(low.x()) + " to " +
-                       metres(high.x()) + ", y " + metres(low.y()) + " to " + metres(high.y()) +
+                       (inside ? " is over a hole in the terrain" : " is off the terrain") +
+                       ", which lies in x " + metres(low.x()) + " to " + metres(high.x()) + ", y " +
+                       metres(low.y()) + " to " + metres(high.y()) +
                        " m on the map, z up; check the point, the map frame and `up`");
     }
     points.push_back(point);
@@ -229,9 +232,21 @@ std::vector<std::string> warnings_of(const PreparedCampaign& prepared) {
   if (prepared.campaign.release.orientation_source != "random") {
     const std::size_t distinct = distinct_rotations(orientations);
     if (distinct < orientations.size()) {
-      warnings.push_back(prepared.campaign.release.orientation_source + ": " +
-                         std::to_string(orientations.size()) + " orientations, of which " +
-                         std::to_string(distinct) + " are different rotations; all were run");
+      warnings.push_back(
+          prepared.campaign.release.orientation_source + ": " +
+          std::to_string(orientations.size()) + " orientations, of which " +
+          std::to_string(distinct) +
+          " are different rotations; all are run, so repeated ones count more than once");
+    }
+  }
+  const Bounds& ground = prepared.surface->extent();
+  for (const Barrier& barrier : prepared.header.barriers) {
+    const Vec2 low = barrier.from.cwiseMin(barrier.to), high = barrier.from.cwiseMax(barrier.to);
+    if ((high.array() < ground.low.head<2>().array()).any() ||
+        (low.array() > ground.high.head<2>().array()).any()) {
+      warnings.push_back("barrier " + barrier.name +
+                         " lies off the terrain, so nothing can cross it; from and to are x, y of "
+                         "the z-up map");
     }
   }
   for (const Block& block : prepared.blocks) {

@@ -36,12 +36,26 @@ void check_run(const std::string& file, const CampaignResults& results, const Ru
   }
 }
 
+/// Same inputs give the same bits, so these runs would only be counted twice.
+void check_given_once(const std::vector<CampaignResults>& results, std::size_t file) {
+  for (std::size_t other = 0; other < file; ++other) {
+    const CampaignResults &a = results[other], &b = results[file];
+    if (a.campaign_sha256 == b.campaign_sha256 && a.inputs == b.inputs &&
+        a.program_version == b.program_version) {
+      throw InputError(label(results, file) + ": holds the same runs as " + label(results, other) +
+                       " (same campaign, inputs and program), which would count twice; give it "
+                       "once");
+    }
+  }
+}
+
 void check_results(const std::vector<CampaignResults>& results) {
   std::size_t runs = 0;
   for (std::size_t file = 0; file < results.size(); ++file) {
     const CampaignResults& one = results[file];
     runs += one.runs.size();
     for (const RunRecord& run : one.runs) check_run(label(results, file), one, run);
+    check_given_once(results, file);
     const MapFrame& first = results.front().frame;
     if (one.frame.origin != first.origin || one.frame.crs != first.crs) {
       std::ostringstream text;

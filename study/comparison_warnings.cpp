@@ -14,8 +14,6 @@ namespace {
 constexpr double kNotableMassDifference = 0.01;
 /// Share of the dissipated energy that a run's balance may miss before it is named.
 constexpr double kNotableEnergyError = 0.01;
-/// Quaternion components closer than this are the same orientation.
-constexpr double kSameOrientation = 1e-6;
 
 std::string four_digits(double value) {
   std::array<char, 32> text;
@@ -110,35 +108,6 @@ void warn_of_changed_blocks(const Comparison& comparison, std::vector<std::strin
   }
 }
 
-/// Runs of one block from one point that start in the orientation of an earlier one.
-void warn_of_repeated_orientations(const Comparison& comparison,
-                                   std::vector<std::string>& warnings) {
-  for (std::size_t file = 0; file < comparison.results.size(); ++file) {
-    const std::vector<RunRecord>& runs = comparison.results[file].runs;
-    std::set<std::uint32_t> indices;
-    std::set<std::array<long long, 4>> distinct;
-    for (const RunRecord& run : runs) {
-      if (run.block != runs.front().block || run.point != runs.front().point) continue;
-      std::array<long long, 4> key{};
-      const Quat& q = run.start.orientation;
-      const std::array<double, 4> parts = {q.w(), q.x(), q.y(), q.z()};
-      double sign = 0.0;  // q and -q are one rotation: the first part that counts is made positive
-      for (std::size_t i = 0; i < 4; ++i) {
-        if (sign == 0.0 && std::abs(parts[i]) > kSameOrientation)
-          sign = parts[i] > 0.0 ? 1.0 : -1.0;
-        key[i] = std::llround(sign * parts[i] / kSameOrientation);
-      }
-      indices.insert(run.orientation);
-      distinct.insert(key);
-    }
-    if (distinct.size() < indices.size()) {
-      warnings.push_back("file " + std::to_string(file + 1) + ": only " +
-                         of(distinct.size(), indices.size()) +
-                         " orientations are distinct; repeated ones count more than once");
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> comparison_warnings(const Comparison& comparison) {
@@ -147,12 +116,20 @@ std::vector<std::string> comparison_warnings(const Comparison& comparison) {
   warn_of_lost_runs(comparison, warnings);
   warn_of_masses(comparison, warnings);
   warn_of_changed_blocks(comparison, warnings);
-  warn_of_repeated_orientations(comparison, warnings);
+  // What all files warn of is said once.
+  const auto in_all_files = [&](const std::string& warning) {
+    return std::all_of(
+        comparison.results.begin(), comparison.results.end(), [&](const CampaignResults& results) {
+          return std::count(results.warnings.begin(), results.warnings.end(), warning) > 0;
+        });
+  };
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     for (const std::string& warning : comparison.results[file].warnings) {
-      warnings.push_back((comparison.results.size() > 1 ? "file " + std::to_string(file + 1) + ": "
-                                                        : std::string()) +
-                         warning);
+      if (!in_all_files(warning)) {
+        warnings.push_back("file " + std::to_string(file + 1) + ": " + warning);
+      } else if (file == 0) {
+        warnings.push_back(warning);
+      }
     }
   }
   return warnings;

@@ -176,7 +176,7 @@ void check_same_campaign(const fs::path& path, const Identity& stored, const Ide
   }
   if (difference.empty()) return;
   throw InputError(path.string() + ": was begun with " + difference +
-                   "; start again without resuming, which replaces it");
+                   "; delete it and start without --resume");
 }
 
 std::fstream opened(const fs::path& path) {
@@ -209,8 +209,8 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
   std::optional<std::string> content = read_record(journal.file_, kMagic.size(), size);
   if (magic != kMagic || !content) {
     throw InputError(path.string() +
-                     ": is not the journal of an interrupted campaign; start again "
-                     "without resuming, which replaces it");
+                     ": is not the journal of an interrupted campaign; delete it and start "
+                     "without --resume");
   }
   Identity stored;
   Unpacker unpacker(*content);

@@ -217,6 +217,11 @@ void check_crossings(const Reader& reader, const CampaignResults& results) {
 }  // namespace
 
 CampaignResults read_results(const fs::path& path) {
+  if (path.extension() == ".part" && fs::is_regular_file(path)) {
+    throw InputError(path.string() +
+                     ": holds the runs of a campaign that is not finished; go on with it first, "
+                     "with clast simulate --resume");
+  }
   const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
   const Reader root{path.string(), "", file.root()};
   CampaignResults results;

@@ -212,10 +212,15 @@ void note_doubts(Terrain& terrain) {
     const Vec3 ab = v[b] - v[a], ac = v[c] - v[a];
     if (ab.x() * ac.y() - ab.y() * ac.x() < 0.0) ++overhangs;
   }
-  if (overhangs > 0) notes.push_back(std::to_string(overhangs) + " triangles overhang");
+  if (overhangs == 0) return;
+  std::string note = std::to_string(overhangs) + " of " +
+                     std::to_string(terrain.surface.triangles.size()) + " triangles overhang";
+  // Ground seldom does; a ground that lies on its side always.
+  if (overhangs * 10 > terrain.surface.triangles.size()) note += "; is z its upward axis?";
+  notes.push_back(note);
 }
 
-void check_files(const TerrainOptions& options, const std::optional<detail::ZoneFile>& zones) {
+void check_files(const TerrainOptions& options, const std::optional<ZoneFile>& zones) {
   std::vector<fs::path> files = options.surface;
   if (zones) files.push_back(zones->path);
   for (const fs::path& file : files) {
@@ -245,7 +250,7 @@ void TerrainOptions::check() const {
 
 Terrain read_terrain(const TerrainOptions& options) {
   options.check();
-  const std::optional<detail::ZoneFile> zones = detail::zone_file(options.zones);
+  const std::optional<ZoneFile> zones = zone_file(options.zones);
   check_files(options, zones);
   const Kind kind = common_kind(options.surface);
   if (options.up == "y" && (kind == Kind::kRaster || kind == Kind::kTerrain)) {

@@ -1,6 +1,7 @@
 #pragma once
 /// Surveyors' files to a checked terrain.
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,19 @@ struct TerrainOptions {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+/// A raster of class numbers or a file of polygons with a property "zone".
+struct ZoneFile {
+  std::filesystem::path path;
+  std::map<long, std::string> names = {};  ///< of class numbers; empty: the number is the name
+
+  std::vector<std::string> zones() const;  ///< as in TerrainOptions
+};
+
+/// `zones` as a zone file ("zones.asc", "zones.asc:1=blue,2=gray", polygons.geojson), or none when
+/// they are plain names. A list cut at its commas is put together again.
+/// @throws InputError  a mapping that can't be read
+std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones);
 
 /// Reads, turns z up, welds, drops degenerate and duplicate triangles, turns normals out of the
 /// ground, and assigns zones.

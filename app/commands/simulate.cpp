@@ -163,7 +163,9 @@ void simulate(const SimulateArgs& args) {
 void add_simulate(CLI::App& app) {
   const auto args = std::make_shared<SimulateArgs>();
   CLI::App* command = app.add_subcommand("simulate", "Run a campaign of releases");
-  command->add_option("campaign", args->campaign, "Campaign file (TOML)")
+  command
+      ->add_option("campaign", args->campaign,
+                   "Campaign file (TOML); every key is in docs/formats.md")
       ->required()
       ->type_name("CAMPAIGN");
   command->add_option("-o,--output", args->output, "Results file")
@@ -179,7 +181,9 @@ void add_simulate(CLI::App& app) {
   command->footer(
       "Ctrl-C stops after the runs under way; --resume goes on from there. Results do "
       "not depend on --threads.\n"
-      "Example:\n  clast simulate campaign.toml -o results.h5 --threads 4");
+      "Examples:\n"
+      "  clast simulate campaign.toml --dry-run\n"
+      "  clast simulate campaign.toml -o results.h5 --threads 4");
   command->callback([args] { simulate(*args); });
 }
 

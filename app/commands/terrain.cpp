@@ -120,17 +120,21 @@ void add_terrain(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "terrain", "Check surveyed ground with its zones and make it ready for simulation");
   command
-      ->add_option("inputs", args->inputs,
-                   "Meshes (stl, obj, ply, ...), one raster (GeoTIFF, asc), or clouds (xyz)")
+      ->add_option(
+          "inputs", args->inputs,
+          "Meshes (stl, obj, ply, ...), one raster (GeoTIFF, asc, ...), clouds as text (xyz, txt, "
+          "csv, pts), or one terrain file (h5)")
       ->required()
       ->type_name("INPUT");
   command->add_option("-o,--output", args->output, "Terrain file")
       ->type_name("FILE")
       ->capture_default_str();
   command
-      ->add_option("--zones", args->zones,
-                   "Ground zones: a name for each input, comma-separated, or one zone raster or "
-                   "GeoJSON of polygons with a property \"zone\"; default: one zone, ground")
+      ->add_option(
+          "--zones", args->zones,
+          "Ground zones: a name for each mesh, comma-separated, or one raster of class numbers, "
+          "named as in zones.asc:1=blue,2=gray, or one GeoJSON, GeoPackage or Shapefile "
+          "of polygons with a property \"zone\"; default: one zone, ground")
       ->type_name("LIST|FILE");
   command->add_option("--up", args->options.up, "Axis of the inputs that points up: y or z")
       ->check(up_axis())
@@ -144,7 +148,7 @@ void add_terrain(CLI::App& app) {
   CLI::Option* exported =
       command
           ->add_option("--export", args->exported,
-                       "Also write the surface for viewing: stl, ply, obj, vtp or tif")
+                       "Also write the surface for viewing: stl, ply, obj, vtp, glb or tif")
           ->type_name("FILE");
   command->add_option("--export-up", args->export_up, "Up axis of the export: z or y")
       ->check(up_axis())

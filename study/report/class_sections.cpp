@@ -61,11 +61,13 @@ std::string class_section(const Comparison& comparison) {
 }
 
 std::string block_section(const Comparison& comparison) {
-  HtmlTable table(
-      {"block", "Garcia", "Sneed-Folk", "Zingg", "mass, kg", "L, m", "I, m", "S, m", "runs", "rest",
-       "left terrain", "max time", "error", "runout mean \xC2\xB1 std, m", "runout p95, m",
-       "lateral mean \xC2\xB1 std, deg", "fastest, m/s"},
-      4);
+  // Two tables, since one is wider than a page.
+  HtmlTable shapes({"block", "Garcia", "Sneed-Folk", "Zingg", "mass, kg", "L, m", "I, m", "S, m"},
+                   4);
+  HtmlTable stops({"block", "runs", "at rest", "left terrain", "max time", "error",
+                   "runout mean \xC2\xB1 std, m", "runout p95, m", "lateral mean \xC2\xB1 std, deg",
+                   "fastest, m/s"},
+                  1);
   for (const std::size_t g : groups_of(comparison, GroupKind::kBlock)) {
     const Group& group = comparison.groups[g];
     const DepositGroup& deposit = comparison.deposits[g];
@@ -74,9 +76,10 @@ std::string block_section(const Comparison& comparison) {
     for (const std::size_t row : group.rows) {
       fastest = std::max(fastest, comparison.rows[row].record->result.max_speed);
     }
-    table.row({short_name(group), block.garcia, block.sneed_folk, block.zingg,
-               significant(block.mass, 4), significant(block.axes.L), significant(block.axes.I),
-               significant(block.axes.S), std::to_string(deposit.started),
+    shapes.row({short_name(group), block.garcia, block.sneed_folk, block.zingg,
+                significant(block.mass, 4), significant(block.axes.L), significant(block.axes.I),
+                significant(block.axes.S)});
+    stops.row({short_name(group), std::to_string(deposit.started),
                std::to_string(deposit.stops.rest), std::to_string(deposit.stops.left_terrain),
                std::to_string(deposit.stops.max_time), std::to_string(deposit.stops.error),
                mean_and_std(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
@@ -84,7 +87,7 @@ std::string block_section(const Comparison& comparison) {
   }
   return section("Blocks", paragraph("L, I, S are the sides of the smallest box around the block. "
                                      "A click on a column's head sorts the table.") +
-                               table.html());
+                               shapes.html() + stops.html());
 }
 
 std::string map_section(const Comparison& comparison) {

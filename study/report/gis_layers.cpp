@@ -167,8 +167,12 @@ void write_geopackage(const std::filesystem::path& path, const Comparison& compa
   const std::string& name = comparison.results.front().frame.crs;
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x east, y north, as the numbers are
-  const bool has_crs = !name.empty() && crs.SetFromUserInput(name.c_str()) == OGRERR_NONE;
-  const OGRSpatialReference* reference = has_crs ? &crs : nullptr;
+  if (name.empty() || crs.SetFromUserInput(name.c_str()) != OGRERR_NONE) {
+    // Without any, GeoPackage calls the coordinates degrees.
+    crs.SetLocalCS("map frame of the terrain");
+    crs.SetLinearUnits("metre", 1.0);
+  }
+  const OGRSpatialReference* reference = &crs;
 
   check(dataset->StartTransaction() == OGRERR_NONE, path, "a GeoPackage");
   write_stops(Layer(*dataset, path, "stops", reference, wkbPoint25D,

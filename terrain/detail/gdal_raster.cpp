@@ -120,8 +120,11 @@ Raster read_raster(const std::filesystem::path& path) {
   const double scale = band.GetScale(), offset = band.GetOffset();
   std::vector<double> values(grid.columns);
   std::vector<unsigned char> mask(grid.columns);
-  for (std::size_t j = 0; j < grid.rows; ++j) {
-    read_row(band, static_cast<int>(north_first ? grid.rows - 1 - j : j), values, mask, path);
+  // In the order of the file: GDAL looks for a row of a text grid by way of the rows before it, and
+  // in one that was cut short that search branches without end.
+  for (std::size_t row = 0; row < grid.rows; ++row) {
+    read_row(band, static_cast<int>(row), values, mask, path);
+    const std::size_t j = north_first ? grid.rows - 1 - row : row;
     for (std::size_t i = 0; i < grid.columns; ++i) {
       grid.heights[j * grid.columns + i] = values[i] * scale + offset;
     }

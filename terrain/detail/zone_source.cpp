@@ -1,7 +1,6 @@
 #include "terrain/detail/zone_source.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 
@@ -14,27 +13,6 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::size_t kMostZones = 65535;
-
-/// "1=blue,2=gray" into `file.names`.
-void read_names(const std::string& text, ZoneFile& file) {
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string entry = text.substr(begin, end - begin);
-    begin = end + 1;
-    const std::size_t equals = entry.find('=');
-    long number = 0;
-    const char* last = entry.data() + std::min(equals, entry.size());
-    const auto [stop, error] = std::from_chars(entry.data(), last, number);
-    if (equals == std::string::npos || error != std::errc() || stop != last ||
-        equals + 1 == entry.size()) {
-      throw InputError("zones: \"" + entry +
-                       "\" is not CLASS=NAME; write for example zones.asc:1=blue,2=gray");
-    }
-    if (!file.names.emplace(number, entry.substr(equals + 1)).second) {
-      throw InputError("zones: class " + std::to_string(number) + " is named twice");
-    }
-  }
-}
 
 /// What lies over a place, as an index into `labels`; kNone where nothing does.
 struct ZoneMap {
@@ -113,28 +91,6 @@ ZoneMap polygon_zones(const ZoneFile& source, const std::string& crs) {
 }
 
 }  // namespace
-
-std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones) {
-  if (zones.empty()) return std::nullopt;
-  ZoneFile file;
-  const std::size_t colon = zones.front().rfind(':');
-  std::string names;
-  if (colon != std::string::npos && zones.front().find('=', colon) != std::string::npos) {
-    file.path = zones.front().substr(0, colon);
-    names = zones.front().substr(colon + 1);
-    for (std::size_t i = 1; i < zones.size(); ++i) names += "," + zones[i];
-  } else if (zones.size() == 1) {
-    file.path = zones.front();
-  }
-  if (!is_raster(file.path) && !is_polygon_file(file.path)) return std::nullopt;
-  read_names(names, file);
-  if (!names.empty() && is_polygon_file(file.path)) {
-    throw InputError(file.path.string() +
-                     ": polygons carry their names in the property \"zone\"; leave \"" + names +
-                     "\" out");
-  }
-  return file;
-}
 
 void assign_zones(Terrain& terrain, const ZoneFile& source) {
   const ZoneMap map = is_polygon_file(source.path)

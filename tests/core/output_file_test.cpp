@@ -1,6 +1,7 @@
 #include "core/output_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -32,6 +33,15 @@ TEST(OutputFile, CommitReplacesTheTarget) {
 TEST(OutputFile, FolderAsTargetIsRefused) {
   const ScratchFolder folder;
   EXPECT_THROW(OutputFile{folder.path()}, InputError);
+}
+
+// As root the rename would succeed, and every program on the machine lose its /dev/null.
+TEST(OutputFile, DevicesAndPipesAreRefused) {
+  EXPECT_THROW(OutputFile{"/dev/null"}, InputError);
+  const ScratchFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_THROW(OutputFile{folder / "pipe"}, InputError);
+  EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
 }
 
 }  // namespace

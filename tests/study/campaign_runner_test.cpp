@@ -206,6 +206,19 @@ TEST_F(CampaignRun, GridDuplicatesAreCounted) {
   EXPECT_LT(distinct.size(), 64u);
 }
 
+TEST_F(CampaignRun, BarrierOffTheTerrainIsNamed) {
+  const auto warned = [](const PreparedCampaign& plan) {
+    bool told = false;
+    for (const std::string& warning : plan.header.warnings) {
+      told |= contains(warning, "barrier foot lies off the terrain");
+    }
+    return told;
+  };
+  EXPECT_FALSE(warned(prepared()));
+  EXPECT_TRUE(
+      warned(prepared(with("from = [0, -20]\nto = [0, 20]", "from = [0, 21]\nto = [9, 30]"))));
+}
+
 TEST_F(CampaignRun, BlocksAreSelectedByIdAndClass) {
   const PreparedCampaign one = prepared(with("[terrain]", "select = [\"slab\"]\n[terrain]"));
   ASSERT_EQ(one.blocks.size(), 1u);
@@ -241,6 +254,11 @@ TEST_F(CampaignRun, ReleaseOffTheTerrainIsRefused) {
                        "release point 2 at x -12.000, y 33.000 is off the terrain, which lies in x "
                        "-20.000 to 30.000, y -20.000 to 20.000"))
       << message;
+  write_text_file(*folder_ / "gap.stl", plane_stl(5, 30, 0.0));
+  std::string gap = with("\"flat.stl\"", "\"gap.stl\"");
+  const std::string point = "[-12, 3, 9.5]";
+  gap.replace(gap.find(point), point.size(), "[2, 3, 9.5]");
+  EXPECT_TRUE(contains(refusal(gap), "y 3.000 is over a hole in the terrain, which lies in"));
 }
 
 TEST_F(CampaignRun, StartInsideTheGroundIsRefused) {

@@ -204,6 +204,20 @@ TEST_F(CampaignFile, ZoneFileIsFound) {
             (std::vector<std::string>{(folder_ / "zones.geojson").string()}));
 }
 
+TEST_F(CampaignFile, ZoneRasterWithClassNamesIsFound) {
+  write_text_file(folder_ / "zones.ASC", "stand-in");
+  const std::vector<std::string> expected = {(folder_ / "zones.ASC").string() + ":1=blue,2=gray"};
+  for (const char* zones : {"[\"zones.ASC:1=blue,2=gray\"]", "\"zones.ASC:2=gray,1=blue\"",
+                            "[\"zones.ASC:1=blue\", \"2=gray\"]"}) {
+    EXPECT_EQ(read(with("[\"blue\", \"gray\"]", zones)).terrain.zones, expected) << zones;
+  }
+  EXPECT_EQ(refusal(with("[\"blue\", \"gray\"]", "\"no.bil:1=blue\"")),
+            "campaign.toml:7: [terrain] zones = \"no.bil:1=blue\": no such file: no.bil");
+  EXPECT_EQ(refusal(with("[\"blue\", \"gray\"]", "\"zones.ASC:one=blue\"")),
+            "campaign.toml:7: [terrain] zones = \"zones.ASC:one=blue\": zones: \"one=blue\" is not "
+            "CLASS=NAME; write for example zones.asc:1=blue,2=gray");
+}
+
 TEST_F(CampaignFile, PointsWithADropHeightMayBePlanPositions) {
   std::string text = with("\"points.xyz\"", "[[1, 2], [3, 4, 5]]\nheight_m = 1.5");
   const Campaign campaign = read(text);

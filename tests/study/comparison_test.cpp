@@ -24,6 +24,7 @@ Comparison compared(CampaignResults results) {
 Comparison compared(CampaignResults first, CampaignResults second) {
   std::vector<CampaignResults> all;
   all.push_back(std::move(first));
+  second.campaign_sha256 = std::string(64, 'd');
   all.push_back(std::move(second));
   return compare(std::move(all));
 }
@@ -220,14 +221,6 @@ TEST(Compare, UnequalMassesAreNamed) {
   EXPECT_FALSE(warns(compared(std::move(equal)), "mass differs between classes"));
 }
 
-TEST(Compare, RepeatedOrientationsAreCounted) {
-  CampaignResults results = hand_made_results();
-  EXPECT_FALSE(warns(compared(results), "orientations are distinct"));
-  // -q turns as q does.
-  results.runs[2].start.orientation.coeffs() = -results.runs[1].start.orientation.coeffs();
-  EXPECT_TRUE(warns(compared(std::move(results)), "only 3 of 4 orientations are distinct"));
-}
-
 TEST(Compare, UnfinishedBelowGroundAndUnbalancedRunsAreCounted) {
   CampaignResults results = hand_made_results();
   results.planned_runs = 8;
@@ -246,6 +239,16 @@ TEST(Compare, CleanRunsOfEqualMassGiveNoWarning) {
   CampaignResults results = hand_made_results();
   results.blocks[1].mass = results.blocks[0].mass;
   EXPECT_TRUE(compared(std::move(results)).warnings.empty());
+}
+
+TEST(Compare, WarningOfAllFilesIsSaidOnce) {
+  CampaignResults first = hand_made_results(), second = first;
+  first.blocks[1].mass = first.blocks[0].mass;
+  second.blocks[1].mass = second.blocks[0].mass;
+  first.warnings = {"soft", "common"};
+  second.warnings = {"common", "hard"};
+  EXPECT_EQ(compared(first, second).warnings,
+            (std::vector<std::string>{"file 1: soft", "common", "file 2: hard"}));
 }
 
 TEST(Compare, TwoFilesAreGroupedTogetherAndEachAlone) {
@@ -280,8 +283,20 @@ TEST(Compare, NoFileOrNoRunsIsRefused) {
   EXPECT_TRUE(mentions(refusal(results), "hand-made.h5"));
 }
 
+TEST(Compare, RunsGivenTwiceAreRefused) {
+  CampaignResults copy = hand_made_results();
+  copy.file = "copy.h5";
+  EXPECT_TRUE(mentions(refusal({hand_made_results(), copy}), "copy.h5: holds the same runs as"));
+  // Runs of another clast, or on changed inputs, are worth comparing.
+  CampaignResults newer = copy, changed = copy;
+  newer.program_version += "-next";
+  changed.inputs.front() += "0";
+  EXPECT_EQ(refusal({hand_made_results(), newer, changed}), "");
+}
+
 TEST(Compare, DifferentMapFramesAreRefused) {
   CampaignResults moved = hand_made_results(), other_crs = hand_made_results();
+  moved.campaign_sha256 = other_crs.campaign_sha256 = std::string(64, 'd');
   moved.frame.origin.x() += 1.0;
   other_crs.frame.crs = "EPSG:2154";
   EXPECT_TRUE(mentions(refusal({hand_made_results(), moved}), "map frame"));
@@ -290,6 +305,7 @@ TEST(Compare, DifferentMapFramesAreRefused) {
 
 TEST(Compare, DifferentDownslopesAreRefused) {
   CampaignResults other = hand_made_results();
+  other.campaign_sha256 = std::string(64, 'd');
   other.downslope = Vec2(0.0, 1.0);
   EXPECT_TRUE(mentions(refusal({hand_made_results(), other}), "downslope"));
   other.downslope = Vec2(0.0, 0.0);

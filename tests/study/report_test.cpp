@@ -194,10 +194,16 @@ TEST(Geopackage, ReopensWithItsLayersOnTheMap) {
   EXPECT_EQ(barrier->GetGeometryRef()->toLineString()->getY(1), kMapOrigin.y() + 20.0);
 }
 
-TEST(Geopackage, WithoutACrsIsStillWritten) {
+TEST(Geopackage, WithoutACrsCoordinatesAreNotDegrees) {
   const ScratchFolder folder;
   write_geopackage(folder / "stops.gpkg", compared(hand_made_results()));
-  EXPECT_TRUE(std::filesystem::exists(folder / "stops.gpkg"));
+  const Dataset dataset(
+      GDALDataset::Open((folder / "stops.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
+  ASSERT_NE(dataset, nullptr);
+  for (OGRLayer* layer : dataset->GetLayers()) {
+    const OGRSpatialReference* system = layer->GetSpatialRef();
+    EXPECT_FALSE(system && system->IsGeographic()) << layer->GetName();
+  }
 }
 
 TEST(Geopackage, FolderAsTargetIsRefused) {

@@ -357,12 +357,14 @@ TEST(Results, WhatIsNotAResultsFileIsRefused) {
     return refusal([&] { read_results(folder / name); });
   };
   EXPECT_TRUE(contains(refused("none.h5"), "none.h5: no such file"));
+  write_text_file(folder / "unfinished.h5.part", "clast results journal 1\n");
+  EXPECT_TRUE(contains(refused("unfinished.h5.part"), "not finished; go on with it first"));
   write_text_file(folder / "empty.h5", "");
   EXPECT_TRUE(contains(refused("empty.h5"), "empty.h5: is empty"));
   write_text_file(folder / "text.h5", "no HDF5 at all");
   EXPECT_TRUE(contains(refused("text.h5"), "text.h5: is not an HDF5 file"));
   Hdf5File::create(folder / "blocks.h5", "clast block library", 1);
-  EXPECT_TRUE(contains(refused("blocks.h5"), "blocks.h5: is a clast block library"));
+  EXPECT_TRUE(contains(refused("blocks.h5"), "blocks.h5: is a \"clast block library\" file"));
   Hdf5File::create(folder / "newer.h5", "clast results", 2);
   EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 2"));
   Hdf5File::create(folder / "bare.h5", "clast results", 1);

@@ -89,6 +89,18 @@ TEST_F(RasterGround, RowsThatRunNorthAreTurnedOver) {
   EXPECT_EQ(facing_down(terrain), 0u);
 }
 
+// GDAL finds a row of a text grid by way of the rows before it; read from the south, a file that
+// was cut after a few of many rows took for ever.
+TEST_F(RasterGround, TextGridCutShortIsRefusedAtOnce) {
+  const auto path = asc(50, 200, [](double x, double y) { return x + y; });
+  const std::string whole = read_text_file(path);
+  for (const double share : {0.1, 0.5, 0.9}) {
+    write_text_file(
+        path, whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))));
+    EXPECT_TRUE(contains(refused(path), "cut short")) << share;
+  }
+}
+
 TEST_F(RasterGround, WithoutGeoreferenceCellsAreOneMetreAndThatIsNoted) {
   const Terrain terrain = read_terrain({.surface = {vrt("", {3, 4, 5, 0, 1, 2}, 3)}});
   EXPECT_TRUE(contains(terrain.report.notes.front(), "no georeference"));
