@@ -192,7 +192,7 @@ class Release {
                               (settings_.stiffness.normal * forces_.smallest_restitution());
     result_.below_ground = (ground && state_.position.z() < *ground) ||
                            (result_.stop_reason == StopReason::kRest &&
-                            forces_.carrying_overlap() > kSettledSlack * rest_depth);
+                            forces_.settled_depth() > kSettledSlack * rest_depth);
   }
 
   const TerrainSurface& terrain_;

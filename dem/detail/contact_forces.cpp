@@ -293,14 +293,17 @@ double ContactForces::max_overlap() const {
   return largest;
 }
 
-double ContactForces::carrying_overlap() const {
-  double weighted = 0.0, forces = 0.0;
-  for (const Contact& contact : contacts_) {
-    const double force = contact.weight * contact.normal;
-    weighted += force * contact.point.overlap;
-    forces += force;
+double ContactForces::settled_depth() {
+  // One law carries with its weighted mean overlap: that is the depth that Eq. 2 speaks of.
+  const bool alone = weights_ == ContactWeights::kNone;
+  std::vector<double> depth(contacts_.size(), 0.0);
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const bool shared = weights_ == ContactWeights::kPatch;
+    const std::size_t law = alone ? i : shared ? patch_of(i) : 0;
+    const ContactPoint& point = contacts_[i].point;
+    depth[law] += contacts_[i].weight * point.overlap * std::max(0.0, point.normal.z());
   }
-  return forces > 0.0 ? weighted / forces : 0.0;
+  return depth.empty() ? 0.0 : *std::max_element(depth.begin(), depth.end());
 }
 
 double ContactForces::smallest_restitution() const {

@@ -32,8 +32,9 @@ class ContactForces {
   bool empty() const { return contacts_.empty(); }
   double stored_energy() const;  ///< what unloading would give back, J
   double max_overlap() const;    ///< m
-  /// Overlap averaged with the normal forces, m: the depth that carries the block.
-  double carrying_overlap() const;
+  /// Deepest of the laws that carry the block, vertically, m: a wedge between steep walls is tight
+  /// but not deep.
+  double settled_depth();
   /// Smallest e_n^2 among the present contacts; 1 without any.
   double smallest_restitution() const;
 

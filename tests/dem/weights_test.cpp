@@ -70,6 +70,23 @@ INSTANTIATE_TEST_SUITE_P(Weights, RestDepth,
                                          Sharing{ContactWeights::kCount, 1.0},
                                          Sharing{ContactWeights::kNone, 8.0}));
 
+// Many small drops on flat ground: whatever way a block settles, it is not below ground.
+TEST(Settling, IsNeverTakenForSinking) {
+  const TerrainSurface terrain = ground(plane_mesh(20.0, 20));
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const RigidBody body = rock(3, {0.25, 0.20, 0.15}, 0.006, 2650.0, seed);
+    const std::vector<GroundParameters> zones = {{0.01, 0.9, 0.6}};
+    ReleaseSettings settings;
+    settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 3.0, kG).stiffness;
+    RigidState start;
+    start.orientation = Random(seed).rotation();
+    start.position.z() = 0.2 - lowest_point(body, start);
+    const ReleaseResult result = simulate_release(terrain, zones, body, start, settings);
+    EXPECT_EQ(result.stop_reason, StopReason::kRest);
+    EXPECT_FALSE(result.below_ground) << seed << ": " << result.settled_penetration;
+  }
+}
+
 class AnyWeights : public testing::TestWithParam<ContactWeights> {};
 
 TEST_P(AnyWeights, RocksComeToRestWithTheirEnergyAccountedFor) {
