@@ -101,7 +101,7 @@ void add_reconstruct(CLI::App& app) {
       app.add_subcommand("reconstruct", "Turn scans (closed meshes) into blocks of a library");
   command
       ->add_option("scans", args->scans,
-                   "Mesh files (obj, ply, stl, off, glb, 3ds, tab), or folders of them")
+                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), or folders of them")
       ->required()
       ->type_name("SCAN");
   command
@@ -132,9 +132,10 @@ void add_reconstruct(CLI::App& app) {
           ->type_name("M");
   CLI::Option* share =
       command
-          ->add_option("--radius-share", options.block.radius_share,
-                       "The same as a share of S, the shortest side, 0 to 0.25; the default is "
-                       "halved, down to 0.0025, where the tolerance needs it")
+          ->add_option(
+              "--radius-share", options.block.radius_share,
+              "The same as a share of S, the shortest side, 0 to 0.25; without it and without "
+              "--vertices, 0.02 is halved down to 0.0025 where the tolerance needs it")
           ->check(number_between(0.0, 0.25))
           ->excludes(radius)
           ->type_name("SHARE")
