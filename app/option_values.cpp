@@ -72,8 +72,9 @@ CLI::Validator number_between(double low, double high) {
   return {[low, high](const std::string& text) {
             const double value = number_from(text);
             if (value >= low && value <= high) return std::string();
-            return "\"" + text + "\" is not a number from " + rounded(low, 1) + " to " +
-                   rounded(high, 1);
+            std::ostringstream limits;  // %g, so that 0.25 and 1e-06 are told as they are
+            limits << low << " to " << high;
+            return "\"" + text + "\" is not a number from " + limits.str();
           },
           ""};
 }

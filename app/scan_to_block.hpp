@@ -2,6 +2,7 @@
 /// The whole way from a scan file to a block.
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "library/make_block.hpp"
@@ -14,9 +15,12 @@ namespace clast {
 struct ScanToBlockOptions {
   ScanOptions scan;
   std::string unit_name = "m";  ///< as the user wrote it, for messages and the record
-  SimplifyOptions simplify;     ///< not used for a core
+  /// Vertices a block has at most, not used for a core. None: the fewest of 250 to 2000 with which
+  /// the block is within the tolerance, and the radius is halved where rounding alone goes beyond.
+  std::optional<std::size_t> vertices;
   BlockOptions block;
-  bool any_size = false;  ///< take blocks beyond the usual sizes
+  bool radius_given = false;  ///< the radius, or its share of S, is the user's and stays
+  bool any_size = false;      ///< take blocks beyond the usual sizes
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -17,6 +17,11 @@ using namespace hdf5;
 
 namespace {
 
+/// After a write that failed, as on a full disk, HDF5's own clean-up at exit would write again and
+/// crash. Every file is closed by its handle, so nothing is left to it. Counts only before the
+/// first use of HDF5, hence here.
+[[maybe_unused]] const herr_t kNoCleanUpAtExit = H5dont_atexit();
+
 constexpr std::size_t kSmallest = 4096;      ///< bytes; smaller arrays are stored plain
 constexpr std::size_t kChunk = 32768;        ///< bytes of a chunk of an array written at once
 constexpr std::size_t kAppendChunk = 16384;  ///< bytes; less, since every flush writes the last one

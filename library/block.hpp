@@ -40,7 +40,7 @@ struct Block {
   double area = 0.0;        ///< of the rounded surface, m^2
   PrincipalFrame principal;
   OrientedBox box;      ///< smallest box of the rounded body
-  Deviation deviation;  ///< rounded body against `surface`; zero for a core
+  Deviation deviation;  ///< rounded body against the whole scan; zero for a core
   bool from_core = false;
   std::vector<std::string> warnings;
   FieldNotes field;

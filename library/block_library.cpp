@@ -252,16 +252,6 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   return block;
 }
 
-void check_id(const std::string& id) {
-  const bool control = std::any_of(id.begin(), id.end(), [](unsigned char c) { return c < 32; });
-  if (control || id.find('/') != std::string::npos ||
-      id.find_first_not_of('.') == std::string::npos) {
-    throw InputError("\"" + id +
-                     "\" can't be the id of a block: it needs a letter or digit and "
-                     "no slash");
-  }
-}
-
 std::vector<Block>::const_iterator position(const std::vector<Block>& blocks,
                                             const std::string& id) {
   return std::lower_bound(
@@ -282,6 +272,16 @@ std::size_t found(const std::vector<Block>& blocks, const std::string& id) {
 }
 
 }  // namespace
+
+void check_block_id(const std::string& id) {
+  const bool control = std::any_of(id.begin(), id.end(), [](unsigned char c) { return c < 32; });
+  if (control || id.find('/') != std::string::npos ||
+      id.find_first_not_of('.') == std::string::npos) {
+    throw InputError("\"" + id +
+                     "\" can't be the id of a block: it needs a letter or digit, no slash, and no "
+                     "line break or other control character; rename the file");
+  }
+}
 
 BlockLibrary BlockLibrary::read(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path, kFormat, kSchema);
@@ -316,7 +316,7 @@ const Block& BlockLibrary::block(const std::string& id) const {
 Block& BlockLibrary::block(const std::string& id) { return blocks_[found(blocks_, id)]; }
 
 void BlockLibrary::add(Block block, bool replace) {
-  check_id(block.id);
+  check_block_id(block.id);
   if (!has(block.id)) {
     blocks_.insert(position(blocks_, block.id), std::move(block));
   } else if (replace) {

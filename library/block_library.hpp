@@ -8,6 +8,10 @@
 
 namespace clast {
 
+/// @throws InputError  `id` can't name a block: empty, with a slash or a control character, or only
+///                     dots
+void check_block_id(const std::string& id);
+
 /// The blocks of a library file, in order of id.
 class BlockLibrary {
  public:
@@ -23,8 +27,7 @@ class BlockLibrary {
   /// @throws InputError  no such id; the message lists those there are
   const Block& block(const std::string& id) const;
   Block& block(const std::string& id);
-  /// @throws InputError  the id is there already and `replace` is false, or is no name: empty, with
-  ///                     a slash or a control character, or only dots
+  /// @throws InputError  the id is there already and `replace` is false, or `check_block_id` throws
   void add(Block block, bool replace = false);
   /// @throws InputError  no such id; the message lists those there are
   void remove(const std::string& id);

@@ -15,10 +15,9 @@ namespace clast {
 namespace {
 
 constexpr double kLargestRadiusShare =
-    0.25;  ///< of S; beyond it rounding, not the rock, is the shape
-constexpr double kLargestDeviation = 0.01;  ///< of L; the accuracy clast promises by default
-constexpr double kLargestMassGap = 0.05;    ///< relative; scales and densities are not that far off
-constexpr int kVolumeSteps = 4;             ///< the volume is close to a cubic; two or three do
+    0.25;                                 ///< of S; beyond it rounding, not the rock, is the shape
+constexpr double kLargestMassGap = 0.05;  ///< relative; scales and densities are not that far off
+constexpr int kVolumeSteps = 4;           ///< the volume is close to a cubic; two or three do
 
 std::string number(double value) {
   char text[32];
@@ -85,10 +84,10 @@ void add_warnings(Block& block, const BlockOptions& options) {
                              " m is more than a quarter of S (" + number(S) +
                              " m): corners and edges are mostly rounding");
   }
-  if (block.deviation.hausdorff > kLargestDeviation * L) {
+  if (!within_tolerance(block, options)) {
     block.warnings.push_back("the block lies up to " + number(block.deviation.hausdorff) +
                              " m off the scan, " + number(100.0 * block.deviation.hausdorff / L) +
-                             " % of L; use more --vertices or a smaller --radius-share");
+                             " % of L; give more --vertices or a smaller --radius-share");
   }
   if (options.mass && options.density_given) {
     const double gap = block.mass.mass / *options.mass - 1.0;
@@ -107,6 +106,7 @@ std::string described(const BlockOptions& options, const Block& block) {
   if (!options.radius) text += " radius_share=" + number(options.radius_share);
   text += " density_kg_m3=" + number(block.density);
   if (options.mass) text += " mass_kg=" + number(*options.mass);
+  if (!options.core) text += " tolerance=" + number(options.tolerance);
   return text + " accuracy=" + number(options.accuracy);
 }
 
@@ -168,6 +168,14 @@ void BlockOptions::check() const {
   if (!(accuracy >= 1e-6 && accuracy <= 1e-2)) {
     throw InputError("accuracy is " + number(accuracy) + "; it must be between 1e-6 and 1e-2");
   }
+  if (!(tolerance > 0.0 && tolerance <= 1.0)) {
+    throw InputError("tolerance is " + number(tolerance) +
+                     " of L; it must be more than 0 and at most 1");
+  }
+}
+
+bool within_tolerance(const Block& block, const BlockOptions& options) {
+  return block.deviation.hausdorff <= options.tolerance * block.box.lengths[0];
 }
 
 Block make_block(const std::string& id, const TriangleMesh& surface, const TriangleMesh& scan,

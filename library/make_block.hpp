@@ -16,9 +16,13 @@ struct BlockOptions {
   bool density_given = false;
   std::optional<double> mass;  ///< kg: sets the density, or checks the volume if that is given
   double accuracy = 1e-4;      ///< relative, of volume and inertia
+  double tolerance = 0.01;     ///< of L; a block farther off the scan is warned of
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+/// Is the block as near to its scan as asked? Always true of a core.
+bool within_tolerance(const Block& block, const BlockOptions& options);
 
 /// A core is taken as it is. Else the core is `surface` moved in by the radius, then scaled about
 /// its own centre by the little that gives the rounded body the volume of `scan`.

@@ -8,6 +8,7 @@
 #include "reconstruct/detail/mend.hpp"
 #include "reconstruct/weld.hpp"
 #include "shapes/detail/half_edges.hpp"
+#include "shapes/detail/triangle_tree.hpp"
 #include "shapes/mesh_io.hpp"
 
 namespace clast {
@@ -18,6 +19,8 @@ namespace {
 constexpr double kDebrisArea = 0.02;
 /// ... and no longer than this share of the block.
 constexpr double kDebrisDiagonal = 0.15;
+/// Share of the diagonal within which a bubble touches the skin and doesn't pierce it.
+constexpr double kTouching = 1e-6;
 /// Volume over diagonal cubed below which a surface encloses nothing: a folded sheet.
 constexpr double kNoVolume = 1e-9;
 
@@ -89,6 +92,19 @@ std::vector<Piece> pieces_of(const TriangleMesh& mesh) {
 bool is_debris(const Piece& piece, const Piece& main) {
   return piece.area < kDebrisArea * main.area &&
          bounds(piece.mesh).diagonal() < kDebrisDiagonal * bounds(main.mesh).diagonal();
+}
+
+/// Is every vertex of the piece inside the block? A second block that overlaps it has some outside.
+bool lies_inside(const TriangleMesh& piece, const TriangleMesh& block,
+                 const detail::TriangleTree& tree) {
+  const Vec3& start = piece.vertices[0];
+  if (!detail::encloses(block, start)) return false;
+  // The block may still face inwards, so only sides that differ tell something.
+  const double side = tree.signed_distance(start) < 0.0 ? -1.0 : 1.0;
+  const double touching = -kTouching * bounds(block).diagonal();
+  return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](const Vec3& vertex) {
+    return side * tree.signed_distance(vertex) > touching;
+  });
 }
 
 /// The cleaning itself, in the file's own units and axes so that places in messages can be found.
@@ -172,10 +188,11 @@ class Cleaning {
     TriangleMesh closed = main.mesh;
     detail::fill_small_holes(closed, options_.fan_hole_edges);
     const bool main_closed = inspect(closed).closed();
+    const detail::TriangleTree tree(closed);
     std::size_t shells = 0, debris = 0, others = 0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       const TriangleMesh& piece = pieces[i].mesh;
-      const bool inside = main_closed && detail::encloses(closed, piece.vertices[0]);
+      const bool inside = main_closed && lies_inside(piece, closed, tree);
       if (inside && inspect(piece).closed()) {
         ++shells;
         scan_.inner_shell_volume += std::abs(detail::signed_volume(piece));

@@ -120,6 +120,9 @@ SpheroPolyhedron rounded_core(const TriangleMesh& scan, double minkowski_radius)
   message << "a Minkowski radius of " << minkowski_radius << " m is too large for this block: ";
   if (largest > 0.0) {
     message << "its core would vanish or turn inside out; " << largest << " m works";
+  } else if (!crossing(scan).empty()) {
+    message << "no smaller one works either, because the surface passes through itself; mend it "
+               "first, for example in MeshLab or CloudCompare";
   } else {
     message << "no smaller one works either; thin the scan first";
   }

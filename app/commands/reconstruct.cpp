@@ -11,6 +11,7 @@
 #include "app/scan_list.hpp"
 #include "app/scan_to_block.hpp"
 #include "core/error.hpp"
+#include "core/output_file.hpp"
 #include "library/block_library.hpp"
 
 namespace clast {
@@ -38,6 +39,8 @@ void reconstruct(ReconstructArgs args) {
   }
   BlockLibrary library;
   if (std::filesystem::exists(args.library)) library = BlockLibrary::read(args.library);
+  // A place that can't be written is refused before the work and not after it.
+  { const OutputFile trial(args.library); }
 
   constexpr std::size_t kStages = 3;
   Progress progress("steps", kStages * scans.size());
@@ -46,6 +49,7 @@ void reconstruct(ReconstructArgs args) {
   nlohmann::ordered_json failed = nlohmann::ordered_json::array();
   std::string last_failure;
   const auto reconstruct_one = [&](const ScanFile& scan) {
+    check_block_id(scan.id);
     if (library.has(scan.id) && !args.replace) {
       throw InputError("block " + scan.id + " is in " + args.library +
                        " already; use --replace to put the new one in its place");
@@ -53,13 +57,13 @@ void reconstruct(ReconstructArgs args) {
     Block block = block_from_scan(scan.path, scan.id, options,
                                   [&](const std::string& what) { progress.update(steps++, what); });
     progress.clear();
+    library.add(block, args.replace);
     made.push_back(block_json(block));
     if (!args.json) std::cout << block_line(block) << "\n";
     for (const std::string& warning : block.warnings) {
       if (!args.json) std::cout << "  note: " << warning << "\n";
     }
     std::cout.flush();
-    library.add(std::move(block), args.replace);
   };
   for (std::size_t i = 0; i < scans.size(); ++i) {
     try {
@@ -79,8 +83,8 @@ void reconstruct(ReconstructArgs args) {
   if (args.json) {
     std::cout << nlohmann::ordered_json{{"blocks", made}, {"failed", failed}}.dump(2) << "\n";
   } else if (!made.empty()) {
-    std::cout << args.library << ": " << made.size() << " blocks written, "
-              << library.blocks().size() << " in all\n";
+    std::cout << args.library << ": " << made.size() << (made.size() == 1 ? " block" : " blocks")
+              << " written, " << library.blocks().size() << " in all\n";
   }
   if (failed.empty()) return;
   if (scans.size() == 1) throw InputError(last_failure);
@@ -97,7 +101,7 @@ void add_reconstruct(CLI::App& app) {
       app.add_subcommand("reconstruct", "Turn scans (closed meshes) into blocks of a library");
   command
       ->add_option("scans", args->scans,
-                   "Mesh files (obj, ply, stl, off, glb, 3ds, tab), or folders of them")
+                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), or folders of them")
       ->required()
       ->type_name("SCAN");
   command
@@ -117,22 +121,25 @@ void add_reconstruct(CLI::App& app) {
       ->type_name("AXIS")
       ->capture_default_str();
   command
-      ->add_option("--vertices", options.simplify.target_vertices,
-                   "Vertices a block has at most, 4 or more")
+      ->add_option("--vertices", options.vertices,
+                   "Vertices a block has at most, 4 or more; default: 250, and more up to 2000 "
+                   "where the tolerance needs them")
       ->check(number_between(4, 1e6))
-      ->type_name("N")
-      ->capture_default_str();
+      ->type_name("N");
   CLI::Option* radius =
       command->add_option("--radius", options.block.radius, "Minkowski radius of the rounding, m")
           ->check(number_between(0.0, 1e3))
           ->type_name("M");
-  command
-      ->add_option("--radius-share", options.block.radius_share,
-                   "The same as a share of S, the shortest side, 0 to 0.25")
-      ->check(number_between(0.0, 0.25))
-      ->excludes(radius)
-      ->type_name("SHARE")
-      ->capture_default_str();
+  CLI::Option* share =
+      command
+          ->add_option(
+              "--radius-share", options.block.radius_share,
+              "The same as a share of S, the shortest side, 0 to 0.25; without it and without "
+              "--vertices, 0.02 is halved down to 0.0025 where the tolerance needs it")
+          ->check(number_between(0.0, 0.25))
+          ->excludes(radius)
+          ->type_name("SHARE")
+          ->capture_default_str();
   command
       ->add_flag("--core", options.block.core,
                  "The mesh is the core that the sphere is swept over, not the rock's surface")
@@ -153,13 +160,22 @@ void add_reconstruct(CLI::App& app) {
       ->check(number_between(1e-6, 1e-2))
       ->type_name("REL")
       ->capture_default_str();
+  command
+      ->add_option(
+          "--tolerance", options.block.tolerance,
+          "How far a block may lie off its scan (Hausdorff distance), as a share of L, the "
+          "longest side; a block beyond it is made with a warning")
+      ->check(number_between(1e-6, 1.0))
+      ->type_name("SHARE")
+      ->capture_default_str();
   command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");
   command->add_flag("--json", args->json, "Print the blocks as JSON");
   command->footer(
       "Examples:\n"
       "  clast reconstruct scans/ -o blocks.h5 --units mm --density 2650\n"
       "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342");
-  command->callback([args, density] {
+  command->callback([args, density, radius, share] {
+    args->options.radius_given = radius->count() + share->count() > 0;
     args->options.block.density_given = density->count() > 0;
     reconstruct(*args);
   });

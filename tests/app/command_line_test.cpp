@@ -1,7 +1,9 @@
 // The program as its users meet it: run as a process, judged by exit code, output and files.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "core/random.hpp"
@@ -11,6 +13,7 @@
 #include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test_rock.hpp"
 
 namespace clast {
 namespace {
@@ -66,6 +69,8 @@ TEST(CommandLine, MisuseExitsWithTwoAndNamesTheMistake) {
   expect_refused(folder, {"reconstruct", "a.obj", "--density", "0"}, 2, "--density");
   expect_refused(folder, {"reconstruct", "a.obj", "--density", "nan"}, 2, "nan");
   expect_refused(folder, {"reconstruct", "a.obj", "--vertices", "3"}, 2, "--vertices");
+  expect_refused(folder, {"reconstruct", "a.obj", "--radius-share", "0.3"}, 2, "0 to 0.25");
+  expect_refused(folder, {"reconstruct", "a.obj", "--tolerance", "0"}, 2, "--tolerance");
   expect_refused(folder, {"reconstruct", "a.obj", "b.obj", "--mass", "5"}, 2, "--mass");
   expect_refused(folder, {"export", "a.h5", "--format", "dwg"}, 2, "dwg");
   expect_refused(folder, {"export", "a.h5", "--what", "bones"}, 2, "--what");
@@ -256,6 +261,23 @@ TEST_F(WithLibrary, LibrariesAreMergedCutAndAnnotated) {
   expect_refused(folder, {"library", "set", "all.h5", "ball", "--note", "x"}, 1, "ball");
 }
 
+TEST_F(WithLibrary, AFullDiskEndsWithAMessageAndTheOldLibrary) {
+  const std::string before = read_text_file(folder / "blocks.h5");
+  rlimit old;
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old), 0);
+  const rlimit small = {8192, old.rlim_max};  // a write beyond it fails, as on a full disk
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const ProgramRun run =
+      run_clast({"library", "set", "blocks.h5", "flat", "--note", "x"}, folder.path());
+  ::setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.err, "disk full")) << run.err;
+  EXPECT_EQ(read_text_file(folder / "blocks.h5"), before);
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"blocks.h5", "flat.obj", "long.obj"}));
+}
+
 TEST_F(WithLibrary, ADamagedLibraryIsRefusedByEveryCommandAndLeftAlone) {
   const std::string whole = read_text_file(folder / "blocks.h5");
   write_text_file(folder / "cut.h5", whole.substr(0, whole.size() / 2));
@@ -385,7 +407,79 @@ TEST_F(Scans, AnOutputThatCantBeWrittenIsRefused) {
   write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
   fs::create_directory(folder / "folder.h5");
   expect_refused(folder, {"reconstruct", "cube.obj", "-o", "folder.h5"}, 1, "folder.h5");
-  expect_refused(folder, {"reconstruct", "cube.obj", "-o", "cube.obj/blocks.h5"}, 1, "cube.obj");
+  const std::vector<std::string> nowhere = {"reconstruct", "cube.obj", "-o", "cube.obj/blocks.h5"};
+  expect_refused(folder, nowhere, 1, "cube.obj");
+  EXPECT_EQ(run_clast(nowhere, folder.path()).out, "") << "before any block is made";
+}
+
+TEST_F(Scans, ANameThatIsNoIdCostsThatScanAlone) {
+  fs::create_directory(folder / "scans");
+  write_obj(folder / "scans" / "two\nlines.obj", cuboid(1, 0.9, 0.8));
+  write_obj(folder / "scans" / "fine.obj", cuboid(1, 0.9, 0.8));
+  const ProgramRun run = run_clast({"reconstruct", "scans"}, folder.path());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.out, "1 block written, 1 in all")) << run.out;
+  EXPECT_FALSE(contains(run.out, "lines: ")) << run.out;
+  EXPECT_TRUE(contains(run.err, "line break")) << run.err;
+}
+
+TEST_F(Scans, VerticesAreAddedUntilTheBlockIsWithinTheTolerance) {
+  write_obj(folder / "rough.obj", rock_mesh(24, {1.0, 0.9, 0.8}, 5, 0.3));
+  const auto made = [&](const std::vector<std::string>& options, const std::string& library) {
+    std::vector<std::string> command = {"reconstruct", "rough.obj", "--json", "-o", library};
+    command.insert(command.end(), options.begin(), options.end());
+    const ProgramRun run = run_clast(command, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return Json::parse(run.out)["blocks"][0];
+  };
+  const auto off = [](const Json& block) {
+    return block["deviation_m"]["hausdorff"].get<double>() / block["box_m"][0].get<double>();
+  };
+  const std::string tolerance = "0.005";
+  const Json fixed = made({"--vertices", "250", "--tolerance", tolerance}, "fixed.h5");
+  EXPECT_GT(off(fixed), 0.005) << "else there is nothing to add vertices for";
+  EXPECT_LE(fixed["vertices"], 250);
+  EXPECT_TRUE(contains(fixed["warnings"].dump(), "% of L")) << fixed["warnings"];
+  const Json raised = made({"--tolerance", tolerance}, "raised.h5");
+  EXPECT_LE(off(raised), 0.005);
+  EXPECT_GT(raised["vertices"], 250);
+  EXPECT_LE(raised["vertices"], 2000);
+  EXPECT_FALSE(contains(raised["warnings"].dump(), "% of L")) << raised["warnings"];
+  // Out of reach: the lightest block, and a warning that says so.
+  const Json far = made({"--tolerance", "0.00001"}, "far.h5");
+  EXPECT_LE(far["vertices"], 250);
+  EXPECT_TRUE(contains(far["warnings"].dump(), "2000 vertices")) << far["warnings"];
+}
+
+TEST_F(Scans, TheRadiusIsHalvedOnlyWhereTheUserGaveNone) {
+  // The corner of a cube with side 1 and radius r ends r (sqrt 3 - 1) short, to the little by which
+  // the core grows to keep the volume: 1.4 % at 0.02, 0.73 % at 0.01.
+  write_obj(folder / "cube.obj", cuboid(1, 1, 1));
+  const auto radius = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> command = {"reconstruct", "cube.obj", "--json", "--replace"};
+    command.insert(command.end(), options.begin(), options.end());
+    const ProgramRun run = run_clast(command, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return Json::parse(run.out)["blocks"][0]["radius_m"].get<double>();
+  };
+  EXPECT_NEAR(radius({}), 0.01, 1e-9);
+  EXPECT_NEAR(radius({"--tolerance", "0.02"}), 0.02, 1e-9);
+  EXPECT_NEAR(radius({"--radius-share", "0.02"}), 0.02, 1e-9);
+  EXPECT_EQ(radius({"--radius", "0.03"}), 0.03);
+}
+
+TEST_F(Scans, ASurfaceThatCrossesItselfIsToldOf) {
+  // Upper corners turned by half a turn: the walls cross on the axis.
+  TriangleMesh twisted = cuboid(1, 1, 1);
+  for (Vec3& v : twisted.vertices) {
+    if (v.z() > 0.0) v = Vec3(-v.x(), -v.y(), v.z());
+  }
+  write_obj(folder / "twisted.obj", twisted);
+  refuse("twisted.obj", "passes through itself");
+  const ProgramRun run =
+      run_clast({"reconstruct", "twisted.obj", "--core", "--radius", "0.01"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "passes through itself at")) << run.out;
 }
 
 TEST_F(Scans, TheSameScanGivesTheSameLibrary) {

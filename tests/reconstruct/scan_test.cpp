@@ -156,6 +156,14 @@ TEST(Scan, TwoBlocksInOneFileAreRefused) {
   EXPECT_HAS(refusal(two), "2 separate pieces");
 }
 
+TEST(Scan, OverlappingBlocksAreNotTakenForABubble) {
+  // The first vertex of the second box lies inside the first box, others lie outside.
+  const TriangleMesh box = box_mesh({1, 1, 1});
+  const TriangleMesh two = merged(box, at(box, {0.5, 0.3, 0.2}));
+  EXPECT_HAS(refusal(two), "2 separate pieces");
+  EXPECT_HAS(refusal(inverted(two)), "2 separate pieces");
+}
+
 TEST(Scan, TouchingAtOneVertexIsSplit) {
   // A strip of boxes bent round so that two corners meet would be one piece; a cheaper way to the
   // same defect: pull two far vertices of one rock to the same point.
