@@ -37,6 +37,10 @@ std::string with_decimals(double value, int decimals) {
   return text;
 }
 
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 std::string TextTable::text() const {
   std::vector<std::size_t> widths;
   std::vector<bool> right;

@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
+#include "app/text_table.hpp"
 #include "library/block_library.hpp"
 #include "shapes/mesh_io.hpp"
 #include "shapes/shp_file.hpp"
@@ -83,8 +84,8 @@ void export_blocks(const ExportArgs& args) {
       if (args.what == "both") write(core_mesh(block->body), block->id + "_core." + format);
     }
   }
-  std::cout << args.folder << ": " << written << " files of " << blocks.size()
-            << " blocks written\n";
+  std::cout << args.folder << ": " << counted(written, "file") << " of "
+            << counted(blocks.size(), "block") << " written\n";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ void merge(const MergeArgs& args) {
     }
   }
   joined.write(args.output);
-  std::cout << args.output << ": " << joined.blocks().size() << " blocks\n";
+  std::cout << args.output << ": " << counted(joined.blocks().size(), "block") << "\n";
 }
 
 void add_merge(CLI::App& app) {
@@ -60,7 +60,7 @@ void remove_blocks(const RemoveArgs& args) {
   BlockLibrary library = BlockLibrary::read(args.library);
   for (const std::string& id : args.ids) library.remove(id);
   library.write(args.library);
-  std::cout << args.library << ": " << args.ids.size() << " blocks removed, "
+  std::cout << args.library << ": " << counted(args.ids.size(), "block") << " removed, "
             << library.blocks().size() << " left\n";
 }
 

@@ -10,6 +10,7 @@
 #include "app/progress.hpp"
 #include "app/scan_list.hpp"
 #include "app/scan_to_block.hpp"
+#include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 #include "library/block_library.hpp"
@@ -83,8 +84,8 @@ void reconstruct(ReconstructArgs args) {
   if (args.json) {
     std::cout << nlohmann::ordered_json{{"blocks", made}, {"failed", failed}}.dump(2) << "\n";
   } else if (!made.empty()) {
-    std::cout << args.library << ": " << made.size() << (made.size() == 1 ? " block" : " blocks")
-              << " written, " << library.blocks().size() << " in all\n";
+    std::cout << args.library << ": " << counted(made.size(), "block") << " written, "
+              << library.blocks().size() << " in all\n";
   }
   if (failed.empty()) return;
   if (scans.size() == 1) throw InputError(last_failure);

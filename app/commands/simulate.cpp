@@ -56,8 +56,10 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
 
 void print_plan(const PreparedCampaign& prepared) {
   const ContactStiffness& stiffness = prepared.stiffness.stiffness;
-  std::cout << prepared.runs.size() << " runs: " << prepared.blocks.size() << " blocks, "
-            << prepared.header.release_points.size() << " release points\n"
+  std::cout << counted(prepared.runs.size(), "run") << ": "
+            << counted(prepared.blocks.size(), "block") << ", "
+            << counted(prepared.header.release_points.size(), "release point") << ", "
+            << counted(prepared.campaign.release.orientations.size(), "orientation") << "\n"
             << "k_n " << rounded(stiffness.normal) << " N/m, k_t " << rounded(stiffness.tangential)
             << " N/m, time step " << rounded(stiffness.time_step, 3) << " s; rests at most "
             << rounded(prepared.stiffness.settled_depth, 2) << " m deep, impacts go at most "
