@@ -1,12 +1,12 @@
 #include "app/option_values.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <sstream>
 
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace clast {
 
@@ -14,10 +14,8 @@ namespace {
 
 /// The whole of `text` as a finite number, or NaN.
 double number_from(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool whole = !text.empty() && end == text.c_str() + text.size();
-  return whole && std::isfinite(value) ? value : std::nan("");
+  const std::optional<double> value = number_in(text);
+  return value && std::isfinite(*value) ? *value : std::nan("");
 }
 
 }  // namespace
@@ -72,9 +70,8 @@ CLI::Validator number_between(double low, double high) {
   return {[low, high](const std::string& text) {
             const double value = number_from(text);
             if (value >= low && value <= high) return std::string();
-            std::ostringstream limits;  // %g, so that 0.25 and 1e-06 are told as they are
-            limits << low << " to " << high;
-            return "\"" + text + "\" is not a number from " + limits.str();
+            return "\"" + text + "\" is not a number from " + with_digits(low, 6) + " to " +
+                   with_digits(high, 6);
           },
           ""};
 }

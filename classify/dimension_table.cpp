@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
 
 namespace clast {
@@ -82,13 +83,7 @@ std::vector<std::string> fields_of(std::string_view line, char separator) {
 
 std::optional<double> number_of(std::string field, char separator) {
   if (separator != ',') std::replace(field.begin(), field.end(), ',', '.');
-  const char* begin = field.data();
-  const char* end = begin + field.size();
-  if (begin != end && *begin == '+') ++begin;
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value;
+  return number_in(field);
 }
 
 struct Unit {

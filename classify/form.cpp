@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace clast {
 
@@ -13,10 +13,8 @@ Axes Axes::sorted(double a, double b, double c) {
   std::array<double, 3> values = {a, b, c};
   for (const double value : values) {
     if (value > 0.0 && std::isfinite(value)) continue;
-    std::ostringstream message;
-    message << "axes " << a << ", " << b << ", " << c
-            << " m: each must be a positive, finite length";
-    throw InputError(message.str());
+    throw InputError("axes " + with_digits(a, 6) + ", " + with_digits(b, 6) + ", " +
+                     with_digits(c, 6) + " m: each must be a positive, finite length");
   }
   std::sort(values.begin(), values.end());
   return {values[2], values[1], values[0]};

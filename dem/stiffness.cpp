@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <Eigen/Eigenvalues>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace clast {
 namespace {
@@ -40,12 +40,7 @@ double largest_mobility(const RigidBody& body) {
   return largest;
 }
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
+std::string number(double value) { return with_digits(value, 3); }
 
 }  // namespace
 

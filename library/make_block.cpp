@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/version.hpp"
 #include "massprops/solid.hpp"
 #include "massprops/sphero.hpp"
@@ -19,11 +19,7 @@ constexpr double kLargestRadiusShare =
 constexpr double kLargestMassGap = 0.05;  ///< relative; scales and densities are not that far off
 constexpr int kVolumeSteps = 4;           ///< the volume is close to a cubic; two or three do
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
+std::string number(double value) { return with_digits(value, 4); }
 
 void check_positive(double value, const char* name, const char* unit) {
   if (!(value > 0.0) || !std::isfinite(value)) {

@@ -2,9 +2,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <sstream>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace clast {
 namespace {
@@ -15,16 +15,16 @@ constexpr double kNearlyEqual = 1e-6;
 constexpr double kRounding = 1e-9;
 
 void check_moments(const Vec3& moments, double relative_error) {
-  std::ostringstream values;
-  values << moments[0] << ", " << moments[1] << ", " << moments[2] << " kg m2";
+  const std::string values = with_digits(moments[0], 6) + ", " + with_digits(moments[1], 6) + ", " +
+                             with_digits(moments[2], 6) + " kg m2";
   if (!moments.allFinite() || !(moments[0] > 0.0)) {
-    throw GeometryError("principal moments " + values.str() +
+    throw GeometryError("principal moments " + values +
                         ": not all positive, so no solid has them; check that the mesh is closed "
                         "and its triangles face outward");
   }
   const double slack = (kRounding + 2.0 * relative_error) * moments[2];
   if (moments[0] + moments[1] + slack < moments[2]) {
-    throw GeometryError("principal moments " + values.str() +
+    throw GeometryError("principal moments " + values +
                         ": the largest exceeds the sum of the others, so no solid has them; check "
                         "that the mesh is closed and its triangles face outward");
   }

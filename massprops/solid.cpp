@@ -1,8 +1,7 @@
 #include "massprops/solid.hpp"
 
-#include <sstream>
-
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "massprops/moments.hpp"
 
 namespace clast {
@@ -13,10 +12,8 @@ MassProperties solid_mass_properties(const TriangleMesh& mesh, double density) {
   const Vec3 origin = vertex_mean(mesh);
   const Moments moments = polyhedron_moments(mesh, origin);
   if (!(moments.volume > 0.0)) {
-    std::ostringstream message;
-    message << "mesh encloses " << moments.volume
-            << " m3: its triangles face inward or it is flat; turn them outward first";
-    throw GeometryError(message.str());
+    throw GeometryError("mesh encloses " + with_digits(moments.volume, 6) +
+                        " m3: its triangles face inward or it is flat; turn them outward first");
   }
   const MassProperties result = mass_properties_from(moments, origin, Mat3::Identity(), density);
   principal_frame(result);  // the gate: no solid breaks its inequalities

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "massprops/columns.hpp"
 #include "massprops/moments.hpp"
 #include "massprops/skin.hpp"
@@ -76,10 +76,8 @@ LocalCore local_core(const SpheroPolyhedron& body) {
   for (Vec3& vertex : core.mesh.vertices) vertex -= core.origin;
   core.moments = polyhedron_moments(core.mesh, Vec3::Zero());
   if (!(core.moments.volume > 0.0)) {
-    std::ostringstream message;
-    message << "core encloses " << core.moments.volume
-            << " m3: its faces point inward or it is flat; turn them outward first";
-    throw GeometryError(message.str());
+    throw GeometryError("core encloses " + with_digits(core.moments.volume, 6) +
+                        " m3: its faces point inward or it is flat; turn them outward first");
   }
   return core;
 }

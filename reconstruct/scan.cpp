@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "reconstruct/detail/mend.hpp"
 #include "reconstruct/weld.hpp"
 #include "shapes/detail/half_edges.hpp"
@@ -30,20 +30,6 @@ const char* const kAdvice =
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-std::string place(const Vec3& point) {
-  std::ostringstream text;
-  text.precision(9);
-  text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
-  return text.str();
-}
-
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
 }
 
 /// "88 open edges in 9 holes, the largest with 30 edges near (...)", in coordinates of the file.
@@ -150,7 +136,8 @@ class Cleaning {
       if (report.closed() || (report.triangles > 0 && mends_cracks)) {
         note(counted(scan_.mesh.vertices.size() - joined.vertices.size(), "vertex", "vertices") +
              " joined to a neighbour closer than " +
-             number(options_.weld_tolerance * bounds(raw).diagonal() * options_.unit) + " m");
+             with_digits(options_.weld_tolerance * bounds(raw).diagonal() * options_.unit, 4) +
+             " m");
         scan_.mesh = std::move(joined);
         scan_.as_read = report;
       }
@@ -204,7 +191,7 @@ class Cleaning {
     }
     if (others > 0 && main_closed) {
       fail(std::to_string(others + 1) + " separate pieces, the second with " +
-           number(100.0 * pieces[1].area / main.area) +
+           with_digits(100.0 * pieces[1].area / main.area, 4) +
            " % of the area of the first; save each block to a file of its own, or delete what does "
            "not belong to it");
     }
@@ -212,7 +199,8 @@ class Cleaning {
     if (others > 0) return;
     if (shells > 0) {
       note(counted(shells, "inner shell", "inner shells") + " (bubbles) of " +
-           number(scan_.inner_shell_volume * std::pow(options_.unit, 3)) + " m3 in all dropped");
+           with_digits(scan_.inner_shell_volume * std::pow(options_.unit, 3), 4) +
+           " m3 in all dropped");
     }
     if (debris > 0) note(counted(debris, "loose scrap", "loose scraps") + " dropped");
     scan_.mesh = std::move(main.mesh);

@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "reconstruct/detail/mend.hpp"
 #include "shapes/detail/cgal_mesh.hpp"
 #include "shapes/detail/edge_collapse.hpp"
@@ -66,12 +66,6 @@ std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
     if (detail::collapse_edges_of(mesh, crossing) == 0) break;
   }
   return std::nullopt;
-}
-
-std::string place(const Vec3& point) {
-  std::ostringstream text;
-  text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
-  return text.str();
 }
 
 }  // namespace

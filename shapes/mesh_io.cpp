@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
-#include <sstream>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "shapes/detail/mesh_readers.hpp"
 #include "shapes/detail/mesh_writers.hpp"
@@ -41,11 +41,9 @@ TriangleMesh read_by_format(const std::filesystem::path& path, const std::string
 void check_usable(const TriangleMesh& mesh) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (mesh.vertices[v].allFinite()) continue;
-    std::ostringstream message;
-    message << "vertex " << v + 1 << " of " << mesh.vertices.size() << " is ("
-            << mesh.vertices[v].x() << ", " << mesh.vertices[v].y() << ", " << mesh.vertices[v].z()
-            << "), not a finite point; clean the file in the program that wrote it";
-    throw InputError(message.str());
+    throw InputError("vertex " + std::to_string(v + 1) + " of " +
+                     std::to_string(mesh.vertices.size()) + " is " + place(mesh.vertices[v]) +
+                     ", not a finite point; clean the file in the program that wrote it");
   }
   if (!mesh.triangles.empty()) return;
   if (mesh.vertices.empty()) throw InputError("holds no vertices and no triangles");

@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "core/number_text.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {
@@ -14,13 +13,6 @@ namespace {
 constexpr double kNotableMassDifference = 0.01;
 /// Share of the dissipated energy that a run's balance may miss before it is named.
 constexpr double kNotableEnergyError = 0.01;
-
-std::string four_digits(double value) {
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-  return {text.data(), end.ptr};
-}
 
 std::string of(std::size_t part, std::size_t all) {
   return std::to_string(part) + " of " + std::to_string(all);
@@ -85,7 +77,7 @@ void warn_of_masses(const Comparison& comparison, std::vector<std::string>& warn
   for (const auto& [name, mean] : means) {
     low = std::min(low, mean);
     high = std::max(high, mean);
-    list += (list.empty() ? "" : ", ") + name + " " + four_digits(mean) + " kg";
+    list += (list.empty() ? "" : ", ") + name + " " + with_digits(mean, 4) + " kg";
   }
   if (means.size() > 1 && high > low * (1.0 + kNotableMassDifference)) {
     warnings.push_back("mass differs between classes (mean block: " + list +

@@ -1,13 +1,13 @@
 #include "study/release_points.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "shapes/triangle_mesh.hpp"
 
@@ -29,14 +29,6 @@ std::vector<std::string_view> words_of(std::string_view line) {
     words.push_back(line.substr(0, length));
     line.remove_prefix(length);
   }
-}
-
-std::optional<double> number_in(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
 }
 
 struct NumberRow {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace clast {
 namespace {
@@ -19,11 +20,6 @@ constexpr double kConeSlack = 1e-9;
 struct HalfEdge {
   std::uint32_t low, high, face, side;
 };
-
-std::string place(const Vec3& p) {
-  return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) +
-         ")";
-}
 
 void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
   surface.faces.reserve(mesh.triangles.size());

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
 
 namespace clast::detail {
@@ -26,14 +26,6 @@ std::string_view next_word(std::string_view& line) {
   const std::string_view word = line.substr(0, line.find_first_of(kSeparators));
   line.remove_prefix(word.size());
   return word;
-}
-
-std::optional<double> number_in(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
 }
 
 /// Columns of x, y and z in a heading; the first three when it does not name them.

@@ -1,0 +1,30 @@
+#include "core/number_text.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace clast {
+
+std::optional<double> number_in(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+std::string with_digits(double value, int digits) {
+  // Sign, point, "0.000" and exponent beside the digits; a double has no more than 767 of them.
+  std::array<char, 800> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::general, digits);
+  return {text.data(), end.ptr};
+}
+
+std::string place(const Vec3& point) {
+  const auto text = [](double value) { return with_digits(value, 9); };
+  return "(" + text(point.x()) + ", " + text(point.y()) + ", " + text(point.z()) + ")";
+}
+
+}  // namespace clast

@@ -1,0 +1,22 @@
+#pragma once
+/// Numbers in and out as text, the same whatever the locale.
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/types.hpp"
+
+namespace clast {
+
+/// The number that is all of `text`; none when anything else is in it, spaces included, or when a
+/// double can't hold it. One leading "+" is allowed; "nan" and "inf" are numbers here.
+std::optional<double> number_in(std::string_view text);
+
+/// `value` with so many significant digits and no zeros at the end, as for messages: "0.0254".
+std::string with_digits(double value, int digits);
+
+/// "(x, y, z)", nine significant digits each: to the centimetre on a map, which is enough to find
+/// the place in a viewer.
+std::string place(const Vec3& point);
+
+}  // namespace clast

@@ -1,0 +1,54 @@
+#include "core/number_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/random.hpp"
+
+namespace clast {
+namespace {
+
+TEST(NumberText, WholeTextIsRead) {
+  EXPECT_EQ(number_in("1.5"), 1.5);
+  EXPECT_EQ(number_in("+3"), 3.0);
+  EXPECT_EQ(number_in("-2e-3"), -0.002);
+  EXPECT_EQ(number_in(".5"), 0.5);
+  EXPECT_EQ(number_in("inf"), std::numeric_limits<double>::infinity());
+  ASSERT_TRUE(number_in("nan"));
+  EXPECT_TRUE(std::isnan(*number_in("nan")));
+}
+
+TEST(NumberText, AnythingElseIsNoNumber) {
+  for (const char* text :
+       {"", "+", "-", "+-1", "++1", " 1", "1 ", "1,5", "1.5m", "0x10", "1e", "five", "1e999"}) {
+    EXPECT_FALSE(number_in(text)) << "\"" << text << "\"";
+  }
+}
+
+TEST(NumberText, SignificantDigitsAreKept) {
+  EXPECT_EQ(with_digits(0.0254, 4), "0.0254");
+  EXPECT_EQ(with_digits(2.0 / 3.0, 3), "0.667");
+  EXPECT_EQ(with_digits(1250.0, 4), "1250");
+  EXPECT_EQ(with_digits(1e8, 3), "1e+08");
+  EXPECT_EQ(with_digits(-12345.6, 3), "-1.23e+04");
+  EXPECT_EQ(with_digits(0.0, 4), "0");
+  EXPECT_EQ(with_digits(std::numeric_limits<double>::infinity(), 4), "inf");
+}
+
+TEST(NumberText, SeventeenDigitsComeBackAsTheSameNumber) {
+  Random random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const double value = random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-300.0, 300.0));
+    EXPECT_EQ(number_in(with_digits(value, 17)), value);
+  }
+}
+
+TEST(NumberText, PlacesAreToTheCentimetreOnAMap) {
+  EXPECT_EQ(place({0.5, -1.0, 0.0}), "(0.5, -1, 0)");
+  EXPECT_EQ(place({888600.125, 6671300.254, 200.0}), "(888600.125, 6671300.25, 200)");
+}
+
+}  // namespace
+}  // namespace clast
