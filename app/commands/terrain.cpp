@@ -48,9 +48,9 @@ void print_report(const Terrain& terrain) {
   const Bounds box = bounds(terrain.surface);
   const Vec3 low = terrain.frame.map(box.low);
   const Vec3 high = terrain.frame.map(box.high);
-  std::cout << terrain.surface.triangles.size() << " triangles of " << report.triangles_read
-            << " read, in " << report.components << " pieces with " << report.boundary_edges
-            << " border edges\n";
+  std::cout << counted(terrain.surface.triangles.size(), "triangle") << " of "
+            << report.triangles_read << " read, in " << counted(report.components, "piece")
+            << " with " << counted(report.boundary_edges, "border edge") << "\n";
   TextTable extent{{"map m", "from", "to"}, {}};
   const char* names[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
