@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <ostream>
+#include <string_view>
 #include <tuple>
 
 #include "core/digest.hpp"
@@ -289,7 +292,28 @@ struct Refused {
   const char* from;
   const char* to;
   const char* message;
+
+  // "friction_0_70_becomes_friction_1", and "without_..." where nothing is left to name.
+  std::string name() const {
+    const std::string old_words = words(from), new_words = words(to);
+    return new_words.empty() ? "without_" + old_words : old_words + "_becomes_" + new_words;
+  }
+  // Letters and digits, with one underscore for all that lies between.
+  static std::string words(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+      if (std::isalnum(static_cast<unsigned char>(c))) {
+        result += c;
+      } else if (!result.empty() && result.back() != '_') {
+        result += '_';
+      }
+    }
+    return result.substr(0, result.find_last_not_of('_') + 1);
+  }
 };
+
+// Names the test in ctest; GoogleTest alone would print addresses, other ones in each build.
+void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.name(); }
 
 class CampaignRefusal : public CampaignFile, public testing::WithParamInterface<Refused> {};
 
