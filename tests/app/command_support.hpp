@@ -10,16 +10,13 @@
 
 #include "core/text_file.hpp"
 #include "shapes/triangle_mesh.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 
 namespace fs = std::filesystem;
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Written by hand, so that these tests do not lean on the writer they run beside.
 inline void write_obj(const fs::path& path, const TriangleMesh& mesh) {

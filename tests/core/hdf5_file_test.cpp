@@ -10,27 +10,13 @@
 #include "core/random.hpp"
 #include "core/text_file.hpp"
 #include "core/version.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 namespace {
 
 const std::string kFormat = "clast test file";
-
-/// What `action` says when it fails.
-template <class Action>
-std::string refusal(const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no InputError";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 template <class T>
 void expect_roundtrip(const std::vector<T>& values) {

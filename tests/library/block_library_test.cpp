@@ -6,24 +6,11 @@
 #include "core/hdf5_file.hpp"
 #include "core/text_file.hpp"
 #include "tests/library/block_samples.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 namespace {
-
-template <class Action>
-std::string refusal(const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no InputError";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::filesystem::path written(const ScratchFolder& folder, const std::string& id = "SP1A") {
   BlockLibrary library;

@@ -9,6 +9,7 @@
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
 #include "tests/library/block_samples.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace clast {
 namespace {
@@ -23,20 +24,6 @@ TriangleMesh random_rock(std::uint64_t seed) {
 }
 
 BlockSource source() { return {"rock.stl", "0123", "units=m", ""}; }
-
-template <class Exception, class Action>
-std::string refusal(const Action& action) {
-  try {
-    action();
-  } catch (const Exception& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 bool warns_of(const Block& block, const std::string& part) {
   for (const std::string& warning : block.warnings) {

@@ -3,27 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <functional>
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "tests/shapes/shape_samples.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 namespace {
-
-/// What `act` throws, or nothing.
-template <class Expected = InputError>
-std::string refusal(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Expected& error) {
-    return error.what();
-  }
-  return {};
-}
 
 class MeshFiles : public testing::Test {
  protected:

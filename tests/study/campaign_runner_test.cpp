@@ -9,6 +9,7 @@
 #include "core/text_file.hpp"
 #include "library/make_block.hpp"
 #include "tests/study/results_equal.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
@@ -112,15 +113,7 @@ max_time_s = 6
   }
   static std::string refusal(const std::string& text) {
     const Campaign read = campaign(text);
-    try {
-      prepare_campaign(read);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
-  }
-  static bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
+    return clast::refusal<Error>([&] { prepare_campaign(read); });
   }
 
   static ScratchFolder* folder_;

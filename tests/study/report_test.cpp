@@ -16,6 +16,7 @@
 #include "study/report/svg_map.hpp"
 #include "study/report/ticks.hpp"
 #include "tests/study/hand_made_results.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
@@ -30,10 +31,6 @@ Comparison compared(CampaignResults results) {
   std::vector<CampaignResults> all;
   all.push_back(std::move(results));
   return compare(std::move(all));
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {

@@ -14,6 +14,7 @@
 #include "core/version.hpp"
 #include "study/results_journal.hpp"
 #include "tests/study/results_equal.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
@@ -124,20 +125,6 @@ void expect_runs(const fs::path& file, const std::vector<std::uint32_t>& numbers
     expect_equal(read_trajectory(file, numbers[i]), run.trajectory);
   }
   EXPECT_EQ(crossing, results.crossings.size());
-}
-
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(Results, EverythingComesBackInRunOrder) {

@@ -9,27 +9,13 @@
 #include "core/error.hpp"
 #include "shapes/mesh_io.hpp"
 #include "terrain/terrain_input.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 
-/// The message of the Error that `action` throws; empty when it throws none.
-inline std::string refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
-}
-
 inline std::string refusal(const TerrainOptions& options) {
-  return refusal([&] { read_terrain(options); });
-}
-
-inline ::testing::AssertionResult contains(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << "\"" << text << "\" does not contain \"" << part << "\"";
+  return refusal<Error>([&] { read_terrain(options); });
 }
 
 /// A plane that no symmetry of a grid hides: z over x and y on the map.

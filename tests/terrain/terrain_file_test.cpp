@@ -37,7 +37,7 @@ class TerrainFile : public testing::Test {
       damage(root);
       file.flush();
     }
-    return refusal([&] { read_terrain_file(folder_ / "t.h5"); });
+    return refusal<Error>([&] { read_terrain_file(folder_ / "t.h5"); });
   }
   const ScratchFolder folder_;
 };
@@ -111,7 +111,7 @@ TEST_F(TerrainFile, DamageIsRefused) {
                        }),
                        "holds no triangles"));
   write_text_file(folder_ / "u.h5", "not HDF5");
-  EXPECT_TRUE(contains(refusal([&] { read_terrain_file(folder_ / "u.h5"); }), "u.h5"));
+  EXPECT_TRUE(contains(refusal<Error>([&] { read_terrain_file(folder_ / "u.h5"); }), "u.h5"));
 }
 
 TEST_F(TerrainFile, MeshExportsAreOnTheMap) {
@@ -159,7 +159,7 @@ TEST_F(TerrainFile, RasterExportHasTheHeightsAtCellCentres) {
 TEST_F(TerrainFile, ExportsThatMakeNoSenseAreRefused) {
   const Terrain terrain = sample();
   const auto refused = [&](const std::string& name, const std::string& up, double cell) {
-    return refusal([&] { export_terrain(folder_ / name, terrain, up, cell); });
+    return refusal<Error>([&] { export_terrain(folder_ / name, terrain, up, cell); });
   };
   EXPECT_TRUE(contains(refused("t.doc", "z", 0.5), "t.doc"));
   EXPECT_TRUE(contains(refused("t.stl", "x", 0.5), "up = \"x\""));
