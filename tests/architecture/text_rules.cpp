@@ -30,7 +30,7 @@ Findings guard_findings(const SourceFile& file) {
 
 Findings machine_path_findings(const SourceFile& file) {
   // In pieces, so that this file is not among the findings. A path is absolute where nothing that
-  // could be the folder above stands before it, as in ${CMAKE_BINARY_DIR}/work/.
+  // could be the folder above stands before it, as in ${CMAKE_BINARY_DIR}/home/.
   static const std::regex kPath(std::string(R"((^|[^\w.\-})*/])/()") +
                                 R"((home|Users|root|mnt|work|workspace)/[\w.\-]+|tmp/\w+))");
   Findings findings;
