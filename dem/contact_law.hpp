@@ -1,8 +1,7 @@
 #pragma once
-/// The contact laws and their parameters.
-#include <optional>
+/// Parameters of the contact law: loading with k_n, unloading with k_n e_n^2, Coulomb friction and
+/// rolling resistance (Eqs. 2-5 of the paper). @cite garcia2022
 #include <string>
-#include <variant>
 
 namespace clast {
 
@@ -14,10 +13,6 @@ struct GroundParameters {
 
   void check(const std::string& zone) const;  ///< throws InputError naming zone, field and value
 };
-
-/// Loading with k_n, unloading with k_n e_n^2 (Eqs. 2-5 of the paper).
-/// @cite garcia2022
-struct EnergyRestitutionLaw {};
 
 /// How contact stiffness is shared among the points of one block.
 enum class ContactWeights {

@@ -2,6 +2,7 @@
 /// One block released on one terrain, until it stops.
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
