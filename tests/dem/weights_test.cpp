@@ -68,7 +68,8 @@ INSTANTIATE_TEST_SUITE_P(Weights, RestDepth,
                          testing::Values(Sharing{ContactWeights::kPatch, 2.0},
                                          Sharing{ContactWeights::kOverlap, 1.0},
                                          Sharing{ContactWeights::kCount, 1.0},
-                                         Sharing{ContactWeights::kNone, 8.0}));
+                                         Sharing{ContactWeights::kNone, 8.0}),
+                         [](const auto& test) { return name_of(test.param.weights); });
 
 // Many small drops on flat ground: whatever way a block settles, it is not below ground.
 TEST(Settling, IsNeverTakenForSinking) {
@@ -108,7 +109,8 @@ TEST_P(AnyWeights, RocksComeToRestWithTheirEnergyAccountedFor) {
 }
 INSTANTIATE_TEST_SUITE_P(Weights, AnyWeights,
                          testing::Values(ContactWeights::kPatch, ContactWeights::kOverlap,
-                                         ContactWeights::kCount, ContactWeights::kNone));
+                                         ContactWeights::kCount, ContactWeights::kNone),
+                         [](const auto& test) { return name_of(test.param); });
 
 TEST(Weights, NamesGoBothWays) {
   for (const char* name : {"patch", "overlap", "count", "none"}) {
