@@ -2,6 +2,7 @@
 
 #include "dem/detail/contact_search.hpp"
 #include "dem/detail/segment_distance.hpp"
+#include "dem/detail/terrain_impl.hpp"
 #include "dem/release.hpp"
 
 namespace clast {
@@ -12,7 +13,7 @@ struct NearbyGround {
   std::vector<std::uint32_t> vertices, edges;
 };
 
-NearbyGround nearby(const TerrainSurface::Impl& ground, const Bounds& box, double reach) {
+NearbyGround nearby(const IndexedSurface& ground, const Bounds& box, double reach) {
   NearbyGround found;
   for (const std::uint32_t f : ground.faces_near(box, reach)) {
     const SurfaceFace& face = ground.features.faces[f];
@@ -30,8 +31,9 @@ NearbyGround nearby(const TerrainSurface::Impl& ground, const Bounds& box, doubl
 
 std::optional<double> ground_gap(const TerrainSurface& terrain, const RigidBody& body,
                                  const RigidState& state, double reach) {
-  const TerrainSurface::Impl& ground = terrain.impl();
-  ContactSearch search(ground, body);
+  const IndexedSurface& ground = terrain.impl().surface;
+  const IndexedSurface surface = indexed_surface(body.shape);
+  ContactSearch search(ground, surface, body.size());
   const Pose world_from_body = state.world_from_body();
   double deepest = 0.0;
   for (const ContactPoint& contact : search.contacts(world_from_body, 0.0)) {
@@ -39,7 +41,7 @@ std::optional<double> ground_gap(const TerrainSurface& terrain, const RigidBody&
   }
   if (deepest > 0.0) return -deepest;
 
-  const SurfaceFeatures& block = search.block();
+  const SurfaceFeatures& block = surface.features;
   const double radii = body.shape.radius + ground.radius;
   double nearest = reach + radii;
   std::vector<Vec3> corners;

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "dem/detail/contact_forces.hpp"
 #include "dem/detail/contact_search.hpp"
-#include "dem/detail/rotation.hpp"
+#include "dem/detail/moving_body.hpp"
+#include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
 namespace {
@@ -27,14 +27,15 @@ class Release {
         body_(body),
         settings_(settings),
         observe_(observe),
-        search_(terrain.impl(), body),
-        forces_(terrain, zones, search_.block(), body, settings),
-        state_(start),
-        momentum_(angular_momentum(body.moments, start.orientation, start.angular_velocity)),
+        surface_(indexed_surface(body.shape)),
+        search_(terrain.impl().surface, surface_, body.size()),
+        forces_(zones, terrain.impl().zones, surface_.features, body.size(), settings.stiffness,
+                settings.weights),
+        moving_(body, start),
         radius_(body.bounding_radius()) {}
 
   ReleaseResult run() {
-    meet_ground(0.0);
+    meet_ground(moving_.motion(), 0.0);
     result_.energy = {};
     result_.energy.initial = energy();
     while (true) {
@@ -54,15 +55,13 @@ class Release {
   }
 
   double start_overlap() {
-    meet_ground(0.0);
+    meet_ground(moving_.motion(), 0.0);
     return forces_.max_overlap();
   }
 
  private:
   std::optional<StopReason> stopped() {
-    const bool finite = state_.position.allFinite() && state_.velocity.allFinite() &&
-                        momentum_.allFinite() && state_.orientation.coeffs().allFinite();
-    if (!finite) {
+    if (!moving_.finite()) {
       result_.message = "the motion is not finite any more at " + std::to_string(time_) + " s";
       return StopReason::kError;
     }
@@ -77,7 +76,7 @@ class Release {
   double flight_time() const {
     const double allowed = search_.safe_travel() - travel_;
     if (!(allowed > 0.0)) return 0.0;
-    const double speed = state_.velocity.norm() + top_spin() * radius_;
+    const double speed = moving_.state().velocity.norm() + top_spin() * radius_;
     const double g = settings_.gravity;
     // speed t + g t^2/2 = allowed, in the form that keeps its digits for small g.
     const double time = 2.0 * allowed / (speed + std::sqrt(speed * speed + 2.0 * g * allowed));
@@ -86,11 +85,11 @@ class Release {
 
   /// The spin never exceeds this in torque-free motion: the energy, all in the smallest moment.
   double top_spin() const {
-    return std::sqrt(2.0 * rotational_energy(body_, state_) / body_.moments.minCoeff());
+    return std::sqrt(2.0 * rotational_energy(body_, moving_.state()) / body_.moments.minCoeff());
   }
 
   void fly(double duration) {
-    const RigidState begin = state_;
+    const RigidState begin = moving_.state();
     const auto position_after = [&](double t) {
       const Vec3 fall(0.0, 0.0, 0.5 * settings_.gravity * t * t);
       return Vec3(begin.position + t * begin.velocity - fall);
@@ -110,52 +109,37 @@ class Release {
     const double g = settings_.gravity;
     travel_ +=
         (begin.velocity.norm() + top_spin() * radius_) * duration + 0.5 * g * duration * duration;
-    state_ = free_flight(body_, begin, duration, g);
+    moving_.place(free_flight(body_, begin, duration, g));
     const double middle_speed = (begin.velocity - Vec3(0.0, 0.0, 0.5 * g * duration)).norm();
     result_.path_length +=
-        duration / 6.0 * (begin.velocity.norm() + 4.0 * middle_speed + state_.velocity.norm());
+        duration / 6.0 *
+        (begin.velocity.norm() + 4.0 * middle_speed + moving_.state().velocity.norm());
     resting_ = 0.0;
-    meet_ground(0.0);
+    meet_ground(moving_.motion(), 0.0);
     advance(begin, duration, true);
   }
 
   void step() {
     const double dt = std::min(settings_.stiffness.time_step, settings_.max_time - time_);
-    const RigidState begin = state_;
+    const RigidState begin = moving_.state();
     const Vec3 gravity(0.0, 0.0, -settings_.gravity);
-    const Vec3 half_velocity = state_.velocity + 0.5 * dt * (gravity + load_.force / body_.mass);
-    momentum_ += 0.5 * dt * load_.torque;
-    const Quat turned = turned_one_step(body_.moments, state_.orientation, momentum_, dt);
-    const Vec3 half_spin = 0.5 * (angular_velocity(body_.moments, state_.orientation, momentum_) +
-                                  angular_velocity(body_.moments, turned, momentum_));
-    state_.position += dt * half_velocity;
-    state_.orientation = turned;
-    travel_ += dt * (half_velocity.norm() + momentum_.norm() / body_.moments.minCoeff() * radius_);
-    result_.path_length += dt * half_velocity.norm();
-
-    half_velocity_ = half_velocity;
-    half_spin_ = half_spin;
-    meet_ground(dt);
-    state_.velocity = half_velocity + 0.5 * dt * (gravity + load_.force / body_.mass);
-    momentum_ += 0.5 * dt * load_.torque;
-    state_.angular_velocity = angular_velocity(body_.moments, state_.orientation, momentum_);
+    const BodyMotion motion = moving_.begin_step(dt, load_.force, load_.torque, gravity);
+    travel_ += dt * moving_.top_speed();
+    result_.path_length += dt * motion.velocity.norm();
+    meet_ground(motion, dt);
+    moving_.end_step(dt, load_.force, load_.torque, gravity);
     ++result_.contact_steps;
 
-    const double specific =
-        (translational_energy(body_, state_) + rotational_energy(body_, state_)) / body_.mass;
+    const double specific = moving_.kinetic_energy() / body_.mass;
     resting_ = !forces_.empty() && specific < settings_.rest_energy ? resting_ + dt : 0.0;
-    if (!terrain_.covers(state_.position.x(), state_.position.y())) left_ = true;
+    const Vec3& position = moving_.state().position;
+    if (!terrain_.covers(position.x(), position.y())) left_ = true;
     advance(begin, dt, false);
   }
 
-  void meet_ground(double dt) {
+  void meet_ground(const BodyMotion& motion, double dt) {
     const bool flying = forces_.empty();
-    if (dt == 0.0) {
-      half_velocity_ = state_.velocity;
-      half_spin_ = state_.angular_velocity;
-    }
-    const Pose pose = state_.world_from_body();
-    load_ = forces_.update(search_.contacts(pose, travel_), pose, half_velocity_, half_spin_, dt,
+    load_ = forces_.update(search_.contacts(motion.world_from_body, travel_), motion, {}, dt,
                            result_.energy);
     if (flying && !forces_.empty() && time_ > 0.0) ++result_.impacts;
     result_.max_penetration = std::max(result_.max_penetration, forces_.max_overlap());
@@ -164,49 +148,46 @@ class Release {
   void advance(const RigidState& begin, double duration, bool flight) {
     const double end_time = time_ + duration;
     result_.max_speed =
-        std::max({result_.max_speed, begin.velocity.norm(), state_.velocity.norm()});
-    if (observe_) observe_({time_, end_time, begin, state_, flight});
+        std::max({result_.max_speed, begin.velocity.norm(), moving_.state().velocity.norm()});
+    if (observe_) observe_({time_, end_time, begin, moving_.state(), flight});
     time_ = end_time;
   }
 
   double energy() const {
-    return translational_energy(body_, state_) + rotational_energy(body_, state_) +
-           body_.mass * settings_.gravity * state_.position.z() + forces_.stored_energy();
+    return moving_.kinetic_energy() +
+           body_.mass * settings_.gravity * moving_.state().position.z() + forces_.stored_energy();
   }
 
   void finish() {
     result_.duration = time_;
-    result_.final_state = state_;
+    result_.final_state = moving_.state();
+    const Vec3& place = moving_.state().position;
     result_.settled_penetration = forces_.max_overlap();
     EnergyLedger& ledger = result_.energy;
     ledger.final = energy();
     // The potential counts from the end height, so that the scale does not depend on the datum.
-    const double scale =
-        std::abs(ledger.initial - body_.mass * settings_.gravity * state_.position.z());
+    const double scale = std::abs(ledger.initial - body_.mass * settings_.gravity * place.z());
     const double lost = ledger.dissipated();
     ledger.error = std::abs(ledger.initial - ledger.final - lost) /
                    std::max({std::abs(lost), 1e-3 * scale, 1e-300});
-    const std::optional<double> ground =
-        terrain_.height(state_.position.x(), state_.position.y(), state_.position.z());
+    const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
     const double rest_depth = body_.mass * settings_.gravity /
                               (settings_.stiffness.normal * forces_.smallest_restitution());
-    result_.below_ground = (ground && state_.position.z() < *ground) ||
-                           (result_.stop_reason == StopReason::kRest &&
-                            forces_.settled_depth() > kSettledSlack * rest_depth);
+    result_.below_ground =
+        (ground && place.z() < *ground) || (result_.stop_reason == StopReason::kRest &&
+                                            forces_.settled_depth() > kSettledSlack * rest_depth);
   }
 
   const TerrainSurface& terrain_;
   const RigidBody& body_;
   const ReleaseSettings& settings_;
   const MotionObserver& observe_;
+  IndexedSurface surface_;
   ContactSearch search_;
   ContactForces forces_;
-  RigidState state_;
-  Vec3 momentum_;
+  MovingBody moving_;
   double radius_;
   ContactLoad load_;
-  Vec3 half_velocity_ = Vec3::Zero();
-  Vec3 half_spin_ = Vec3::Zero();
   double time_ = 0.0;
   double travel_ = 0.0;
   double resting_ = 0.0;

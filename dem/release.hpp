@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dem/contact_law.hpp"
+#include "dem/energy_ledger.hpp"
 #include "dem/rigid_body.hpp"
 #include "dem/terrain_surface.hpp"
 
@@ -29,20 +30,6 @@ struct ReleaseSettings {
   double start_overlap = 1e-3;  ///< largest overlap with the ground at the start, share of S
 
   void check() const;  ///< throws InputError naming the field and its value
-};
-
-/// Where energy went, J. Sums over the run.
-struct EnergyLedger {
-  double initial = 0.0;     ///< kinetic + potential + stored at the start
-  double final = 0.0;       ///< the same at the end
-  double normal = 0.0;      ///< dissipated by the normal law
-  double friction = 0.0;    ///< dissipated by sliding
-  double rolling = 0.0;     ///< dissipated by rolling resistance
-  double reassigned = 0.0;  ///< lost (or gained, < 0) when contacts or their weights change
-
-  double dissipated() const { return normal + friction + rolling + reassigned; }
-  /// |initial - final - dissipated| / max(dissipated, 1e-3 |kinetic + drop|)
-  double error = 0.0;
 };
 
 /// A piece of motion between two instants, handed to observers in order of time.

@@ -13,6 +13,10 @@ double RigidBody::bounding_radius() const {
   return largest + shape.radius;
 }
 
+double RigidBody::size() const {
+  return smallest_side > 0.0 ? smallest_side : 2.0 * bounding_radius();
+}
+
 double translational_energy(const RigidBody& body, const RigidState& state) {
   return 0.5 * body.mass * state.velocity.squaredNorm();
 }

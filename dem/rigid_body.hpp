@@ -27,6 +27,7 @@ struct RigidBody {
   double smallest_side = 0.0;   ///< S of the smallest box, m; scale of tolerances
 
   double bounding_radius() const;  ///< of the rounded body about the centre, m
+  double size() const;             ///< `smallest_side`, or the diameter where that is not set, m
 };
 
 /// Kinetic energies, J.

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "dem/detail/terrain_index.hpp"
+#include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
 namespace {
@@ -40,41 +40,32 @@ TerrainSurface::TerrainSurface(TriangleMesh mesh, std::vector<std::uint16_t> zon
   if (!(radius >= 0.0 && std::isfinite(radius))) {
     throw InputError("terrain: radius = " + std::to_string(radius) + "; must be 0 or more");
   }
-  impl_->features = surface_features(mesh);
-  for (const Vec3& vertex : mesh.vertices) impl_->extent.include(vertex);
-  impl_->face_of_vertex.assign(mesh.vertices.size(), 0);
-  for (std::size_t f = mesh.triangles.size(); f-- > 0;) {
-    for (const std::uint32_t v : mesh.triangles[f]) {
-      impl_->face_of_vertex[v] = static_cast<std::uint32_t>(f);
-    }
-  }
+  impl_->surface = indexed_surface(mesh, radius);
   impl_->mesh = std::move(mesh);
   impl_->zone_count = static_cast<std::uint16_t>(*std::max_element(zones.begin(), zones.end()) + 1);
   impl_->zones = std::move(zones);
-  impl_->radius = radius;
-  impl_->grid = PlanGrid(impl_->features);
 }
 
 TerrainSurface::~TerrainSurface() = default;
 TerrainSurface::TerrainSurface(TerrainSurface&&) noexcept = default;
 
 const TriangleMesh& TerrainSurface::mesh() const { return impl_->mesh; }
-double TerrainSurface::radius() const { return impl_->radius; }
+double TerrainSurface::radius() const { return impl_->surface.radius; }
 std::uint16_t TerrainSurface::zone(std::uint32_t triangle) const { return impl_->zones[triangle]; }
 std::uint16_t TerrainSurface::zone_count() const { return impl_->zone_count; }
-const Bounds& TerrainSurface::extent() const { return impl_->extent; }
+const Bounds& TerrainSurface::extent() const { return impl_->surface.extent; }
 
 std::optional<double> TerrainSurface::height(double x, double y, double z_near) const {
   std::optional<double> best;
-  const PlanGrid::Range home = impl_->grid.range(x, x, y, y);
+  const PlanGrid::Range home = impl_->surface.grid.range(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {
     for (int column = home.first_column; column <= home.last_column; ++column) {
-      for (const std::uint32_t f : impl_->grid.cell(column, row).faces) {
-        const SurfaceFace& face = impl_->features.faces[f];
+      for (const std::uint32_t f : impl_->surface.grid.cell(column, row).faces) {
+        const SurfaceFace& face = impl_->surface.features.faces[f];
         if (face.normal.z() <= 0.0) continue;
-        const std::optional<double> z = height_on_face(impl_->features, face, x, y);
+        const std::optional<double> z = height_on_face(impl_->surface.features, face, x, y);
         if (!z) continue;
-        const double skin = *z + impl_->radius / face.normal.z();
+        const double skin = *z + impl_->surface.radius / face.normal.z();
         if (!best || std::abs(skin - z_near) < std::abs(*best - z_near)) best = skin;
       }
     }
@@ -83,11 +74,12 @@ std::optional<double> TerrainSurface::height(double x, double y, double z_near) 
 }
 
 bool TerrainSurface::covers(double x, double y) const {
-  const PlanGrid::Range home = impl_->grid.range(x, x, y, y);
+  const PlanGrid::Range home = impl_->surface.grid.range(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {
     for (int column = home.first_column; column <= home.last_column; ++column) {
-      for (const std::uint32_t f : impl_->grid.cell(column, row).faces) {
-        if (height_on_face(impl_->features, impl_->features.faces[f], x, y)) return true;
+      for (const std::uint32_t f : impl_->surface.grid.cell(column, row).faces) {
+        if (height_on_face(impl_->surface.features, impl_->surface.features.faces[f], x, y))
+          return true;
       }
     }
   }

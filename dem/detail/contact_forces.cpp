@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace clast {
@@ -13,14 +12,6 @@ namespace {
 constexpr double kHandOverShare = 0.03;
 /// ... and their normals are within 45 degrees.
 constexpr double kHandOverCosine = 0.7071067811865476;
-/// Normals within a patch differ by at most 30 degrees: smoothly curved, not a ridge.
-constexpr double kPatchCosine = 0.8660254037844386;
-/// How far a point of a patch may stand above the tangent plane of another, as a sine: 3 degrees.
-/// More is a valley, and its two sides carry the block apart.
-constexpr double kPatchRise = 0.052;
-/// A plane of the block joins contact points when it faces the ground within 60 degrees.
-constexpr double kFacingCosine = 0.5;
-
 Vec3 turned_into_plane(const Vec3& vector, const Vec3& normal) {
   const double length = vector.norm();
   const Vec3 flat = vector - vector.dot(normal) * normal;
@@ -35,33 +26,32 @@ void limit(Vec3& vector, double largest) {
 
 }  // namespace
 
-ContactForces::ContactForces(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
-                             const SurfaceFeatures& block, const RigidBody& body,
-                             const ReleaseSettings& settings)
-    : terrain_(terrain),
-      zones_(zones),
-      block_(block),
-      stiffness_(settings.stiffness),
-      weights_(settings.weights),
-      near_(kHandOverShare * body.smallest_side) {}
+ContactForces::ContactForces(std::span<const GroundParameters> zones,
+                             std::span<const std::uint16_t> zone_of_face,
+                             const SurfaceFeatures& block, double size,
+                             const ContactStiffness& stiffness, ContactWeights weights)
+    : zones_(zones),
+      zone_of_face_(zone_of_face),
+      patches_(block, weights),
+      stiffness_(stiffness),
+      near_(kHandOverShare * size) {}
 
-ContactLoad ContactForces::update(const std::vector<ContactPoint>& points,
-                                  const Pose& world_from_body, const Vec3& velocity,
-                                  const Vec3& angular_velocity, double duration,
-                                  EnergyLedger& ledger) {
+ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const BodyMotion& block,
+                                  const BodyMotion& other, double duration, EnergyLedger& ledger) {
   ContactLoad load;
-  const Vec3& centre = world_from_body.translation;
   if (points.empty() && contacts_.empty()) return load;
   const double k_n = stiffness_.normal, k_t = stiffness_.tangential, k_r = stiffness_.rolling;
+  const Vec3 spin = block.angular_velocity - other.angular_velocity;
 
   match(points);
+  const std::span<const double> weights = patches_.share(points, block.world_from_body.rotation);
   std::vector<Contact>& now = now_;
   now.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i) {
     now[i].point = points[i];
-    now[i].ground = &zones_[terrain_.zone(points[i].ground_face)];
+    now[i].weight = weights[i];
+    now[i].ground = &zones_[zone_of_face_.empty() ? 0 : zone_of_face_[points[i].ground_face]];
   }
-  share_weights(now, world_from_body.rotation);
 
   for (std::size_t i = 0; i < now.size(); ++i) {
     Contact& contact = now[i];
@@ -69,8 +59,9 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points,
     const double overlap = contact.point.overlap;
     const double restitution = contact.ground->energy_restitution;
     const double w = contact.weight;
-    const Vec3 arm = contact.point.point() - centre;
-    const Vec3 moving = velocity + angular_velocity.cross(arm);
+    const Vec3 place = contact.point.point();
+    const Vec3 arm = place - block.world_from_body.translation;
+    const Vec3 moving = block.velocity_at(place) - other.velocity_at(place);
     const double closing = -moving.dot(n);
     const Vec3 sliding = moving + closing * n;
 
@@ -98,7 +89,7 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points,
     contact.tangential = tangential_before - k_t * duration * sliding;
     limit(contact.tangential, contact.ground->friction * contact.normal);
     if (contact.ground->rolling_friction > 0.0) {
-      contact.rolling = rolling_before - k_r * duration * angular_velocity;
+      contact.rolling = rolling_before - k_r * duration * spin;
       const double length = contact.rolling.norm();
       // The arm of Eq. 5 is perpendicular to the axis about which the block rolls.
       const double lever = length > 0.0 ? arm.cross(contact.rolling).norm() / length : 0.0;
@@ -108,6 +99,8 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points,
     const Vec3 force = w * (contact.normal * n + contact.tangential);
     load.force += force;
     load.torque += arm.cross(force) + w * contact.rolling;
+    load.torque_on_other -=
+        (place - other.world_from_body.translation).cross(force) + w * contact.rolling;
 
     // Work taken from the block by the mean of the forces at both ends of the step, less what is
     // stored, is dissipated; a change of weight or zone changes what is stored and is booked apart.
@@ -122,8 +115,7 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points,
     ledger.friction +=
         taken_sliding - 0.5 * w / k_t * (contact.tangential.squaredNorm() - tangential_squared);
     const double taken_rolling =
-        -0.5 * duration *
-        (weight_before * rolling_before + w * contact.rolling).dot(angular_velocity);
+        -0.5 * duration * (weight_before * rolling_before + w * contact.rolling).dot(spin);
     const double rolling_squared = rolling_before.squaredNorm();
     ledger.rolling +=
         taken_rolling - 0.5 * w / k_r * (contact.rolling.squaredNorm() - rolling_squared);
@@ -134,11 +126,11 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points,
   for (std::size_t j = 0; j < contacts_.size(); ++j) {
     if (carried_on_[j]) continue;
     const Contact& gone = contacts_[j];
-    const Vec3 arm = gone.point.point() - centre;
-    const Vec3 moving = velocity + angular_velocity.cross(arm);
-    const double given_back = 0.5 * duration * gone.weight *
-                              ((gone.normal * gone.point.normal + gone.tangential).dot(moving) +
-                               gone.rolling.dot(angular_velocity));
+    const Vec3 place = gone.point.point();
+    const Vec3 moving = block.velocity_at(place) - other.velocity_at(place);
+    const double given_back =
+        0.5 * duration * gone.weight *
+        ((gone.normal * gone.point.normal + gone.tangential).dot(moving) + gone.rolling.dot(spin));
     const bool parted = moving.dot(gone.point.normal) > 0.0;
     (parted ? ledger.normal : ledger.reassigned) += stored(gone) - given_back;
   }
@@ -198,81 +190,6 @@ void ContactForces::match(const std::vector<ContactPoint>& points) {
   });
 }
 
-std::span<const std::uint32_t> ContactForces::joints_of(
-    const ContactPoint& point, std::array<std::uint32_t, 3>& buffer) const {
-  if (point.kind == ContactKind::kVertexGround) return block_.joints_of(point.block_feature);
-  if (point.kind == ContactKind::kFaceVertex) {
-    buffer[0] = block_.faces[point.block_feature].plane;
-    return {buffer.data(), 1};
-  }
-  const SurfaceEdge& edge = block_.edges[point.block_feature];
-  std::size_t count = 0;
-  buffer[count++] = block_.joint_of_line(edge.line);
-  for (const std::uint32_t face : edge.faces) {
-    if (face != kNoFeature) buffer[count++] = block_.faces[face].plane;
-  }
-  return {buffer.data(), count};
-}
-
-std::size_t ContactForces::patch_of(std::size_t contact) {
-  while (patch_[contact] != contact) contact = patch_[contact] = patch_[patch_[contact]];
-  return contact;
-}
-
-void ContactForces::join_patches(const std::vector<Contact>& contacts, const Quat& orientation) {
-  // Flat or smoothly convex ground between the two.
-  const auto smooth_between = [](const ContactPoint& a, const ContactPoint& b) {
-    if (a.normal.dot(b.normal) < kPatchCosine) return false;
-    const Vec3 between = b.foot - a.foot;
-    const double rise = kPatchRise * between.norm();
-    return a.normal.dot(between) <= rise && b.normal.dot(between) >= -rise;
-  };
-  patch_.resize(contacts.size());
-  std::iota(patch_.begin(), patch_.end(), std::size_t{0});
-  on_joint_.resize(block_.faces.size() + block_.edges.size());
-  const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
-  std::array<std::uint32_t, 3> buffer;
-  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-    const Vec3 in_body = body_from_world * contacts[i].point.normal;
-    for (const std::uint32_t joint : joints_of(contacts[i].point, buffer)) {
-      // A side wall joins nothing that stands on the ground: two feet stay two.
-      const bool wall =
-          joint < block_.faces.size() && block_.faces[joint].normal.dot(in_body) > -kFacingCosine;
-      if (wall) continue;
-      if (on_joint_[joint].empty()) joints_used_.push_back(joint);
-      for (const std::uint32_t j : on_joint_[joint]) {
-        const std::size_t a = patch_of(i), b = patch_of(j);
-        if (a == b || !smooth_between(contacts[i].point, contacts[j].point)) continue;
-        patch_[std::max(a, b)] = std::min(a, b);
-      }
-      on_joint_[joint].push_back(i);
-    }
-  }
-  for (const std::uint32_t joint : joints_used_) on_joint_[joint].clear();
-  joints_used_.clear();
-}
-
-void ContactForces::share_weights(std::vector<Contact>& contacts, const Quat& orientation) {
-  const std::size_t count = contacts.size();
-  if (weights_ == ContactWeights::kNone || count == 0) return;
-  if (weights_ == ContactWeights::kCount) {
-    for (Contact& contact : contacts) contact.weight = 1.0 / static_cast<double>(count);
-    return;
-  }
-  if (weights_ == ContactWeights::kPatch) {
-    join_patches(contacts, orientation);
-  } else {
-    patch_.assign(count, 0);
-  }
-  patch_overlap_.assign(count, 0.0);
-  for (std::size_t i = 0; i < count; ++i) {
-    patch_overlap_[patch_of(i)] += contacts[i].point.overlap;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    contacts[i].weight = contacts[i].point.overlap / patch_overlap_[patch_of(i)];
-  }
-}
-
 double ContactForces::stored(const Contact& contact) const {
   const double overlap = contact.point.overlap;
   return 0.5 * contact.weight *
@@ -295,13 +212,11 @@ double ContactForces::max_overlap() const {
 
 double ContactForces::settled_depth() {
   // One law carries with its weighted mean overlap: that is the depth that Eq. 2 speaks of.
-  const bool alone = weights_ == ContactWeights::kNone;
   std::vector<double> depth(contacts_.size(), 0.0);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const bool shared = weights_ == ContactWeights::kPatch;
-    const std::size_t law = alone ? i : shared ? patch_of(i) : 0;
     const ContactPoint& point = contacts_[i].point;
-    depth[law] += contacts_[i].weight * point.overlap * std::max(0.0, point.normal.z());
+    depth[patches_.law_of(i)] +=
+        contacts_[i].weight * point.overlap * std::max(0.0, point.normal.z());
   }
   return depth.empty() ? 0.0 : *std::max_element(depth.begin(), depth.end());
 }

@@ -1,33 +1,49 @@
 #pragma once
-/// Forces of the contact points, with the history that Eqs. 2-5 of the paper ask for.
-/// @cite garcia2022
-#include <array>
+/// Forces of the contact points of one pair of bodies, with the history that Eqs. 2-5 of the paper
+/// ask for. @cite garcia2022
 #include <span>
 #include <vector>
 
-#include "dem/detail/contact_search.hpp"
-#include "dem/release.hpp"
+#include "dem/detail/contact_patches.hpp"
+#include "dem/energy_ledger.hpp"
 
 namespace clast {
 
-/// Force and torque about the centre of mass, in world axes.
-struct ContactLoad {
-  Vec3 force = Vec3::Zero();
-  Vec3 torque = Vec3::Zero();
+/// How a body moved over a step: its place at the end, and its mean velocities.
+struct BodyMotion {
+  Pose world_from_body;                  ///< origin at the centre of mass
+  Vec3 velocity = Vec3::Zero();          ///< of the centre, m/s
+  Vec3 angular_velocity = Vec3::Zero();  ///< rad/s, world axes
+
+  Vec3 velocity_at(const Vec3& point) const {
+    return velocity + angular_velocity.cross(point - world_from_body.translation);
+  }
 };
 
-/// One block's contacts over time: matched from step to step, loaded by the law, weighted.
+/// What the contacts of a pair do to its bodies, in world axes. The other body gets -force.
+struct ContactLoad {
+  Vec3 force = Vec3::Zero();            ///< on the block
+  Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
+  Vec3 torque_on_other = Vec3::Zero();  ///< on the other body about its own
+};
+
+/// The contacts of a block with the ground, or with another block, over time: matched from step to
+/// step, loaded by the law, weighted.
 class ContactForces {
  public:
-  ContactForces(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
-                const SurfaceFeatures& block, const RigidBody& body,
-                const ReleaseSettings& settings);
+  /// @param zones         parameters of each ground zone
+  /// @param zone_of_face  of the other surface; empty: all are of zone 0
+  /// @param size          smallest side of the block, m
+  ContactForces(std::span<const GroundParameters> zones,
+                std::span<const std::uint16_t> zone_of_face, const SurfaceFeatures& block,
+                double size, const ContactStiffness& stiffness, ContactWeights weights);
 
-  /// Loads at the present contacts after a step of `duration`, during which the block moved with
-  /// the mean velocities given. Books every joule of the step in `ledger`.
-  ContactLoad update(const std::vector<ContactPoint>& points, const Pose& world_from_body,
-                     const Vec3& velocity, const Vec3& angular_velocity, double duration,
-                     EnergyLedger& ledger);
+  /// Loads at the present contacts after a step of `duration`. Books every joule of the step in
+  /// `ledger`.
+  /// @param points  in world axes
+  /// @param other   the ground does not move
+  ContactLoad update(const std::vector<ContactPoint>& points, const BodyMotion& block,
+                     const BodyMotion& other, double duration, EnergyLedger& ledger);
 
   bool empty() const { return contacts_.empty(); }
   double stored_energy() const;  ///< what unloading would give back, J
@@ -50,30 +66,19 @@ class ContactForces {
   };
 
   void match(const std::vector<ContactPoint>& points);
-  void share_weights(std::vector<Contact>& contacts, const Quat& orientation);
-  void join_patches(const std::vector<Contact>& contacts, const Quat& orientation);
-  std::size_t patch_of(std::size_t contact);
-  /// Planes and straight edges of the block that a contact point lies on.
-  std::span<const std::uint32_t> joints_of(const ContactPoint& point,
-                                           std::array<std::uint32_t, 3>& buffer) const;
   double stored(const Contact& contact) const;
 
-  const TerrainSurface& terrain_;
   std::span<const GroundParameters> zones_;
-  const SurfaceFeatures& block_;
+  std::span<const std::uint16_t> zone_of_face_;
+  ContactPatches patches_;
   ContactStiffness stiffness_;
-  ContactWeights weights_;
   double near_;  ///< contacts closer than this may hand their history on, m
   std::vector<Contact> contacts_;
 
   // Scratch of one update, kept to spare the allocations.
   std::vector<Contact> now_;
-  std::vector<int> previous_of_;    ///< contact of the step before, -1 for none
-  std::vector<char> carried_on_;    ///< contacts of the step before that live on
-  std::vector<std::size_t> patch_;  ///< union-find over the contacts
-  std::vector<double> patch_overlap_;
-  std::vector<std::vector<std::uint32_t>> on_joint_;  ///< contacts on each plane and line
-  std::vector<std::uint32_t> joints_used_;
+  std::vector<int> previous_of_;  ///< contact of the step before, -1 for none
+  std::vector<char> carried_on_;  ///< contacts of the step before that live on
 };
 
 }  // namespace clast

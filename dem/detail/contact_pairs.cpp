@@ -61,7 +61,7 @@ void ContactSearch::refresh_pairs(double travel) {
   for (std::uint32_t v = 0; v < bound.size(); ++v) {
     bound[v] = distances_[v] - (travel - seen_at_[v]);
     if (bound[v] < worth_measuring && travel - seen_at_[v] > kStaleMargins * margin_) {
-      const Vec3 centre = world(v);
+      const Vec3 centre = placed(v);
       double distance = ground_.height_clearance(centre, worth_measuring);
       if (distance < worth_measuring) {
         const std::optional<NearestPoint> nearest = ground_.nearest(centre, 2.0 * bounding_radius_);
@@ -129,7 +129,7 @@ double ContactSearch::distance(const Pair& pair) const {
     return std::abs(nearest_on_face(block_, pair.block_feature, in_body).distance);
   }
   const SurfaceEdge& edge = block_.edges[pair.block_feature];
-  const Vec3 start = world(edge.vertices[0]);
+  const Vec3 start = placed(edge.vertices[0]);
   const Vec3 along = rotation_ * edge.direction;
   if (pair.kind == ContactKind::kEdgeVertex) {
     const Vec3& corner = ground.vertices[pair.ground_feature];
@@ -160,7 +160,7 @@ void ContactSearch::look_at_edges(Pair& pair, double travel) {
   const double sine = normal.norm();
   if (sine < kParallelSine) return;
   normal *= (normal.dot(other.normal) >= 0.0 ? 1.0 : -1.0) / sine;
-  const Vec3 start = world(edge.vertices[0]);
+  const Vec3 start = placed(edge.vertices[0]);
   const Vec3& base = ground_.features.vertices[other.vertices[0]];
   const double gap = normal.dot(start - base);
   if (gap >= reach_) {
@@ -188,7 +188,7 @@ void ContactSearch::look_at_edges(Pair& pair, double travel) {
 void ContactSearch::look_at_edge_vertex(Pair& pair, double travel) {
   const SurfaceEdge& edge = block_.edges[pair.block_feature];
   const Vec3& corner = ground_.features.vertices[pair.ground_feature];
-  const Vec3 start = world(edge.vertices[0]);
+  const Vec3 start = placed(edge.vertices[0]);
   const Vec3 along = rotation_ * edge.direction;
   const double s = along.dot(corner - start);
   const Vec3 out = start + std::clamp(s, 0.0, edge.length) * along - corner;

@@ -15,15 +15,11 @@ constexpr double kDepthShare = 0.5;
 
 }  // namespace
 
-ContactSearch::ContactSearch(const TerrainSurface::Impl& ground, const RigidBody& body)
-    : ground_(ground) {
-  const TriangleMesh core = core_mesh(body.shape);
-  std::vector<std::array<std::uint32_t, 2>> wires;
-  if (body.shape.faces.empty()) wires = body.shape.edges;
-  block_ = surface_features(core, wires);
-  reach_ = body.shape.radius + ground.radius;
-  bounding_radius_ = body.bounding_radius() - body.shape.radius;
-  const double size = body.smallest_side > 0.0 ? body.smallest_side : 2.0 * body.bounding_radius();
+ContactSearch::ContactSearch(const IndexedSurface& ground, const IndexedSurface& block, double size)
+    : ground_(ground), block_(block.features), reach_(block.radius + ground.radius) {
+  for (const Vec3& vertex : block_.vertices) {
+    bounding_radius_ = std::max(bounding_radius_, vertex.norm());
+  }
   margin_ = kMarginShare * size;
   depth_limit_ = kDepthShare * size;
   for (const SurfaceEdge& edge : block_.edges) longest_edge_ = std::max(longest_edge_, edge.length);
@@ -37,10 +33,10 @@ ContactSearch::ContactSearch(const TerrainSurface::Impl& ground, const RigidBody
   }
 }
 
-const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& world_from_body,
+const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from_body,
                                                          double travel) {
-  rotation_ = world_from_body.rotation.toRotationMatrix();
-  position_ = world_from_body.translation;
+  rotation_ = ground_from_body.rotation.toRotationMatrix();
+  position_ = ground_from_body.translation;
   contacts_.clear();
   if (travel > horizon_) {
     horizon_ = travel + margin_;
@@ -95,7 +91,7 @@ bool ContactSearch::meets_edge(const SurfaceEdge& edge, const Vec3& normal) cons
 
 void ContactSearch::look_at_vertex(std::uint32_t vertex, double travel) {
   VertexState& state = vertices_[vertex];
-  const Vec3 centre = world(vertex);
+  const Vec3 centre = placed(vertex);
   const auto sleep = [&](double distance) {
     distances_[vertex] = distance;
     seen_at_[vertex] = travel;

@@ -1,5 +1,6 @@
 #pragma once
-/// Finds the contact points of one block on the ground.
+/// Finds the contact points of one block on the ground, or on another block that takes the ground's
+/// place: everything here is in the frame of the ground.
 ///
 /// Everything is paced by `travel`: a running bound of how far any point of the block has moved
 /// since the start. Whatever is found to be a distance d away sleeps until the travel has grown by
@@ -7,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/detail/terrain_index.hpp"
-#include "dem/rigid_body.hpp"
+#include "dem/detail/indexed_surface.hpp"
 
 namespace clast {
 
@@ -35,16 +35,17 @@ struct ContactPoint {
 
 class ContactSearch {
  public:
-  ContactSearch(const TerrainSurface::Impl& ground, const RigidBody& body);
+  /// @param block  surface of the block in its body frame; it and the ground must outlive the
+  /// search
+  /// @param size   smallest side of the block, m: lists look ahead a share of it
+  ContactSearch(const IndexedSurface& ground, const IndexedSurface& block, double size);
 
   /// Brings everything that is due up to date and lists the contacts, in a fixed order.
   /// @param travel  never smaller than in the call before
-  const std::vector<ContactPoint>& contacts(const Pose& world_from_body, double travel);
+  const std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
 
   /// No contact can come before the travel has grown beyond this (valid after `contacts`).
   double safe_travel() const;
-
-  const SurfaceFeatures& block() const { return block_; }
 
  private:
   struct VertexState {
@@ -74,22 +75,22 @@ class ContactSearch {
   void look_at_face_vertex(Pair& pair, double travel);
   double distance(const Pair& pair) const;
   void add(const ContactPoint& contact);
-  Vec3 world(std::uint32_t block_vertex) const {
+  Vec3 placed(std::uint32_t block_vertex) const {
     return position_ + rotation_ * block_.vertices[block_vertex];
   }
   void touch_corner(const Pair& pair, const Vec3& normal, double distance);
   /// True when the block's own surface falls away from a ground that it touches along `normal`
-  /// (world, out of the ground) with this vertex or edge.
+  /// (out of the ground) with this vertex or edge.
   bool meets_vertex(std::uint32_t vertex, const Vec3& normal) const;
   bool meets_edge(const SurfaceEdge& edge, const Vec3& normal) const;
 
-  const TerrainSurface::Impl& ground_;
-  SurfaceFeatures block_;
-  double reach_;               ///< block radius + skin radius, m
-  double bounding_radius_;     ///< of the core about the centre, m
-  double longest_edge_ = 0.0;  ///< of the block, m
-  double margin_;              ///< how far lists look ahead, m
-  double depth_limit_;         ///< edge and face contacts deeper than this are not trusted, m
+  const IndexedSurface& ground_;
+  const SurfaceFeatures& block_;
+  double reach_;                  ///< block radius + skin radius, m
+  double bounding_radius_ = 0.0;  ///< of the core about the centre, m
+  double longest_edge_ = 0.0;     ///< of the block, m
+  double margin_;                 ///< how far lists look ahead, m
+  double depth_limit_;            ///< edge and face contacts deeper than this are not trusted, m
 
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();

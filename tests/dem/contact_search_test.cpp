@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dem/detail/terrain_impl.hpp"
 #include "tests/support/test_rock.hpp"
 
 namespace clast {
@@ -10,7 +11,8 @@ namespace {
 
 std::vector<ContactPoint> from_scratch(const TerrainSurface& terrain, const RigidBody& body,
                                        const Pose& pose) {
-  ContactSearch search(terrain.impl(), body);
+  const IndexedSurface block = indexed_surface(body.shape);
+  ContactSearch search(terrain.impl().surface, block, body.size());
   search.contacts(pose, 0.0);
   return search.contacts(pose, body.bounding_radius());  // every list expired, depths known
 }
@@ -21,8 +23,9 @@ TEST_P(LongWalk, NothingTouchesUnseen) {
   Random random(GetParam());
   const double radius = GetParam() % 3 == 0 ? 0.0 : 0.02;
   const RigidBody body = rock(3, {0.42, 0.36, 0.30}, radius, 2700.0, GetParam());
+  const IndexedSurface block = indexed_surface(body.shape);
   const TerrainSurface terrain = ground(rough_slope(30, 0.35, 0.5, 0.10, GetParam()));
-  ContactSearch search(terrain.impl(), body);
+  ContactSearch search(terrain.impl().surface, block, body.size());
   Pose pose;
   double travel = 0.0;
   std::size_t seen = 0;
@@ -58,12 +61,13 @@ INSTANTIATE_TEST_SUITE_P(Seeds, LongWalk, testing::Range(1u, 9u));
 TEST(SafeTravel, NoContactBeforeIt) {
   Random random(2);
   const RigidBody body = rock(3, {0.42, 0.36, 0.30}, 0.01, 2700.0, 5);
+  const IndexedSurface block = indexed_surface(body.shape);
   const TerrainSurface terrain = ground(rough_slope(30, 0.5, 0.4, 0.10));
   for (int i = 0; i < 200; ++i) {
     Pose pose{{random.uniform(-3, 3), random.uniform(-3, 3), 0.0}, random.rotation()};
     pose.translation.z() =
         *terrain.height(pose.translation.x(), pose.translation.y(), 0.0) + random.uniform(0.5, 3.0);
-    ContactSearch search(terrain.impl(), body);
+    ContactSearch search(terrain.impl().surface, block, body.size());
     if (!search.contacts(pose, 0.0).empty()) continue;
     const double safe = search.safe_travel();
     for (int trial = 0; trial < 5; ++trial) {

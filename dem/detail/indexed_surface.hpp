@@ -1,12 +1,13 @@
 #pragma once
-/// The inside of TerrainSurface: features and a plan grid over them.
+/// A surface others can touch: features with a plan grid over them. The ground is one, and so is
+/// every block that another block may hit.
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "dem/detail/surface_features.hpp"
-#include "dem/terrain_surface.hpp"
+#include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
 
@@ -54,14 +55,11 @@ class PlanGrid {
   std::vector<float> lows_, highs_;  // widened to the next float, so never too tight
 };
 
-struct TerrainSurface::Impl {
-  TriangleMesh mesh;
+struct IndexedSurface {
   SurfaceFeatures features;
   std::vector<std::uint32_t> face_of_vertex;  ///< one face at every vertex: tells its zone
-  std::vector<std::uint16_t> zones;
-  std::uint16_t zone_count = 0;
-  double radius = 0.0;
-  Bounds extent;
+  double radius = 0.0;                        ///< the skin is this far outside the features, m
+  Bounds extent;                              ///< of the vertices
   PlanGrid grid;
 
   /// Nearest point of the triangles (not the skin) to `query`, or none farther than `reach`.
@@ -72,5 +70,12 @@ struct TerrainSurface::Impl {
   /// Faces whose bounds come within `reach` of the box, sorted.
   std::vector<std::uint32_t> faces_near(const Bounds& box, double reach) const;
 };
+
+/// @param wires  edges that belong to no triangle (capsules), as vertex pairs
+/// @throws GeometryError  a triangle without area, or an edge with three or more triangles
+IndexedSurface indexed_surface(const TriangleMesh& mesh, double radius,
+                               std::span<const std::array<std::uint32_t, 2>> wires = {});
+/// The surface of a block, in the frame of its core.
+IndexedSurface indexed_surface(const SpheroPolyhedron& body);
 
 }  // namespace clast

@@ -1,4 +1,4 @@
-#include "dem/detail/terrain_index.hpp"
+#include "dem/detail/indexed_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +127,7 @@ PlanGrid::Cell PlanGrid::cell(int column, int row) const {
   return {{faces_.data() + offsets_[c], faces_.data() + offsets_[c + 1]}, lows_[c], highs_[c]};
 }
 
-std::optional<NearestPoint> TerrainSurface::Impl::nearest(const Vec3& query, double reach) const {
+std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double reach) const {
   std::optional<NearestPoint> best;
   double limit = reach;
   const auto visit = [&](int column, int row) {
@@ -177,7 +177,7 @@ std::optional<NearestPoint> TerrainSurface::Impl::nearest(const Vec3& query, dou
   return best;
 }
 
-double TerrainSurface::Impl::height_clearance(const Vec3& query, double reach) const {
+double IndexedSurface::height_clearance(const Vec3& query, double reach) const {
   const PlanGrid::Range window =
       grid.range(query.x() - reach, query.x() + reach, query.y() - reach, query.y() + reach);
   double clearance = reach;
@@ -190,7 +190,7 @@ double TerrainSurface::Impl::height_clearance(const Vec3& query, double reach) c
   return std::max(clearance, 0.0);
 }
 
-std::vector<std::uint32_t> TerrainSurface::Impl::faces_near(const Bounds& box, double reach) const {
+std::vector<std::uint32_t> IndexedSurface::faces_near(const Bounds& box, double reach) const {
   std::vector<std::uint32_t> found;
   const Vec3 low = box.low.array() - reach;
   const Vec3 high = box.high.array() + reach;
@@ -213,6 +213,28 @@ std::vector<std::uint32_t> TerrainSurface::Impl::faces_near(const Bounds& box, d
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
+}
+
+IndexedSurface indexed_surface(const TriangleMesh& mesh, double radius,
+                               std::span<const std::array<std::uint32_t, 2>> wires) {
+  IndexedSurface surface;
+  surface.features = surface_features(mesh, wires);
+  surface.radius = radius;
+  for (const Vec3& vertex : mesh.vertices) surface.extent.include(vertex);
+  surface.face_of_vertex.assign(mesh.vertices.size(), 0);
+  for (std::size_t f = mesh.triangles.size(); f-- > 0;) {
+    for (const std::uint32_t v : mesh.triangles[f]) {
+      surface.face_of_vertex[v] = static_cast<std::uint32_t>(f);
+    }
+  }
+  surface.grid = PlanGrid(surface.features);
+  return surface;
+}
+
+IndexedSurface indexed_surface(const SpheroPolyhedron& body) {
+  const bool wire = body.faces.empty();
+  return indexed_surface(core_mesh(body), body.radius,
+                         wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
 }
 
 }  // namespace clast

@@ -1,0 +1,53 @@
+#include "dem/detail/moving_body.hpp"
+
+#include "dem/detail/rotation.hpp"
+
+namespace clast {
+
+MovingBody::MovingBody(const RigidBody& body, const RigidState& start)
+    : body_(body), radius_(body.bounding_radius()), smallest_moment_(body.moments.minCoeff()) {
+  place(start);
+}
+
+void MovingBody::place(const RigidState& state) {
+  state_ = state;
+  momentum_ = angular_momentum(body_.moments, state.orientation, state.angular_velocity);
+}
+
+BodyMotion MovingBody::begin_step(double duration, const Vec3& force, const Vec3& torque,
+                                  const Vec3& gravity) {
+  BodyMotion motion;
+  motion.velocity = state_.velocity + 0.5 * duration * (gravity + force / body_.mass);
+  momentum_ += 0.5 * duration * torque;
+  const Quat turned = turned_one_step(body_.moments, state_.orientation, momentum_, duration);
+  motion.angular_velocity = 0.5 * (angular_velocity(body_.moments, state_.orientation, momentum_) +
+                                   angular_velocity(body_.moments, turned, momentum_));
+  top_speed_ = motion.velocity.norm() + momentum_.norm() / smallest_moment_ * radius_;
+  state_.position += duration * motion.velocity;
+  state_.orientation = turned;
+  state_.velocity = motion.velocity;
+  motion.world_from_body = state_.world_from_body();
+  return motion;
+}
+
+void MovingBody::end_step(double duration, const Vec3& force, const Vec3& torque,
+                          const Vec3& gravity) {
+  state_.velocity += 0.5 * duration * (gravity + force / body_.mass);
+  momentum_ += 0.5 * duration * torque;
+  state_.angular_velocity = angular_velocity(body_.moments, state_.orientation, momentum_);
+}
+
+BodyMotion MovingBody::motion() const {
+  return {state_.world_from_body(), state_.velocity, state_.angular_velocity};
+}
+
+double MovingBody::kinetic_energy() const {
+  return translational_energy(body_, state_) + rotational_energy(body_, state_);
+}
+
+bool MovingBody::finite() const {
+  return state_.position.allFinite() && state_.velocity.allFinite() && momentum_.allFinite() &&
+         state_.orientation.coeffs().allFinite();
+}
+
+}  // namespace clast

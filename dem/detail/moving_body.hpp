@@ -1,0 +1,40 @@
+#pragma once
+/// One step of a rigid body under contact loads: velocity Verlet with the angular momentum as the
+/// rotational state.
+#include "dem/detail/contact_forces.hpp"
+#include "dem/rigid_body.hpp"
+
+namespace clast {
+
+/// A body on its way. `begin_step` and `end_step` alternate; contacts are evaluated between them.
+class MovingBody {
+ public:
+  MovingBody(const RigidBody& body, const RigidState& start);
+
+  const RigidState& state() const { return state_; }
+  /// Puts it elsewhere, as after a flight.
+  void place(const RigidState& state);
+
+  /// Half a kick, then the move to the new place. Returns that place and the mean velocities.
+  BodyMotion begin_step(double duration, const Vec3& force, const Vec3& torque,
+                        const Vec3& gravity);
+  /// Half a kick by the loads at the new place.
+  void end_step(double duration, const Vec3& force, const Vec3& torque, const Vec3& gravity);
+
+  /// Where it is and how it moves, without a step.
+  BodyMotion motion() const;
+  double kinetic_energy() const;  ///< J
+  /// No point of the rounded body was faster than this in the last step, m/s.
+  double top_speed() const { return top_speed_; }
+  bool finite() const;
+
+ private:
+  const RigidBody& body_;
+  RigidState state_;
+  Vec3 momentum_;  ///< angular, world axes, kg m^2/s
+  double radius_;  ///< of the rounded body about its centre, m
+  double smallest_moment_;
+  double top_speed_ = 0.0;
+};
+
+}  // namespace clast

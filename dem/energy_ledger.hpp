@@ -1,0 +1,20 @@
+#pragma once
+/// The energy balance of a run.
+
+namespace clast {
+
+/// Where energy went, J. Sums over the run.
+struct EnergyLedger {
+  double initial = 0.0;     ///< kinetic + potential + stored at the start
+  double final = 0.0;       ///< the same at the end
+  double normal = 0.0;      ///< dissipated by the normal law
+  double friction = 0.0;    ///< dissipated by sliding
+  double rolling = 0.0;     ///< dissipated by rolling resistance
+  double reassigned = 0.0;  ///< lost (or gained, < 0) when contacts or their weights change
+
+  double dissipated() const { return normal + friction + rolling + reassigned; }
+  /// |initial - final - dissipated| / max(dissipated, 1e-3 |kinetic + drop|)
+  double error = 0.0;
+};
+
+}  // namespace clast
