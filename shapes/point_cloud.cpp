@@ -79,8 +79,8 @@ CloudSummary read_by_format(const std::filesystem::path& path, const std::string
 
 }  // namespace
 
-CloudSummary stream_points(const std::filesystem::path& path,
-                           const std::function<void(const PointBatch&)>& take) {
+CloudSummary stream_cloud(const std::filesystem::path& path,
+                          const std::function<void(const PointBatch&)>& take) {
   detail::PointSink sink(take);
   CloudSummary summary;
   try {
@@ -94,9 +94,9 @@ CloudSummary stream_points(const std::filesystem::path& path,
   return summary;
 }
 
-std::vector<Vec3> read_points(const std::filesystem::path& path) {
+std::vector<Vec3> read_cloud(const std::filesystem::path& path) {
   std::vector<Vec3> points;
-  stream_points(path, [&](const PointBatch& batch) {
+  stream_cloud(path, [&](const PointBatch& batch) {
     points.insert(points.end(), batch.points.begin(), batch.points.end());
   });
   return points;

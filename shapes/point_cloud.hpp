@@ -38,11 +38,11 @@ struct CloudSummary {
 /// @throws InputError  missing, corrupt, cut short, compressed (.laz) or without points; the
 /// message
 ///                     names the file, and the line of a text
-CloudSummary stream_points(const std::filesystem::path& path,
-                           const std::function<void(const PointBatch&)>& take);
+CloudSummary stream_cloud(const std::filesystem::path& path,
+                          const std::function<void(const PointBatch&)>& take);
 
-/// All points of a file at once. @throws as `stream_points`
-std::vector<Vec3> read_points(const std::filesystem::path& path);
+/// All points of a file at once. @throws as `stream_cloud`
+std::vector<Vec3> read_cloud(const std::filesystem::path& path);
 
 /// Formats that hold points and never triangles, as lower-case extensions with the dot.
 const std::vector<std::string>& cloud_extensions();

@@ -130,7 +130,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
 /// The points of one cloud; of a classified one those on the ground.
 std::vector<Vec3> ground_points(const fs::path& path, RawSurface& surface) {
   std::vector<Vec3> all, ground;
-  const CloudSummary summary = stream_points(path, [&](const PointBatch& batch) {
+  const CloudSummary summary = stream_cloud(path, [&](const PointBatch& batch) {
     all.insert(all.end(), batch.points.begin(), batch.points.end());
     for (std::size_t i = 0; i < batch.classes.size(); ++i) {
       if (batch.classes[i] == kGroundClass) ground.push_back(batch.points[i]);

@@ -71,11 +71,11 @@ class Clouds : public testing::Test {
  protected:
   std::vector<Vec3> read(const std::string& name, const std::string& content) {
     write_text_file(folder / name, content);
-    return read_points(folder / name);
+    return read_cloud(folder / name);
   }
   std::string refused(const std::string& name, const std::string& content) {
     write_text_file(folder / name, content);
-    return refusal([&] { read_points(folder / name); });
+    return refusal([&] { read_cloud(folder / name); });
   }
   void expect_points(const std::string& name, const std::string& content,
                      const std::vector<Vec3>& expected) {
@@ -126,13 +126,13 @@ TEST_F(Clouds, BadTextIsRefusedByLine) {
   EXPECT_TRUE(contains(refused("d.xyz", "# nothing\n"), "holds no points"));
   EXPECT_TRUE(contains(refused("e.xyz", "1 2 3\n1 2 1,5\n"), "line 2: \"1,5\""));
   EXPECT_TRUE(contains(refused("f.xyz", std::string(3 << 20, 'x')), "line 1: has no end"));
-  EXPECT_TRUE(contains(refusal([&] { read_points(folder / "none.xyz"); }), "no such file"));
-  EXPECT_TRUE(contains(refusal([&] { read_points(folder.path()); }), "folder"));
+  EXPECT_TRUE(contains(refusal([&] { read_cloud(folder / "none.xyz"); }), "no such file"));
+  EXPECT_TRUE(contains(refusal([&] { read_cloud(folder.path()); }), "folder"));
 }
 
 TEST_F(Clouds, PointsWithoutPlaceAreCounted) {
   write_text_file(folder / "nan.xyz", "1 2 3\nnan nan nan\n4 5 6\n1 inf 3\n");
-  const CloudSummary summary = stream_points(folder / "nan.xyz", [](const PointBatch&) {});
+  const CloudSummary summary = stream_cloud(folder / "nan.xyz", [](const PointBatch&) {});
   EXPECT_EQ(summary.points, 2u);
   EXPECT_EQ(summary.without_place, 2u);
 }
@@ -151,7 +151,7 @@ TEST_P(LasVersions, GivePointsClassesAndSystem) {
                scale, offset));
   std::vector<Vec3> points;
   std::vector<std::uint8_t> classes;
-  const CloudSummary summary = stream_points(folder / "a.las", [&](const PointBatch& batch) {
+  const CloudSummary summary = stream_cloud(folder / "a.las", [&](const PointBatch& batch) {
     points.insert(points.end(), batch.points.begin(), batch.points.end());
     classes.insert(classes.end(), batch.classes.begin(), batch.classes.end());
   });
@@ -289,7 +289,7 @@ TEST_F(Clouds, MutatedFilesNeverCrash) {
             static_cast<std::size_t>(random.uniform(0.0, 1.0) * static_cast<double>(bad.size())));
       write_text_file(folder / name, bad);
       try {
-        read_points(folder / name);
+        read_cloud(folder / name);
       } catch (const InputError& error) {
         ++refused_count;
         EXPECT_TRUE(contains(error.what(), name));
