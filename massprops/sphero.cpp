@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <cstdio>
+#include <cstdlib>
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "massprops/columns.hpp"
@@ -15,6 +17,8 @@ namespace {
 
 constexpr std::size_t kFirstGrid = 64;
 constexpr std::size_t kLastGrid = 4096;
+// Standard errors that the stated error is made of.
+constexpr double kSigmas = 3.0;
 // A closed convex surface turns through 4 pi in all; this is the rounding of the sum.
 constexpr double kTurning = 1e-9;
 // Step of the radius for the area, as a share of it, and the accuracy asked of the result.
@@ -103,30 +107,20 @@ LocalCore turned(LocalCore core) {
   return core;
 }
 
-Moments mean_of(const std::array<Moments, 4>& parts) {
-  Moments mean;
-  for (const Moments& part : parts) mean.add(part, 0.25);
-  return mean;
-}
-
 MassProperties by_columns(const LocalCore& core, const Skin& skin, double density,
                           std::size_t per_side) {
-  const std::array<Moments, 4> excess = excess_by_columns(core.mesh, skin, per_side);
-  const auto with_excess = [&](const Moments& part) {
-    Moments sum = core.moments;
-    sum += skin.total;
-    sum.add(skin.overlap_total, -1.0);
-    sum.add(part, -1.0);
-    return mass_properties_from(sum, core.origin, core.rotation, density);
-  };
-  MassProperties result = with_excess(mean_of(excess));
-  const double smallest_moment = principal_frame(result).moments[0];
-  for (const Moments& part : excess) {
-    const MassProperties coarse = with_excess(part);
-    result.relative_error =
-        std::max({result.relative_error, std::abs(coarse.volume / result.volume - 1.0),
-                  (coarse.inertia - result.inertia).norm() / smallest_moment});
-  }
+  const Excess excess = excess_by_columns(core.mesh, skin, per_side);
+  Moments sum = core.moments;
+  sum += skin.total;
+  sum.add(skin.overlap_total, -1.0);
+  sum.add(excess.moments, -1.0);
+  MassProperties result = mass_properties_from(sum, core.origin, core.rotation, density);
+  const double reach = bounds(core.mesh).diagonal() / 2.0 + skin.radius;
+  const double smallest_moment = principal_frame(result).moments[0] / density;
+  const double volume_error = kSigmas * excess.volume_scatter + excess.unseen;
+  const double second_error = kSigmas * excess.second_scatter + excess.unseen * reach * reach;
+  result.relative_error = std::max(volume_error / result.volume, second_error / smallest_moment);
+  if(getenv("DBG")) printf("   n %zu sV %.3g sJ %.3g unseen %.3g %.3g\n",per_side,excess.volume_scatter/result.volume,excess.second_scatter/smallest_moment,excess.unseen/result.volume,excess.unseen*reach*reach/smallest_moment);
   return result;
 }
 
@@ -182,18 +176,12 @@ double sphero_area(const SpheroPolyhedron& body) {
   const Skin narrower = make_skin(core.mesh, (1.0 - kAreaStep) * r, (1.0 + kAreaStep) * r);
   double area = 0.0;
   for (std::size_t per_side = kFirstGrid; per_side <= kLastGrid / 4; per_side *= 2) {
-    const auto upper = excess_by_columns(core.mesh, wider, per_side);
-    const auto lower = excess_by_columns(core.mesh, narrower, per_side);
-    const auto lost = [&](const Moments& high, const Moments& low) {
-      return (high.volume - low.volume) / (2.0 * kAreaStep * r);
-    };
-    area = skin.area - skin.overlap_area - lost(mean_of(upper), mean_of(lower));
-    double spread = 0.0;
-    for (std::size_t part = 0; part < 4; ++part) {
-      const double coarse = skin.area - skin.overlap_area - lost(upper[part], lower[part]);
-      spread = std::max(spread, std::abs(coarse - area));
-    }
-    if (spread <= kAreaAccuracy * area) break;
+    const Excess upper = excess_by_columns(core.mesh, wider, per_side);
+    const Excess lower = excess_by_columns(core.mesh, narrower, per_side);
+    const double lost = (upper.moments.volume - lower.moments.volume) / (2.0 * kAreaStep * r);
+    area = skin.area - skin.overlap_area - lost;
+    const double scatter = (upper.volume_scatter + lower.volume_scatter) / (2.0 * kAreaStep * r);
+    if (kSigmas * scatter <= kAreaAccuracy * area) break;
   }
   return area;
 }
