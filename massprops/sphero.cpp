@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <cstdio>
-#include <cstdlib>
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "massprops/columns.hpp"
@@ -19,6 +17,8 @@ constexpr std::size_t kFirstGrid = 64;
 constexpr std::size_t kLastGrid = 4096;
 // Standard errors that the stated error is made of.
 constexpr double kSigmas = 3.0;
+// The scatter of columns falls about with this power of their number per side.
+constexpr double kOrder = 1.75;
 // A closed convex surface turns through 4 pi in all; this is the rounding of the sum.
 constexpr double kTurning = 1e-9;
 // Step of the radius for the area, as a share of it, and the accuracy asked of the result.
@@ -107,9 +107,15 @@ LocalCore turned(LocalCore core) {
   return core;
 }
 
-MassProperties by_columns(const LocalCore& core, const Skin& skin, double density,
-                          std::size_t per_side) {
-  const Excess excess = excess_by_columns(core.mesh, skin, per_side);
+/// Columns per side that should bring the error down by `factor`.
+std::size_t next_grid(std::size_t per_side, double factor) {
+  const double growth = std::clamp(1.05 * std::pow(factor, 1.0 / kOrder), 1.25, 8.0);
+  const double wanted = std::ceil(growth * static_cast<double>(per_side));
+  return std::min(static_cast<std::size_t>(wanted), kLastGrid);
+}
+
+MassProperties less_excess(const LocalCore& core, const Skin& skin, const Excess& excess,
+                           double density) {
   Moments sum = core.moments;
   sum += skin.total;
   sum.add(skin.overlap_total, -1.0);
@@ -120,7 +126,6 @@ MassProperties by_columns(const LocalCore& core, const Skin& skin, double densit
   const double volume_error = kSigmas * excess.volume_scatter + excess.unseen;
   const double second_error = kSigmas * excess.second_scatter + excess.unseen * reach * reach;
   result.relative_error = std::max(volume_error / result.volume, second_error / smallest_moment);
-  if(getenv("DBG")) printf("   n %zu sV %.3g sJ %.3g unseen %.3g %.3g\n",per_side,excess.volume_scatter/result.volume,excess.second_scatter/smallest_moment,excess.unseen/result.volume,excess.unseen*reach*reach/smallest_moment);
   return result;
 }
 
@@ -152,12 +157,13 @@ MassProperties sphero_mass_properties(const SpheroPolyhedron& body, double densi
 
   const LocalCore oblique = turned(core);
   const Skin oblique_skin = make_skin(oblique.mesh, body.radius, body.radius);
+  const Columns columns(oblique.mesh, oblique_skin);
   MassProperties result;
-  for (std::size_t per_side = kFirstGrid; per_side <= kLastGrid; per_side *= 2) {
-    result = by_columns(oblique, oblique_skin, density, per_side);
-    if (result.relative_error <= accuracy) break;
+  for (std::size_t per_side = kFirstGrid;;
+       per_side = next_grid(per_side, result.relative_error / accuracy)) {
+    result = less_excess(oblique, oblique_skin, columns.excess(per_side), density);
+    if (result.relative_error <= accuracy || per_side >= kLastGrid) return result;
   }
-  return result;
 }
 
 double sphero_area(const SpheroPolyhedron& body) {
@@ -174,16 +180,19 @@ double sphero_area(const SpheroPolyhedron& body) {
 
   const Skin wider = make_skin(core.mesh, (1.0 + kAreaStep) * r, (1.0 + kAreaStep) * r);
   const Skin narrower = make_skin(core.mesh, (1.0 - kAreaStep) * r, (1.0 + kAreaStep) * r);
-  double area = 0.0;
-  for (std::size_t per_side = kFirstGrid; per_side <= kLastGrid / 4; per_side *= 2) {
-    const Excess upper = excess_by_columns(core.mesh, wider, per_side);
-    const Excess lower = excess_by_columns(core.mesh, narrower, per_side);
-    const double lost = (upper.moments.volume - lower.moments.volume) / (2.0 * kAreaStep * r);
-    area = skin.area - skin.overlap_area - lost;
-    const double scatter = (upper.volume_scatter + lower.volume_scatter) / (2.0 * kAreaStep * r);
-    if (kSigmas * scatter <= kAreaAccuracy * area) break;
+  const Columns outer(core.mesh, wider);
+  const Columns inner(core.mesh, narrower);
+  for (std::size_t per_side = kFirstGrid;;) {
+    const Excess upper = outer.excess(per_side);
+    const Excess lower = inner.excess(per_side);
+    const double step = 2.0 * kAreaStep * r;
+    const double lost = (upper.moments.volume - lower.moments.volume) / step;
+    const double area = skin.area - skin.overlap_area - lost;
+    const double error =
+        kSigmas * std::hypot(upper.volume_scatter, lower.volume_scatter) / (step * area);
+    if (error <= kAreaAccuracy || per_side >= kLastGrid / 4) return area;
+    per_side = next_grid(per_side, error / kAreaAccuracy);
   }
-  return area;
 }
 
 }  // namespace clast

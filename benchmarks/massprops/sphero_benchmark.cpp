@@ -31,9 +31,8 @@ void measure(benchmark::State& state, const SpheroPolyhedron& body, double accur
 /// per cent of the edge length, radius in per mille of the shortest half axis, and the accuracy as
 /// its negative decimal power.
 void concave_rock(benchmark::State& state) {
-  const TriangleMesh core =
-      rough_rock_mesh(static_cast<int>(state.range(0)), {0.42, 0.36, 0.30}, 3,
-                      1e-2 * static_cast<double>(state.range(1)));
+  const TriangleMesh core = rough_rock_mesh(static_cast<int>(state.range(0)), {0.42, 0.36, 0.30}, 3,
+                                            1e-2 * static_cast<double>(state.range(1)));
   const double radius = 0.30e-3 * static_cast<double>(state.range(2));
   measure(state, sphero_polyhedron(core, radius),
           std::pow(10.0, -static_cast<double>(state.range(3))));
