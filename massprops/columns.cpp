@@ -11,6 +11,8 @@ namespace {
 // case of twenty.
 constexpr double kUnseenColumns = 3.0;
 constexpr std::size_t kFewColumns = 10;
+// Share of the radius below which the excess of a column is rounding.
+constexpr double kMet = 1e-9;
 
 /// Integrals of 1, z, z^2 over intervals.
 struct Chord {
@@ -161,7 +163,8 @@ Moments column_moments(const Chord& chord, double x, double y) {
 /// The sum over the columns and its scatter. Columns come two rows at a time.
 class BlockSum {
  public:
-  explicit BlockSum(std::size_t columns) : lower_(columns), upper_(columns) {}
+  /// @param least  length in a column from which on it counts as meeting something
+  BlockSum(std::size_t columns, double least) : least_(least), lower_(columns), upper_(columns) {}
 
   std::vector<Moments>& row(std::size_t number) { return number % 2 == 0 ? lower_ : upper_; }
 
@@ -186,7 +189,7 @@ class BlockSum {
   void add_block(const std::array<const Moments*, 4>& block) {
     Moments sum;
     for (const Moments* m : block) sum += *m;
-    for (const Moments* m : block) columns_ += m->volume != 0.0;
+    for (const Moments* m : block) columns_ += std::abs(m->volume) > least_;
     if (sum.volume == 0.0 && block[0]->volume == 0.0 && block[1]->volume == 0.0 &&
         block[2]->volume == 0.0) {
       return;
@@ -201,6 +204,7 @@ class BlockSum {
     sum_ += sum;
   }
 
+  double least_;
   std::vector<Moments> lower_, upper_;
   Moments sum_;
   double volume_squares_ = 0.0, second_squares_ = 0.0;
@@ -227,7 +231,7 @@ Excess Columns::excess(std::size_t per_side) const {
   Sweep triangles(triangles_, grid);
   Sweep pieces(pieces_, grid);
   Sweep overlaps(overlaps_, grid);
-  BlockSum sum(grid.columns);
+  BlockSum sum(grid.columns, kMet * radius_);
   std::vector<Column> columns(grid.columns);
   for (std::size_t row = 0; row < grid.rows; ++row) {
     const double y = grid.y(row);
