@@ -7,8 +7,8 @@
 namespace clast {
 namespace {
 
-// Regions that a random column meets this many times on average are missed by all columns in one
-// case of twenty.
+constexpr double kSigmas = 3.0;
+// What columns of unknown place meet this many times on average, they miss once in twenty.
 constexpr double kUnseenColumns = 3.0;
 constexpr std::size_t kFewColumns = 10;
 // Share of the radius below which the excess of a column is rounding.
@@ -160,13 +160,20 @@ Moments column_moments(const Chord& chord, double x, double y) {
   return m;
 }
 
-/// The sum over the columns and its scatter. Columns come two rows at a time.
+/// Frobenius norm of tr(M) I - M, squared.
+double tensor_square(const Mat3& second) {
+  const double trace = second.trace();
+  return trace * trace + second.squaredNorm();
+}
+
+/// The sum over the columns and its error. Columns come two rows at a time.
 class BlockSum {
  public:
   /// @param least  length in a column from which on it counts as meeting something
   BlockSum(std::size_t columns, double least) : least_(least), lower_(columns), upper_(columns) {}
 
   std::vector<Moments>& row(std::size_t number) { return number % 2 == 0 ? lower_ : upper_; }
+  std::size_t columns_met() const { return met_; }
 
   /// Takes in the blocks of two by two columns that the two rows hold.
   void add_rows() {
@@ -178,37 +185,36 @@ class BlockSum {
   /// @param cell  area of a column
   Excess result(double cell) const {
     Excess excess;
-    excess.moments.add(sum_, cell);
-    excess.volume_scatter = cell * std::sqrt(volume_squares_);
-    excess.second_scatter = cell * std::sqrt(second_squares_);
-    excess.columns = columns_;
+    for (const Moments& grid : grids_) excess.moments.add(grid, cell);
+    double volume_spread = 0.0, second_spread = 0.0;
+    for (const Moments& grid : grids_) {
+      Moments departure = excess.moments;
+      departure.add(grid, -4.0 * cell);
+      volume_spread = std::max(volume_spread, std::abs(departure.volume));
+      second_spread = std::max(second_spread, std::sqrt(tensor_square(departure.second)));
+    }
+    excess.volume_error = std::max(volume_spread, kSigmas * cell * std::sqrt(volume_squares_));
+    excess.second_error = std::max(second_spread, kSigmas * cell * std::sqrt(second_squares_));
     return excess;
   }
 
  private:
   void add_block(const std::array<const Moments*, 4>& block) {
-    Moments sum;
-    for (const Moments* m : block) sum += *m;
-    for (const Moments* m : block) columns_ += std::abs(m->volume) > least_;
-    if (sum.volume == 0.0 && block[0]->volume == 0.0 && block[1]->volume == 0.0 &&
-        block[2]->volume == 0.0) {
-      return;
-    }
-    // A linear course costs the midpoint rule nothing and drops out of the twist; of independent
-    // errors in the four columns, the twist has the variance of their sum.
     Moments twist;
-    for (int i = 0; i < 4; ++i) twist.add(*block[i], i == 0 || i == 3 ? 1.0 : -1.0);
-    const double trace = twist.second.trace();
+    for (int i = 0; i < 4; ++i) {
+      grids_[i] += *block[i];
+      twist.add(*block[i], i == 0 || i == 3 ? 1.0 : -1.0);
+      met_ += std::abs(block[i]->volume) > least_;
+    }
     volume_squares_ += twist.volume * twist.volume;
-    second_squares_ += trace * trace + twist.second.squaredNorm();
-    sum_ += sum;
+    second_squares_ += tensor_square(twist.second);
   }
 
   double least_;
   std::vector<Moments> lower_, upper_;
-  Moments sum_;
+  std::array<Moments, 4> grids_;  ///< by place in the block
   double volume_squares_ = 0.0, second_squares_ = 0.0;
-  std::size_t columns_ = 0;
+  std::size_t met_ = 0;
 };
 
 Bounds grown(Bounds box, double margin) {
@@ -266,7 +272,12 @@ Excess Columns::excess(std::size_t per_side) const {
   }
   const double cell = grid.step * grid.step;
   Excess excess = sum.result(cell);
-  if (excess.columns < kFewColumns) excess.unseen = kUnseenColumns * cell * radius_;
+  if (sum.columns_met() < kFewColumns) {
+    const double unseen = kUnseenColumns * cell * radius_;
+    const double reach = 0.5 * box_.diagonal();
+    excess.volume_error += unseen;
+    excess.second_error += unseen * reach * reach;
+  }
   return excess;
 }
 

@@ -9,12 +9,9 @@ namespace clast {
 
 /// What columns find, and how well they know it.
 struct Excess {
-  Moments moments;              ///< what is counted more than once
-  double volume_scatter = 0.0;  ///< standard error of its volume, m^3
-  double second_scatter = 0.0;  ///< standard error of tr(M) I - M, M its second moment, in the
-                                ///< Frobenius norm, m^5
-  std::size_t columns = 0;      ///< that meet something counted more than once
-  double unseen = 0.0;          ///< volume that may lie between the columns, m^3
+  Moments moments;            ///< what is counted more than once
+  double volume_error = 0.0;  ///< bound on the error of its volume, m^3
+  double second_error = 0.0;  ///< of tr(M) I - M, M its second moment, in the Frobenius norm, m^5
 };
 
 /// Columns in square grids over a body.
@@ -25,17 +22,23 @@ struct Excess {
 /// whole columns add nothing and there is no error.
 class Columns {
  public:
-  /// @param core  as `make_skin` took it; origin near the centre, for the scatter of M
+  /// @param core  as `make_skin` took it; origin near its centre, about which M is taken
   Columns(const TriangleMesh& core, const Skin& skin);
 
   /// What a grid of `per_side` columns along the longer horizontal side finds.
   ///
-  /// The scatter comes from the twist of each block of two by two columns (the sum along one
-  /// diagonal less that along the other), which has the variance of the block's sum when the
-  /// errors of columns are independent, and to which a linear course, free of error, adds nothing.
-  /// Regions so small that no column need meet them show no scatter: when fewer than ten columns
-  /// meet anything, `unseen` is three columns of the height of the radius. Regions that random
-  /// columns meet three times on average stay unmet once in twenty.
+  /// Each error is the largest of two estimates, plus an allowance, about which docs/theory.md
+  /// says more:
+  /// - Three standard errors, from the twist of each block of two by two columns (the sum along one
+  ///   diagonal less that along the other). When errors of columns are independent it has the
+  ///   variance of the block's sum; a linear course, which costs no error, adds nothing.
+  /// - The largest departure from the mean among the four grids of half the density. It shows
+  /// errors
+  ///   that neighbours have in common, such as along an edge that runs in the direction of the
+  ///   grid.
+  /// - Regions that no column need meet show in neither. When fewer than ten columns meet anything,
+  ///   three columns of the height of the radius are allowed for: what random columns meet three
+  ///   times on average they miss once in twenty.
   Excess excess(std::size_t per_side) const;
 
  private:

@@ -15,9 +15,7 @@ namespace {
 
 constexpr std::size_t kFirstGrid = 64;
 constexpr std::size_t kLastGrid = 4096;
-// Standard errors that the stated error is made of.
-constexpr double kSigmas = 3.0;
-// The scatter of columns falls about with this power of their number per side.
+// The error of columns falls about with this power of their number per side.
 constexpr double kOrder = 1.75;
 // A closed convex surface turns through 4 pi in all; this is the rounding of the sum.
 constexpr double kTurning = 1e-9;
@@ -79,6 +77,12 @@ LocalCore local_core(const SpheroPolyhedron& body) {
   core.origin = vertex_mean(core.mesh);
   for (Vec3& vertex : core.mesh.vertices) vertex -= core.origin;
   core.moments = polyhedron_moments(core.mesh, Vec3::Zero());
+  if (core.moments.volume > 0.0) {  // about its own centre, whatever the spacing of its vertices
+    const Vec3 centre = core.moments.first / core.moments.volume;
+    core.origin += centre;
+    for (Vec3& vertex : core.mesh.vertices) vertex -= centre;
+    core.moments = polyhedron_moments(core.mesh, Vec3::Zero());
+  }
   if (!(core.moments.volume > 0.0)) {
     throw GeometryError("core encloses " + with_digits(core.moments.volume, 6) +
                         " m3: its faces point inward or it is flat; turn them outward first");
@@ -121,11 +125,9 @@ MassProperties less_excess(const LocalCore& core, const Skin& skin, const Excess
   sum.add(skin.overlap_total, -1.0);
   sum.add(excess.moments, -1.0);
   MassProperties result = mass_properties_from(sum, core.origin, core.rotation, density);
-  const double reach = bounds(core.mesh).diagonal() / 2.0 + skin.radius;
   const double smallest_moment = principal_frame(result).moments[0] / density;
-  const double volume_error = kSigmas * excess.volume_scatter + excess.unseen;
-  const double second_error = kSigmas * excess.second_scatter + excess.unseen * reach * reach;
-  result.relative_error = std::max(volume_error / result.volume, second_error / smallest_moment);
+  result.relative_error =
+      std::max(excess.volume_error / result.volume, excess.second_error / smallest_moment);
   return result;
 }
 
@@ -182,17 +184,16 @@ double sphero_area(const SpheroPolyhedron& body) {
   const Skin narrower = make_skin(core.mesh, (1.0 - kAreaStep) * r, (1.0 + kAreaStep) * r);
   const Columns outer(core.mesh, wider);
   const Columns inner(core.mesh, narrower);
-  for (std::size_t per_side = kFirstGrid;;) {
-    const Excess upper = outer.excess(per_side);
-    const Excess lower = inner.excess(per_side);
-    const double step = 2.0 * kAreaStep * r;
-    const double lost = (upper.moments.volume - lower.moments.volume) / step;
-    const double area = skin.area - skin.overlap_area - lost;
-    const double error =
-        kSigmas * std::hypot(upper.volume_scatter, lower.volume_scatter) / (step * area);
-    if (error <= kAreaAccuracy || per_side >= kLastGrid / 4) return area;
-    per_side = next_grid(per_side, error / kAreaAccuracy);
+  double area = 0.0;
+  for (std::size_t per_side = kFirstGrid; per_side <= kLastGrid / 4; per_side *= 2) {
+    const double wider_excess = outer.excess(per_side).moments.volume;
+    const double narrower_excess = inner.excess(per_side).moments.volume;
+    const double lost = (wider_excess - narrower_excess) / (2.0 * kAreaStep * r);
+    const double before = area;
+    area = skin.area - skin.overlap_area - lost;
+    if (std::abs(area - before) <= 0.5 * kAreaAccuracy * area) break;
   }
+  return area;
 }
 
 }  // namespace clast
