@@ -30,7 +30,7 @@ void expect_inside(const SpheroPolyhedron& body, const double* volume, Random& r
 
 TEST(StatedError, HoldsForLBlocksInAnyOrientation) {
   Random random(11);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 150; ++i) {
     const double r = random.uniform(0.02, 1.0);
     SCOPED_TRACE("L " + std::to_string(i) + ", r = " + std::to_string(r));
     const double volume = l_block_volume(r);
@@ -40,7 +40,7 @@ TEST(StatedError, HoldsForLBlocksInAnyOrientation) {
 
 TEST(StatedError, HoldsForRoughRocksInAnyOrientation) {
   Random random(12);
-  for (unsigned i = 0; i < 200; ++i) {
+  for (unsigned i = 0; i < 100; ++i) {
     const TriangleMesh core =
         rough_rock_mesh(i % 2 == 0 ? 3 : 6, {0.42, 0.36, 0.30}, i + 1, random.uniform(0.0, 0.4));
     SCOPED_TRACE("rock " + std::to_string(i));
