@@ -409,12 +409,12 @@ TEST_F(Scans, InnerShellsAreDroppedOrKeptAndToldOfEitherWay) {
   write_obj(folder / "hollow.obj", merged(cuboid(1, 0.9, 0.8), cavity));
   const ProgramRun dropped = run_clast({"reconstruct", "hollow.obj"}, folder.path());
   ASSERT_EQ(dropped.exit_code, 0) << dropped.err;
-  EXPECT_TRUE(contains(dropped.out, "0.72 m3"));
+  EXPECT_TRUE(contains(dropped.out, "0.7200 m3"));
   EXPECT_TRUE(contains(dropped.out, "1 inner shell (bubbles) of 0.027 m3 in all dropped"));
   const ProgramRun kept =
       run_clast({"reconstruct", "hollow.obj", "--keep-inner-shells", "-o", "k.h5"}, folder.path());
   ASSERT_EQ(kept.exit_code, 0) << kept.err;
-  EXPECT_TRUE(contains(kept.out, "0.693 m3"));
+  EXPECT_TRUE(contains(kept.out, "0.6930 m3"));
   EXPECT_TRUE(contains(kept.out, "1 inner shell (bubbles) of 0.027 m3 in all kept as cavities"));
   const ProgramRun shown = run_clast({"show", "k.h5", "hollow"}, folder.path());
   EXPECT_TRUE(contains(shown.out, "kept as cavities"));
