@@ -118,6 +118,7 @@ Block block_from_scan(const std::filesystem::path& path, const std::string& id,
   check_size(scan.mesh, id, options);
   BlockSource source{path.string(), sha256_of_file(path),
                      "units=" + options.unit_name + " up=" + options.scan.up, ""};
+  if (options.scan.keep_inner_shells) source.options += " inner_shells=kept";
   Block block;
   if (options.block.core) {
     begin("measuring");

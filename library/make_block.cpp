@@ -75,6 +75,12 @@ void add_warnings(Block& block, const BlockOptions& options) {
         "two principal moments are nearly equal: the principal axes, and what is given relative to "
         "them, follow a convention and not the shape");
   }
+  if (block.mass.relative_error > options.accuracy) {
+    block.warnings.push_back("volume and inertia are known to " +
+                             number(block.mass.relative_error) + " and not to the " +
+                             number(options.accuracy) +
+                             " asked for; thin the scan, or ask for less with --accuracy");
+  }
   if (block.body.radius > kLargestRadiusShare * S) {
     block.warnings.push_back("the radius " + number(block.body.radius) +
                              " m is more than a quarter of S (" + number(S) +
