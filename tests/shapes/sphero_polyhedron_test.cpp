@@ -9,26 +9,6 @@
 namespace clast {
 namespace {
 
-/// The 2 x 2 x 1 block with one quarter missing: one reflex edge.
-TriangleMesh l_block() {
-  TriangleMesh mesh;
-  const std::vector<Vec2> outline = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-  for (const double z : {0.0, 1.0}) {
-    for (const Vec2& p : outline) mesh.vertices.push_back({p.x(), p.y(), z});
-  }
-  for (std::uint32_t i = 0; i < 6; ++i) {
-    const std::uint32_t j = (i + 1) % 6;
-    mesh.triangles.push_back({i, j, j + 6});
-    mesh.triangles.push_back({i, j + 6, i + 6});
-  }
-  for (const TriangleMesh::Triangle& t :
-       {TriangleMesh::Triangle{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
-    mesh.triangles.push_back({t[0], t[2], t[1]});
-    mesh.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
-  }
-  return mesh;
-}
-
 TEST(SpheroPolyhedron, EdgesAreUniqueSortedAndSmallestIndexFirst) {
   const SpheroPolyhedron cube = sphero_polyhedron(box_mesh({1, 1, 1}), 0.1);
   EXPECT_EQ(cube.edges.size(), 18u);  // 12 and the six diagonals
@@ -52,12 +32,20 @@ TEST(SpheroPolyhedron, BadRadiusAndEmptyCoreAreRefused) {
   EXPECT_THROW(sphero_polyhedron({}, 0.1), GeometryError);
 }
 
-TEST(SpheroPolyhedron, PolygonsAreCutIntoFans) {
-  SpheroPolyhedron prism;
-  prism.vertices.assign(5, Vec3::Zero());
-  prism.faces = {{0, 1, 2, 3, 4}};
-  const std::vector<TriangleMesh::Triangle> expected = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
-  EXPECT_EQ(core_mesh(prism).triangles, expected);
+TEST(SpheroPolyhedron, ConcavePolygonsWithCornersInARowAreCutInsideThemselves) {
+  SpheroPolyhedron shape;  // an L of area 3 with corners in the middle of its sides
+  shape.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0},   {1, 1, 0},
+                    {1, 2, 0}, {0, 2, 0}, {0, 1, 0}, {0, 0.5, 0}, {0, 0.25, 0}};
+  shape.faces = {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
+  const TriangleMesh cut = core_mesh(shape);
+  ASSERT_EQ(cut.triangles.size(), 8u);
+  double area = 0.0;
+  for (const auto& [a, b, c] : cut.triangles) {
+    const Vec3 ab = cut.vertices[b] - cut.vertices[a], ac = cut.vertices[c] - cut.vertices[a];
+    EXPECT_GT(ab.cross(ac).z(), 0.0);
+    area += 0.5 * ab.cross(ac).z();
+  }
+  EXPECT_DOUBLE_EQ(area, 3.0);
 }
 
 TEST(SpheroPolyhedron, ScalingScalesTheRadiusToo) {
