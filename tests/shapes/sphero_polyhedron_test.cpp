@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "shapes/coplanar_faces.hpp"
+#include "shapes/detail/triangle_tree.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
@@ -104,6 +106,59 @@ TEST(Skin, OfABallAndACapsuleIsClosed) {
 TEST(Skin, OfANonConvexCoreIsClosed) {
   const TriangleMesh skin = skin_mesh(sphero_polyhedron(l_block(), 0.1));
   EXPECT_TRUE(inspect(skin).closed() && inspect(skin).oriented()) << inspect(skin).summary();
+}
+
+/// How often the closed surface goes round the point.
+int winding_number(const TriangleMesh& mesh, const Vec3& point) {
+  double angle = 0.0;  // solid angles by Van Oosterom and Strackee
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vec3 a = mesh.vertices[i] - point, b = mesh.vertices[j] - point,
+               c = mesh.vertices[k] - point;
+    angle +=
+        2.0 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                                b.dot(c) * a.norm() + c.dot(a) * b.norm());
+  }
+  return static_cast<int>(std::lround(angle / (4.0 * kPi)));
+}
+
+TEST(Skin, OfANonConvexCoreGoesRoundTheBodyAndNothingElse) {
+  std::vector<TriangleMesh> cores = {l_block(), frame()};
+  for (std::uint64_t seed = 0; seed < 3; ++seed) cores.push_back(random_rock(seed, 2, 0.2));
+  constexpr int kSegments = 4;
+  const double sagitta = 1.0 - std::cos(0.25 * kPi / kSegments);  // what chords cut off, times r
+  for (const TriangleMesh& core : cores) {
+    const double r = 0.05;
+    const SpheroPolyhedron shape = sphero_polyhedron(core, r);
+    const TriangleMesh skin = skin_mesh(shape, kSegments);
+    const detail::TriangleTree tree(core);
+    Bounds box = bounds(skin);
+    Random random(5);
+    int inside = 0, outside = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 at(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+      const Vec3 point = box.low + at.cwiseProduct(box.high - box.low);
+      const double height = tree.signed_distance(point);
+      if (height < (1.0 - 3.0 * sagitta) * r) {
+        EXPECT_GT(winding_number(skin, point), 0) << height;
+        ++inside;
+      } else if (height > r) {
+        EXPECT_EQ(winding_number(skin, point), 0) << height;
+        ++outside;
+      }
+    }
+    EXPECT_GT(inside, 100);
+    EXPECT_GT(outside, 100);
+  }
+}
+
+TEST(Skin, OfPolygonsIsThatOfTheirTriangles) {
+  for (const TriangleMesh& core : {box_mesh({1, 1, 1}, 3), l_block()}) {
+    const SpheroPolyhedron shape = sphero_polyhedron(core, 0.1);
+    const TriangleMesh plain = skin_mesh(shape), merged = skin_mesh(with_merged_faces(shape));
+    EXPECT_TRUE(inspect(merged).closed() && inspect(merged).oriented());
+    EXPECT_NEAR(enclosed_volume(merged), enclosed_volume(plain), 1e-12);
+    EXPECT_NEAR(surface_area(merged), surface_area(plain), 1e-11);
+  }
 }
 
 TEST(Skin, WithoutRadiusIsTheCore) {
