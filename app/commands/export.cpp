@@ -11,6 +11,7 @@
 #include "library/block_library.hpp"
 #include "shapes/coplanar_faces.hpp"
 #include "shapes/mesh_io.hpp"
+#include "shapes/outer_skin.hpp"
 #include "shapes/shp_file.hpp"
 
 namespace clast {
@@ -60,14 +61,14 @@ ShpShape shp_shape(const Block& block) {
 std::vector<std::pair<std::string, TriangleMesh>> chosen_meshes(const Block& block,
                                                                 const ExportArgs& args) {
   if (args.what == "surface") return {{"", block.surface}};
-  if (args.what == "skin") return {{"", skin_mesh(block.body, args.segments)}};
+  if (args.what == "skin") return {{"", outer_skin(block.body, args.segments)}};
   if (block.body.faces.empty()) {
     throw GeometryError("block " + block.id +
                         " is a ball or a capsule, whose core is no mesh; use --what skin");
   }
   const TriangleMesh core = core_mesh(block.body);
   if (args.what == "core") return {{"", core}};
-  return {{"", skin_mesh(block.body, args.segments)}, {"_core", core}};
+  return {{"", outer_skin(block.body, args.segments)}, {"_core", core}};
 }
 
 void export_blocks(const ExportArgs& args) {

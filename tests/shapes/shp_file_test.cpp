@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "core/text_file.hpp"
+#include "shapes/detail/shp_reader.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -276,8 +278,33 @@ TEST(ShpFile, MissingFilesAreNamed) {
 TEST(ShpFile, AnyCutIsRefused) {
   const std::string text = tetrahedron_with("preCompDone y\nvolume 1\nI/m 1 1 1");
   for (std::size_t length = 0; length + 2 < text.size(); ++length) {
-    EXPECT_FALSE(refusal([&] { shapes_in(text.substr(0, length)); }).empty()) << length;
+    EXPECT_FALSE(refusal([&] { detail::shp_shapes(text.substr(0, length)); }).empty()) << length;
   }
+}
+
+TEST(ShpFile, DamagedBytesAreRefusedOrGiveAShapeWhosePartsAreThere) {
+  const std::string text = tetrahedron_with("preCompDone y\nvolume 1\norientation 1 0 0 0");
+  Random random(11);
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string damaged = text;
+    for (int k = 0; k < 3; ++k) {
+      const auto at = static_cast<std::size_t>(random.uniform(0, double(text.size())));
+      damaged[at] = static_cast<char>(random.uniform(0, 256));
+    }
+    try {
+      for (const ShpShape& shape : detail::shp_shapes(damaged)) {
+        for (const SpheroPolyhedron::Face& face : shape.body.faces) {
+          ASSERT_GE(face.size(), 3u);
+          for (const std::uint32_t v : face) ASSERT_LT(v, shape.body.vertices.size());
+        }
+        for (const Vec3& vertex : shape.body.vertices) ASSERT_TRUE(vertex.allFinite());
+      }
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1000);
 }
 
 TEST(ShpFile, UnusableNamesAreRefusedAndLeaveNothing) {
