@@ -22,6 +22,8 @@ constexpr std::size_t kRefined = 32;
 constexpr double kMargin = 1.02;
 // Volumes closer than this are equal; area and length decide.
 constexpr double kTie = 1e-11;
+// An extent below this share of the largest is rounding.
+constexpr double kFlat = 1e-12;
 constexpr int kGoldenSteps = 40;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -248,12 +250,6 @@ double box_area(const OrientedBox& box) {
   return 2.0 * (l[0] * l[1] + l[1] * l[2] + l[2] * l[0]);
 }
 
-bool is_better(const OrientedBox& a, const OrientedBox& b) {
-  if (std::abs(a.volume() - b.volume()) > kTie * b.volume()) return a.volume() < b.volume();
-  if (std::abs(box_area(a) - box_area(b)) > kTie * box_area(b)) return box_area(a) < box_area(b);
-  return a.lengths[0] < b.lengths[0] * (1.0 - kTie);
-}
-
 Vec3 with_largest_component_positive(const Vec3& axis) {
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
@@ -281,6 +277,12 @@ OrientedBox flat_box(std::span<const Vec3> points, const AffineSpan& span, doubl
 
 }  // namespace
 
+bool is_smaller(const OrientedBox& a, const OrientedBox& b) {
+  if (std::abs(a.volume() - b.volume()) > kTie * b.volume()) return a.volume() < b.volume();
+  if (std::abs(box_area(a) - box_area(b)) > kTie * box_area(b)) return box_area(a) < box_area(b);
+  return a.lengths[0] < b.lengths[0] * (1.0 - kTie);
+}
+
 OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double radius) {
   check_points(points, radius);
   // Relative to a point, so that large coordinates keep their digits.
@@ -291,7 +293,8 @@ OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double rad
     low = low.cwiseMin(local);
     high = high.cwiseMax(local);
   }
-  const Vec3 extents = high - low;
+  Vec3 extents = high - low;
+  for (double& extent : extents) extent = extent > kFlat * extents.maxCoeff() ? extent : 0.0;
   std::array<int, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return extents[a] > extents[b]; });
@@ -323,7 +326,7 @@ OrientedBox smallest_box(std::span<const Vec3> points, double radius) {
   for (std::size_t i = 0; i < std::min(kRefined, candidates.size()); ++i) {
     const Posture posture = settled(hull, refined(hull, candidates[i]));
     const OrientedBox box = box_along(mesh.vertices, posture.axes, radius);
-    if (first || is_better(box, best)) best = box;
+    if (first || is_smaller(box, best)) best = box;
     first = false;
   }
   best.centre += middle;
