@@ -1,6 +1,7 @@
 #include "app/block_report.hpp"
 
 #include "app/text_table.hpp"
+#include "classify/box_convention.hpp"
 
 namespace clast {
 
@@ -25,7 +26,21 @@ Json field_json(const FieldNotes& field) {
   return json;
 }
 
+/// L, I, S by every convention.
+Json boxes_json(const Block& block) {
+  Json json = Json::object();
+  for (const BoxConvention convention : kBoxConventions) {
+    json[name_of(convention)] = vector_json(block_box(block, convention).lengths);
+  }
+  return json;
+}
+
 }  // namespace
+
+OrientedBox block_box(const Block& block, BoxConvention convention) {
+  if (convention == BoxConvention::kSmallest) return block.box;  // stored
+  return box_of(block.body, block.principal, convention);
+}
 
 Json block_json(const Block& block) {
   const Axes axes = block.axes();
@@ -44,6 +59,7 @@ Json block_json(const Block& block) {
   json["inertia_kg_m2"] = matrix_json(block.mass.inertia);
   json["principal_moments_kg_m2"] = vector_json(block.principal.moments);
   json["box_m"] = {axes.L, axes.I, axes.S};
+  json["boxes_m"] = boxes_json(block);
   json["s_c"] = elongation_s_c(axes);
   json["sneed_folk"] = sneed_folk_class(axes);
   json["zingg"] = zingg_class(axes);

@@ -3,9 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "classify/box_convention.hpp"
 #include "library/block.hpp"
 
 namespace clast {
+
+/// The box of the rounded block by a convention.
+OrientedBox block_box(const Block& block, BoxConvention convention);
 
 /// Everything known of a block, units in the names (docs/formats.md).
 nlohmann::ordered_json block_json(const Block& block);

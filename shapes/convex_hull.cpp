@@ -53,8 +53,8 @@ std::vector<Vec3> flat_corners(const std::vector<Vec3>& points, const Mat3& axes
   }
   std::vector<Vec3> corners;
   for (const Vec2& corner : convex_outline(std::move(places))) {
-    const auto found = std::find_if(flat.begin(), flat.end(),
-                                    [&](const Flat& f) { return f.place == corner; });
+    const auto found =
+        std::find_if(flat.begin(), flat.end(), [&](const Flat& f) { return f.place == corner; });
     corners.push_back(found->point);
   }
   return sorted_points(corners);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/block_report.hpp"
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
@@ -22,6 +23,8 @@ struct ClassifyArgs {
   std::string scheme;
   std::string columns = "L=L,I=I,S=S";
   std::string units = "m";
+  std::string box = "smallest";
+  bool box_given = false;
   bool json = false;
 };
 
@@ -53,14 +56,25 @@ DimensionColumns columns_from(const ClassifyArgs& args) {
   return columns;
 }
 
+bool is_library(const ClassifyArgs& args) {
+  return is_hdf5(args.input) || named_as_library(args.input);
+}
+
 DimensionTable read_blocks(const ClassifyArgs& args) {
-  if (!is_hdf5(args.input) && !named_as_library(args.input)) {
+  if (!is_library(args)) {
+    if (args.box_given) {
+      throw CLI::ValidationError(
+          "--box", args.input +
+                       " is a table: its axes are what was measured, and no box can be "
+                       "put around them");
+    }
     return read_dimension_table(args.input, columns_from(args));
   }
   DimensionTable table;
   const BlockLibrary library = BlockLibrary::read(args.input);
   for (const Block& block : library.blocks()) {
-    table.blocks.push_back({block.id, block.axes()});
+    const Vec3 sides = block_box(block, box_convention(args.box)).lengths;
+    table.blocks.push_back({block.id, {sides[0], sides[1], sides[2]}});
   }
   return table;
 }
@@ -90,7 +104,7 @@ void print_tables(const DimensionTable& measured, const std::vector<std::string>
 }
 
 void print_json(const DimensionTable& measured, const std::vector<std::string>& schemes,
-                const std::vector<Axes>& axes) {
+                const std::vector<Axes>& axes, const std::string& box) {
   using Json = nlohmann::ordered_json;
   Json blocks = Json::array();
   for (const MeasuredBlock& block : measured.blocks) {
@@ -117,7 +131,8 @@ void print_json(const DimensionTable& measured, const std::vector<std::string>& 
                                     {"high", share.high}});
     }
   }
-  const Json all = {{"blocks", blocks}, {"population", population}, {"notes", measured.notes}};
+  const Json all = {
+      {"box", box}, {"blocks", blocks}, {"population", population}, {"notes", measured.notes}};
   std::cout << all.dump(2) << "\n";
 }
 
@@ -128,7 +143,15 @@ void classify(const ClassifyArgs& args) {
   const std::vector<std::string> schemes =
       args.scheme.empty() ? kSchemes : std::vector<std::string>{args.scheme};
   for (const std::string& note : measured.notes) std::cerr << args.input << ": " << note << "\n";
-  args.json ? print_json(measured, schemes, axes) : print_tables(measured, schemes, axes);
+  const std::string box = is_library(args) ? args.box : "as measured";
+  if (args.json) {
+    print_json(measured, schemes, axes, box);
+    return;
+  }
+  std::cout << "L, I, S: "
+            << (is_library(args) ? "sides of the " + box + " box of the rounded body" : box)
+            << "\n\n";
+  print_tables(measured, schemes, axes);
 }
 
 }  // namespace
@@ -153,12 +176,23 @@ void add_classify(CLI::App& app) {
                    "Length unit of a table: m, cm, mm, km, in, ft, or metres per unit")
       ->type_name("UNIT")
       ->capture_default_str();
+  command
+      ->add_option("--box", args->box,
+                   "Box whose sides are L, I, S of a library's blocks: smallest volume, along the "
+                   "principal axes of inertia, longest Feret as by callipers, or PCA of the hull's "
+                   "corners")
+      ->check(CLI::IsMember({"smallest", "inertia", "feret", "pca"}))
+      ->type_name("NAME")
+      ->capture_default_str();
   command->add_flag("--json", args->json, "Print as JSON");
   command->footer(
       "Shares come with the 95 % interval of Wilson: what a sample of this size says "
       "about the deposit.\nExamples:\n  clast classify blocks.h5\n"
       "  clast classify talus.csv --columns L=5,I=6,S=7 --units cm --scheme zingg");
-  command->callback([args] { classify(*args); });
+  command->callback([args, command] {
+    args->box_given = command->count("--box") > 0;
+    classify(*args);
+  });
 }
 
 }  // namespace clast

@@ -33,7 +33,11 @@ void smallest(benchmark::State& state) {
 void feret(benchmark::State& state) { measure(state, feret_box); }
 void pca(benchmark::State& state) { measure(state, pca_box); }
 
-BENCHMARK(smallest)->RangeMultiplier(2)->Range(125, 4000)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(smallest)
+    ->RangeMultiplier(2)
+    ->Range(125, 4000)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity();
 BENCHMARK(feret)->RangeMultiplier(2)->Range(125, 4000)->Unit(benchmark::kMillisecond)->Complexity();
 BENCHMARK(pca)->RangeMultiplier(2)->Range(125, 4000)->Unit(benchmark::kMillisecond)->Complexity();
 

@@ -125,6 +125,7 @@ TEST_F(WithLibrary, ShowGivesEveryPromisedKey) {
                             "inertia_kg_m2",
                             "principal_moments_kg_m2",
                             "box_m",
+                            "boxes_m",
                             "s_c",
                             "sneed_folk",
                             "zingg",
@@ -140,6 +141,12 @@ TEST_F(WithLibrary, ShowGivesEveryPromisedKey) {
     const double L = block["box_m"][0], I = block["box_m"][1], S = block["box_m"][2];
     EXPECT_TRUE(L >= I && I >= S && S > 0.0);
     EXPECT_NEAR(block["s_c"], L / I - 1.0, 1e-12);
+    EXPECT_EQ(block["boxes_m"]["smallest"], block["box_m"]);
+    for (const char* box : {"inertia", "feret", "pca"}) {
+      const Json& sides = block["boxes_m"][box];
+      EXPECT_GE(double(sides[0]) * double(sides[1]) * double(sides[2]), L * I * S * (1.0 - 1e-9));
+    }
+    EXPECT_GE(block["boxes_m"]["feret"][0], block["boxes_m"]["pca"][0]);
     EXPECT_NEAR(block["mass_kg"], 2650.0 * double(block["volume_m3"]), 1e-6);
     const Json& J = block["principal_moments_kg_m2"];
     EXPECT_TRUE(J[0] <= J[1] && J[1] <= J[2]);
@@ -197,6 +204,19 @@ TEST_F(WithLibrary, ClassifyCountsThePopulation) {
   }
   const ProgramRun one = run_clast({"classify", "blocks.h5", "--scheme", "zingg"}, folder.path());
   EXPECT_TRUE(contains(one.out, "rod") && !contains(one.out, "garcia")) << one.out;
+}
+
+TEST_F(WithLibrary, ClassifyMeasuresOnTheNamedBox) {
+  const Json blocks = shown();
+  for (const std::string box : {"smallest", "inertia", "feret", "pca"}) {
+    const ProgramRun run =
+        run_clast({"classify", "blocks.h5", "--json", "--box", box}, folder.path());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["box"], box);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(json["blocks"][i]["box_m"], blocks[i]["boxes_m"][box]);
+  }
+  expect_refused(folder, {"classify", "blocks.h5", "--box", "best"}, 2, "--box");
 }
 
 TEST_F(WithLibrary, ExportWritesEveryFormatAndTurnsBack) {
@@ -502,6 +522,12 @@ TEST(Tables, ClassifyReadsTapedAxesInTheirUnit) {
   EXPECT_EQ(blocks[0]["sneed_folk"], "CB");
   EXPECT_EQ(blocks[1]["sneed_folk"], "VP");
   EXPECT_NEAR(blocks[1]["box_m"][0], 0.46, 1e-12);
+}
+
+TEST(Tables, ATableOfAxesHasNoBoxToChoose) {
+  const ScratchFolder folder;
+  write_text_file(folder / "talus.csv", "L,I,S\n3,2,1\n");
+  expect_refused(folder, {"classify", "talus.csv", "--box", "feret"}, 2, "talus.csv");
 }
 
 TEST(Tables, TablesThatCantBeReadAreRefused) {

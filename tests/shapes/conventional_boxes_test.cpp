@@ -151,7 +151,8 @@ TEST(ConventionalBoxes, OfASquarePrismDoNotDependOnHowItLies) {
   const auto points = box_mesh(Vec3(1, 1, 3)).vertices;
   for (const Rule rule : kRules) {
     const Vec3 turned = rule(moved(points), 0.1).lengths, upright = rule(points, 0.1).lengths;
-    EXPECT_TRUE(turned.isApprox(upright, 1e-9)) << turned.transpose() << "; " << upright.transpose();
+    EXPECT_TRUE(turned.isApprox(upright, 1e-9))
+        << turned.transpose() << "; " << upright.transpose();
   }
 }
 
@@ -231,8 +232,8 @@ TEST(ConventionalBoxes, OfFlatStraightAndSinglePointsAreFlat) {
 TEST(ConventionalBoxes, OfFourPointsAreThoseOfATetrahedron) {
   const auto points = moved({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
   const double edge = 2.0 * std::sqrt(2.0);
-  EXPECT_TRUE(feret_box(points, 0.1).lengths.isApprox(Vec3(edge, edge, 2.0) + Vec3::Constant(0.2),
-                                                     1e-12));
+  EXPECT_TRUE(
+      feret_box(points, 0.1).lengths.isApprox(Vec3(edge, edge, 2.0) + Vec3::Constant(0.2), 1e-12));
   EXPECT_TRUE(pca_box(points, 0.1).lengths.isApprox(Vec3::Constant(2.2), 1e-9));
 }
 
@@ -248,8 +249,7 @@ TEST(ConventionalBoxes, OfNothingOrNoNumbersAreRefused) {
 TEST(ExtremePoints, AreCornersOfHullOutlineOrLine) {
   EXPECT_EQ(extreme_points(box_mesh(Vec3(1, 2, 3), 4).vertices).size(), 8u);
   const std::vector<Vec3> flat = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}};
-  EXPECT_EQ(extreme_points(flat),
-            (std::vector<Vec3>{{0, 0, 0}, {0, 2, 0}, {2, 0, 0}, {2, 2, 0}}));
+  EXPECT_EQ(extreme_points(flat), (std::vector<Vec3>{{0, 0, 0}, {0, 2, 0}, {2, 0, 0}, {2, 2, 0}}));
   const std::vector<Vec3> line = {{1, -1, 0}, {0, 0, 0}, {3, -3, 0}, {0, 0, 0}};
   EXPECT_EQ(extreme_points(line), (std::vector<Vec3>{{0, 0, 0}, {3, -3, 0}}));
   EXPECT_TRUE(extreme_points(std::vector<Vec3>{}).empty());
