@@ -14,11 +14,14 @@ namespace {
 // An axis is never taken thinner than this share of itself, however large the error.
 constexpr double kThinnest = 1e-6;
 
+// A ratio this close to a limit is next to it, whatever the axes are known to.
+constexpr double kNear = 0.05;
+
 /// Corners of the set of axes within the error that are in order. At a corner each axis is at one
 /// end of its range, or equal to a neighbour that is.
 std::vector<Axes> extreme_axes(const Axes& axes, double error) {
   const auto low = [&](double axis) { return std::max(axis - error, kThinnest * axis); };
-  const std::array<double, 6> ends = {axes.L + error, low(axes.L),   axes.I + error,
+  const std::array<double, 6> ends = {axes.L + error, low(axes.L),    axes.I + error,
                                       low(axes.I),    axes.S + error, low(axes.S)};
   const auto within = [&](double value, double axis) {
     return value >= low(axis) && value <= axis + error;
@@ -68,6 +71,7 @@ ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, doub
       certainty.distance = distance;
     }
   }
+  certainty.near_limit = certainty.distance < kNear;
   if (axis_error == 0.0) return certainty;
   const auto here = cell(scheme, axes, options);
   for (const Axes& other : extreme_axes(axes, axis_error)) {
@@ -80,6 +84,7 @@ ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, doub
       certainty.others.push_back(name);
     }
   }
+  certainty.near_limit = certainty.near_limit || !certainty.survives;
   const auto& order = class_names(scheme);
   const auto rank = [&](const std::string& name) {
     return std::find(order.begin(), order.end(), name);

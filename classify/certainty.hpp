@@ -7,14 +7,18 @@
 
 namespace clast {
 
+/// What an axis measured by tape is known to, m.
+inline constexpr double kTapeError = 0.05;
+
 /// A class with its nearest limit and with what the error of the axes allows.
 struct ClassCertainty {
   std::string name;
-  std::string ratio;      ///< that is nearest to one of its limits, as "S/L"
-  double value = 0.0;     ///< of the ratio
-  double limit = 0.0;     ///< nearest to it
-  double distance = 0.0;  ///< between the two
-  bool survives = true;   ///< the class is the same for all axes within the error
+  std::string ratio;                ///< that is nearest to one of its limits, as "S/L"
+  double value = 0.0;               ///< of the ratio
+  double limit = 0.0;               ///< nearest to it
+  double distance = 0.0;            ///< between the two
+  bool near_limit = false;          ///< closer than 0.05, or closer than the error of the axes
+  bool survives = true;             ///< the class is the same for all axes within the error
   std::vector<std::string> others;  ///< classes at the extremes of the error, without `name`
 };
 

@@ -91,7 +91,9 @@ const std::vector<Scheme>& schemes() {
       {"williams",
        {"oblate", "neither", "prolate"},
        [](const A& a, const O&) { return williams_class(a); },
-       [](const A& a, const O&) -> Ratios { return {{"W", williams_w(a), {0.0}}}; }},
+       [](const A& a, const O&) -> Ratios {
+         return {{"W", williams_w(a), {0.0}}};
+       }},
       {"erdogan",
        {"platy", "elongated", "undetermined"},
        erdogan_class,
@@ -99,18 +101,20 @@ const std::vector<Scheme>& schemes() {
          return {{"L/I", a.L / a.I, {options.erdogan_limit}},
                  {"I/S", a.I / a.S, {options.erdogan_limit}}};
        }},
-      {"blott-pye",
-       blott_pye_names(),
-       [](const A& a, const O&) { return blott_pye_class(a); },
+      {"blott-pye", blott_pye_names(), [](const A& a, const O&) { return blott_pye_class(a); },
        blott_pye_ratios},
       {"en-933-4",
        {"cubical", "non-cubical"},
        [](const A& a, const O&) { return en_933_4_class(a); },
-       [](const A& a, const O&) -> Ratios { return {{"L/S", a.L / a.S, {kNonCubical}}}; }},
+       [](const A& a, const O&) -> Ratios {
+         return {{"L/S", a.L / a.S, {kNonCubical}}};
+       }},
       {"flakiness",
        {"not flaky", "flaky"},
        [](const A& a, const O&) { return flakiness_class(a); },
-       [](const A& a, const O&) -> Ratios { return {{"S/I", a.S / a.I, {kFlaky}}}; }},
+       [](const A& a, const O&) -> Ratios {
+         return {{"S/I", a.S / a.I, {kFlaky}}};
+       }},
   };
   return all;
 }
