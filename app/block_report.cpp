@@ -1,7 +1,8 @@
 #include "app/block_report.hpp"
 
 #include "app/text_table.hpp"
-#include "classify/box_convention.hpp"
+#include "classify/equilibria.hpp"
+#include "classify/surface_indices.hpp"
 
 namespace clast {
 
@@ -42,6 +43,22 @@ OrientedBox block_box(const Block& block, BoxConvention convention) {
   return box_of(block.body, block.principal, convention);
 }
 
+std::map<std::string, double> block_indices(const Block& block, const Axes& axes) {
+  std::map<std::string, double> indices = form_indices(axes);
+  indices["wadell_true_sphericity"] = true_sphericity(block.mass.volume, block.area);
+  indices["convexity"] = convexity(block.body, block.mass.volume);
+  const SurfaceOrientation orientation = surface_orientation(block.body);
+  indices["bagi_orosz_compactness"] = orientation.compactness();
+  indices["bagi_orosz_flakiness"] = orientation.flakiness();
+  indices["bagi_orosz_rodness"] = orientation.rodness();
+  return indices;
+}
+
+Json equilibria_json(const Block& block) {
+  const Equilibria found = static_equilibria(block.body, block.mass.centre);
+  return {{"stable", found.stable}, {"unstable", found.unstable}, {"saddle", found.saddle}};
+}
+
 Json block_json(const Block& block) {
   const Axes axes = block.axes();
   Json json;
@@ -64,7 +81,8 @@ Json block_json(const Block& block) {
   json["sneed_folk"] = sneed_folk_class(axes);
   json["zingg"] = zingg_class(axes);
   json["shape"] = garcia_class(axes);
-  json["indices"] = form_indices(axes);
+  json["indices"] = block_indices(block, axes);
+  json["equilibria"] = equilibria_json(block);
   json["deviation_m"] = {{"hausdorff", block.deviation.hausdorff},
                          {"mean", block.deviation.mean},
                          {"volume_relative", block.deviation.volume_relative}};

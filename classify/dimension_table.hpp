@@ -28,8 +28,8 @@ struct DimensionColumns {
   std::string L = "L";
   std::string I = "I";
   std::string S = "S";
-  std::string mass;   ///< in kg; empty: the table holds none
-  double unit = 1.0;  ///< metres per unit of the table
+  std::string mass = "";  ///< in kg; empty: the table holds none
+  double unit = 1.0;      ///< metres per unit of the table
 };
 
 /// Reads comma, semicolon, tab or blank separated tables, with a header line or without one (then
