@@ -7,6 +7,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "shapes/coplanar_faces.hpp"
 
 namespace clast {
 
@@ -112,7 +113,8 @@ Block block_from_shape(const ShpShape& shape, const std::filesystem::path& path,
       block = block_from_skeleton(shape, *taken.block.radius, id, std::move(source), taken);
     } else {
       const Scan scan = cleaned_scan(core_mesh(shape.body), where, taken.scan);
-      block = make_block(id, scan.mesh, scan.mesh, std::move(source), taken.block);
+      const SpheroPolyhedron body = sphero_polyhedron(scan.mesh, *taken.block.radius);
+      block = make_block(id, with_merged_faces(body, kFlatInFiles), std::move(source), taken.block);
       warn_of_crossings(block, scan.mesh);
       block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
     }

@@ -6,7 +6,8 @@
 namespace clast {
 
 /// The shape is the core and the file's radius its radius; of `options` units, up-axis, density,
-/// mass and accuracy are used. Faces are turned outwards and mended as a scan's are. The block's
+/// mass and accuracy are used. Faces are turned outwards and mended as a scan's are,
+/// and those in one plane become one polygon. The block's
 /// frame is that of the vertices in the file. Mass and inertia are computed anew; where the file's
 /// volume or I/m differs by more than its sampling explains, a warning gives both.
 /// @throws InputError     `options` give another radius; the shape is a surface (isSurface); a size

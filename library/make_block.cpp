@@ -216,8 +216,9 @@ Block make_block(const std::string& id, const SpheroPolyhedron& body, BlockSourc
   options.core = true;
   options.radius = body.radius;
   return named_block(id, [&](Block block) {
+    block = block_of_body(std::move(block), body, std::move(source), options);
     block.surface = body.faces.empty() ? skin_mesh(body) : core_mesh(body);
-    return block_of_body(std::move(block), body, std::move(source), options);
+    return block;
   });
 }
 

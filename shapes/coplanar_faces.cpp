@@ -22,7 +22,8 @@ class Merger {
   Merger(const SpheroPolyhedron& shape, double flatness) : shape_(shape) {
     Bounds box;
     for (const Vec3& vertex : shape.vertices) box.include(vertex);
-    reach_ = flatness * box.diagonal();
+    diagonal_ = box.diagonal();
+    reach_ = flatness * diagonal_;
   }
 
   SpheroPolyhedron merged() {
@@ -63,7 +64,7 @@ class Merger {
       const Vec3 normal = areas[seed].normalized();
       const Vec3& origin = shape_.vertices[shape_.faces[seed][0]];
       const auto lies_flat = [&](Index f) {
-        return areas[f].dot(normal) >= 0.0 &&
+        return areas[f].dot(normal) >= -reach_ * diagonal_ &&  // slivers may face anywhere
                std::all_of(shape_.faces[f].begin(), shape_.faces[f].end(), [&](Index v) {
                  return std::abs(normal.dot(shape_.vertices[v] - origin)) <= reach_;
                });
@@ -224,7 +225,7 @@ class Merger {
   }
 
   const SpheroPolyhedron& shape_;
-  double reach_ = 0.0;
+  double diagonal_ = 0.0, reach_ = 0.0;
   std::vector<std::vector<Index>> neighbours_;  ///< face over each side, or none
   std::vector<std::vector<Index>> regions_;
   std::vector<Index> region_of_;

@@ -4,6 +4,10 @@
 
 namespace clast {
 
+/// A flatness for shapes of files: what single precision or eight digits leave of a plane, and
+/// nothing that a contact notices.
+inline constexpr double kFlatInFiles = 1e-7;
+
 /// The same body with fewer parts: connected faces in one plane become one polygon, vertices inside
 /// it and on straight edges are dropped, so that contact costs what the shape is and not how it was
 /// meshed. Faces around a hole, and those that touch themselves at a vertex, stay as they are.

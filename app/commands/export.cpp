@@ -31,10 +31,6 @@ struct ExportArgs {
   int segments = 4;
 };
 
-/// Share of the diagonal within which faces are written as one polygon: what single-precision scans
-/// of a plane keep to, and nothing that a contact notices.
-constexpr double kExportFlatness = 1e-7;
-
 /// z up to y up, the inverse of what `--up y` does on reading.
 TriangleMesh turned_y_up(TriangleMesh mesh) {
   for (Vec3& vertex : mesh.vertices) vertex = Vec3(vertex.x(), vertex.z(), -vertex.y());
@@ -48,7 +44,7 @@ ShpShape shp_shape(const Block& block) {
       shape.name.begin(), shape.name.end(), [](char c) { return c == ' '; }, '_');
   shape.source_from_body = block.source_from_body();
   const Pose body_from_source = shape.source_from_body.inverse();
-  shape.body = transformed(with_merged_faces(block.body, kExportFlatness), body_from_source);
+  shape.body = transformed(with_merged_faces(block.body, kFlatInFiles), body_from_source);
   shape.volume = block.mass.volume;
   shape.inertia_per_mass = block.principal.moments / block.mass.mass;
   shape.box = block.box;

@@ -41,7 +41,8 @@ void take_better_diagonal(const TriangleMesh& mesh, Indices& quad, const Vec3& n
   }
 }
 
-/// Convex, empty, and with a height over its longest side of more than `thinnest` of that side.
+/// Convex, empty by a margin, and with a height over its longest side, all more than `thinnest` of
+/// that side.
 bool is_ear(const TriangleMesh& mesh, const Indices& p, std::size_t k, const Vec3& normal,
             double thinnest) {
   const std::size_t n = p.size();
@@ -50,10 +51,12 @@ bool is_ear(const TriangleMesh& mesh, const Indices& p, std::size_t k, const Vec
   const double longest =
       std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   if (!(turn(a, b, c, normal) > thinnest * longest)) return false;
+  // Nor may a corner lie on the cut, or what is left would touch itself there.
+  const double slack = -thinnest * longest;
   for (std::size_t i = 2; i + 1 < n; ++i) {
     const Vec3& other = mesh.vertices[p[(k + i) % n]];
-    if (turn(a, b, other, normal) >= 0.0 && turn(b, c, other, normal) >= 0.0 &&
-        turn(c, a, other, normal) >= 0.0) {
+    if (turn(a, b, other, normal) >= slack && turn(b, c, other, normal) >= slack &&
+        turn(c, a, other, normal) >= slack) {
       return false;
     }
   }

@@ -67,6 +67,27 @@ TEST_F(Exchange, AShapeWithoutTurnBecomesABlock) {
   EXPECT_NEAR(block["mass_kg"], 2000.0 * rounded_cube_volume(0.25), 1e-8);
 }
 
+TEST_F(Exchange, PolygonsWrittenWithEightDigitsStayWhole) {
+  // A regular pentagon's prism, turned, as files have it: flat to 1e-8 only.
+  const Quat turn(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+  std::string text = "<\nname P\nradius 0.1\nnv 10\n";
+  for (int i = 0; i < 10; ++i) {
+    const double angle = 0.4 * kPi * (i % 5);
+    const Vec3 corner = turn * Vec3(std::cos(angle), std::sin(angle), i < 5 ? 0.0 : 1.0);
+    char line[80];
+    std::snprintf(line, sizeof line, "%.8f %.8f %.8f\n", corner.x(), corner.y(), corner.z());
+    text += line;
+  }
+  text +=
+      "nf 7\n5 0 1 2 3 4\n5 5 6 7 8 9\n4 0 1 6 5\n4 2 1 6 7\n4 2 3 8 7\n4 4 3 8 9\n4 0 4 9 5\n>\n";
+  write("prism.shp", text);
+  ASSERT_EQ(reconstruct({"prism.shp", "-o", "b.h5"}).exit_code, 0);
+  const Json block = shown("b.h5").at("prism");
+  EXPECT_EQ(block["faces"], 7);
+  EXPECT_EQ(block["edges"], 15);
+  EXPECT_EQ(block["edge_bends"]["convex"], 15);
+}
+
 TEST_F(Exchange, AFileOfSeveralShapesGivesABlockForEach) {
   write("all.shp", cube("quarry/SP1A.stl", 0.1) +
                        "<\nname ball\nradius 0.5\nnv 1\n1 2 3\nne 0\nnf 0\n>\n"

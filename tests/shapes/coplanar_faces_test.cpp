@@ -61,11 +61,28 @@ TEST(CoplanarFaces, OfABoxBecomeSixHoweverItIsMeshedAndTurned) {
 }
 
 TEST(CoplanarFaces, OfAConcaveBlockBecomeConcavePolygons) {
-  const TriangleMesh mesh = l_block();
-  const SpheroPolyhedron merged = with_merged_faces(sphero_polyhedron(mesh, 0.0));
-  EXPECT_EQ(counts(merged), (Counts{12, 18, 8}));
-  EXPECT_EQ(bends(merged), (std::array<std::ptrdiff_t, 3>{0, 17, 1}));
-  expect_same_solid(merged, mesh);
+  Random random(4);
+  for (int i = 0; i < 20;
+       ++i) {  // three of its corners stand in a row, as well as turned numbers do
+    const TriangleMesh mesh = transformed(l_block(), Pose{Vec3::Zero(), random.rotation()});
+    const SpheroPolyhedron merged = with_merged_faces(sphero_polyhedron(mesh, 0.0));
+    EXPECT_EQ(counts(merged), (Counts{12, 18, 8}));
+    EXPECT_EQ(bends(merged), (std::array<std::ptrdiff_t, 3>{0, 17, 1}));
+    expect_same_solid(merged, mesh);
+    const SpheroPolyhedron again = with_merged_faces(sphero_polyhedron(core_mesh(merged), 0.0));
+    EXPECT_EQ(counts(again), counts(merged));
+  }
+}
+
+TEST(CoplanarFaces, TakeInTrianglesWithoutHeight) {
+  // The floor of the L as a file may have it: three corners in a row make a triangle.
+  const std::vector<Vec2> outline = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  const TriangleMesh mesh = prism(outline, {{0, 1, 5}, {1, 3, 5}, {1, 2, 3}, {3, 4, 5}});
+  Random random(4);
+  for (int i = 0; i < 20; ++i) {
+    const TriangleMesh turned = transformed(mesh, Pose{Vec3::Zero(), random.rotation()});
+    EXPECT_EQ(counts(with_merged_faces(sphero_polyhedron(turned, 0.0))), (Counts{12, 18, 8}));
+  }
 }
 
 TEST(CoplanarFaces, PolygonsStartAtAConvexCornerThatGivesTheirNormal) {
