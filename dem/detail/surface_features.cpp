@@ -228,6 +228,13 @@ SurfaceFeatures surface_features(const TriangleMesh& mesh,
   return surface;
 }
 
+bool over_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point) {
+  for (int k = 0; k < 3; ++k) {
+    if (face.inward[k].dot(point - surface.vertices[face.vertices[k]]) < 0.0) return false;
+  }
+  return true;
+}
+
 bool in_arc(const SurfaceEdge& edge, const Vec3& direction) {
   return direction.dot(edge.inward[0]) <= kConeSlack && direction.dot(edge.inward[1]) <= kConeSlack;
 }
