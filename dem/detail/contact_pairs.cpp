@@ -12,6 +12,8 @@ namespace {
 constexpr double kParallelSine = 1e-6;
 /// Edges and faces may touch deeper than anything touched before by this many margins.
 constexpr double kDeeperMargins = 1.0;
+/// A list of pairs is kept while this share of the movement it allows is left.
+constexpr double kWorthKeeping = 0.3;
 
 }  // namespace
 
@@ -21,7 +23,9 @@ bool ContactSearch::meets_edge(std::uint32_t edge, const Vec3& normal) const {
 
 void ContactSearch::look_at_side(std::uint32_t s, double until, double within) {
   SideState& state = side_states_[s];
-  if (std::min(state.list_until, state.others_clear_until) <= until) list_pairs(s, within);
+  if (std::min(state.list_until, state.others_clear_until) <= until && !list_holds(s, until)) {
+    list_pairs(s, within);
+  }
   state.due = state.list_until;
   state.clear_until = state.others_clear_until;
   for (Pair& pair : state.pairs) {
@@ -31,14 +35,37 @@ void ContactSearch::look_at_side(std::uint32_t s, double until, double within) {
   }
 }
 
+bool ContactSearch::list_holds(std::uint32_t s, double until) {
+  const BlockSide& side = parts_.sides[s];
+  SideState& state = side_states_[s];
+  const double used =
+      (placed(side.middle) - state.listed).norm() + side.radius * (turned_ - state.listed_turned);
+  const double left = state.list_holds - used;
+  if (!(left > std::max(until - moved_, kWorthKeeping * state.list_holds))) return false;
+  state.list_until = moved_ + left;
+  state.others_clear_until = moved_ + (state.others_clear - used);
+  return true;
+}
+
 void ContactSearch::list_pairs(std::uint32_t s, double within) {
   const BlockSide& side = parts_.sides[s];
   SideState& state = side_states_[s];
   const LocalGround& ground = part_states_[state.part].ground;
   const Vec3 middle = placed(side.middle);
   state.pairs.clear();
+  const double complete = completeness(part_states_[state.part]);
+  const double by_plane = std::min(ground.plane.clearance(middle) - side.radius, complete);
+  const auto hold = [&](double list_holds, double others_clear) {
+    state.listed = middle;
+    state.listed_turned = turned_;
+    state.list_holds = list_holds;
+    state.others_clear = others_clear;
+    state.list_until = moved_ + list_holds;
+    state.others_clear_until = moved_ + others_clear;
+  };
+  if (by_plane > within) return hold(by_plane - reach_, by_plane - reach_);
   const double listed = within + side.radius;
-  double others = completeness(part_states_[state.part]) + side.radius;
+  double others = complete + side.radius;
   const auto consider = [&](ContactKind kind, std::uint32_t feature, double squared_distance) {
     if (squared_distance < listed * listed) {
       state.pairs.push_back({kind, feature, moved_, moved_});
@@ -59,19 +86,20 @@ void ContactSearch::list_pairs(std::uint32_t s, double within) {
       consider(kind, corner.vertex, (middle - corner.point).squaredNorm());
     }
   }
-  Pair unlisted{};
-  sleep(unlisted, others - side.radius);
-  state.list_until = unlisted.due;
-  state.others_clear_until = unlisted.clear_until;
+  hold(asleep(others - side.radius), others - side.radius - reach_);
+}
+
+double ContactSearch::asleep(double apart) const {
+  // Features that have passed each other inside the ground touch as deep as the block has sunk, so
+  // they must be seen again when the one distance meets the other; and a turn can make a pair touch
+  // that is somewhat deeper.
+  const double deep = deepest_ > 0.0 ? deepest_ + kDeeperMargins * margin_ : 0.0;
+  return std::min(apart - reach_, 0.5 * (apart - deep));
 }
 
 void ContactSearch::sleep(Pair& pair, double apart) const {
   pair.clear_until = moved_ + (apart - reach_);
-  // Features that have passed each other inside the ground touch as deep as the block has sunk, so
-  // the pair must be seen again when the one distance meets the other; and a turn can make a pair
-  // touch that is somewhat deeper.
-  const double deep = deepest_ > 0.0 ? deepest_ + kDeeperMargins * margin_ : 0.0;
-  pair.due = std::min(pair.clear_until, moved_ + 0.5 * (apart - deep));
+  pair.due = moved_ + asleep(apart);
 }
 
 double ContactSearch::distance(std::uint32_t block_feature, const Pair& pair) const {

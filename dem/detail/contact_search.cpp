@@ -17,6 +17,12 @@ constexpr double kDepthShare = 0.5;
 /// A vertex that may have moved all its distance but really moved less than this share of it needs
 /// no new measurement.
 constexpr double kLittleMoved = 0.5;
+/// And one that is known to be this many margins away needs none either.
+constexpr double kEnough = 0.25;
+/// The plane over the ground around the block holds for this many margins of movement.
+constexpr double kPlaneMargins = 8.0;
+/// Pairs are listed when they are this many margins from touching.
+constexpr double kPairMargins = 3.0;
 /// Looking for a longer flight starts at the first of these many margins and goes on in strides.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
 
@@ -44,43 +50,66 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const IndexedSurface&
 
 const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from_body,
                                                          double travel) {
-  const Mat3 rotation = ground_from_body.rotation.toRotationMatrix();
-  if (started_) moved_ += displacement(rotation, ground_from_body.translation);
-  started_ = true;
-  rotation_ = rotation;
-  position_ = ground_from_body.translation;
+  move_to(ground_from_body);
   travel_ = travel;
   contacts_.clear();
   if (moved_ >= next_part_ || moved_ > horizon_) wake();
   for (const std::uint32_t v : awake_vertices_) {
-    if (vertex_states_[v].due <= moved_) look_at_vertex(v);
+    if (vertex_states_[v].due <= moved_) look_at_vertex(v, moved_);
   }
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   for (const std::uint32_t s : awake_sides_) {
     if (side_states_[s].due <= moved_) {
-      look_at_side(s, moved_, std::max(reach_, deepest_) + 2.0 * margin_);
+      look_at_side(s, moved_, std::max(reach_, deepest_) + kPairMargins * margin_);
     }
   }
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  if (contacts_.empty() && moved_ >= look_further_at_) look_further();
+  if (!contacts_.empty()) {
+    touch_at_ = moved_;
+    find_touch_at_ = -1.0;
+  } else if (moved_ >= find_touch_at_) {
+    find_touch();
+  }
   return contacts_;
 }
 
-double ContactSearch::displacement(const Mat3& rotation, const Vec3& position) const {
-  // The turn between the two moves a point by at most 2 sin(angle/2) times its arm, and that factor
-  // is the Frobenius norm of the change of the matrix over sqrt(2).
-  const double turn = std::sqrt(0.5 * (rotation - rotation_).squaredNorm());
-  return (position - position_).norm() + turn * bounding_radius_;
+void ContactSearch::move_to(const Pose& ground_from_body) {
+  const Mat3 rotation = ground_from_body.rotation.toRotationMatrix();
+  const Vec3& position = ground_from_body.translation;
+  if (started_) {
+    // The turn between the two moves a point by at most 2 sin(angle/2) times its arm, and that
+    // factor is the Frobenius norm of the change of the matrix over sqrt(2).
+    const double turn = std::sqrt(0.5 * (rotation - rotation_).squaredNorm());
+    turned_ += turn;
+    moved_ += (position - position_).norm() + turn * bounding_radius_;
+  }
+  started_ = true;
+  rotation_ = rotation;
+  position_ = position;
 }
 
 void ContactSearch::wake() {
+  bool relist = moved_ > horizon_;
   if (moved_ >= next_part_ && !sleep_whole()) {
     for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-      if (part_states_[p].due <= moved_) look_at_part(p);
+      PartState& part = part_states_[p];
+      if (part.due > moved_) continue;
+      const bool was_near = part.near;
+      look_at_part(p, margin_);
+      relist = relist || part.near != was_near;
     }
   }
-  list_awake(moved_ + margin_);
+  if (relist) return list_awake(moved_ + margin_);
+  survey_parts();
+}
+
+void ContactSearch::survey_parts() {
+  next_part_ = parts_clear_until_ = 1e300;
+  for (const PartState& part : part_states_) {
+    next_part_ = std::min(next_part_, part.due);
+    if (!part.near) parts_clear_until_ = std::min(parts_clear_until_, part.due);
+  }
 }
 
 bool ContactSearch::sleep_whole() {
@@ -100,21 +129,28 @@ bool ContactSearch::sleep_whole() {
   return true;
 }
 
-void ContactSearch::look_at_part(std::uint32_t p) {
+void ContactSearch::look_at_part(std::uint32_t p, double enough) {
   const BlockPart& part = parts_.parts[p];
   PartState& state = part_states_[p];
   const Vec3 centre = placed(part.centre);
   const double touching = part.radius + reach_;
-  const double look = touching + 8.0 * margin_;
-  double distance = ground_.height_clearance(centre, look);
-  if (distance <= touching + margin_) {
-    const double far = look + 4.0 * bounding_radius_;
-    const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
-    distance = nearest ? nearest->distance : far;
+  // The plane over the ground tells enough of most parts.
+  const double look = kPlaneMargins * margin_;
+  if (moved_ + margin_ > plane_until_) {
+    Bounds here;
+    here.include(position_);
+    plane_ = plane_over(ground_, ground_.faces_near(here, bounding_radius_ + reach_ + look));
+    plane_until_ = moved_ + look;
   }
-  if (distance <= touching + margin_) return gather(p, distance);
+  double gap = std::min(plane_.clearance(centre) - touching, plane_until_ - moved_);
+  if (gap <= enough) {
+    const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
+    const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
+    gap = (nearest ? nearest->distance : far) - touching;
+  }
+  if (gap <= margin_) return gather(p, gap + touching);
   state.near = false;
-  state.due = moved_ + (distance - touching);
+  state.due = moved_ + gap;
 }
 
 void ContactSearch::gather(std::uint32_t p, double distance) {
@@ -136,6 +172,7 @@ void ContactSearch::gather(std::uint32_t p, double distance) {
     for (std::uint32_t s = part.first_side; s < part.end_side; ++s) {
       SideState& side = side_states_[s];
       side.due = side.clear_until = side.list_until = side.others_clear_until = moved_;
+      side.list_holds = 0.0;
     }
   }
   deepest = std::max(std::min(deepest, part.radius - distance), deepest_);
@@ -151,14 +188,9 @@ void ContactSearch::list_awake(double horizon) {
   horizon_ = horizon;
   awake_vertices_.clear();
   awake_sides_.clear();
-  next_part_ = sleepers_clear_until_ = 1e300;
+  sleepers_clear_until_ = 1e300;
   for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-    const PartState& state = part_states_[p];
-    next_part_ = std::min(next_part_, state.due);
-    if (!state.near) {
-      sleepers_clear_until_ = std::min(sleepers_clear_until_, state.due);
-      continue;
-    }
+    if (!part_states_[p].near) continue;
     const BlockPart& part = parts_.parts[p];
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
       if (vertex_states_[v].due <= horizon) {
@@ -175,43 +207,36 @@ void ContactSearch::list_awake(double horizon) {
       }
     }
   }
+  survey_parts();
 }
 
-double ContactSearch::earliest_touch() const {
-  double earliest = sleepers_clear_until_;
-  for (const std::uint32_t v : awake_vertices_) {
-    earliest = std::min(earliest, vertex_states_[v].due);
-  }
-  for (const std::uint32_t s : awake_sides_) {
-    earliest = std::min(earliest, side_states_[s].clear_until);
-  }
-  return earliest;
-}
-
-void ContactSearch::look_further() {
+void ContactSearch::find_touch() {
   // What is known decays with every movement. Measuring what could touch first, and only that,
   // shows how far the block can really go; each stride is made only when the one before was clear.
   const double first = kFirstLook * margin_;
-  for (double wanted = first; wanted <= kLastLook * margin_; wanted *= kStride) {
+  double wanted = first;
+  while (true) {
     const double until = moved_ + wanted;
-    if (earliest_touch() >= until) continue;
-    if (until > horizon_) {
+    if (until > horizon_ || until > parts_clear_until_) {
       for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-        if (!part_states_[p].near && part_states_[p].due < until) look_at_part(p);
+        const PartState& part = part_states_[p];
+        if (!part.near && part.due < until) look_at_part(p, std::max(margin_, wanted));
       }
-      list_awake(until);
+      list_awake(std::max(horizon_, until));
     }
+    touch_at_ = std::min(parts_clear_until_, sleepers_clear_until_);
     for (const std::uint32_t v : awake_vertices_) {
-      if (vertex_states_[v].due < until) {
-        measure_vertex(v, placed(block_.vertices[parts_.vertices[v]]));
-      }
+      if (vertex_states_[v].due < until) look_at_vertex(v, until);
+      touch_at_ = std::min(touch_at_, vertex_states_[v].due);
     }
     for (const std::uint32_t s : awake_sides_) {
       if (side_states_[s].clear_until < until) look_at_side(s, until, reach_ + wanted);
+      touch_at_ = std::min(touch_at_, side_states_[s].clear_until);
     }
-    if (earliest_touch() < until) break;
+    if (touch_at_ < until || wanted >= kLastLook * margin_) break;
+    wanted = std::max(kStride * wanted, touch_at_ - moved_);
   }
-  look_further_at_ = moved_ + 0.5 * std::min(first, earliest_touch() - moved_);
+  find_touch_at_ = moved_ + 0.5 * std::min(first, touch_at_ - moved_);
 }
 
 void ContactSearch::add(const ContactPoint& contact) {
@@ -234,14 +259,19 @@ bool ContactSearch::meets_vertex(std::uint32_t vertex, const Vec3& normal) const
   return in_cone(block_, vertex, -(rotation_.transpose() * normal));
 }
 
-void ContactSearch::look_at_vertex(std::uint32_t v) {
+void ContactSearch::look_at_vertex(std::uint32_t v, double until) {
   VertexState& state = vertex_states_[v];
   const Vec3 centre = placed(block_.vertices[parts_.vertices[v]]);
   if (look_at_sure_face(v, centre)) return;
+  // Often it is known well enough without measuring: from where it was, or from the plane.
+  const PartState& part = part_states_[state.part];
   const double gap = state.distance - reach_;
-  const double gap_left = gap - (centre - state.seen).norm();
-  if (gap_left > kLittleMoved * gap) {
-    state.due = moved_ + gap_left;
+  const double by_movement = gap - (centre - state.seen).norm();
+  const double by_plane =
+      std::min(part.ground.plane.clearance(centre), completeness(part)) - reach_;
+  const double known = std::max(by_movement, by_plane);
+  if (known > std::max(until - moved_, std::min(kEnough * margin_, kLittleMoved * gap))) {
+    state.due = moved_ + known;
     return;
   }
   measure_vertex(v, centre);

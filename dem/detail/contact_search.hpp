@@ -49,7 +49,7 @@ class ContactSearch {
   const std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
 
   /// No contact can come before the travel has grown beyond this (valid after `contacts`).
-  double safe_travel() const { return travel_ + (earliest_touch() - moved_); }
+  double safe_travel() const { return travel_ + (touch_at_ - moved_); }
 
  private:
   struct PartState {
@@ -87,21 +87,27 @@ class ContactSearch {
     std::vector<Pair> pairs;
     double list_until = -1.0;
     double others_clear_until = -1.0;
+    // Both again as movement from where the middle was when listed, and `turned_` then.
+    double list_holds = 0.0, others_clear = 0.0;
+    Vec3 listed = Vec3::Zero();
+    double listed_turned = 0.0;
   };
 
-  double displacement(const Mat3& rotation, const Vec3& position) const;
+  void move_to(const Pose& ground_from_body);
   void wake();
   bool sleep_whole();
-  void look_at_part(std::uint32_t p);
+  /// @param enough  m: a lower bound of the part's gap above this needs no better one
+  void look_at_part(std::uint32_t p, double enough);
   void gather(std::uint32_t p, double distance);
+  void survey_parts();
   void list_awake(double horizon);
-  double earliest_touch() const;
-  void look_further();
+  void find_touch();
   double completeness(const PartState& part) const {
     return part.complete - (moved_ - part.gathered_at);
   }
 
-  void look_at_vertex(std::uint32_t vertex);
+  /// Until when it must be known whether the vertex can touch.
+  void look_at_vertex(std::uint32_t vertex, double until);
   bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre);
   void measure_vertex(std::uint32_t vertex, const Vec3& centre);
   void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
@@ -109,11 +115,14 @@ class ContactSearch {
 
   /// Everything of the side that is due until then; lists pairs within a distance.
   void look_at_side(std::uint32_t s, double until, double within);
+  bool list_holds(std::uint32_t s, double until);
   void list_pairs(std::uint32_t s, double within);
   void look_at_edges(std::uint32_t block_edge, Pair& pair);
   void look_at_edge_vertex(std::uint32_t block_edge, Pair& pair);
   void look_at_face_vertex(std::uint32_t block_face, Pair& pair);
   void look_at_pair(std::uint32_t block_feature, Pair& pair);
+  /// How far the block can move before features this far apart must be looked at again.
+  double asleep(double apart) const;
   void sleep(Pair& pair, double apart) const;
   double distance(std::uint32_t block_feature, const Pair& pair) const;
   void touch_corner(std::uint32_t block_feature, Pair& pair, const Vec3& normal, double distance);
@@ -137,16 +146,21 @@ class ContactSearch {
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
   bool started_ = false;
-  double travel_ = 0.0;  ///< the caller's
-  double moved_ = 0.0;   ///< since the start, as seen from call to call, m
+  double travel_ = 0.0;        ///< the caller's
+  double moved_ = 0.0;         ///< since the start, as seen from call to call, m
+  double turned_ = 0.0;        ///< likewise: bounds what turning moves a point at an arm of 1 m, m
+  GroundPlane plane_;          ///< over the ground around the block
+  double plane_until_ = -1.0;  ///< other ground cannot touch before, m
   std::vector<PartState> part_states_;
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
   std::vector<SideState> side_states_;
   double next_part_ = -1.0;  ///< the first part is due then
   double horizon_ = -1.0;    ///< everything due before it is listed as awake
   std::vector<std::uint32_t> awake_vertices_, awake_sides_;
-  double sleepers_clear_until_ = -1.0;  ///< nothing near but asleep can touch before
-  double look_further_at_ = -1.0;       ///< no use in looking for a longer flight before
+  double parts_clear_until_ = -1.0;     ///< no part that sleeps can touch before
+  double sleepers_clear_until_ = -1.0;  ///< nothing that sleeps in a part that does not can
+  double touch_at_ = -1.0;              ///< nothing at all can touch before
+  double find_touch_at_ = -1.0;         ///< no use in looking for a longer flight before
   double deepest_ = 0.0;                ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };

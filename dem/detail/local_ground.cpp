@@ -5,6 +5,20 @@
 
 namespace clast {
 
+GroundPlane plane_over(const IndexedSurface& ground, std::span<const std::uint32_t> faces) {
+  const SurfaceFeatures& features = ground.features;
+  Vec3 sum = Vec3::Zero();
+  for (const std::uint32_t f : faces) sum += features.faces[f].normal;
+  GroundPlane plane;
+  if (sum.norm() > 0.0) plane.normal = sum.normalized();
+  for (const std::uint32_t f : faces) {
+    for (const std::uint32_t v : features.faces[f].vertices) {
+      plane.top = std::max(plane.top, plane.normal.dot(features.vertices[v]));
+    }
+  }
+  return plane;
+}
+
 void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, double reach) {
   const SurfaceFeatures& features = ground.features;
   faces.clear();
@@ -13,7 +27,8 @@ void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, doubl
   Bounds box;
   box.include(centre);
   std::vector<std::uint32_t> edges_met, corners_met;
-  for (const std::uint32_t f : ground.faces_near(box, reach)) {
+  const std::vector<std::uint32_t> near = ground.faces_near(box, reach);
+  for (const std::uint32_t f : near) {
     const SurfaceFace& face = features.faces[f];
     const Vec3& a = features.vertices[face.vertices[0]];
     const Vec3& b = features.vertices[face.vertices[1]];
@@ -32,6 +47,7 @@ void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, doubl
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   };
+  plane = plane_over(ground, near);
   each_once(edges_met);
   each_once(corners_met);
   for (const std::uint32_t e : edges_met) {

@@ -1,11 +1,22 @@
 #pragma once
 /// The ground near a part of a block, copied together so that many queries read little memory.
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "dem/detail/indexed_surface.hpp"
 
 namespace clast {
+
+/// A plane that no ground of some region rises above: bounds the distance to all of it at once.
+struct GroundPlane {
+  Vec3 normal = Vec3::UnitZ();  ///< mean of the faces' normals
+  double top = -1e300;          ///< largest normal . point on the ground, m
+
+  /// Lower bound of the distance of a point over the ground; negative when it can't tell.
+  double clearance(const Vec3& point) const { return normal.dot(point) - top; }
+};
+GroundPlane plane_over(const IndexedSurface& ground, std::span<const std::uint32_t> faces);
 
 struct LocalGround {
   struct Face {
@@ -27,6 +38,7 @@ struct LocalGround {
   std::vector<Face> faces;
   std::vector<Edge> edges;      ///< convex ones
   std::vector<Corner> corners;  ///< pointed ones
+  GroundPlane plane;            ///< over all of it
 
   /// Takes up everything within `reach` of the point. Ordered by number.
   void gather(const IndexedSurface& ground, const Vec3& centre, double reach);
