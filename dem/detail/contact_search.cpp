@@ -65,12 +65,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   }
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  if (!contacts_.empty()) {
-    touch_at_ = moved_;
-    find_touch_at_ = -1.0;
-  } else if (moved_ >= find_touch_at_) {
-    find_touch();
-  }
+  if (!contacts_.empty()) search_at_ = -1.0;
   return contacts_;
 }
 
@@ -145,7 +140,8 @@ void ContactSearch::look_at_part(std::uint32_t p, double enough) {
   double gap = std::min(plane_.clearance(centre) - touching, plane_until_ - moved_);
   if (gap <= enough) {
     const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
-    const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
+    const std::optional<NearestPoint> nearest = ground_.nearest(centre, far, state.near_face);
+    if (nearest) state.near_face = nearest->face;
     gap = (nearest ? nearest->distance : far) - touching;
   }
   if (gap <= margin_) return gather(p, gap + touching);
@@ -210,33 +206,69 @@ void ContactSearch::list_awake(double horizon) {
   survey_parts();
 }
 
-void ContactSearch::find_touch() {
+double ContactSearch::safe_travel() {
+  if (!contacts_.empty()) return travel_;
+  // At a speed of 1 the time is the distance.
+  return travel_ + search_time({.acceleration = 1e300, .top_speed = 1.0}, kFirstLook * margin_);
+}
+
+double ContactSearch::safe_time(const FlightBounds& flight, double worthwhile) {
+  if (!contacts_.empty() || moved_ < search_at_) return 0.0;
+  const double time = search_time(flight, worthwhile);
+  if (time < worthwhile) search_at_ = moved_ + 0.5 * time * flight.top_speed;
+  return time;
+}
+
+double ContactSearch::search_time(const FlightBounds& flight, double first) {
+  // distance = speed t + acceleration t^2/2, in the form that keeps its digits.
+  const auto time_over = [](double distance, double speed, double acceleration) {
+    if (!(distance > 0.0)) return 0.0;
+    return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
+  };
+  const auto moved_in = [](double time, double speed, double acceleration) {
+    return time * (speed + 0.5 * acceleration * time);
+  };
   // What is known decays with every movement. Measuring what could touch first, and only that,
-  // shows how far the block can really go; each stride is made only when the one before was clear.
-  const double first = kFirstLook * margin_;
+  // shows how long the block can really fly; each stride is made only when the one before was
+  // clear.
   double wanted = first;
   while (true) {
-    const double until = moved_ + wanted;
+    const double farthest = moved_in(wanted, flight.top_speed, flight.gravity);
+    const double until = moved_ + farthest;
     if (until > horizon_ || until > parts_clear_until_) {
       for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
         const PartState& part = part_states_[p];
-        if (!part.near && part.due < until) look_at_part(p, std::max(margin_, wanted));
+        if (!part.near && part.due < until) look_at_part(p, std::max(margin_, farthest));
       }
       list_awake(std::max(horizon_, until));
     }
-    touch_at_ = std::min(parts_clear_until_, sleepers_clear_until_);
+    double time = time_over(std::min(parts_clear_until_, sleepers_clear_until_) - moved_,
+                            flight.top_speed, flight.gravity);
+    // The time that a point at `arm` needs for its distance, looked at again when that is short.
+    const auto consider = [&](const double& clear_until, const Vec3& in_body, double radius,
+                              const auto& look) {
+      if (clear_until >= until) return;
+      const Vec3 arm = rotation_ * in_body;
+      const double speed =
+          (flight.velocity + flight.spin.cross(arm)).norm() + radius * flight.spin.norm();
+      const double needed = std::min(farthest, moved_in(wanted, speed, flight.acceleration));
+      if (clear_until < moved_ + needed) look(moved_ + needed);
+      const double distance = clear_until - moved_;
+      time = std::min(time, std::max(time_over(distance, speed, flight.acceleration),
+                                     time_over(distance, flight.top_speed, flight.gravity)));
+    };
     for (const std::uint32_t v : awake_vertices_) {
-      if (vertex_states_[v].due < until) look_at_vertex(v, until);
-      touch_at_ = std::min(touch_at_, vertex_states_[v].due);
+      consider(vertex_states_[v].due, block_.vertices[parts_.vertices[v]], 0.0,
+               [&](double needed) { look_at_vertex(v, needed); });
     }
     for (const std::uint32_t s : awake_sides_) {
-      if (side_states_[s].clear_until < until) look_at_side(s, until, reach_ + wanted);
-      touch_at_ = std::min(touch_at_, side_states_[s].clear_until);
+      const BlockSide& side = parts_.sides[s];
+      consider(side_states_[s].clear_until, side.middle, side.radius,
+               [&](double needed) { look_at_side(s, needed, reach_ + (needed - moved_)); });
     }
-    if (touch_at_ < until || wanted >= kLastLook * margin_) break;
-    wanted = std::max(kStride * wanted, touch_at_ - moved_);
+    if (time < wanted || farthest >= kLastLook * margin_) return time;
+    wanted *= kStride;
   }
-  find_touch_at_ = moved_ + 0.5 * std::min(first, touch_at_ - moved_);
 }
 
 void ContactSearch::add(const ContactPoint& contact) {

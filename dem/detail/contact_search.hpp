@@ -36,6 +36,15 @@ struct ContactPoint {
   Vec3 point() const { return foot - 0.5 * overlap * normal; }
 };
 
+/// How a block flies on from a contact-free place: bounds for every point of its core.
+struct FlightBounds {
+  Vec3 velocity = Vec3::Zero();  ///< of the centre now, m/s
+  Vec3 spin = Vec3::Zero();      ///< now, rad/s
+  double acceleration = 0.0;     ///< no point changes its velocity faster, m/s^2
+  double top_speed = 0.0;        ///< no point gets faster than this, but for gravity, m/s
+  double gravity = 0.0;          ///< m/s^2
+};
+
 class ContactSearch {
  public:
   /// @param block  surface of the block in its body frame; it and the ground must outlive the
@@ -49,12 +58,17 @@ class ContactSearch {
   const std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
 
   /// No contact can come before the travel has grown beyond this (valid after `contacts`).
-  double safe_travel() const { return travel_ + (touch_at_ - moved_); }
+  double safe_travel();
+  /// No contact can come earlier on such a flight (valid after `contacts`), s. Not worth a search
+  /// for exact distances again and again: 0 when a recent one promised too little.
+  /// @param worthwhile  s: a shorter time is of no use to the caller
+  double safe_time(const FlightBounds& flight, double worthwhile);
 
  private:
   struct PartState {
     bool near = false;
-    double due = -1.0;  ///< asleep until, or its list of the ground holds until
+    double due = -1.0;                     ///< asleep until, or its list of the ground holds until
+    std::uint32_t near_face = kNoFeature;  ///< of the ground, nearest to the centre when measured
     LocalGround ground;
     double complete = 0.0;     ///< from every point of the part so far the list was complete, m ...
     double gathered_at = 0.0;  ///< ... when it was gathered
@@ -101,7 +115,7 @@ class ContactSearch {
   void gather(std::uint32_t p, double distance);
   void survey_parts();
   void list_awake(double horizon);
-  void find_touch();
+  double search_time(const FlightBounds& flight, double first);
   double completeness(const PartState& part) const {
     return part.complete - (moved_ - part.gathered_at);
   }
@@ -159,8 +173,7 @@ class ContactSearch {
   std::vector<std::uint32_t> awake_vertices_, awake_sides_;
   double parts_clear_until_ = -1.0;     ///< no part that sleeps can touch before
   double sleepers_clear_until_ = -1.0;  ///< nothing that sleeps in a part that does not can
-  double touch_at_ = -1.0;              ///< nothing at all can touch before
-  double find_touch_at_ = -1.0;         ///< no use in looking for a longer flight before
+  double search_at_ = -1.0;             ///< no use in searching for a longer flight before
   double deepest_ = 0.0;                ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };

@@ -127,24 +127,32 @@ PlanGrid::Cell PlanGrid::cell(int column, int row) const {
   return {{faces_.data() + offsets_[c], faces_.data() + offsets_[c + 1]}, lows_[c], highs_[c]};
 }
 
-std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double reach) const {
+std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double reach,
+                                                    std::uint32_t guess) const {
   std::optional<NearestPoint> best;
   double limit = reach;
+  const auto measure = [&](std::uint32_t f) {
+    const SurfaceFace& face = features.faces[f];
+    const Vec3& a = features.vertices[face.vertices[0]];
+    if (std::abs(face.normal.dot(query - a)) > limit) return;
+    const Vec3& b = features.vertices[face.vertices[1]];
+    const Vec3& c = features.vertices[face.vertices[2]];
+    const Vec3 below = a.cwiseMin(b).cwiseMin(c) - query, above = query - a.cwiseMax(b).cwiseMax(c);
+    if (below.cwiseMax(above).cwiseMax(0.0).squaredNorm() > limit * limit) return;
+    const NearestPoint candidate = nearest_on_face(features, f, query);
+    const double distance = std::abs(candidate.distance);
+    // Ties go to the smaller face number, so that the order of visits does not matter.
+    if (distance < limit || (distance == limit && (!best || f < best->face))) {
+      limit = distance;
+      best = candidate;
+    }
+  };
   const auto visit = [&](int column, int row) {
     const PlanGrid::Cell cell = grid.cell(column, row);
     if (query.z() - cell.high > limit || cell.low - query.z() > limit) return;
-    for (const std::uint32_t f : cell.faces) {
-      const SurfaceFace& face = features.faces[f];
-      if (std::abs(face.normal.dot(query - features.vertices[face.vertices[0]])) > limit) continue;
-      const NearestPoint candidate = nearest_on_face(features, f, query);
-      const double distance = std::abs(candidate.distance);
-      // Ties go to the smaller face number, so that the order of visits does not matter.
-      if (distance < limit || (distance == limit && (!best || f < best->face))) {
-        limit = distance;
-        best = candidate;
-      }
-    }
+    for (const std::uint32_t f : cell.faces) measure(f);
   };
+  if (guess != kNoFeature) measure(guess);
   // Rings of cells around the query; a ring k cells away is at least k - 1 cells distant.
   const PlanGrid::Range all = grid.range(-1e300, 1e300, -1e300, 1e300);
   const PlanGrid::Range home = grid.range(query.x(), query.x(), query.y(), query.y());
