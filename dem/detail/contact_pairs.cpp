@@ -11,7 +11,7 @@ namespace {
 /// Lines that meet at a smaller angle (its sine) are parallel: the end vertices carry the contact.
 constexpr double kParallelSine = 1e-6;
 /// Edges and faces may touch deeper than anything touched before by this many margins.
-constexpr double kDeeperMargins = 1.0;
+constexpr double kDeeperMargins = 0.25;
 /// A list of pairs is kept while this share of the movement it allows is left.
 constexpr double kWorthKeeping = 0.3;
 

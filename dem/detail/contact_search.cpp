@@ -19,8 +19,8 @@ constexpr double kDepthShare = 0.5;
 constexpr double kLittleMoved = 0.5;
 /// And one that is known to be this many margins away needs none either.
 constexpr double kEnough = 0.25;
-/// The plane over the ground around the block holds for this many margins of movement.
-constexpr double kPlaneMargins = 8.0;
+/// The ground near the whole block is gathered for this many margins of movement more.
+constexpr double kGroundMargins = 8.0;
 /// Pairs are listed when they are this many margins from touching.
 constexpr double kPairMargins = 3.0;
 /// Looking for a longer flight starts at the first of these many margins and goes on in strides.
@@ -91,7 +91,7 @@ void ContactSearch::wake() {
       PartState& part = part_states_[p];
       if (part.due > moved_) continue;
       const bool was_near = part.near;
-      look_at_part(p, margin_);
+      look_at_part(p, moved_);
       relist = relist || part.near != was_near;
     }
   }
@@ -100,11 +100,8 @@ void ContactSearch::wake() {
 }
 
 void ContactSearch::survey_parts() {
-  next_part_ = parts_clear_until_ = 1e300;
-  for (const PartState& part : part_states_) {
-    next_part_ = std::min(next_part_, part.due);
-    if (!part.near) parts_clear_until_ = std::min(parts_clear_until_, part.due);
-  }
+  next_part_ = 1e300;
+  for (const PartState& part : part_states_) next_part_ = std::min(next_part_, part.due);
 }
 
 bool ContactSearch::sleep_whole() {
@@ -124,25 +121,45 @@ bool ContactSearch::sleep_whole() {
   return true;
 }
 
-void ContactSearch::look_at_part(std::uint32_t p, double enough) {
+void ContactSearch::take_up_ground(double complete) {
+  if (ground_complete_ - (moved_ - ground_gathered_at_) >= complete) return;
+  ground_complete_ = complete + kGroundMargins * margin_;
+  ground_gathered_at_ = moved_;
+  local_.gather(ground_, position_, bounding_radius_ + ground_complete_);
+  for (PartState& part : part_states_) part.near_face = 0;
+}
+
+void ContactSearch::look_at_part(std::uint32_t p, double until) {
   const BlockPart& part = parts_.parts[p];
   PartState& state = part_states_[p];
   const Vec3 centre = placed(part.centre);
   const double touching = part.radius + reach_;
-  // The plane over the ground tells enough of most parts.
-  const double look = kPlaneMargins * margin_;
-  if (moved_ + margin_ > plane_until_) {
-    Bounds here;
-    here.include(position_);
-    plane_ = plane_over(ground_, ground_.faces_near(here, bounding_radius_ + reach_ + look));
-    plane_until_ = moved_ + look;
+  // Often it is known well enough without measuring: from where it was, or from the plane.
+  take_up_ground(touching + 2.0 * kPartMargins * margin_);
+  const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
+  const double enough = std::max(margin_, until - moved_);
+  double gap = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
+  if (!state.near) {
+    gap = std::max(gap, state.gap - (centre - state.seen).norm() -
+                            part.radius * (turned_ - state.seen_turned));
   }
-  double gap = std::min(plane_.clearance(centre) - touching, plane_until_ - moved_);
   if (gap <= enough) {
-    const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
-    const std::optional<NearestPoint> nearest = ground_.nearest(centre, far, state.near_face);
-    if (nearest) state.near_face = nearest->face;
-    gap = (nearest ? nearest->distance : far) - touching;
+    double distance = complete;
+    if (state.due < 0.0) {
+      // Nothing is known yet, it may lie deep inside.
+      const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
+      const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
+      distance = nearest ? nearest->distance : far;
+    } else {
+      const LocalGround::Nearest found =
+          local_.nearest(ground_.features, centre, complete, 0.0, state.near_face);
+      state.near_face = found.entry;
+      if (std::abs(found.nearest.distance) < complete) distance = found.nearest.distance;
+    }
+    gap = distance - touching;
+    state.gap = gap;
+    state.seen = centre;
+    state.seen_turned = turned_;
   }
   if (gap <= margin_) return gather(p, gap + touching);
   state.near = false;
@@ -177,7 +194,8 @@ void ContactSearch::gather(std::uint32_t p, double distance) {
   state.gathered_at = moved_;
   state.due = moved_ + ahead;
   state.near = true;
-  state.ground.gather(ground_, placed(part.centre), part.radius + state.complete);
+  take_up_ground(state.complete);
+  state.ground.gather(ground_.features, local_, placed(part.centre), part.radius + state.complete);
 }
 
 void ContactSearch::list_awake(double horizon) {
@@ -235,19 +253,14 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
   while (true) {
     const double farthest = moved_in(wanted, flight.top_speed, flight.gravity);
     const double until = moved_ + farthest;
-    if (until > horizon_ || until > parts_clear_until_) {
-      for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-        const PartState& part = part_states_[p];
-        if (!part.near && part.due < until) look_at_part(p, std::max(margin_, farthest));
-      }
-      list_awake(std::max(horizon_, until));
-    }
-    double time = time_over(std::min(parts_clear_until_, sleepers_clear_until_) - moved_,
-                            flight.top_speed, flight.gravity);
-    // The time that a point at `arm` needs for its distance, looked at again when that is short.
+    double time = 1e300, others_clear_until = 1e300;
+    // The time that a ball around `arm` needs for its distance, looked at again when that is short.
     const auto consider = [&](const double& clear_until, const Vec3& in_body, double radius,
                               const auto& look) {
-      if (clear_until >= until) return;
+      if (clear_until >= until) {
+        others_clear_until = std::min(others_clear_until, clear_until);
+        return;
+      }
       const Vec3 arm = rotation_ * in_body;
       const double speed =
           (flight.velocity + flight.spin.cross(arm)).norm() + radius * flight.spin.norm();
@@ -257,6 +270,19 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
       time = std::min(time, std::max(time_over(distance, speed, flight.acceleration),
                                      time_over(distance, flight.top_speed, flight.gravity)));
     };
+    bool relist = until > horizon_;
+    for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
+      if (part_states_[p].near) continue;
+      const double others = time;
+      consider(part_states_[p].due, parts_.parts[p].centre, parts_.parts[p].radius,
+               [&](double needed) { look_at_part(p, needed); });
+      if (part_states_[p].near) {
+        time = others;
+        relist = true;
+      }
+    }
+    if (relist) list_awake(std::max(horizon_, until));
+    others_clear_until = std::min(others_clear_until, sleepers_clear_until_);
     for (const std::uint32_t v : awake_vertices_) {
       consider(vertex_states_[v].due, block_.vertices[parts_.vertices[v]], 0.0,
                [&](double needed) { look_at_vertex(v, needed); });
@@ -266,6 +292,7 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
       consider(side_states_[s].clear_until, side.middle, side.radius,
                [&](double needed) { look_at_side(s, needed, reach_ + (needed - moved_)); });
     }
+    time = std::min(time, time_over(others_clear_until - moved_, flight.top_speed, flight.gravity));
     if (time < wanted || farthest >= kLastLook * margin_) return time;
     wanted *= kStride;
   }
@@ -315,30 +342,11 @@ void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
   const double complete = completeness(part);
   // Other faces are measured only as far as it matters that they are farther.
   const double beyond = state.distance < reach_ + margin_ ? kPartMargins * margin_ : 0.0;
-  NearestPoint nearest;
-  nearest.distance = 1e300;
-  double second = complete;  // a lower bound of how far all other faces are
-  const auto measure = [&](const LocalGround::Face& face) {
-    const double limit = std::min(std::abs(nearest.distance), complete) + beyond;
-    if (std::abs(face.normal.dot(centre) - face.offset) > limit) return false;
-    const double near = limit + face.radius;
-    if ((centre - face.middle).squaredNorm() > near * near) return false;
-    const NearestPoint candidate = nearest_on_face(ground_.features, face.face, centre);
-    const double distance = std::abs(candidate.distance), best = std::abs(nearest.distance);
-    // Ties go to the smaller face number, so that the order of looking does not matter.
-    const bool nearer = distance < best || (distance == best && candidate.face < nearest.face);
-    second = std::min(second, nearer ? best : distance);
-    if (nearer) nearest = candidate;
-    return nearer;
-  };
-  const std::vector<LocalGround::Face>& faces = part.ground.faces;
-  const std::uint32_t guess = state.near_face;
-  if (guess < faces.size()) measure(faces[guess]);
-  for (std::uint32_t i = 0; i < faces.size(); ++i) {
-    if (i != guess && measure(faces[i])) state.near_face = i;
-  }
+  const LocalGround::Nearest found =
+      part.ground.nearest(ground_.features, centre, complete, beyond, state.near_face);
+  const NearestPoint& nearest = found.nearest;
+  state.near_face = found.entry;
   const double depth = std::abs(nearest.distance);
-  second = std::min(second, depth + beyond);
 
   state.seen_at = moved_;
   state.seen = centre;
@@ -349,8 +357,8 @@ void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
   if (depth >= complete) return;
   if (nearest.within_face) {
     state.sure_face = nearest.face;
-    state.sure_inside_until = moved_ + 0.5 * (second - depth);
-    state.sure_outside_until = moved_ + (second - reach_);
+    state.sure_inside_until = moved_ + 0.5 * (found.second - depth);
+    state.sure_outside_until = moved_ + (found.second - reach_);
   }
   if (nearest.distance >= reach_) return;
   if (nearest.distance >= 0.0) return add_outside_contacts(v, centre);

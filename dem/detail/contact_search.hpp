@@ -67,8 +67,12 @@ class ContactSearch {
  private:
   struct PartState {
     bool near = false;
-    double due = -1.0;                     ///< asleep until, or its list of the ground holds until
-    std::uint32_t near_face = kNoFeature;  ///< of the ground, nearest to the centre when measured
+    double due = -1.0;  ///< asleep until, or its list of the ground holds until
+    // What was measured last: the gap, where the centre was, and `turned_`.
+    double gap = 0.0;
+    Vec3 seen = Vec3::Zero();
+    double seen_turned = 0.0;
+    std::uint32_t near_face = 0;  ///< entry of `local_` that was nearest
     LocalGround ground;
     double complete = 0.0;     ///< from every point of the part so far the list was complete, m ...
     double gathered_at = 0.0;  ///< ... when it was gathered
@@ -110,8 +114,10 @@ class ContactSearch {
   void move_to(const Pose& ground_from_body);
   void wake();
   bool sleep_whole();
-  /// @param enough  m: a lower bound of the part's gap above this needs no better one
-  void look_at_part(std::uint32_t p, double enough);
+  /// Makes `local_` hold everything that near a block moved no farther than so.
+  void take_up_ground(double complete);
+  /// Until when it must be known whether the part can touch.
+  void look_at_part(std::uint32_t p, double until);
   void gather(std::uint32_t p, double distance);
   void survey_parts();
   void list_awake(double horizon);
@@ -160,21 +166,23 @@ class ContactSearch {
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
   bool started_ = false;
-  double travel_ = 0.0;        ///< the caller's
-  double moved_ = 0.0;         ///< since the start, as seen from call to call, m
-  double turned_ = 0.0;        ///< likewise: bounds what turning moves a point at an arm of 1 m, m
-  GroundPlane plane_;          ///< over the ground around the block
-  double plane_until_ = -1.0;  ///< other ground cannot touch before, m
+  double travel_ = 0.0;  ///< the caller's
+  double moved_ = 0.0;   ///< since the start, as seen from call to call, m
+  double turned_ = 0.0;  ///< likewise: bounds what turning moves a point at an arm of 1 m, m
+  LocalGround local_;    ///< around the whole block
+  double ground_complete_ =
+      -1.0;  ///< from every point of the block so far `local_` was complete ...
+  double ground_gathered_at_ = 0.0;  ///< ... when it was gathered
   std::vector<PartState> part_states_;
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
   std::vector<SideState> side_states_;
   double next_part_ = -1.0;  ///< the first part is due then
   double horizon_ = -1.0;    ///< everything due before it is listed as awake
   std::vector<std::uint32_t> awake_vertices_, awake_sides_;
-  double parts_clear_until_ = -1.0;     ///< no part that sleeps can touch before
-  double sleepers_clear_until_ = -1.0;  ///< nothing that sleeps in a part that does not can
-  double search_at_ = -1.0;             ///< no use in searching for a longer flight before
-  double deepest_ = 0.0;                ///< largest overlap at the last call, m
+  double sleepers_clear_until_ =
+      -1.0;                  ///< nothing else in the parts near the ground can touch before
+  double search_at_ = -1.0;  ///< no use in searching for a longer flight before
+  double deepest_ = 0.0;     ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };
 

@@ -16,8 +16,6 @@ struct GroundPlane {
   /// Lower bound of the distance of a point over the ground; negative when it can't tell.
   double clearance(const Vec3& point) const { return normal.dot(point) - top; }
 };
-GroundPlane plane_over(const IndexedSurface& ground, std::span<const std::uint32_t> faces);
-
 struct LocalGround {
   struct Face {
     Vec3 normal;
@@ -40,8 +38,26 @@ struct LocalGround {
   std::vector<Corner> corners;  ///< pointed ones
   GroundPlane plane;            ///< over all of it
 
-  /// Takes up everything within `reach` of the point. Ordered by number.
+  /// Takes up everything within `reach` of the point, from the whole ground or from what was taken
+  /// up before. Ordered by number.
   void gather(const IndexedSurface& ground, const Vec3& centre, double reach);
+  void gather(const SurfaceFeatures& features, const LocalGround& from, const Vec3& centre,
+              double reach);
+
+  struct Nearest {
+    NearestPoint nearest;     ///< distance 1e300 when nothing is within the limit
+    double second = 0.0;      ///< all other faces are at least this far, m
+    std::uint32_t entry = 0;  ///< of `faces`
+  };
+  /// Nearest point of the faces to `query`.
+  /// @param limit   m: what is farther does not matter
+  /// @param beyond  m: how much farther than the nearest other faces are told apart
+  /// @param guess   entry of a face that may be near: the answer is the same, but sooner found
+  Nearest nearest(const SurfaceFeatures& features, const Vec3& query, double limit, double beyond,
+                  std::uint32_t guess) const;
+
+ private:
+  void lay_plane(const SurfaceFeatures& features);
 };
 
 }  // namespace clast
