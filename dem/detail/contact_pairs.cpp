@@ -8,8 +8,6 @@
 namespace clast {
 namespace {
 
-/// Lines that meet at a smaller angle (its sine) are parallel: the end vertices carry the contact.
-constexpr double kParallelSine = 1e-6;
 /// Edges and faces may touch deeper than anything touched before by this many margins.
 constexpr double kDeeperMargins = 0.25;
 /// A list of pairs is kept while this share of the movement it allows is left.
@@ -102,25 +100,6 @@ void ContactSearch::sleep(Pair& pair, double apart) const {
   pair.due = moved_ + asleep(apart);
 }
 
-double ContactSearch::distance(std::uint32_t block_feature, const Pair& pair) const {
-  const SurfaceFeatures& ground = ground_.features;
-  if (pair.kind == ContactKind::kFaceVertex) {
-    const Vec3 in_body = rotation_.transpose() * (ground.vertices[pair.ground_feature] - position_);
-    return std::abs(nearest_on_face(block_, block_feature, in_body).distance);
-  }
-  const SurfaceEdge& edge = block_.edges[block_feature];
-  const Vec3 start = placed(block_.vertices[edge.vertices[0]]);
-  const Vec3 along = rotation_ * edge.direction;
-  if (pair.kind == ContactKind::kEdgeVertex) {
-    const Vec3& corner = ground.vertices[pair.ground_feature];
-    const double s = std::clamp(along.dot(corner - start), 0.0, edge.length);
-    return (start + s * along - corner).norm();
-  }
-  const SurfaceEdge& other = ground.edges[pair.ground_feature];
-  return segment_distance(start, along, edge.length, ground.vertices[other.vertices[0]],
-                          other.direction, other.length);
-}
-
 void ContactSearch::look_at_pair(std::uint32_t block_feature, Pair& pair) {
   switch (pair.kind) {
     case ContactKind::kEdgeEdge:
@@ -138,19 +117,15 @@ void ContactSearch::look_at_edges(std::uint32_t block_edge, Pair& pair) {
   const SurfaceEdge& edge = block_.edges[block_edge];
   const SurfaceEdge& other = ground_.features.edges[pair.ground_feature];
   const Vec3 along = rotation_ * edge.direction;
-  Vec3 normal = along.cross(other.direction);
-  const double sine = normal.norm();
-  if (sine < kParallelSine) return sleep(pair, distance(block_edge, pair));
-  normal *= (normal.dot(other.normal) >= 0.0 ? 1.0 : -1.0) / sine;
   const Vec3 start = placed(block_.vertices[edge.vertices[0]]);
   const Vec3& base = ground_.features.vertices[other.vertices[0]];
-  const ClosestOnLines closest = closest_on_lines(start, along, base, other.direction);
-  if (closest.first < 0.0 || closest.first > edge.length || closest.second < 0.0 ||
-      closest.second > other.length) {
-    return sleep(pair, distance(block_edge, pair));
-  }
+  const ClosestOnSegments closest =
+      closest_on_segments(start, along, edge.length, base, other.direction, other.length);
+  sleep(pair, closest.between.norm());
+  if (!closest.crossing) return;
+  Vec3 normal = along.cross(other.direction);
+  normal *= (normal.dot(other.normal) >= 0.0 ? 1.0 : -1.0) / normal.norm();
   const double gap = normal.dot(start - base);
-  sleep(pair, std::abs(gap));
   if (gap >= reach_ || gap < -depth_limit_) return;
   if (!in_arc(other, normal) || !meets_edge(block_edge, normal)) return;
   ContactPoint contact;
@@ -182,7 +157,9 @@ void ContactSearch::look_at_face_vertex(std::uint32_t block_face, Pair& pair) {
   const SurfaceFace& face = block_.faces[block_face];
   const Vec3& corner = ground_.features.vertices[pair.ground_feature];
   const Vec3 in_body = rotation_.transpose() * (corner - position_);
-  if (!over_face(block_, face, in_body)) return sleep(pair, distance(block_face, pair));
+  if (!over_face(block_, face, in_body)) {
+    return sleep(pair, std::abs(nearest_on_face(block_, block_face, in_body).distance));
+  }
   const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);
   sleep(pair, std::abs(height));
   if (height >= reach_ || height < -depth_limit_) return;

@@ -23,6 +23,9 @@ constexpr double kEnough = 0.25;
 constexpr double kGroundMargins = 8.0;
 /// Pairs are listed when they are this many margins from touching.
 constexpr double kPairMargins = 3.0;
+/// What is due is listed for this many calls like the last, but for this share of a margin at
+/// least.
+constexpr double kListCalls = 16.0, kShortest = 1.0 / 16.0;
 /// Looking for a longer flight starts at the first of these many margins and goes on in strides.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
 
@@ -65,7 +68,10 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   }
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  if (!contacts_.empty()) search_at_ = -1.0;
+  if (!contacts_.empty()) {
+    search_at_ = -1.0;
+    if (listed_for_flight_) horizon_ = -1.0;
+  }
   return contacts_;
 }
 
@@ -77,7 +83,8 @@ void ContactSearch::move_to(const Pose& ground_from_body) {
     // factor is the Frobenius norm of the change of the matrix over sqrt(2).
     const double turn = std::sqrt(0.5 * (rotation - rotation_).squaredNorm());
     turned_ += turn;
-    moved_ += (position - position_).norm() + turn * bounding_radius_;
+    last_move_ = (position - position_).norm() + turn * bounding_radius_;
+    moved_ += last_move_;
   }
   started_ = true;
   rotation_ = rotation;
@@ -95,7 +102,8 @@ void ContactSearch::wake() {
       relist = relist || part.near != was_near;
     }
   }
-  if (relist) return list_awake(moved_ + margin_);
+  if (relist)
+    return list_awake(moved_ + std::clamp(kListCalls * last_move_, kShortest * margin_, margin_));
   survey_parts();
 }
 
@@ -200,6 +208,7 @@ void ContactSearch::gather(std::uint32_t p, double distance) {
 
 void ContactSearch::list_awake(double horizon) {
   horizon_ = horizon;
+  listed_for_flight_ = false;
   awake_vertices_.clear();
   awake_sides_.clear();
   sleepers_clear_until_ = 1e300;
@@ -249,6 +258,7 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
   // What is known decays with every movement. Measuring what could touch first, and only that,
   // shows how long the block can really fly; each stride is made only when the one before was
   // clear.
+  const double spin_rate = flight.spin.norm();
   double wanted = first;
   while (true) {
     const double farthest = moved_in(wanted, flight.top_speed, flight.gravity);
@@ -262,13 +272,16 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
         return;
       }
       const Vec3 arm = rotation_ * in_body;
-      const double speed =
-          (flight.velocity + flight.spin.cross(arm)).norm() + radius * flight.spin.norm();
+      const double speed = (flight.velocity + flight.spin.cross(arm)).norm() + radius * spin_rate;
       const double needed = std::min(farthest, moved_in(wanted, speed, flight.acceleration));
       if (clear_until < moved_ + needed) look(moved_ + needed);
       const double distance = clear_until - moved_;
-      time = std::min(time, std::max(time_over(distance, speed, flight.acceleration),
-                                     time_over(distance, flight.top_speed, flight.gravity)));
+      if (moved_in(time, speed, flight.acceleration) <= distance ||
+          moved_in(time, flight.top_speed, flight.gravity) <= distance) {
+        return;
+      }
+      time = std::max(time_over(distance, speed, flight.acceleration),
+                      time_over(distance, flight.top_speed, flight.gravity));
     };
     bool relist = until > horizon_;
     for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
@@ -281,7 +294,10 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
         relist = true;
       }
     }
-    if (relist) list_awake(std::max(horizon_, until));
+    if (relist) {
+      list_awake(std::max(horizon_, until));
+      listed_for_flight_ = true;
+    }
     others_clear_until = std::min(others_clear_until, sleepers_clear_until_);
     for (const std::uint32_t v : awake_vertices_) {
       consider(vertex_states_[v].due, block_.vertices[parts_.vertices[v]], 0.0,

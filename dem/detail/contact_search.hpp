@@ -144,7 +144,6 @@ class ContactSearch {
   /// How far the block can move before features this far apart must be looked at again.
   double asleep(double apart) const;
   void sleep(Pair& pair, double apart) const;
-  double distance(std::uint32_t block_feature, const Pair& pair) const;
   void touch_corner(std::uint32_t block_feature, Pair& pair, const Vec3& normal, double distance);
   void touch(Pair& pair, const ContactPoint& contact);
 
@@ -166,18 +165,20 @@ class ContactSearch {
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
   bool started_ = false;
-  double travel_ = 0.0;  ///< the caller's
-  double moved_ = 0.0;   ///< since the start, as seen from call to call, m
-  double turned_ = 0.0;  ///< likewise: bounds what turning moves a point at an arm of 1 m, m
-  LocalGround local_;    ///< around the whole block
+  double travel_ = 0.0;     ///< the caller's
+  double moved_ = 0.0;      ///< since the start, as seen from call to call, m
+  double turned_ = 0.0;     ///< likewise: bounds what turning moves a point at an arm of 1 m, m
+  double last_move_ = 0.0;  ///< growth of `moved_` in the last call, m
+  LocalGround local_;       ///< around the whole block
   double ground_complete_ =
       -1.0;  ///< from every point of the block so far `local_` was complete ...
   double ground_gathered_at_ = 0.0;  ///< ... when it was gathered
   std::vector<PartState> part_states_;
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
   std::vector<SideState> side_states_;
-  double next_part_ = -1.0;  ///< the first part is due then
-  double horizon_ = -1.0;    ///< everything due before it is listed as awake
+  double next_part_ = -1.0;         ///< the first part is due then
+  double horizon_ = -1.0;           ///< everything due before it is listed as awake
+  bool listed_for_flight_ = false;  ///< the list is longer than contact steps need
   std::vector<std::uint32_t> awake_vertices_, awake_sides_;
   double sleepers_clear_until_ =
       -1.0;                  ///< nothing else in the parts near the ground can touch before
