@@ -24,11 +24,12 @@ void ContactSearch::look_at_side(std::uint32_t s, double until, double within) {
   if (std::min(state.list_until, state.others_clear_until) <= until && !list_holds(s, until)) {
     list_pairs(s, within);
   }
-  state.due = state.list_until;
+  double& due = side_due_[s];
+  due = state.list_until;
   state.clear_until = state.others_clear_until;
   for (Pair& pair : state.pairs) {
     if (pair.due <= until) look_at_pair(parts_.sides[s].feature, pair);
-    state.due = std::min(state.due, pair.due);
+    due = std::min(due, pair.due);
     state.clear_until = std::min(state.clear_until, pair.clear_until);
   }
 }

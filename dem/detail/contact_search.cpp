@@ -44,6 +44,8 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const IndexedSurface&
   part_states_.resize(parts_.parts.size());
   vertex_states_.resize(parts_.vertices.size());
   side_states_.resize(parts_.sides.size());
+  vertex_due_.assign(parts_.vertices.size(), -1.0);
+  side_due_.assign(parts_.sides.size(), -1.0);
   for (std::uint32_t p = 0; p < parts_.parts.size(); ++p) {
     const BlockPart& part = parts_.parts[p];
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) vertex_states_[v].part = p;
@@ -58,11 +60,11 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   contacts_.clear();
   if (moved_ >= next_part_ || moved_ > horizon_) wake();
   for (const std::uint32_t v : awake_vertices_) {
-    if (vertex_states_[v].due <= moved_) look_at_vertex(v, moved_);
+    if (vertex_due_[v] <= moved_) look_at_vertex(v, moved_);
   }
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   for (const std::uint32_t s : awake_sides_) {
-    if (side_states_[s].due <= moved_) {
+    if (side_due_[s] <= moved_) {
       look_at_side(s, moved_, std::max(reach_, deepest_) + kPairMargins * margin_);
     }
   }
@@ -185,14 +187,15 @@ void ContactSearch::gather(std::uint32_t p, double distance) {
     if (state.near) {
       deepest = std::max(deepest, moved_ - vertex.seen_at - vertex.distance);
     } else {
-      vertex = {.part = p, .due = moved_, .distance = reach_, .seen_at = moved_};
+      vertex = {.part = p, .distance = reach_, .seen_at = moved_};
+      vertex_due_[v] = moved_;
     }
     vertex.near_face = 0;
   }
   if (!state.near) {
     for (std::uint32_t s = part.first_side; s < part.end_side; ++s) {
       SideState& side = side_states_[s];
-      side.due = side.clear_until = side.list_until = side.others_clear_until = moved_;
+      side_due_[s] = side.clear_until = side.list_until = side.others_clear_until = moved_;
       side.list_holds = 0.0;
     }
   }
@@ -216,17 +219,17 @@ void ContactSearch::list_awake(double horizon) {
     if (!part_states_[p].near) continue;
     const BlockPart& part = parts_.parts[p];
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
-      if (vertex_states_[v].due <= horizon) {
+      if (vertex_due_[v] <= horizon) {
         awake_vertices_.push_back(v);
       } else {
-        sleepers_clear_until_ = std::min(sleepers_clear_until_, vertex_states_[v].due);
+        sleepers_clear_until_ = std::min(sleepers_clear_until_, vertex_due_[v]);
       }
     }
     for (std::uint32_t s = part.first_side; s < part.end_side; ++s) {
-      if (side_states_[s].due <= horizon) {
+      if (side_due_[s] <= horizon) {
         awake_sides_.push_back(s);
       } else {
-        sleepers_clear_until_ = std::min(sleepers_clear_until_, side_states_[s].clear_until);
+        sleepers_clear_until_ = std::min(sleepers_clear_until_, side_due_[s]);
       }
     }
   }
@@ -300,7 +303,7 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
     }
     others_clear_until = std::min(others_clear_until, sleepers_clear_until_);
     for (const std::uint32_t v : awake_vertices_) {
-      consider(vertex_states_[v].due, block_.vertices[parts_.vertices[v]], 0.0,
+      consider(vertex_due_[v], block_.vertices[parts_.vertices[v]], 0.0,
                [&](double needed) { look_at_vertex(v, needed); });
     }
     for (const std::uint32_t s : awake_sides_) {
@@ -346,7 +349,7 @@ void ContactSearch::look_at_vertex(std::uint32_t v, double until) {
       std::min(part.ground.plane.clearance(centre), completeness(part)) - reach_;
   const double known = std::max(by_movement, by_plane);
   if (known > std::max(until - moved_, std::min(kEnough * margin_, kLittleMoved * gap))) {
-    state.due = moved_ + known;
+    vertex_due_[v] = moved_ + known;
     return;
   }
   measure_vertex(v, centre);
@@ -369,7 +372,7 @@ void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
   state.sure_face = kNoFeature;
   // Beyond what the list holds nothing is known, not even the side.
   state.distance = depth < complete ? nearest.distance : complete;
-  state.due = moved_ + (state.distance - reach_);
+  vertex_due_[v] = moved_ + (state.distance - reach_);
   if (depth >= complete) return;
   if (nearest.within_face) {
     state.sure_face = nearest.face;
@@ -392,10 +395,10 @@ bool ContactSearch::look_at_sure_face(std::uint32_t v, const Vec3& centre) {
   state.seen = centre;
   state.seen_at = moved_;
   if (height >= reach_) {
-    state.due = std::min(moved_ + height - reach_, state.sure_outside_until);
+    vertex_due_[v] = std::min(moved_ + height - reach_, state.sure_outside_until);
     return true;
   }
-  state.due = moved_;
+  vertex_due_[v] = moved_;
   ContactPoint contact;
   contact.block_feature = parts_.vertices[v];
   contact.ground_feature = contact.ground_face = state.sure_face;

@@ -79,7 +79,6 @@ class ContactSearch {
   };
   struct VertexState {
     std::uint32_t part = 0;
-    double due = -1.0;
     double distance = 0.0;        ///< last known, signed, m
     double seen_at = 0.0;         ///< `moved_` it was known at
     Vec3 seen = Vec3::Zero();     ///< and where the vertex was
@@ -99,7 +98,6 @@ class ContactSearch {
   };
   struct SideState {
     std::uint32_t part = 0;
-    double due = -1.0;
     double clear_until = -1.0;
     // Pairs listed, until when the list holds, and until when what is not listed cannot touch.
     std::vector<Pair> pairs;
@@ -176,9 +174,10 @@ class ContactSearch {
   std::vector<PartState> part_states_;
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
   std::vector<SideState> side_states_;
-  double next_part_ = -1.0;         ///< the first part is due then
-  double horizon_ = -1.0;           ///< everything due before it is listed as awake
-  bool listed_for_flight_ = false;  ///< the list is longer than contact steps need
+  std::vector<double> vertex_due_, side_due_;  ///< `moved_` at which to look again
+  double next_part_ = -1.0;                    ///< the first part is due then
+  double horizon_ = -1.0;                      ///< everything due before it is listed as awake
+  bool listed_for_flight_ = false;             ///< the list is longer than contact steps need
   std::vector<std::uint32_t> awake_vertices_, awake_sides_;
   double sleepers_clear_until_ =
       -1.0;                  ///< nothing else in the parts near the ground can touch before
