@@ -16,7 +16,7 @@ constexpr double kWorthKeeping = 0.3;
 }  // namespace
 
 bool ContactSearch::meets_edge(std::uint32_t edge, const Vec3& normal) const {
-  return in_arc(block_.edges[edge], -(rotation_.transpose() * normal));
+  return in_arc(block_, block_.edges[edge], -(rotation_.transpose() * normal));
 }
 
 void ContactSearch::look_at_side(std::uint32_t s, double until, double within) {
@@ -125,10 +125,10 @@ void ContactSearch::look_at_edges(std::uint32_t block_edge, Pair& pair) {
   sleep(pair, closest.between.norm());
   if (!closest.crossing) return;
   Vec3 normal = along.cross(other.direction);
-  normal *= (normal.dot(other.normal) >= 0.0 ? 1.0 : -1.0) / normal.norm();
+  normal *= (normal.dot(ground_.features.edge_normal(other)) >= 0.0 ? 1.0 : -1.0) / normal.norm();
   const double gap = normal.dot(start - base);
   if (gap >= reach_ || gap < -depth_limit_) return;
-  if (!in_arc(other, normal) || !meets_edge(block_edge, normal)) return;
+  if (!in_arc(ground_.features, other, normal) || !meets_edge(block_edge, normal)) return;
   ContactPoint contact;
   contact.kind = ContactKind::kEdgeEdge;
   contact.block_feature = block_edge;

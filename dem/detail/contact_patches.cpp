@@ -37,16 +37,16 @@ std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& p
 
 std::span<const std::uint32_t> ContactPatches::joints_of(
     const ContactPoint& point, std::array<std::uint32_t, 3>& buffer) const {
-  if (point.kind == ContactKind::kVertexGround) return block_.joints_of(point.block_feature);
+  if (point.kind == ContactKind::kVertexGround) return joints_.at(point.block_feature);
   if (point.kind == ContactKind::kFaceVertex) {
-    buffer[0] = block_.faces[point.block_feature].plane;
+    buffer[0] = joints_.plane_of_face[point.block_feature];
     return {buffer.data(), 1};
   }
   const SurfaceEdge& edge = block_.edges[point.block_feature];
   std::size_t count = 0;
-  buffer[count++] = block_.joint_of_line(edge.line);
+  buffer[count++] = joints_.line_of_edge[point.block_feature];
   for (const std::uint32_t face : edge.faces) {
-    if (face != kNoFeature) buffer[count++] = block_.faces[face].plane;
+    if (face != kNoFeature) buffer[count++] = joints_.plane_of_face[face];
   }
   return {buffer.data(), count};
 }

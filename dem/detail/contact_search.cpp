@@ -457,7 +457,7 @@ void ContactSearch::add_outside_contacts(std::uint32_t v, const Vec3& centre) {
           const double distance = out.norm();
           if (distance > 0.0 && distance < reach_) {
             const Vec3 normal = out / distance;
-            if (in_arc(edge, normal) && meets_vertex(vertex, normal)) {
+            if (in_arc(ground, edge, normal) && meets_vertex(vertex, normal)) {
               touch(f, on_edge, normal, distance);
             }
           }

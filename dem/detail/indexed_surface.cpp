@@ -20,11 +20,13 @@ NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
   const double height = f.normal.dot(query - origin);
   NearestPoint best;
   best.face = face;
-  // Distances of the foot from the three edges; all inside means the face itself is nearest.
+  // On which side of the three edges the foot lies; inside of all means the face itself is nearest.
   std::array<double, 3> depth;
   bool inside = true;
   for (int k = 0; k < 3; ++k) {
-    depth[k] = f.inward[k].dot(query - surface.vertices[f.vertices[k]]);
+    const Vec3& corner = surface.vertices[f.vertices[k]];
+    const Vec3 along = surface.vertices[f.vertices[(k + 1) % 3]] - corner;
+    depth[k] = f.normal.cross(along).dot(query - corner);
     inside = inside && depth[k] >= 0.0;
   }
   if (inside) {
@@ -49,7 +51,7 @@ NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
       normal = surface.vertex_normals[edge.vertices[1]];
     } else {
       point = start + along * edge.direction;
-      normal = edge.normal;
+      normal = surface.edge_normal(edge);
     }
     const double distance = (query - point).norm();
     if (distance < nearest) {
