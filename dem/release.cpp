@@ -73,13 +73,17 @@ class Release {
 
   /// How long the block can fly for sure: the time in which no point of it can travel farther than
   /// the nearest thing it might touch.
-  double flight_time() const {
-    const double allowed = search_.safe_travel() - travel_;
-    if (!(allowed > 0.0)) return 0.0;
-    const double speed = moving_.state().velocity.norm() + top_spin() * radius_;
-    const double g = settings_.gravity;
-    // speed t + g t^2/2 = allowed, in the form that keeps its digits for small g.
-    const double time = 2.0 * allowed / (speed + std::sqrt(speed * speed + 2.0 * g * allowed));
+  double flight_time() {
+    const double spin = top_spin(), g = settings_.gravity;
+    // Of a point that turns with the body: centripetal, and from the change of the spin (Euler).
+    const double uneven = body_.moments.maxCoeff() / body_.moments.minCoeff();
+    const double time =
+        search_.safe_time({.velocity = moving_.state().velocity,
+                           .spin = moving_.state().angular_velocity,
+                           .acceleration = g + uneven * spin * spin * radius_,
+                           .top_speed = moving_.state().velocity.norm() + spin * radius_,
+                           .gravity = g},
+                          kShortFlight * settings_.stiffness.time_step);
     return std::min(time, settings_.max_time - time_);
   }
 
