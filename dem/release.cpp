@@ -30,7 +30,7 @@ class Release {
         surface_(indexed_surface(body.shape)),
         search_(terrain.impl().surface, surface_, body.size()),
         forces_(zones, terrain.impl().zones, surface_.features, body.size(), settings.stiffness,
-                settings.weights),
+                settings.weights, settings.law),
         moving_(body, start),
         radius_(body.bounding_radius()) {}
 
@@ -128,6 +128,12 @@ class Release {
     result_.path_length += dt * motion.velocity.norm();
     meet_ground(motion, dt);
     moving_.end_step(dt, load_.force, load_.torque, gravity);
+    if (load_.event) {
+      const EventLoad& event = *load_.event;
+      result_.energy.reassigned -= moving_.correct(event.impulse, event.angular_impulse,
+                                                   event.moment, event.angular_moment, gravity);
+      travel_ += moving_.corrected_by();
+    }
     ++result_.contact_steps;
 
     const double specific = moving_.kinetic_energy() / body_.mass;
@@ -171,8 +177,7 @@ class Release {
     ledger.error = std::abs(ledger.initial - ledger.final - lost) /
                    std::max({std::abs(lost), 1e-3 * scale, 1e-300});
     const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
-    const double rest_depth = body_.mass * settings_.gravity /
-                              (settings_.stiffness.normal * forces_.smallest_restitution());
+    const double rest_depth = body_.mass * settings_.gravity / forces_.rest_stiffness();
     result_.below_ground =
         (ground && place.z() < *ground) || (result_.stop_reason == StopReason::kRest &&
                                             forces_.settled_depth() > kSettledSlack * rest_depth);

@@ -22,6 +22,7 @@ std::string name_of(StopReason reason);
 /// Everything about a release that is not block, terrain or start.
 struct ReleaseSettings {
   ContactStiffness stiffness;
+  ContactLaw law;  ///< energy-restitution unless chosen otherwise
   ContactWeights weights = ContactWeights::kPatch;
   double gravity = 9.81;        ///< m/s^2, along -z
   double max_time = 60.0;       ///< s

@@ -8,6 +8,9 @@ namespace clast {
 Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity);
 Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
 
+/// The turn by a rotation vector, rad.
+Quat turn_of(const Vec3& rotation);
+
 /// One short step at constant momentum, second order and reversible to third (explicit midpoint on
 /// the rotation group).
 Quat turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
