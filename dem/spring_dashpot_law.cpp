@@ -45,7 +45,7 @@ NormalResponse SpringDashpotLaw::along(const OverlapPath& path, double force,
   const double step = path.duration;
   const auto law = [&](double time) { return stiffness * path.at(time) + c * path.rate_at(time); };
   const double end = path.after > 0.0 ? law(step) : 0.0;
-  if (path.before >= 0.0 && force > 0.0 && end > 0.0) {
+  if (force > 0.0 && end > 0.0) {
     // Smooth all along: the parabola gives the work, the scheme's own mean the impulse.
     PathIntegral integral(path, force);
     integral.add(0.0, step, law);
@@ -53,7 +53,7 @@ NormalResponse SpringDashpotLaw::along(const OverlapPath& path, double force,
   }
 
   PathIntegral integral(path, force);
-  if (path.before < 0.0 && path.after > 0.0) {
+  if (path.before <= 0.0 && path.after > 0.0 && force == 0.0) {
     // Starts inside: the path knows nothing yet of the braking by the dashpot.
     const double touch = path.zero_between(path.turn() < step ? path.turn() : 0.0, step);
     const double rate = path.rate_at(touch);

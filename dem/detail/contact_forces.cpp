@@ -12,6 +12,9 @@ namespace {
 constexpr double kHandOverShare = 0.03;
 /// ... and their normals are within 45 degrees.
 constexpr double kHandOverCosine = 0.7071067811865476;
+/// A new contact's closing speed explains its overlap when it leaves no more than this share of it.
+constexpr double kExplained = 1e-6;
+
 Vec3 turned_into_plane(const Vec3& vector, const Vec3& normal) {
   const double length = vector.norm();
   const Vec3 flat = vector - vector.dot(normal) * normal;
@@ -141,7 +144,8 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
       // as the law lets a contact without a past begin.
       path.rate = -begin_velocity(contact.place - duration * moving).dot(n);
       path.before = overlap - closing * duration;
-      continuous = path.before <= 0.0;
+      continuous = path.before <= kExplained * overlap;
+      if (continuous) path.before = std::min(0.0, path.before);
       if (!continuous) normal_before = law.first_force(path.before, path.rate, mass);
     }
 

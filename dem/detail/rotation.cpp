@@ -7,7 +7,7 @@ namespace clast {
 namespace {
 
 /// Rotation per Runge-Kutta step, rad.
-constexpr double kFlightTurn = 0.01;
+constexpr double kFlightTurn = 0.003;
 
 Vec3 body_spin(const Vec3& moments, const Quat& orientation, const Vec3& momentum) {
   const Vec3 in_body = orientation.conjugate() * momentum;

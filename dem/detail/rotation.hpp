@@ -16,8 +16,8 @@ Quat turn_of(const Vec3& rotation);
 Quat turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                      double step);
 
-/// A long torque-free turn: fourth-order Runge-Kutta in steps of at most 0.01 rad, which keeps the
-/// angle to about 1e-10 rad per revolution.
+/// A torque-free turn by fourth-order Runge-Kutta in steps of at most 0.003 rad, good to about
+/// 1e-12 rad per radian: where `FreeRotation` has no closed form.
 Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                    double duration);
 
