@@ -40,25 +40,6 @@ Rebound first_rebound(const TerrainSurface& terrain, const GroundParameters& zon
   return watch.rebound;
 }
 
-TEST(FreeFall, TwoMetres) {
-  const TerrainSurface terrain = ground(plane_mesh(5.0, 4));
-  const RigidBody body = ball(10.0, 0.25);
-  ReleaseSettings settings = stiff_settings(body, 1e8);
-  settings.max_time = 0.7;
-  RigidState start;
-  start.position = {0.3, -0.2, 2.25};
-  double touch_time = -1.0, touch_speed = 0.0;
-  simulate_release(terrain, std::vector<GroundParameters>(1), body, start, settings,
-                   [&](const MotionStep& step) {
-                     const double gap = step.end.position.z() - 0.25;
-                     if (touch_time >= 0.0 || gap > 0.0) return;
-                     touch_time = step.end_time;
-                     touch_speed = step.end.velocity.norm();
-                   });
-  EXPECT_NEAR(touch_time, 0.63855, 1e-5 + settings.stiffness.time_step);
-  EXPECT_NEAR(touch_speed, 6.26418, 1e-5 + 9.81 * settings.stiffness.time_step);
-}
-
 class NormalImpact : public testing::TestWithParam<double> {};
 
 // Without gravity: depth v sqrt(m/k), loading for a quarter period, unloading 1/e_n times that.
