@@ -131,6 +131,7 @@ class Release {
         duration / 6.0 *
         (begin.velocity.norm() + 4.0 * middle_speed + moving_.state().velocity.norm());
     resting_ = 0.0;
+    ++result_.flight_pieces;
     meet_ground(moving_.motion(), 0.0);
     result_.energy.reassigned += first_kick();
     advance(begin, duration, true);

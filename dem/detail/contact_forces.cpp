@@ -12,6 +12,8 @@ namespace {
 constexpr double kHandOverShare = 0.03;
 /// ... and their normals are within 45 degrees.
 constexpr double kHandOverCosine = 0.7071067811865476;
+/// Normals whose cosine is above this are those of one plane.
+constexpr double kSameNormal = 1.0 - 1e-12;
 /// A new contact's closing speed explains its overlap when it leaves no more than this share of it.
 constexpr double kExplained = 1e-6;
 
@@ -126,9 +128,11 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
     if (previous_of_[i] >= 0) {
       const Contact& previous = contacts_[previous_of_[i]];
       path.before = previous.point.overlap;
+      // On another feature it goes on as before only if the surface does too.
       const bool same = previous.point.kind == contact.point.kind &&
                         previous.point.block_feature == contact.point.block_feature &&
-                        previous.point.ground_feature == contact.point.ground_feature;
+                        (previous.point.ground_feature == contact.point.ground_feature ||
+                         previous.point.normal.dot(n) > kSameNormal);
       path.rate = same ? -begin_velocity(previous.place).dot(previous.point.normal)
                        : (path.after - path.before) / duration;
       normal_before = previous.normal;

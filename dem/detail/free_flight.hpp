@@ -13,6 +13,7 @@ class FreeFlight {
  public:
   FreeFlight(const RigidBody& body, const RigidState& begin, double gravity);
 
+  /// The state at a time since the begin, s. Cheapest beside the instant asked for last.
   RigidState after(double duration);
   const RigidState& begin() const { return begin_; }
   /// The spin never exceeds this, rad/s: the energy, all in the smallest moment.
@@ -24,6 +25,8 @@ class FreeFlight {
   double gravity_;
   Vec3 momentum_;
   double top_spin_;
+  double last_time_ = 0.0;
+  Quat last_orientation_;
   std::optional<FreeRotation> rotation_;  ///< set up when the first turn asks for it
 };
 
