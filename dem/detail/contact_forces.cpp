@@ -86,13 +86,14 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
     const Vec3 arm = place - block.world_from_body.translation;
     const Vec3 arm_of_other = place - other.world_from_body.translation;
     const Vec3 impulse = weight * response.impulse * normal;
-    const Vec3 moment = weight * response.moment * normal;
     event.impulse += impulse;
     event.angular_impulse += arm.cross(impulse);
     event.angular_impulse_on_other -= arm_of_other.cross(impulse);
+    // Shifting two moving bodies would change their angular momentum about each other.
+    if (other.inverse_mass > 0.0) return;
+    const Vec3 moment = weight * response.moment * normal;
     event.moment += moment;
     event.angular_moment += arm.cross(moment);
-    event.angular_moment_on_other -= arm_of_other.cross(moment);
   };
 
   match(points);
@@ -228,7 +229,7 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
     ledger.reassigned += taken + stored - own;
   }
   std::swap(contacts_, now_);
-  if (load.event) shift_overlaps(laws, *load.event, block, other, ledger);
+  if (load.event && other.inverse_mass == 0.0) shift_overlaps(laws, *load.event, block, ledger);
   return load;
 }
 
@@ -307,14 +308,11 @@ void ContactForces::find_effective_masses(const BodyMotion& block, const BodyMot
 
 template <class Law>
 void ContactForces::shift_overlaps(const std::vector<Law>& laws, const EventLoad& event,
-                                   const BodyMotion& block, const BodyMotion& other,
-                                   EnergyLedger& ledger) {
-  const Vec3 shift = (block.inverse_mass + other.inverse_mass) * event.moment;
+                                   const BodyMotion& block, EnergyLedger& ledger) {
+  const Vec3 shift = block.inverse_mass * event.moment;
   const Vec3 turn = block.turned_by(event.angular_moment);
-  const Vec3 turn_of_other = other.turned_by(event.angular_moment_on_other);
   for (Contact& contact : contacts_) {
-    const Vec3 moved = shift + turn.cross(contact.place - block.world_from_body.translation) -
-                       turn_of_other.cross(contact.place - other.world_from_body.translation);
+    const Vec3 moved = shift + turn.cross(contact.place - block.world_from_body.translation);
     double& overlap = contact.point.overlap;
     const double shifted = std::max(0.0, overlap - moved.dot(contact.point.normal));
     const Law& law = laws[contact.zone];

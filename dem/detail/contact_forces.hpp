@@ -21,7 +21,7 @@ struct BodyMotion {
   Vec3 begin_velocity = Vec3::Zero();
   Vec3 begin_angular_velocity = Vec3::Zero();
 
-  double inverse_mass = 0.0;            ///< 1/kg
+  double inverse_mass = 0.0;            ///< 1/kg; 0 for a body that is fixed
   Vec3 inverse_moments = Vec3::Zero();  ///< along the body axes, 1/(kg m^2)
 
   Vec3 velocity_at(const Vec3& point) const {
@@ -46,9 +46,9 @@ struct EventLoad {
   Vec3 impulse = Vec3::Zero();          ///< on the block, N s
   Vec3 angular_impulse = Vec3::Zero();  ///< about its centre of mass, N m s
   Vec3 angular_impulse_on_other = Vec3::Zero();
+  // Only against what does not move; zero between two moving bodies.
   Vec3 moment = Vec3::Zero();          ///< mass times shift of the centre, N s^2
   Vec3 angular_moment = Vec3::Zero();  ///< inertia times turn, N m s^2
-  Vec3 angular_moment_on_other = Vec3::Zero();
 };
 
 /// What the contacts of a pair do to its bodies, in world axes. The other body gets -force.
