@@ -126,7 +126,7 @@ class ContactForces {
   void find_effective_masses(const BodyMotion& block, const BodyMotion& other);
   template <class Law>
   void shift_overlaps(const std::vector<Law>& laws, const EventLoad& event, const BodyMotion& block,
-                      const BodyMotion& other, EnergyLedger& ledger);
+                      EnergyLedger& ledger);
   /// Energy in the springs of friction and rolling, per unit of weight, J.
   double wound_up(const Contact& contact) const;
 
