@@ -118,8 +118,11 @@ Classification classification(const ClassifyArgs& args, const std::string& path)
   all.schemes = schemes_from(args.schemes);
   all.options = args.options;
   is_library(path) ? add_library(all, args, path) : add_table(all, args, path);
-  for (const std::string& note : all.notes) std::cerr << path << ": " << note << "\n";
   return all;
+}
+
+void say_notes(const std::string& path, const Classification& all) {
+  for (const std::string& note : all.notes) std::cerr << path << ": " << note << "\n";
 }
 
 void classify(const ClassifyArgs& args) {
@@ -133,6 +136,8 @@ void classify(const ClassifyArgs& args) {
                        ": there is no block in it to compare");
     }
   }
+  say_notes(args.input, all);
+  if (other) say_notes(args.other, *other);
   if (args.json) {
     nlohmann::ordered_json json = classification_json(all);
     if (other) json["comparison"] = comparison_json(all, *other);
