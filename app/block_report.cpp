@@ -4,8 +4,10 @@
 
 #include "app/text_table.hpp"
 #include "classify/equilibria.hpp"
+#include "classify/roundness.hpp"
 #include "classify/surface_indices.hpp"
 #include "shapes/edge_bend.hpp"
+#include "shapes/remeshing.hpp"
 
 namespace clast {
 
@@ -60,6 +62,16 @@ std::map<std::string, double> block_indices(const Block& block, const Axes& axes
 Json equilibria_json(const Block& block) {
   const Equilibria found = static_equilibria(block.body, block.mass.centre);
   return {{"stable", found.stable}, {"unstable", found.unstable}, {"saddle", found.saddle}};
+}
+
+Json roundness_json(const Block& block, double edge_length) {
+  // A core's own surface has none of the rounding.
+  const TriangleMesh surface = block.from_core ? skin_mesh(block.body) : block.surface;
+  const Roundness found = roundness(remeshed(surface, edge_length));
+  return {{"wadell_roundness", found.value},
+          {"edge_length_m", found.edge_length},
+          {"inscribed_radius_m", found.inscribed_radius},
+          {"corner_share", found.corner_share}};
 }
 
 Json block_json(const Block& block) {

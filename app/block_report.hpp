@@ -19,6 +19,9 @@ std::map<std::string, double> block_indices(const Block& block, const Axes& axes
 /// {"stable": .., "unstable": .., "saddle": ..} of the block on a flat ground.
 nlohmann::ordered_json equilibria_json(const Block& block);
 
+/// Roundness of the outer surface on a mesh of this edge length, m, and what it was measured on.
+nlohmann::ordered_json roundness_json(const Block& block, double edge_length);
+
 /// Everything known of a block, units in the names (docs/formats.md).
 nlohmann::ordered_json block_json(const Block& block);
 

@@ -9,6 +9,7 @@
 #include "app/option_values.hpp"
 #include "classify/certainty.hpp"
 #include "classify/dimension_table.hpp"
+#include "core/error.hpp"
 #include "library/block_library.hpp"
 
 namespace clast {
@@ -23,6 +24,7 @@ struct ClassifyArgs {
   std::string box = "smallest";
   bool box_given = false;
   double axis_error = -1.0;
+  double roundness_edge = 0.0;
   SchemeOptions options;
   bool json = false;
 };
@@ -76,8 +78,11 @@ DimensionColumns columns_from(const ClassifyArgs& args) {
 }
 
 /// What only a whole surface tells.
-nlohmann::ordered_json surface_json(const Block& block, const Axes& axes) {
-  return {{"indices", block_indices(block, axes)}, {"equilibria", equilibria_json(block)}};
+nlohmann::ordered_json surface_json(const Block& block, const Axes& axes, double roundness_edge) {
+  nlohmann::ordered_json json = {{"indices", block_indices(block, axes)},
+                                 {"equilibria", equilibria_json(block)}};
+  if (roundness_edge > 0.0) json["roundness"] = roundness_json(block, roundness_edge);
+  return json;
 }
 
 void add_library(Classification& all, const ClassifyArgs& args, const std::string& path) {
@@ -88,8 +93,8 @@ void add_library(Classification& all, const ClassifyArgs& args, const std::strin
     const Axes axes = {sides[0], sides[1], sides[2]};
     // The scan's extents are within twice the deviation of the block's.
     const double error = args.axis_error >= 0.0 ? args.axis_error : 2.0 * block.deviation.hausdorff;
-    all.blocks.push_back(
-        {block.id, axes, block.mass.mass, error, args.json ? surface_json(block, axes) : nullptr});
+    all.blocks.push_back({block.id, axes, block.mass.mass, error,
+                          args.json ? surface_json(block, axes, args.roundness_edge) : nullptr});
   }
 }
 
@@ -113,8 +118,11 @@ Classification classification(const ClassifyArgs& args, const std::string& path)
   all.schemes = schemes_from(args.schemes);
   all.options = args.options;
   is_library(path) ? add_library(all, args, path) : add_table(all, args, path);
-  for (const std::string& note : all.notes) std::cerr << path << ": " << note << "\n";
   return all;
+}
+
+void say_notes(const std::string& path, const Classification& all) {
+  for (const std::string& note : all.notes) std::cerr << path << ": " << note << "\n";
 }
 
 void classify(const ClassifyArgs& args) {
@@ -128,6 +136,8 @@ void classify(const ClassifyArgs& args) {
                        ": there is no block in it to compare");
     }
   }
+  say_notes(args.input, all);
+  if (other) say_notes(args.other, *other);
   if (args.json) {
     nlohmann::ordered_json json = classification_json(all);
     if (other) json["comparison"] = comparison_json(all, *other);
@@ -178,6 +188,12 @@ void add_classify(CLI::App& app) {
                    "Ratio of axes from which one counts as longer, for the scheme erdogan")
       ->type_name("RATIO")
       ->capture_default_str();
+  command
+      ->add_option("--roundness", args->roundness_edge,
+                   "With --json: Wadell roundness of a library's blocks, on their surface cut anew "
+                   "into triangles with edges of so many m")
+      ->check(positive_number())
+      ->type_name("M");
   command
       ->add_option("--compare", args->other,
                    "Another library or table, read the same way: is it the same population?")

@@ -162,7 +162,7 @@ TEST_F(WithLibrary, ShowPrintsATableAndDetailsOfNamedBlocks) {
   const ProgramRun all = run_clast({"show", "blocks.h5"}, folder.path());
   EXPECT_TRUE(contains(all.out, "flat") && contains(all.out, "mass kg")) << all.out;
   const ProgramRun one = run_clast({"show", "blocks.h5", "long"}, folder.path());
-  EXPECT_TRUE(contains(one.out, "long.obj") && !contains(one.out, "flat")) << one.out;
+  EXPECT_TRUE(contains(one.out, "long.obj") && !contains(one.out, "\nflat ")) << one.out;
   expect_refused(folder, {"show", "blocks.h5", "round"}, 1, "flat, long");
 }
 
@@ -207,7 +207,8 @@ TEST_F(WithLibrary, ClassifyCountsThePopulation) {
 }
 
 TEST_F(WithLibrary, ClassifyGivesEveryClassItsCertaintyAndEveryIndexItsFormula) {
-  const ProgramRun run = run_clast({"classify", "blocks.h5", "--json"}, folder.path());
+  const ProgramRun run =
+      run_clast({"classify", "blocks.h5", "--json", "--roundness", "0.08"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json json = Json::parse(run.out);
   const Json shown_blocks = shown();
@@ -225,6 +226,10 @@ TEST_F(WithLibrary, ClassifyGivesEveryClassItsCertaintyAndEveryIndexItsFormula) 
                 1e-15);
     EXPECT_EQ(block["indices"], shown_blocks[i]["indices"]);
     EXPECT_EQ(block["equilibria"], shown_blocks[i]["equilibria"]);
+    const Json& roundness = block["roundness"];
+    EXPECT_TRUE(0.0 < roundness["wadell_roundness"] && roundness["wadell_roundness"] <= 1.0);
+    EXPECT_NEAR(roundness["edge_length_m"], 0.08, 0.03);
+    EXPECT_LE(2.0 * double(roundness["inscribed_radius_m"]), double(block["box_m"][2]));
     const double sphericity = block["indices"]["wadell_true_sphericity"];
     EXPECT_TRUE(0.5 < sphericity && sphericity < 1.0) << sphericity;
     const double convexity = block["indices"]["convexity"];
