@@ -10,7 +10,6 @@
 
 #include "core/error.hpp"
 #include "massprops/solid.hpp"
-#include "tests/massprops/l_block.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/rock_mesh.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "core/random.hpp"
 #include "massprops/sphero.hpp"
-#include "tests/massprops/l_block.hpp"
+#include "tests/shapes/shape_samples.hpp"
 #include "tests/support/rock_mesh.hpp"
 
 namespace clast {

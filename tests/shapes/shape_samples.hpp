@@ -93,6 +93,12 @@ inline TriangleMesh l_block() {
                {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
 }
 
+/// Volume of the L-block with radius r <= 1.
+inline double l_block_volume(double r) {
+  return 3.0 + 14.0 * r + (21.0 * kPi / 4.0 - 1.0) * r * r +
+         4.0 / 3.0 * (5.0 * kPi / 4.0 - 1.0) * r * r * r;
+}
+
 /// A block of 3 x 3 x 1 with a square hole through its middle.
 inline TriangleMesh frame() {
   TriangleMesh mesh;
