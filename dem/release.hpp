@@ -61,7 +61,7 @@ struct ReleaseResult {
   EnergyLedger energy;
   std::uint64_t contact_steps = 0;
   std::uint64_t flight_pieces = 0;  ///< pieces of flight between two looks at the ground
-  std::uint64_t impacts = 0;  ///< flights ended by a contact
+  std::uint64_t impacts = 0;        ///< flights ended by a contact
 };
 
 /// Runs one release.

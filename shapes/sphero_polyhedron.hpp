@@ -38,8 +38,8 @@ TriangleMesh core_mesh(const SpheroPolyhedron& shape);
 
 /// The rounded surface as a closed triangle mesh whose vertices lie on it: core faces moved out,
 /// cylinders over convex edges, sphere patches over vertices. `segments` pieces per quarter turn.
-/// At reflex edges the pieces cross inside the body: the mesh goes round every point of the body and
-/// round no other, but round some twice, so it is no measure of volume there; `outer_skin` is.
+/// At reflex edges the pieces cross inside the body: the mesh goes round every point of the body
+/// and round no other, but round some twice, so it is no measure of volume there; `outer_skin` is.
 /// @throws GeometryError  the core is not closed (nor a lone vertex or edge with a radius)
 TriangleMesh skin_mesh(const SpheroPolyhedron& shape, int segments = 4);
 
