@@ -1,40 +1,81 @@
 #include "classify/population.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+
+#include "core/statistics.hpp"
 
 namespace clast {
 namespace {
 
-// Standard normal deviate that 2.5 % exceed.
-constexpr double kDeviate = 1.959963984540054;
+struct MassSums {
+  double all = 0.0;
+  double squares = 0.0;
+};
 
-void set_interval(ClassShare& share, std::size_t total) {
-  const double n = static_cast<double>(total);
-  const double p = static_cast<double>(share.count) / n;
-  const double z2 = kDeviate * kDeviate;
-  const double middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
-  const double half = kDeviate / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
-  share.share = p;
-  // At 0 and all the interval reaches the end exactly; rounding must not leave it short.
-  share.low = share.count == 0 ? 0.0 : std::max(0.0, middle - half);
-  share.high = share.count == total ? 1.0 : std::min(1.0, middle + half);
+/// @param of_class  of the blocks of one class
+void set_mass_share(ClassShare& share, const MassSums& of_class, const MassSums& whole) {
+  share.mass = of_class.all;
+  if (whole.all == 0.0) return;
+  const double p = std::min(1.0, of_class.all / whole.all);
+  double trials = whole.all * whole.all / whole.squares;
+  // p is a ratio of sums: its residuals are m (1 - p) in the class and -m p outside.
+  const double outside = std::max(0.0, whole.squares - of_class.squares);
+  const double variance = (of_class.squares * (1.0 - p) * (1.0 - p) + outside * p * p) /
+                          (whole.all * whole.all);
+  if (variance > 0.0) trials = std::min(trials, p * (1.0 - p) / variance);
+  const Interval interval = wilson_interval_of_share(p, std::max(trials, 1.0));
+  share.mass_share = p;
+  share.mass_low = interval.low;
+  share.mass_high = interval.high;
 }
 
 }  // namespace
 
-std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme) {
-  std::vector<ClassShare> shares;
-  for (const std::string& name : class_names(scheme)) {
-    ClassShare share;
-    share.name = name;
-    for (const Axes& axes : blocks) share.count += shape_class(scheme, axes) == name;
-    if (blocks.empty()) {
-      share.high = 1.0;  // nothing is known
-    } else {
-      set_interval(share, blocks.size());
+std::vector<Axes> proportions(const Population& population) {
+  std::vector<Axes> result;
+  result.reserve(population.blocks.size());
+  for (const MeasuredBlock& block : population.blocks) result.push_back(block.as_written);
+  return result;
+}
+
+std::vector<double> masses(const Population& population) {
+  std::vector<double> result;
+  result.reserve(population.blocks.size());
+  for (const MeasuredBlock& block : population.blocks) result.push_back(block.mass.value_or(0.0));
+  return result;
+}
+
+std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme,
+                                     std::span<const double> weights) {
+  assert(weights.empty() || weights.size() == blocks.size());
+  const std::vector<std::string>& names = class_names(scheme);
+  std::vector<ClassShare> shares(names.size());
+  std::vector<MassSums> sums(names.size());
+  MassSums whole;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const std::string name = shape_class(scheme, blocks[i]);
+    const auto k =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    assert(k < names.size());
+    ++shares[k].count;
+    if (weights.empty()) continue;
+    for (MassSums* sum : {&sums[k], &whole}) {
+      sum->all += weights[i];
+      sum->squares += weights[i] * weights[i];
     }
-    shares.push_back(share);
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    ClassShare& share = shares[k];
+    share.name = names[k];
+    const Interval interval = wilson_interval(share.count, blocks.size());
+    if (!blocks.empty()) {
+      share.share = static_cast<double>(share.count) / static_cast<double>(blocks.size());
+    }
+    share.low = interval.low;
+    share.high = interval.high;
+    set_mass_share(share, sums[k], whole);
   }
   return shares;
 }

@@ -5,9 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "classify/measured_block.hpp"
 #include "classify/schemes.hpp"
 
 namespace clast {
+
+/// Blocks of one deposit, quarry or sample.
+struct Population {
+  std::string name;  ///< for headings and legends
+  std::vector<MeasuredBlock> blocks;
+};
+
+/// Axes as written, for classes and ratios.
+std::vector<Axes> proportions(const Population& population);
+/// kg; 0 for a block whose mass is not known.
+std::vector<double> masses(const Population& population);
 
 /// One class of a population. Shares are in [0, 1].
 struct ClassShare {
@@ -16,10 +28,20 @@ struct ClassShare {
   double share = 0.0;
   double low = 0.0;  ///< Wilson interval, 95 %
   double high = 0.0;
+  double mass = 0.0;  ///< kg, of the blocks whose mass is known
+  double mass_share = 0.0;
+  double mass_low = 0.0;  ///< 95 %, see `class_shares`
+  double mass_high = 1.0;
 };
 
 /// Counts and shares of every class of the scheme, also of empty ones.
-/// @cite wilson1927
-std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme);
+///
+/// The interval of a share by mass is Wilson's for the number of equally heavy blocks that would be
+/// as uncertain: p (1 - p) over the linearised variance of p = sum of m_i in the class / sum of m_i, and at
+/// most (sum of m_i)^2 / sum of m_i^2, which alone decides for empty and full classes.
+/// @param weights  mass of each block, kg, 0 where unknown; or empty, and nothing is known by mass
+/// @cite wilson1927, kish1965, korn1998
+std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme,
+                                     std::span<const double> weights = {});
 
 }  // namespace clast

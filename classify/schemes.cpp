@@ -36,6 +36,11 @@ std::string garcia_class(const Axes& axes) {
   return above(elongation_s_c(axes), 0.3) ? "elongated" : "compact";
 }
 
+const std::vector<std::string>& scheme_names() {
+  static const std::vector<std::string> names = {"sneed-folk", "zingg", "garcia"};
+  return names;
+}
+
 const std::vector<std::string>& class_names(const std::string& scheme) {
   static const std::vector<std::string> sneed_folk = {"C", "CP", "CB", "CE", "P",
                                                       "B", "E",  "VP", "VB", "VE"};

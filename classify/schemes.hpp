@@ -14,6 +14,8 @@ std::string zingg_class(const Axes& axes);
 /// "elongated" for s_c > 0.3, else "compact". @cite garcia2022
 std::string garcia_class(const Axes& axes);
 
+/// Every scheme, in the order they are listed: "sneed-folk", "zingg", "garcia".
+const std::vector<std::string>& scheme_names();
 /// Class names of a scheme in the order they are listed in tables.
 /// @param scheme  "sneed-folk", "zingg" or "garcia"
 /// @throws InputError  unknown scheme; the message lists the known ones

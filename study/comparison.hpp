@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/results.hpp"
-#include "study/statistics.hpp"
+#include "core/statistics.hpp"
 
 namespace clast {
 

@@ -11,7 +11,7 @@
 
 #include "core/text_file.hpp"
 #include "core/types.hpp"
-#include "study/statistics.hpp"
+#include "core/statistics.hpp"
 #include "tests/study/csv_reader.hpp"
 
 namespace clast {

@@ -1,0 +1,47 @@
+#include "core/csv_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace clast {
+
+void CsvText::cell(std::string_view text) {
+  if (!first_) text_ += ',';
+  first_ = false;
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    text_ += text;
+    return;
+  }
+  text_ += '"';
+  for (const char c : text) text_.append(c == '"' ? 2 : 1, c);
+  text_ += '"';
+}
+
+void CsvText::cell(double value) {
+  if (!std::isfinite(value)) return cell(std::string_view());
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  cell(std::string_view(text.data(), static_cast<std::size_t>(end.ptr - text.data())));
+}
+
+void CsvText::count(std::uint64_t value) { cell(std::string_view(std::to_string(value))); }
+
+void CsvText::empty_cells(int count) {
+  for (int i = 0; i < count; ++i) cell(std::string_view());
+}
+
+void CsvText::end_row() {
+  text_ += '\n';
+  first_ = true;
+}
+
+void CsvText::header(std::string_view names) {
+  text_ += names;
+  end_row();
+}
+
+std::string CsvText::take() { return std::exchange(text_, {}); }
+
+}  // namespace clast
