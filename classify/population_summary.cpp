@@ -124,6 +124,23 @@ std::string p_words(double p_value) {
   return with_digits(p_value, 2);
 }
 
+std::string size_shape_words(const SizeShape& relation, SizeMeasure size) {
+  const std::string pair = name_of(size) + " and " + relation.measure->name;
+  if (!relation.test) {
+    return "Whether " + pair + " go together can't be said of " + std::to_string(relation.blocks) +
+           (relation.blocks == 1 ? " block" : " blocks") +
+           (relation.blocks < 3 ? "." : " of one size or one shape.");
+  }
+  const double rho = relation.test->statistic;
+  const std::string found =
+      relation.test->p_value >= kSignificant
+          ? "No relation of " + pair + " can be shown"
+          : std::string(relation.measure->name) + (rho > 0.0 ? " rises" : " falls") + " with size " +
+                name_of(size);
+  return found + ": Spearman's rho " + decimals(rho, 2) + " over " +
+         std::to_string(relation.blocks) + " blocks, p " + p_words(relation.test->p_value) + ".";
+}
+
 PopulationSummary summarised(const Population& population, const PopulationOptions& options) {
   check_has_blocks(population);
   PopulationSummary summary;

@@ -30,6 +30,9 @@ struct SizeShape {
   std::optional<TestResult> test;  ///< none for too few blocks, or sizes or shapes that don't vary
 };
 
+/// A sentence to quote.
+std::string size_shape_words(const SizeShape& relation, SizeMeasure size);
+
 struct PopulationSummary {
   std::string name;
   std::size_t blocks = 0;
