@@ -32,8 +32,9 @@ std::vector<std::string> split_list(const std::string& text) {
 }
 
 double length_unit(const std::string& text) {
-  static const std::map<std::string, double> units = {
-      {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"um", 1e-6}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}};
+  static const std::map<std::string, double> units = {{"m", 1.0},    {"cm", 0.01},   {"mm", 0.001},
+                                                      {"um", 1e-6},  {"km", 1000.0}, {"in", 0.0254},
+                                                      {"ft", 0.3048}};
   const auto unit = units.find(text);
   if (unit != units.end()) return unit->second;
   const double factor = number_from(text);

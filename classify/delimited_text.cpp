@@ -21,7 +21,8 @@ bool has_decimal_commas(std::string_view line) {
       several_words = true;
       comma_in_word = false;
     } else if (line[i] == ',') {
-      const bool inside = i > 0 && i + 1 < line.size() && is_digit(line[i - 1]) && is_digit(line[i + 1]);
+      const bool inside =
+          i > 0 && i + 1 < line.size() && is_digit(line[i - 1]) && is_digit(line[i + 1]);
       if (!inside || comma_in_word) return false;
       comma_in_word = true;
     }

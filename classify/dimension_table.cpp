@@ -46,10 +46,11 @@ constexpr std::array<Unit, 9> kLengths = {{{"um", 1e-6},
                                            {"km", 1e3},
                                            {"ft", 0.3048},
                                            {"in", 0.0254}}};
-constexpr std::array<Unit, 4> kMasses = {{{"g", 1e-3}, {"kg", 1.0}, {"t", 1e3}, {"lb", 0.45359237}}};
+constexpr std::array<Unit, 4> kMasses = {
+    {{"g", 1e-3}, {"kg", 1.0}, {"t", 1e3}, {"lb", 0.45359237}}};
 
 struct ColumnName {
-  std::string name;          ///< lower case, unit cut off
+  std::string name;              ///< lower case, unit cut off
   const Unit* length = nullptr;  ///< where the name says it
   const Unit* mass = nullptr;
 };
@@ -67,7 +68,8 @@ ColumnName column_name(std::string_view header) {
     return found == units.end() ? nullptr : &*found;
   };
   ColumnName column{text, unit_in(kLengths), unit_in(kMasses)};
-  if (column.length || column.mass) column.name = text.substr(0, text.find_last_not_of("_([ ", cut) + 1);
+  if (column.length || column.mass)
+    column.name = text.substr(0, text.find_last_not_of("_([ ", cut) + 1);
   return column;
 }
 
@@ -119,13 +121,16 @@ class Header {
   }
   std::size_t required(const std::string& wanted) const {
     if (const auto found = find(wanted)) return *found;
-    if (const auto number = column_number(wanted); number && *number < fields_.size()) return *number;
+    if (const auto number = column_number(wanted); number && *number < fields_.size())
+      return *number;
     std::string known;
-    for (const std::string& field : fields_) known += (known.empty() ? "\"" : ", \"") + field + "\"";
+    for (const std::string& field : fields_)
+      known += (known.empty() ? "\"" : ", \"") + field + "\"";
     throw InputError(file_ + ": no column \"" + wanted + "\"; " +
-                     (is_one_ ? "the header has " + known
-                              : "there is no header line, so give the numbers of the columns, 1 to " +
-                                    std::to_string(fields_.size())));
+                     (is_one_
+                          ? "the header has " + known
+                          : "there is no header line, so give the numbers of the columns, 1 to " +
+                                std::to_string(fields_.size())));
   }
 
  private:
@@ -229,8 +234,8 @@ void read_row(const Record& record, const Layout& layout, DimensionTable& table)
       table.notes.push_back(row() + ": " + mass.trouble + "; the block counts by number only");
     }
   }
-  const bool named = layout.name && *layout.name < record.fields.size() &&
-                     !record.fields[*layout.name].empty();
+  const bool named =
+      layout.name && *layout.name < record.fields.size() && !record.fields[*layout.name].empty();
   block.name = named ? std::string(record.fields[*layout.name]) : row();
   table.blocks.push_back(std::move(block));
 }

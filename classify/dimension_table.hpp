@@ -13,10 +13,11 @@ namespace clast {
 /// A table and what was wrong with it.
 struct DimensionTable {
   std::vector<MeasuredBlock> blocks;
-  std::vector<std::string> notes;  ///< the unit, skipped rows, sorted axes, masses left out, by line
-  std::size_t skipped = 0;         ///< rows without three usable axes
-  std::size_t sorted = 0;          ///< rows whose axes were not in the order L >= I >= S
-  std::size_t unweighed = 0;       ///< blocks without a usable mass where there is a column for it
+  std::vector<std::string>
+      notes;                  ///< the unit, skipped rows, sorted axes, masses left out, by line
+  std::size_t skipped = 0;    ///< rows without three usable axes
+  std::size_t sorted = 0;     ///< rows whose axes were not in the order L >= I >= S
+  std::size_t unweighed = 0;  ///< blocks without a usable mass where there is a column for it
 };
 
 /// Which columns hold what: names or 1-based numbers.
@@ -26,15 +27,16 @@ struct DimensionColumns {
   std::string S = "S";
   std::optional<std::string> mass = {};  ///< none: a column called "mass", if there is one
   std::optional<std::string> name = {};  ///< none: a column called "id", "name" or "block", if any
-  std::optional<double> unit = {};       ///< metres per unit of L, I, S; none: as the header says, else 1
+  std::optional<double> unit =
+      {};  ///< metres per unit of L, I, S; none: as the header says, else 1
 };
 
 /// Reads comma, semicolon, tab or blank separated tables, with a header line or without one (then
 /// the columns must be numbers). Column names are matched without case and with a unit ending
 /// ("L_m", "l (cm)", "mass [t]") cut off; without another unit asked for it is the unit of the
-/// column. Fields may be quoted, also over several lines [rfc4180]; decimal commas are read where the comma
-/// is not the separator. Rows with zero, negative, missing or unreadable axes are skipped and
-/// noted; a mass that can't be read is noted and left out.
+/// column. Fields may be quoted, also over several lines [rfc4180]; decimal commas are read where
+/// the comma is not the separator. Rows with zero, negative, missing or unreadable axes are skipped
+/// and noted; a mass that can't be read is noted and left out.
 /// @throws InputError  no file, not text, no such column (the message lists those found), columns
 ///                     with different units, or no usable row
 /// @cite rfc4180

@@ -9,8 +9,9 @@ namespace clast {
 
 struct MeasuredBlock {
   std::string name;
-  Axes axes;                   ///< m
-  Axes as_written;             ///< sorted, in the unit of the table; ratios of these carry no rounding of the unit
+  Axes axes;        ///< m
+  Axes as_written;  ///< sorted, in the unit of the table; ratios of these carry no rounding of the
+                    ///< unit
   std::optional<double> mass;  ///< kg
 };
 

@@ -22,8 +22,8 @@ void set_mass_share(ClassShare& share, const MassSums& of_class, const MassSums&
   double trials = whole.all * whole.all / whole.squares;
   // p is a ratio of sums: its residuals are m (1 - p) in the class and -m p outside.
   const double outside = std::max(0.0, whole.squares - of_class.squares);
-  const double variance = (of_class.squares * (1.0 - p) * (1.0 - p) + outside * p * p) /
-                          (whole.all * whole.all);
+  const double variance =
+      (of_class.squares * (1.0 - p) * (1.0 - p) + outside * p * p) / (whole.all * whole.all);
   if (variance > 0.0) trials = std::min(trials, p * (1.0 - p) / variance);
   const Interval interval = wilson_interval_of_share(p, std::max(trials, 1.0));
   share.mass_share = p;

@@ -37,8 +37,8 @@ struct ClassShare {
 /// Counts and shares of every class of the scheme, also of empty ones.
 ///
 /// The interval of a share by mass is Wilson's for the number of equally heavy blocks that would be
-/// as uncertain: p (1 - p) over the linearised variance of p = sum of m_i in the class / sum of m_i, and at
-/// most (sum of m_i)^2 / sum of m_i^2, which alone decides for empty and full classes.
+/// as uncertain: p (1 - p) over the linearised variance of p = sum of m_i in the class / sum of
+/// m_i, and at most (sum of m_i)^2 / sum of m_i^2, which alone decides for empty and full classes.
 /// @param weights  mass of each block, kg, 0 where unknown; or empty, and nothing is known by mass
 /// @cite wilson1927, kish1965, korn1998
 std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme,

@@ -21,7 +21,8 @@ std::string percent(double share) { return decimals(100.0 * share, 1) + " %"; }
 
 void check_has_blocks(const Population& population) {
   if (population.blocks.empty()) {
-    throw InputError("population " + population.name + ": has no blocks; nothing can be said of it");
+    throw InputError("population " + population.name +
+                     ": has no blocks; nothing can be said of it");
   }
 }
 
@@ -61,13 +62,12 @@ MeasureDifference measure_difference(const ShapeMeasure& measure, const Populati
     return result;
   }
   const bool differs = result.test->p_value < kSignificant;
-  result.words =
-      (differs ? "The distributions of " + name + " differ"
-               : "No difference in " + name + " can be shown") +
-      ": median " + decimals(result.median_a, 3) + " in " + a.name + " (" +
-      std::to_string(x.size()) + " blocks), " + decimals(result.median_b, 3) + " in " + b.name +
-      " (" + std::to_string(y.size()) + "); " + chance(result.test->p_value) +
-      " (Kolmogorov-Smirnov, D = " + decimals(result.test->statistic, 3) + ").";
+  result.words = (differs ? "The distributions of " + name + " differ"
+                          : "No difference in " + name + " can be shown") +
+                 ": median " + decimals(result.median_a, 3) + " in " + a.name + " (" +
+                 std::to_string(x.size()) + " blocks), " + decimals(result.median_b, 3) + " in " +
+                 b.name + " (" + std::to_string(y.size()) + "); " + chance(result.test->p_value) +
+                 " (Kolmogorov-Smirnov, D = " + decimals(result.test->statistic, 3) + ").";
   return result;
 }
 
@@ -107,8 +107,8 @@ ClassDifference class_difference(const std::string& scheme, const Population& a,
                                 " classes can be shown; they differ ") +
                  largest_difference(shares_a, a.name, shares_b, b.name) + "; " +
                  chance(test.p_value) + " (chi-squared " + decimals(test.chi_squared, 2) + ", " +
-                 std::to_string(test.freedom) +
-                 (test.freedom == 1 ? " degree" : " degrees") + " of freedom";
+                 std::to_string(test.freedom) + (test.freedom == 1 ? " degree" : " degrees") +
+                 " of freedom";
   if (test.draws > 0) {
     result.words += "; smallest expected count " + decimals(test.smallest_expected, 1) +
                     ", so from " + std::to_string(test.draws) + " random tables";
@@ -132,11 +132,11 @@ std::string size_shape_words(const SizeShape& relation, SizeMeasure size) {
            (relation.blocks < 3 ? "." : " of one size or one shape.");
   }
   const double rho = relation.test->statistic;
-  const std::string found =
-      relation.test->p_value >= kSignificant
-          ? "No relation of " + pair + " can be shown"
-          : std::string(relation.measure->name) + (rho > 0.0 ? " rises" : " falls") + " with size " +
-                name_of(size);
+  const std::string found = relation.test->p_value >= kSignificant
+                                ? "No relation of " + pair + " can be shown"
+                                : std::string(relation.measure->name) +
+                                      (rho > 0.0 ? " rises" : " falls") + " with size " +
+                                      name_of(size);
   return found + ": Spearman's rho " + decimals(rho, 2) + " over " +
          std::to_string(relation.blocks) + " blocks, p " + p_words(relation.test->p_value) + ".";
 }
@@ -169,8 +169,7 @@ PopulationComparison compared(const Population& a, const Population& b,
     comparison.measures.push_back(measure_difference(measure, a, axes_a, b, axes_b));
   }
   for (const std::string& scheme : schemes_of(options)) {
-    comparison.schemes.push_back(
-        class_difference(scheme, a, axes_a, b, axes_b, options.seed));
+    comparison.schemes.push_back(class_difference(scheme, a, axes_a, b, axes_b, options.seed));
   }
   return comparison;
 }

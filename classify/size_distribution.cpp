@@ -102,8 +102,14 @@ SizeLaw rosin_rammler(const LogSample& sample) {
 }
 
 double drawn_size(const SizeLaw& law, Random& random) {
-  if (law.kind == SizeLawKind::kLogNormal) return law.location * std::exp(law.spread * random.normal());
+  if (law.kind == SizeLawKind::kLogNormal)
+    return law.location * std::exp(law.spread * random.normal());
   return law.location * std::pow(-std::log1p(-random.uniform()), 1.0 / law.spread);
+}
+
+/// As it would have been read; at least one step, since no block has no size.
+double read_to(double step, double size) {
+  return step > 0.0 ? std::max(1.0, std::round(size / step)) * step : size;
 }
 
 /// Largest distance of the curves; between readings only when there is a step.
@@ -114,10 +120,12 @@ double curve_distance(const SizeLaw& law, std::span<const double> sorted, double
                       Weight weight) {
   double distance = 0.0, share = 0.0;
   for (std::size_t i = 0; i < sorted.size();) {
-    const double value = sorted[i];
+    const double value = read_to(step, sorted[i]);
     const double before = share;
     // Readings of one step are equal on paper, not in their last bits.
-    for (; i < sorted.size() && sorted[i] <= value + 0.25 * step; ++i) share += weight(i);
+    for (; i < sorted.size() && read_to(step, sorted[i]) <= value + 0.25 * step; ++i) {
+      share += weight(i);
+    }
     if (step == 0.0) {
       const double below = law.below(value);
       distance = std::max({distance, below - before, share - below});
@@ -225,6 +233,16 @@ double reading_step(std::span<const double> values) {
     step = a;
     if (step < smallest) return 0.0;
   }
+  // One tape held closer than the others must not hide the step of the rest.
+  const double divisor = largest / std::round(largest / step);  // sheds the rounding of the steps
+  step = divisor;
+  for (const double factor : {2.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0}) {
+    const double wider = factor * divisor;
+    const auto on_it = std::count_if(values.begin(), values.end(), [&](double value) {
+      return std::abs(value - wider * std::round(value / wider)) <= same;
+    });
+    if (10 * static_cast<std::size_t>(on_it) >= 9 * values.size()) step = wider;
+  }
   // One value, or all equal, are multiples of themselves and say nothing of how they were read.
   return step < 0.5 * largest ? step : 0.0;
 }
@@ -234,10 +252,7 @@ std::vector<double> distances_by_chance(const SizeLaw& law, std::size_t count, d
   Random random(seed);
   std::vector<double> drawn(count), distances;
   for (std::size_t sample = 0; sample < samples; ++sample) {
-    for (double& size : drawn) {
-      size = drawn_size(law, random);
-      if (step > 0.0) size = std::max(1.0, std::round(size / step)) * step;
-    }
+    for (double& size : drawn) size = read_to(step, drawn_size(law, random));
     std::sort(drawn.begin(), drawn.end());
     if (const auto own = fitted_law(law.kind, drawn)) {
       distances.push_back(curve_distance(*own, drawn, step));

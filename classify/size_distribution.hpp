@@ -35,35 +35,38 @@ struct SizeLaw {
   double spread = 0.0;
   double spread_error = 0.0;
   double distance = 0.0;  ///< largest between the curves of sample and law (Kolmogorov-Smirnov)
-  std::optional<double> p_value;  ///< of samples from the law itself, those that lie as far from their own fit
+  std::optional<double>
+      p_value;  ///< of samples from the law itself, those that lie as far from their own fit
 
   /// Share of blocks at or below a size.
   double below(double size) const;
 };
 
 /// @param sizes    m, positive
-/// @param weights  of each size, not all zero; or empty when all count alike. The errors are then of a
+/// @param weights  of each size, not all zero; or empty when all count alike. The errors are then
+/// of a
 ///                 sample of (sum of w)^2 / sum of w^2.
 /// @return none when fewer than two different sizes carry weight
 /// @cite rosin1933
 std::optional<SizeLaw> fitted_law(SizeLawKind kind, std::span<const double> sizes,
                                   std::span<const double> weights = {});
 
-/// The largest step of which every value is a multiple, within 1e-6 of the largest value, as of axes
-/// taped to the next 5 cm; 0 where there is none above 1e-4 of the largest.
+/// The step that sizes were read in, such as 5 cm by tape: the largest of 1, 2, 5, 10, ... times
+/// their common divisor (within 1e-6 of the largest value) of which at least nine in ten values are
+/// multiples; 0 where there is none above 1e-4 of the largest.
 double reading_step(std::span<const double> values);
 
-/// How well the law fits: distance and p-value, by parametric bootstrap (`distances_by_chance`): because
-/// the parameters are fitted, tables of Kolmogorov's test would flatter the law. Beyond 1,000 sizes
-/// samples of 1,000 stand in, with D taken times the root of the number of sizes.
+/// How well the law fits: distance and p-value, by parametric bootstrap (`distances_by_chance`):
+/// because the parameters are fitted, tables of Kolmogorov's test would flatter the law. Beyond
+/// 1,000 sizes samples of 1,000 stand in, with D taken times the root of the number of sizes.
 /// @param step   of the readings, m; 0 for continuous sizes. With it, curves are compared halfway
 ///               between readings, where the law and the readings mean the same
 /// @cite stephens1974
 void judge(SizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
            std::size_t samples = 999);
 
-/// Distances of `samples` samples of `count` sizes, drawn from the law and read to the same `step`, each
-/// from the law that is fitted to itself. Samples whose readings are all one have none.
+/// Distances of `samples` samples of `count` sizes, drawn from the law and read to the same `step`,
+/// each from the law that is fitted to itself. Samples whose readings are all one have none.
 std::vector<double> distances_by_chance(const SizeLaw& law, std::size_t count, double step,
                                         std::uint64_t seed, std::size_t samples);
 
@@ -78,10 +81,11 @@ struct SizeCurve {
 
 struct SizeDistribution {
   SizeMeasure measure = SizeMeasure::kIntermediate;
-  double step = 0.0;  ///< of the readings, m; 0 when they are continuous
-  SizeCurve by_number;              ///< percentiles linear between order statistics
-  std::optional<SizeCurve> by_mass;  ///< of the blocks with a mass: size up to which a share of the mass lies
-  double total_mass = 0.0;          ///< kg
+  double step = 0.0;    ///< of the readings, m; 0 when they are continuous
+  SizeCurve by_number;  ///< percentiles linear between order statistics
+  std::optional<SizeCurve>
+      by_mass;  ///< of the blocks with a mass: size up to which a share of the mass lies
+  double total_mass = 0.0;  ///< kg
 };
 
 /// @param population  at least one block

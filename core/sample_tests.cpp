@@ -12,9 +12,9 @@
 namespace clast {
 namespace {
 
-constexpr double kMostCells = 1e7;       // of the lattice that the exact test walks
-constexpr std::size_t kMostOrders = 9;   // 9! = 362,880 orders
-constexpr double kSmallExpected = 5.0;   // Cochran's rule
+constexpr double kMostCells = 1e7;      // of the lattice that the exact test walks
+constexpr std::size_t kMostOrders = 9;  // 9! = 362,880 orders
+constexpr double kSmallExpected = 5.0;  // Cochran's rule
 
 /// The pooled samples: after how many values, in ascending order, a value's ties end, and the
 /// largest |i n - j m| at such places, which is m n D in whole numbers.
@@ -37,15 +37,14 @@ Pooled pooled(std::span<const double> a, std::span<const double> b) {
     while (i < x.size() && x[i] == value) ++i;
     while (j < y.size() && y[j] == value) ++j;
     result.ends[i + j - 1] = true;
-    result.distance = std::max(
-        result.distance,
-        std::abs(static_cast<std::int64_t>(i) * n - static_cast<std::int64_t>(j) * m));
+    result.distance = std::max(result.distance, std::abs(static_cast<std::int64_t>(i) * n -
+                                                         static_cast<std::int64_t>(j) * m));
   }
   return result;
 }
 
-/// The chance that a random lattice path from (0, 0) to (m, n) is somewhere, at the end of a tie, at
-/// least `distance` off the diagonal. Summing what leaves keeps all digits of a small chance.
+/// The chance that a random lattice path from (0, 0) to (m, n) is somewhere, at the end of a tie,
+/// at least `distance` off the diagonal. Summing what leaves keeps all digits of a small chance.
 double chance_of_leaving(std::size_t m, std::size_t n, const Pooled& all) {
   std::vector<double> row(n + 1, 0.0);  // chance to be at (i, j) and never to have left
   double left = 0.0;
@@ -176,9 +175,8 @@ std::optional<TestResult> two_sample_ks(std::span<const double> a, std::span<con
   result.statistic = static_cast<double>(all.distance) / (m * n);
   if (all.distance == 0) return result;
   result.exact = m * n <= kMostCells;
-  result.p_value = result.exact
-                       ? std::min(1.0, chance_of_leaving(a.size(), b.size(), all))
-                       : kolmogorov_above(result.statistic * std::sqrt(m * n / (m + n)));
+  result.p_value = result.exact ? std::min(1.0, chance_of_leaving(a.size(), b.size(), all))
+                                : kolmogorov_above(result.statistic * std::sqrt(m * n / (m + n)));
   return result;
 }
 
@@ -210,14 +208,14 @@ std::optional<TestResult> spearman(std::span<const double> x, std::span<const do
     result.p_value = share_of_orders(rank_x, rank_y, *found);
   } else {
     const double freedom = static_cast<double>(x.size()) - 2.0;
-    result.p_value =
-        student_beyond(*found * std::sqrt(freedom / (1.0 - *found * *found)), freedom);
+    result.p_value = student_beyond(*found * std::sqrt(freedom / (1.0 - *found * *found)), freedom);
   }
   return result;
 }
 
-std::optional<ClassTest> same_classes(std::span<const std::size_t> a, std::span<const std::size_t> b,
-                                      std::uint64_t seed, std::size_t draws) {
+std::optional<ClassTest> same_classes(std::span<const std::size_t> a,
+                                      std::span<const std::size_t> b, std::uint64_t seed,
+                                      std::size_t draws) {
   assert(a.size() == b.size() && draws > 0);
   ClassTable table;
   for (std::size_t k = 0; k < a.size(); ++k) {

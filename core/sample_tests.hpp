@@ -16,9 +16,9 @@ struct TestResult {
 };
 
 /// Kolmogorov's and Smirnov's test of two samples: the largest distance D of their cumulative
-/// shares. p is the share of the (m + n)!/(m! n!) ways to deal the pooled values to two samples that
-/// give at least this D, ties kept; beyond m n = 10^7 it is Kolmogorov's limit, which is too large
-/// when there are ties.
+/// shares. p is the share of the (m + n)!/(m! n!) ways to deal the pooled values to two samples
+/// that give at least this D, ties kept; beyond m n = 10^7 it is Kolmogorov's limit, which is too
+/// large when there are ties.
 /// @param a, b  finite
 /// @return none when either is empty
 /// @cite smirnov1939
@@ -34,21 +34,23 @@ std::optional<TestResult> spearman(std::span<const double> x, std::span<const do
 /// Pearson's test of whether two samples have the same shares of classes.
 struct ClassTest {
   double chi_squared = 0.0;
-  std::size_t freedom = 0;          ///< classes that occur, less one
-  double smallest_expected = 0.0;   ///< count
+  std::size_t freedom = 0;         ///< classes that occur, less one
+  double smallest_expected = 0.0;  ///< count
   double p_value = 1.0;
-  std::size_t draws = 0;  ///< random tables behind p; 0 when it is from the chi-squared distribution
+  std::size_t draws =
+      0;  ///< random tables behind p; 0 when it is from the chi-squared distribution
 };
 
 /// Classes that neither sample has are left out. Where an expected count is below 5 the
-/// distribution is no guide: p is then from `draws` random tables with the same row and column sums, as
-/// (1 + as extreme)/(1 + draws).
+/// distribution is no guide: p is then from `draws` random tables with the same row and column
+/// sums, as (1 + as extreme)/(1 + draws).
 /// @param a, b   counts by class, of one length
 /// @param draws  positive
 /// @return none when either sample is empty or fewer than two classes occur
 /// @cite pearson1900, cochran1954
-std::optional<ClassTest> same_classes(std::span<const std::size_t> a, std::span<const std::size_t> b,
-                                      std::uint64_t seed, std::size_t draws = 9999);
+std::optional<ClassTest> same_classes(std::span<const std::size_t> a,
+                                      std::span<const std::size_t> b, std::uint64_t seed,
+                                      std::size_t draws = 9999);
 
 /// Ranks from 1; equal values share the mean of theirs.
 std::vector<double> ranks(std::span<const double> values);

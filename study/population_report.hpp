@@ -1,5 +1,6 @@
 #pragma once
-/// What is known of one population of blocks, or of two side by side, as tables, diagrams and a page.
+/// What is known of one population of blocks, or of two side by side, as tables, diagrams and a
+/// page.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,7 +15,7 @@ namespace clast {
 struct ReportedPopulation {
   Population population;
   PopulationSummary summary;
-  std::string measured;             ///< how L, I, S were taken: "sides of the smallest box", "as in the table"
+  std::string measured;  ///< how L, I, S were taken: "sides of the smallest box", "as in the table"
   std::vector<std::string> inputs;  ///< path and SHA-256, a blank between
   std::vector<std::string> notes;   ///< what was wrong with the input
 };
@@ -26,7 +27,8 @@ struct PopulationReport {
   PopulationOptions options;
 };
 
-/// Column that holds the class of a scheme: "shape" for garcia, as everywhere; else the scheme's name with _ for -.
+/// Column that holds the class of a scheme: "shape" for garcia, as everywhere; else the scheme's
+/// name with _ for -.
 std::string class_column(const std::string& scheme);
 
 /// shares.csv, sizes.csv and tests.csv as text; columns in docs/formats.md.
@@ -41,7 +43,8 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
                        unsigned threads = 0);
 
 /// Names and pictures: the diagrams as files for a paper.
-std::vector<std::pair<std::string, std::string>> population_diagrams(const PopulationReport& report);
+std::vector<std::pair<std::string, std::string>> population_diagrams(
+    const PopulationReport& report);
 
 /// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, the diagrams as .svg and
 /// report.html, one page that needs no network, to `folder`.

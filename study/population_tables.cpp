@@ -205,7 +205,7 @@ std::string tests_csv(const PopulationReport& report) {
     csv.cell(one.test ? one.test->chi_squared : NAN);
     one.test ? csv.count(one.test->freedom) : csv.empty_cells(1);
     csv.cell(one.test ? one.test->p_value : NAN);
-    csv.cell(!one.test ? std::string()
+    csv.cell(!one.test             ? std::string()
              : one.test->draws > 0 ? std::to_string(one.test->draws) + " random tables"
                                    : std::string("chi-squared distribution"));
     csv.cell(one.words);
@@ -224,10 +224,10 @@ void write_population_report(const PopulationReport& report, const std::filesyst
   write_text_file(folder / "sizes.csv", sizes_csv(report));
   write_text_file(folder / "tests.csv", tests_csv(report));
   // Names may hold bytes that are not UTF-8; they must not stop the tables.
-  write_text_file(folder / "provenance.json",
-                  provenance(report).dump(
-                      2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                      "\n");
+  write_text_file(
+      folder / "provenance.json",
+      provenance(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+          "\n");
   for (const auto& [name, svg] : population_diagrams(report)) {
     write_text_file(folder / (name + ".svg"), svg_file(svg));
   }

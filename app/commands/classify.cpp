@@ -112,7 +112,8 @@ ReportedPopulation read_population(const std::vector<std::string>& inputs,
     }
     reported.inputs.push_back(input + " " + sha256_of_file(input));
   }
-  reported.measured = libraries ? "sides of the smallest box of the rounded block" : "as in the table";
+  reported.measured =
+      libraries ? "sides of the smallest box of the rounded block" : "as in the table";
   if (libraries && tables) reported.measured += ", or as in the table";
   return reported;
 }
@@ -218,7 +219,8 @@ void classify(const ClassifyArgs& args) {
   if (!args.output.empty()) write_population_report(report, args.output);
   args.json ? print_json(report, schemes) : print_tables(report, schemes);
   if (!args.output.empty() && !args.json) {
-    std::cout << "\nReport: " << (std::filesystem::path(args.output) / "report.html").string() << "\n";
+    std::cout << "\nReport: " << (std::filesystem::path(args.output) / "report.html").string()
+              << "\n";
   }
 }
 
@@ -249,9 +251,10 @@ void add_classify(CLI::App& app) {
       ->type_name("L=..,I=..,S=..")
       ->capture_default_str();
   command
-      ->add_option("--units", args->units,
-                   "Length unit of a table: m, cm, mm, um, km, in, ft, or metres per unit; default: "
-                   "as its header says, else m")
+      ->add_option(
+          "--units", args->units,
+          "Length unit of a table: m, cm, mm, um, km, in, ft, or metres per unit; default: "
+          "as its header says, else m")
       ->type_name("UNIT");
   command
       ->add_option("--against-columns", args->against_columns,
@@ -262,13 +265,13 @@ void add_classify(CLI::App& app) {
                    "Length unit of the second population's tables; default: the same")
       ->type_name("UNIT");
   command
-      ->add_option("--size", args->size,
-                   "Size of a block in size distributions: I, the sieve axis, or mean, (L I S)^(1/3)")
+      ->add_option(
+          "--size", args->size,
+          "Size of a block in size distributions: I, the sieve axis, or mean, (L I S)^(1/3)")
       ->check(CLI::IsMember({"I", "mean"}))
       ->type_name("NAME")
       ->capture_default_str();
-  command
-      ->add_option("--seed", args->seed, "Seed of the random samples behind p-values of fits")
+  command->add_option("--seed", args->seed, "Seed of the random samples behind p-values of fits")
       ->type_name("N")
       ->capture_default_str();
   command

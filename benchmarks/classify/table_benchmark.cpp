@@ -55,7 +55,8 @@ void read_and_classify(benchmark::State& state) {
     }
   }
   benchmark::DoNotOptimize(sum);
-  state.counters["elongated"] = static_cast<double>(elongated) / static_cast<double>(state.iterations());
+  state.counters["elongated"] =
+      static_cast<double>(elongated) / static_cast<double>(state.iterations());
   state.counters["rows"] = static_cast<double>(state.range(0));
   fs::remove(path);
 }

@@ -29,7 +29,7 @@ const ClassShare& share_of(const std::vector<ClassShare>& shares, const std::str
                        [&](const ClassShare& share) { return share.name == name; });
 }
 
-/// Outlines, darker where more blocks are; a class without a block keeps its outline and says 0.
+/// Outlines, darker where more blocks are; a class without a block keeps its outline.
 std::string fields_svg(const std::vector<Field>& fields, const std::vector<ClassShare>& shares) {
   double largest = 1e-9;
   for (const ClassShare& share : shares) largest = std::max(largest, share.share);
@@ -57,8 +57,7 @@ std::string labels_svg(const std::vector<Field>& fields, const std::vector<Class
     svg += svg_text(field.label.x(), field.label.y() - 2, field.name,
                     std::string("font-size=\"13\" font-weight=\"700\"") + kHalo);
     svg += svg_text(field.label.x(), field.label.y() + 12,
-                    std::to_string(share.count) +
-                        (share.count > 0 ? " \xC2\xB7 " + percent(share.share) : std::string()),
+                    share.count > 0 ? percent(share.share) : std::string("0"),
                     std::string("font-size=\"11\"") + kHalo);
   }
   return svg;
@@ -126,8 +125,9 @@ constexpr std::array<double, 5> kLimitsQ = {1.0, 0.7, 0.5, 0.3, 0.0};
 constexpr std::array<double, 4> kLimitsD = {0.0, 0.33, 0.67, 1.0};
 
 std::vector<Field> triangle_fields() {
-  std::vector<Field> fields = {
-      {"C", {on_triangle(1, 0), on_triangle(0.7, 0), on_triangle(0.7, 1)}, on_triangle(0.785, 0.5)}};
+  std::vector<Field> fields = {{"C",
+                                {on_triangle(1, 0), on_triangle(0.7, 0), on_triangle(0.7, 1)},
+                                on_triangle(0.785, 0.5)}};
   const std::array<const char*, 3> before = {"C", "", "V"}, after = {"P", "B", "E"};
   for (std::size_t i = 0; i < 3; ++i) {
     const double high = kLimitsQ[i + 1], low = kLimitsQ[i + 2];
@@ -155,7 +155,8 @@ std::string block_title(const MeasuredBlock& block) {
   if (block.mass) title += ", " + significant(*block.mass, 4) + " kg";
   title += "\ns_c " + fixed(elongation_s_c(block.as_written), 2);
   for (const std::string& scheme : scheme_names()) {
-    title += (scheme == scheme_names().front() ? "\n" : ", ") + shape_class(scheme, block.as_written);
+    title +=
+        (scheme == scheme_names().front() ? "\n" : ", ") + shape_class(scheme, block.as_written);
   }
   return title;
 }
@@ -164,12 +165,12 @@ std::string sneed_folk_diagram(const Population& population, std::size_t number)
   const std::vector<ClassShare> shares = class_shares(proportions(population), "sneed-folk");
   const std::vector<Field> fields = triangle_fields();
   const double base = kApex + kHeight;
-  std::string svg =
-      opened(title_with_count("Sneed and Folk (1958)", population), base + 78) +
-      fields_svg(fields, shares);
+  std::string svg = opened(title_with_count("Sneed and Folk (1958)", population), base + 78) +
+                    fields_svg(fields, shares);
   for (const double q : {0.3, 0.5, 0.7}) {
     const Vec2 at = on_triangle(q, 0.0);
-    svg += svg_text(at.x() - 8, at.y() + 4, fixed(q, 1), std::string(kSmall) + " text-anchor=\"end\"");
+    svg +=
+        svg_text(at.x() - 8, at.y() + 4, fixed(q, 1), std::string(kSmall) + " text-anchor=\"end\"");
   }
   for (const double d : {0.33, 0.67}) {
     svg += svg_text(on_triangle(0.0, d).x(), base + 16, fixed(d, 2),
@@ -214,20 +215,20 @@ std::string zingg_diagram(const Population& population, std::size_t number) {
   for (int k = 0; k <= 5; ++k) {
     const double value = 0.2 * k;
     const Vec2 x = on_square(value, 0.0), y = on_square(0.0, value);
-    svg += svg_line(x.x(), bottom, x.x(), bottom + 5, "stroke=\"#5b6775\"") +
-           svg_line(kX - 5, y.y(), kX, y.y(), "stroke=\"#5b6775\"") +
-           svg_text(x.x(), bottom + 18, fixed(value, 1),
-                    std::string(kSmall) + " text-anchor=\"middle\"") +
-           svg_text(kX - 9, y.y() + 4, fixed(value, 1), std::string(kSmall) + " text-anchor=\"end\"");
+    svg +=
+        svg_line(x.x(), bottom, x.x(), bottom + 5, "stroke=\"#5b6775\"") +
+        svg_line(kX - 5, y.y(), kX, y.y(), "stroke=\"#5b6775\"") +
+        svg_text(x.x(), bottom + 18, fixed(value, 1),
+                 std::string(kSmall) + " text-anchor=\"middle\"") +
+        svg_text(kX - 9, y.y() + 4, fixed(value, 1), std::string(kSmall) + " text-anchor=\"end\"");
   }
   svg += svg_text(kX + 0.5 * kSize, bottom + 36, "S/I (limit 2/3)",
                   std::string(kSmall) + " text-anchor=\"middle\"");
   svg += "<text x=\"0\" y=\"0\" transform=\"translate(" + fixed(kX - 42, 1) + " " +
          fixed(kTop + 0.5 * kSize, 1) + ") rotate(-90)\" text-anchor=\"middle\" " + kSmall +
          ">I/L (limit 2/3)</text>";
-  svg += blocks_svg(population, number, {kX, kTop}, [&](const Axes& axes) {
-    return on_square(axes.S / axes.I, axes.I / axes.L);
-  });
+  svg += blocks_svg(population, number, {kX, kTop},
+                    [&](const Axes& axes) { return on_square(axes.S / axes.I, axes.I / axes.L); });
   return svg + labels_svg(fields, shares) + mark_key(population, bottom + 62) + "</svg>\n";
 }
 

@@ -14,8 +14,8 @@ inline constexpr std::size_t kMostSingleBlocks = 2000;
 /// What is said of a block where its mark is: name, axes, and classes.
 std::string block_title(const MeasuredBlock& block);
 
-/// The triangle of Sneed and Folk: compact q at the top, platy (1 - q)(1 - d) left, elongate (1 - q) d
-/// right, with q = S/L and d = (L - I)/(L - S).
+/// The triangle of Sneed and Folk: compact q at the top, platy (1 - q)(1 - d) left, elongate (1 -
+/// q) d right, with q = S/L and d = (L - I)/(L - S).
 /// @param number  of the population in its report, for `page`'s data-block
 std::string sneed_folk_diagram(const Population& population, std::size_t number);
 

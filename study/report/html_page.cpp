@@ -222,8 +222,7 @@ std::string fact(std::string_view name, std::string_view value) {
 }
 
 std::string note_box(std::string_view title, const std::vector<std::string>& notes) {
-  std::string html =
-      "<div class=\"warnings\" role=\"note\"><h2>" + escaped(title) + "</h2><ul>\n";
+  std::string html = "<div class=\"warnings\" role=\"note\"><h2>" + escaped(title) + "</h2><ul>\n";
   for (const std::string& note : notes) html += "<li>" + escaped(note) + "</li>\n";
   return html + "</ul></div>\n";
 }

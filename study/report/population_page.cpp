@@ -12,9 +12,9 @@
 namespace clast {
 namespace {
 
-constexpr std::size_t kMostRows = 500;   // of the table of blocks
+constexpr std::size_t kMostRows = 500;  // of the table of blocks
 constexpr std::size_t kMostNotes = 20;
-constexpr double kGarciaLimit = 0.3;     // s_c above which a block is elongated
+constexpr double kGarciaLimit = 0.3;  // s_c above which a block is elongated
 
 /// The names of a sample's blocks, where few enough to be told apart.
 void name_values(Series& series, std::vector<std::string> names, std::vector<std::string> keys) {
@@ -35,14 +35,16 @@ std::string s_c_chart(const PopulationReport& report) {
     name_values(series, std::move(names), {});
     all.push_back(std::move(series));
   }
-  return histogram_chart({"Elongation s_c (Garcia et al. 2022)", "s_c = L/I \xE2\x88\x92 1 (-)", false,
-                          {{kGarciaLimit, "elongated from 0.3"}}},
+  return histogram_chart({"Elongation s_c (Garcia et al. 2022)",
+                          "s_c = L/I \xE2\x88\x92 1 (-)",
+                          false,
+                          {{kGarciaLimit, "elongated above 0.3"}}},
                          all);
 }
 
 Series size_series(const ReportedPopulation& reported, std::size_t number, bool by_mass) {
-  Series series{by_mass ? "by mass" : "by number", data_colour(by_mass ? 1 : 0), by_mass ? "6 3" : "",
-                {}};
+  Series series{
+      by_mass ? "by mass" : "by number", data_colour(by_mass ? 1 : 0), by_mass ? "6 3" : "", {}};
   std::vector<std::string> names, keys;
   for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
     const MeasuredBlock& block = reported.population.blocks[i];
@@ -60,7 +62,9 @@ Series size_series(const ReportedPopulation& reported, std::size_t number, bool 
 Curve law_curve(const SizeLaw& law, double smallest, double largest) {
   constexpr int kSteps = 160;
   const bool normal = law.kind == SizeLawKind::kLogNormal;
-  Curve curve{name_of(law.kind) + " by number", normal ? "#009E73" : "#6a6f76", normal ? "2 2" : "8 3 2 3",
+  Curve curve{name_of(law.kind) + " by number",
+              normal ? "#009E73" : "#6a6f76",
+              normal ? "2 2" : "8 3 2 3",
               {}};
   for (int k = 0; k <= kSteps; ++k) {
     const double size =
@@ -80,15 +84,25 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
   for (const SizeLaw& law : size.by_number.laws) {
     curves.push_back(law_curve(law, *smallest, *largest));
   }
-  return cumulative_chart({"Size: " + reported.population.name, "size " + name_of(size.measure) + ", m",
-                           true},
-                          series, false, curves);
+  return cumulative_chart(
+      {"Size: " + reported.population.name, "size " + name_of(size.measure) + ", m", true}, series,
+      false, curves);
 }
 
+/// "22.8 to 41.7 %"
+std::string range_text(double low, double high) {
+  return fixed(100.0 * low, 1) + " to " + percent(high);
+}
+
+/// Whole kilograms where four digits would be an exponent.
+std::string mass_text(double mass) { return mass < 1e4 ? significant(mass, 4) : fixed(mass, 0); }
+
 Share share_bar(const ClassShare& share, bool by_mass) {
-  Share bar{by_mass ? share.mass_share : share.share, by_mass ? share.mass_low : share.low,
-            by_mass ? share.mass_high : share.high, {}};
-  bar.note = (by_mass ? significant(share.mass, 4) + " kg" : std::to_string(share.count) + " blocks") +
+  Share bar{by_mass ? share.mass_share : share.share,
+            by_mass ? share.mass_low : share.low,
+            by_mass ? share.mass_high : share.high,
+            {}};
+  bar.note = (by_mass ? mass_text(share.mass) + " kg" : std::to_string(share.count) + " blocks") +
              ", " + percent(bar.value) + " (95 % interval " + percent(bar.low) + " to " +
              percent(bar.high) + ")";
   return bar;
@@ -128,7 +142,7 @@ std::string head(const PopulationReport& report) {
     std::string text = blocks_word(reported.summary.blocks);
     if (reported.summary.weighed > 0) {
       text += ", " + std::to_string(reported.summary.weighed) + " with a mass, " +
-              significant(reported.summary.size.total_mass, 4) + " kg";
+              mass_text(reported.summary.size.total_mass) + " kg";
     }
     facts += fact(reported.population.name, text);
     facts += fact("L, I, S of " + reported.population.name, reported.measured);
@@ -141,8 +155,9 @@ std::string head(const PopulationReport& report) {
                       " more notes, all in provenance.json");
     }
     if (reported.population.blocks.size() > kMostSingleBlocks) {
-      notes.push_back(reported.population.name + ": with " + blocks_word(reported.summary.blocks) +
-                      " the diagrams show densities, not single blocks; every block is in classes.csv");
+      notes.push_back(
+          reported.population.name + ": with " + blocks_word(reported.summary.blocks) +
+          " the diagrams show densities, not single blocks; every block is in classes.csv");
     }
   }
   facts += fact("Size", name_of(report.options.size) +
@@ -159,7 +174,8 @@ std::string comparison_section(const PopulationReport& report) {
   if (!report.comparison) return {};
   const PopulationComparison& comparison = *report.comparison;
   std::string html = "<ul>\n";
-  for (const ClassDifference& one : comparison.schemes) html += "<li>" + escaped(one.words) + "</li>\n";
+  for (const ClassDifference& one : comparison.schemes)
+    html += "<li>" + escaped(one.words) + "</li>\n";
   for (const MeasureDifference& one : comparison.measures) {
     html += "<li>" + escaped(one.words) + "</li>\n";
   }
@@ -180,20 +196,19 @@ std::string classes_section(const PopulationReport& report) {
     html += "<div class=\"charts\">" + figure(shares_chart(report, scheme)) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
       const bool weighed = reported.summary.weighed > 0;
-      std::vector<std::string> heads = {reported.population.name, "blocks", "share", "95 % from", "to"};
+      std::vector<std::string> heads = {reported.population.name, "blocks", "share",
+                                        "95 % interval"};
       if (weighed) {
-        for (const char* name : {"mass, kg", "share by mass", "from", "to"}) heads.push_back(name);
+        for (const char* name : {"mass, kg", "by mass", "95 % interval"}) heads.push_back(name);
       }
       HtmlTable table(heads, 1);
       for (const ClassShare& share : reported.summary.schemes[scheme].shares) {
         std::vector<std::string> cells = {share.name, std::to_string(share.count),
-                                          percent(share.share), percent(share.low),
-                                          percent(share.high)};
+                                          percent(share.share), range_text(share.low, share.high)};
         if (weighed) {
-          cells.push_back(significant(share.mass, 4));
-          for (const double value : {share.mass_share, share.mass_low, share.mass_high}) {
-            cells.push_back(percent(value));
-          }
+          cells.push_back(mass_text(share.mass));
+          cells.push_back(percent(share.mass_share));
+          cells.push_back(range_text(share.mass_low, share.mass_high));
         }
         table.row(std::move(cells));
       }
@@ -201,11 +216,12 @@ std::string classes_section(const PopulationReport& report) {
     }
     html += "</div></div>\n";
   }
-  return section("Classes",
-                 paragraph("Intervals are Wilson's: the shares of the deposit that a sample of this "
-                           "size does not contradict. Shares by mass count a few heavy blocks as "
-                           "much as many light ones, so their intervals are wider.") +
-                     html);
+  return section(
+      "Classes",
+      paragraph("Intervals are Wilson's: the shares of the deposit that a sample of this "
+                "size does not contradict. Shares by mass count a few heavy blocks as "
+                "much as many light ones, so their intervals are wider.") +
+          html);
 }
 
 std::string diagrams_section(const PopulationReport& report) {
@@ -227,10 +243,11 @@ std::string with_error(double value, double error) {
 void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& curve) {
   for (const SizeLaw& law : curve.laws) {
     const bool normal = law.kind == SizeLawKind::kLogNormal;
-    table.row({name_of(law.kind) + " " + weighting,
-               normal ? "median, standard deviation of ln" : "d63.2, exponent",
-               with_error(law.location, law.location_error), with_error(law.spread, law.spread_error),
-               fixed(law.distance, 3), law.p_value ? p_words(*law.p_value) : "-"});
+    table.row(
+        {name_of(law.kind) + " " + weighting,
+         (normal ? "median " : "d63 ") + with_error(law.location, law.location_error),
+         (normal ? "\xCF\x83 of ln " : "exponent ") + with_error(law.spread, law.spread_error),
+         fixed(law.distance, 3), law.p_value ? p_words(*law.p_value) : "-"});
   }
 }
 
@@ -246,14 +263,13 @@ std::string size_section(const PopulationReport& report) {
     };
     add("by number", size.by_number);
     if (size.by_mass) add("by mass", *size.by_mass);
-    HtmlTable laws({"law", "parameters", "size, m", "spread", "KS distance", "p"}, 2);
+    HtmlTable laws({"law", "size, m", "spread", "KS distance", "p"}, 3);
     law_rows(laws, "by number", size.by_number);
     if (size.by_mass) law_rows(laws, "by mass", *size.by_mass);
-    html += "<div class=\"charts\">" + figure(size_chart(reported, i)) + "<div>" +
-            percentiles.html();
-    html += size.by_number.laws.empty()
-                ? paragraph("All blocks are of one size: no law is fitted.")
-                : laws.html();
+    html +=
+        "<div class=\"charts\">" + figure(size_chart(reported, i)) + "<div>" + percentiles.html();
+    html += size.by_number.laws.empty() ? paragraph("All blocks are of one size: no law is fitted.")
+                                        : laws.html();
     if (size.step > 0.0) {
       html += paragraph("Sizes were read in steps of " + significant(size.step, 2) +
                         " m; fits are judged with samples read in the same steps.");
@@ -266,10 +282,11 @@ std::string size_section(const PopulationReport& report) {
   }
   return section(
       "Sizes",
-      paragraph("Laws are fitted by maximum likelihood, with standard errors. p is the chance that a "
-                "sample of the law lies as far from its own fit: a small p speaks against the law, "
-                "a large one does not prove it. By mass there is no p, since the kilograms of one "
-                "block are not independent of each other.") +
+      paragraph(
+          "Laws are fitted by maximum likelihood, with standard errors. p is the chance that a "
+          "sample of the law lies as far from its own fit: a small p speaks against the law, "
+          "a large one does not prove it. By mass there is no p, since the kilograms of one "
+          "block are not independent of each other.") +
           html);
 }
 
@@ -285,7 +302,8 @@ std::string blocks_section(const PopulationReport& report) {
     std::vector<std::string> heads = {reported.population.name};
     for (const SchemeShares& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
     const std::size_t text = heads.size();
-    for (const char* name : {"L, m", "I, m", "S, m", "mass, kg", "s_c", "S/L"}) heads.push_back(name);
+    for (const char* name : {"L, m", "I, m", "S, m", "mass, kg", "s_c", "S/L"})
+      heads.push_back(name);
     HtmlTable table(heads, text);
     for (const MeasuredBlock& block : blocks) {
       std::vector<std::string> cells = {block.name};

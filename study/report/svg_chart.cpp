@@ -111,7 +111,7 @@ std::string limit_lines(const ChartText& text, const Range& range, double top, d
 
 struct Step {
   double value;
-  double share;  ///< up to and with it
+  double share;       ///< up to and with it
   std::size_t index;  ///< of the value in its series
 };
 

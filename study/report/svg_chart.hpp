@@ -35,15 +35,15 @@ struct Limit {
 struct ChartText {
   std::string title;
   std::string x_label;
-  bool logarithmic = false;            ///< x, of a cumulative chart; values are positive
+  bool logarithmic = false;  ///< x, of a cumulative chart; values are positive
   std::vector<Limit> limits = {};
 };
 
 /// Marks and names are drawn up to so many values per series: more would hide the curve.
 inline constexpr std::size_t kMostNamedMarks = 500;
 
-/// Share of each sample at or below x, as steps; with `exceeding`, the share above x. Where values have names, each
-/// gets a mark that says it.
+/// Share of each sample at or below x, as steps; with `exceeding`, the share above x. Where values
+/// have names, each gets a mark that says it.
 std::string cumulative_chart(const ChartText& text, const std::vector<Series>& series,
                              bool exceeding = false, const std::vector<Curve>& curves = {});
 

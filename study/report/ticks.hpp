@@ -14,8 +14,8 @@ struct Ticks {
 /// Multiples of 1, 2 or 5 times a power of ten inside [low, high], about `wanted` of them.
 Ticks ticks(double low, double high, int wanted);
 
-/// Multiples of 1, 2 and 5 of powers of ten inside [low, high]; of 1 alone where there would be more
-/// than `most`.
+/// Multiples of 1, 2 and 5 of powers of ten inside [low, high]; of 1 alone where there would be
+/// more than `most`.
 /// @param low, high  positive
 std::vector<double> log_ticks(double low, double high, std::size_t most);
 

@@ -73,7 +73,8 @@ TEST_F(Tables, UnitOfTheTableIsApplied) {
   EXPECT_TRUE(contains(other.notes[0], "cm") && contains(other.notes[0], "0.001"));
   for (const char* micron : {"um", "\xC2\xB5m", "\xCE\xBCm"}) {
     const std::string unit = std::string(" (") + micron + ")";
-    const auto block = read("L" + unit + ",I" + unit + ",S" + unit + "\n300,200,100\n").blocks.at(0);
+    const auto block =
+        read("L" + unit + ",I" + unit + ",S" + unit + "\n300,200,100\n").blocks.at(0);
     EXPECT_NEAR(block.axes.L, 3e-4, 1e-18);
     EXPECT_EQ(block.as_written.L, 300.0);
   }
@@ -99,19 +100,23 @@ TEST_F(Tables, MassesAreReadWhereThereIsAColumn) {
   EXPECT_NEAR(*read("L,I,S,Mass (t)\n3,2,1,1.5\n").blocks.at(0).mass, 1500.0, 1e-12);
   EXPECT_NEAR(*read("L,I,S,weight [g]\n3,2,1,15\n", {.mass = "Weight"}).blocks.at(0).mass, 0.015,
               1e-15);
-  EXPECT_EQ(*read("9 8 3 2 1\n", {.L = "3", .I = "4", .S = "5", .mass = "2"}).blocks.at(0).mass, 8.0);
+  EXPECT_EQ(*read("9 8 3 2 1\n", {.L = "3", .I = "4", .S = "5", .mass = "2"}).blocks.at(0).mass,
+            8.0);
   EXPECT_TRUE(contains(refusal("L,I,S\n3,2,1\n", {.mass = "kg"}), "\"kg\""));
 }
 
 TEST_F(Tables, NamesComeFromTheColumnAskedFor) {
   EXPECT_EQ(read("Particle ID,L,I,S\n17,3,2,1\n", {.name = "particle id"}).blocks.at(0).name, "17");
-  EXPECT_EQ(read("17 3 2 1\n", {.L = "2", .I = "3", .S = "4", .name = "1"}).blocks.at(0).name, "17");
+  EXPECT_EQ(read("17 3 2 1\n", {.L = "2", .I = "3", .S = "4", .name = "1"}).blocks.at(0).name,
+            "17");
 }
 
 TEST_F(Tables, WhatExcelWritesIsRead) {
-  // Separator line, a heading over two lines, decimal commas, Windows line ends, empty rows at the end.
+  // Separator line, a heading over two lines, decimal commas, Windows line ends, empty rows at the
+  // end.
   const DimensionTable table = read(
-      "\xef\xbb\xbfsep=;\r\nid;\"L\r\n(cm)\";I (cm);S (cm);remark\r\n\"B \"\"7\"\"\";65,5;53;38;\"wet; "
+      "\xef\xbb\xbfsep=;\r\nid;\"L\r\n(cm)\";I (cm);S (cm);remark\r\n\"B "
+      "\"\"7\"\"\";65,5;53;38;\"wet; "
       "mossy\"\r\nB8;70;60;\"50\";\r\n;;;;\r\n;;;;\r\n");
   ASSERT_EQ(table.blocks.size(), 2u);
   EXPECT_EQ(table.blocks[0].name, "B \"7\"");

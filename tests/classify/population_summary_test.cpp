@@ -18,8 +18,8 @@ Population deposit(const std::string& name, std::uint64_t seed, int blocks, doub
   for (int i = 0; i < blocks; ++i) {
     const double elongation = s_c * std::exp(0.4 * random.normal());
     const double I = related ? 0.3 + elongation : 0.5 + 0.3 * random.uniform();
-    population.blocks.push_back(measured_block("b" + std::to_string(i),
-                                               {I * (1.0 + elongation), I, 0.7 * I}, 1000.0 * I));
+    population.blocks.push_back(
+        measured_block("b" + std::to_string(i), {I * (1.0 + elongation), I, 0.7 * I}, 1000.0 * I));
   }
   return population;
 }

@@ -107,7 +107,8 @@ TEST_P(BothLaws, NeedTwoSizes) {
   EXPECT_FALSE(fitted_law(GetParam(), std::vector<double>{}));
   EXPECT_FALSE(fitted_law(GetParam(), std::vector<double>{0.5}));
   EXPECT_FALSE(fitted_law(GetParam(), std::vector<double>{0.5, 0.5, 0.5}));
-  EXPECT_FALSE(fitted_law(GetParam(), std::vector<double>{0.5, 0.7}, std::vector<double>{1.0, 0.0}));
+  EXPECT_FALSE(
+      fitted_law(GetParam(), std::vector<double>{0.5, 0.7}, std::vector<double>{1.0, 0.0}));
 }
 
 // The sizes at which ln d is the 3 : 1 mean of two values have closed forms: mean and standard
@@ -156,8 +157,8 @@ TEST(Judge, OfALogNormalLawHitsStephensPoints) {
   }
 }
 
-/// 95 % point of D of Rosin-Rammler samples from their own fit, by another generator, another law of
-/// the family (the points depend on n alone) and bisection of the likelihood's derivative.
+/// 95 % point of D of Rosin-Rammler samples from their own fit, by another generator, another law
+/// of the family (the points depend on n alone) and bisection of the likelihood's derivative.
 double rosin_rammler_point(int n) {
   std::mt19937_64 generator(3);
   std::weibull_distribution<double> law(1.0, 1.0);
@@ -227,8 +228,13 @@ TEST(Judge, FindsTheWrongLawInALargeSample) {
 
 TEST(ReadingStep, IsTheLargestCommonStep) {
   EXPECT_NEAR(reading_step(std::vector<double>{0.45, 0.8, 0.65, 1.1}), 0.05, 1e-12);
-  EXPECT_NEAR(reading_step(std::vector<double>{0.45, 0.8, 0.66, 1.1}), 0.01, 1e-12);
+  EXPECT_NEAR(reading_step(std::vector<double>{0.45, 0.8, 0.66, 1.13}), 0.01, 1e-12);
   EXPECT_NEAR(reading_step(std::vector<double>{3 * 0.0254, 5 * 0.0254, 8 * 0.0254}), 0.0254, 1e-12);
+  // One reading in twelve to the centimetre does not hide the 5 cm of the others; one in six does.
+  EXPECT_NEAR(reading_step(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.85, 0.9, 0.95, 0.55,
+                                               0.6, 0.75, 0.62}),
+              0.05, 1e-12);
+  EXPECT_NEAR(reading_step(std::vector<double>{0.45, 0.8, 0.65, 1.1, 0.7, 0.62}), 0.01, 1e-12);
   EXPECT_EQ(reading_step(std::vector<double>{0.8, 0.8}), 0.0);
   EXPECT_EQ(reading_step(std::vector<double>{}), 0.0);
   EXPECT_EQ(reading_step(log_normal_sample(1, 40, 1.0, 0.5)), 0.0);
@@ -249,11 +255,11 @@ TEST(SizeDistribution, PercentilesByNumberAndByMass) {
       population_of({{4, 1, 1}, {4, 2, 1}, {4, 3, 1}, {4, 3.5, 1}}, {10, 20, 70, 0});
   const SizeDistribution sizes = size_distribution(population, SizeMeasure::kIntermediate, 1);
   EXPECT_EQ(sizes.by_number.blocks, 4u);
-  EXPECT_DOUBLE_EQ(sizes.by_number.d50, 2.5);                // between the second and the third
-  EXPECT_DOUBLE_EQ(sizes.by_number.d10, 1.3);                // place 0.3
+  EXPECT_DOUBLE_EQ(sizes.by_number.d50, 2.5);  // between the second and the third
+  EXPECT_DOUBLE_EQ(sizes.by_number.d10, 1.3);  // place 0.3
   ASSERT_TRUE(sizes.by_mass);
   EXPECT_EQ(sizes.by_mass->blocks, 3u);
-  EXPECT_EQ(sizes.by_mass->d10, 1.0);                        // 10 % of the mass is up to here
+  EXPECT_EQ(sizes.by_mass->d10, 1.0);  // 10 % of the mass is up to here
   EXPECT_EQ(sizes.by_mass->d50, 3.0);
   EXPECT_EQ(sizes.by_mass->d90, 3.0);
   EXPECT_EQ(sizes.total_mass, 100.0);
@@ -261,11 +267,13 @@ TEST(SizeDistribution, PercentilesByNumberAndByMass) {
   EXPECT_TRUE(sizes.by_number.laws[0].p_value);
   // No p by mass: neighbouring kilograms of one block are not independent draws.
   EXPECT_FALSE(sizes.by_mass->laws[0].p_value);
-  EXPECT_FALSE(size_distribution(population_of({{2, 1, 1}}), SizeMeasure::kIntermediate, 1).by_mass);
+  EXPECT_FALSE(
+      size_distribution(population_of({{2, 1, 1}}), SizeMeasure::kIntermediate, 1).by_mass);
 }
 
 TEST(SizeDistribution, OfOneBlockOrOneSizeHasNoLaw) {
-  const auto one = size_distribution(population_of({{3, 2, 1}}, {5}), SizeMeasure::kIntermediate, 1);
+  const auto one =
+      size_distribution(population_of({{3, 2, 1}}, {5}), SizeMeasure::kIntermediate, 1);
   EXPECT_EQ(one.by_number.d10, 2.0);
   EXPECT_EQ(one.by_number.d90, 2.0);
   EXPECT_EQ(one.by_mass->d50, 2.0);

@@ -100,9 +100,7 @@ TEST(TwoSampleKs, KnowsNothingOfAnEmptySampleAndSeesNoneInEqualOnes) {
   EXPECT_EQ(two_sample_ks(Values{1, 2, 3}, Values{3, 2, 1})->p_value, 1.0);
 }
 
-TEST(Ranks, TiesShareTheMean) {
-  EXPECT_EQ(ranks(Values{3, 1, 3, 2, 3}), (Values{4, 1, 4, 2, 4}));
-}
+TEST(Ranks, TiesShareTheMean) { EXPECT_EQ(ranks(Values{3, 1, 3, 2, 3}), (Values{4, 1, 4, 2, 4})); }
 
 // Without ties rho = 1 - 6 sum d^2/(n (n^2 - 1)); for n = 4 the 24 orders give P(rho = 1) = 1/24.
 TEST(Spearman, OfFourPairsCountsAllOrders) {
@@ -110,7 +108,7 @@ TEST(Spearman, OfFourPairsCountsAllOrders) {
   EXPECT_DOUBLE_EQ(all->statistic, 1.0);
   EXPECT_NEAR(all->p_value, 2.0 / 24.0, 1e-15);
   const auto most = spearman(Values{1, 2, 3, 4}, Values{1, 2, 4, 3});
-  EXPECT_NEAR(most->statistic, 0.8, 1e-15);  // sum d^2 = 2
+  EXPECT_NEAR(most->statistic, 0.8, 1e-15);       // sum d^2 = 2
   EXPECT_NEAR(most->p_value, 8.0 / 24.0, 1e-15);  // 1 + 3 orders at either end
 }
 
@@ -129,7 +127,8 @@ TEST(Spearman, BeyondNinePairsFollowsStudent) {
   for (int i = 0; i < 200; ++i) squares += (rank_x[i] - rank_y[i]) * (rank_x[i] - rank_y[i]);
   const double rho = 1.0 - 6.0 * squares / (200.0 * (200.0 * 200.0 - 1.0));
   EXPECT_NEAR(test->statistic, rho, 1e-12);
-  EXPECT_NEAR(test->p_value, student_beyond(rho * std::sqrt(198.0 / (1.0 - rho * rho)), 198), 1e-12);
+  EXPECT_NEAR(test->p_value, student_beyond(rho * std::sqrt(198.0 / (1.0 - rho * rho)), 198),
+              1e-12);
   // Among samples without a relation one in twenty is below 5 %.
   int rejected = 0;
   for (int trial = 0; trial < 400; ++trial) {
@@ -194,23 +193,22 @@ double p_of_all_tables(const Counts& a, const Counts& b) {
   const double found = chi(a);
   double p = 0.0;
   Counts x(a.size(), 0);
-  const std::function<void(std::size_t, std::size_t, double)> place = [&](std::size_t k,
-                                                                         std::size_t left,
-                                                                         double log_chance) {
-    if (k + 1 == x.size()) {
-      if (left > total[k]) return;
-      x[k] = left;
-      if (chi(x) >= found * (1 - 1e-9)) {
-        p += std::exp(log_chance + log_choose(double(total[k]), double(left)) -
-                      log_choose(double(size), double(size_a)));
-      }
-      return;
-    }
-    for (std::size_t c = 0; c <= std::min(left, total[k]); ++c) {
-      x[k] = c;
-      place(k + 1, left - c, log_chance + log_choose(double(total[k]), double(c)));
-    }
-  };
+  const std::function<void(std::size_t, std::size_t, double)> place =
+      [&](std::size_t k, std::size_t left, double log_chance) {
+        if (k + 1 == x.size()) {
+          if (left > total[k]) return;
+          x[k] = left;
+          if (chi(x) >= found * (1 - 1e-9)) {
+            p += std::exp(log_chance + log_choose(double(total[k]), double(left)) -
+                          log_choose(double(size), double(size_a)));
+          }
+          return;
+        }
+        for (std::size_t c = 0; c <= std::min(left, total[k]); ++c) {
+          x[k] = c;
+          place(k + 1, left - c, log_chance + log_choose(double(total[k]), double(c)));
+        }
+      };
   place(0, size_a, 0.0);
   return p;
 }
@@ -229,7 +227,8 @@ TEST(SameClasses, RareClassesAreJudgedByRandomTables) {
     }
   }
   // A rare class among a million blocks costs no more.
-  const auto large = same_classes(Counts{500'000, 499'998, 2}, Counts{400'000, 400'000, 4}, 5, 2000);
+  const auto large =
+      same_classes(Counts{500'000, 499'998, 2}, Counts{400'000, 400'000, 4}, 5, 2000);
   EXPECT_EQ(large->draws, 2000u);
   EXPECT_GT(large->p_value, 0.2);
   EXPECT_EQ(same_classes(Counts{6, 1, 3}, Counts{2, 5, 4}, 5)->p_value,

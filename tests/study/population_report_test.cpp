@@ -107,9 +107,9 @@ double number_after(const std::string& svg, const std::string& part, const std::
 
 // Where the limits meet the left side: heights of the triangle from the base are S/L.
 TEST(SneedFolkDiagram, MarksStandWhereTheRatiosSay) {
-  Population population{"three", {measured_block("cube", {1, 1, 1}),
-                                  measured_block("plate", {1, 1, 0.001}),
-                                  measured_block("needle", {1, 0.001, 0.001})}};
+  Population population{"three",
+                        {measured_block("cube", {1, 1, 1}), measured_block("plate", {1, 1, 0.001}),
+                         measured_block("needle", {1, 0.001, 0.001})}};
   const std::string svg = sneed_folk_diagram(population, 0);
   const auto x = [&](int i) {
     const std::string key = "data-block=\"0-" + std::to_string(i) + "\"";
@@ -167,8 +167,8 @@ TEST(PopulationTables, ClassesHoldEveryBlockWithItsClassesAndIndices) {
   EXPECT_EQ(text, read_text_file(folder / "four.csv"));
   const CsvTable table = read_csv(text);
   ASSERT_EQ(table.rows.size(), 5001u);
-  for (const std::size_t row : {std::size_t{0}, std::size_t{2047}, std::size_t{2048},
-                                std::size_t{4999}}) {
+  for (const std::size_t row :
+       {std::size_t{0}, std::size_t{2047}, std::size_t{2048}, std::size_t{4999}}) {
     const MeasuredBlock& block = report.populations[0].population.blocks[row];
     EXPECT_EQ(table.rows[row].at("block"), block.name);
     EXPECT_EQ(table.number(row, "L_m"), block.axes.L);
