@@ -7,9 +7,13 @@
 
 namespace clast {
 
-void CsvText::cell(std::string_view text) {
+void CsvText::begin_cell() {
   if (!first_) text_ += ',';
   first_ = false;
+}
+
+void CsvText::cell(std::string_view text) {
+  begin_cell();
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
     text_ += text;
     return;
@@ -20,10 +24,11 @@ void CsvText::cell(std::string_view text) {
 }
 
 void CsvText::cell(double value) {
-  if (!std::isfinite(value)) return cell(std::string_view());
+  begin_cell();
+  if (!std::isfinite(value)) return;
   std::array<char, 32> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-  cell(std::string_view(text.data(), static_cast<std::size_t>(end.ptr - text.data())));
+  text_.append(text.data(), end.ptr);
 }
 
 void CsvText::count(std::uint64_t value) { cell(std::string_view(std::to_string(value))); }

@@ -24,6 +24,8 @@ class CsvText {
   std::string take();
 
  private:
+  void begin_cell();
+
   std::string text_;
   bool first_ = true;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "core/probability.hpp"
 #include "core/random.hpp"
@@ -181,16 +182,17 @@ std::optional<TestResult> two_sample_ks(std::span<const double> a, std::span<con
 }
 
 std::vector<double> ranks(std::span<const double> values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return values[i] < values[j]; });
+  // Values beside their places: sorting places alone would look all over the memory.
+  std::vector<std::pair<double, std::size_t>> order;
+  order.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) order.emplace_back(values[i], i);
+  std::sort(order.begin(), order.end());
   std::vector<double> result(values.size());
   for (std::size_t i = 0; i < order.size();) {
     std::size_t end = i;
-    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+    while (end < order.size() && order[end].first == order[i].first) ++end;
     const double shared = 0.5 * static_cast<double>(i + 1 + end);
-    for (; i < end; ++i) result[order[i]] = shared;
+    for (; i < end; ++i) result[order[i].second] = shared;
   }
   return result;
 }

@@ -2,9 +2,9 @@
 /// What is known of one population of blocks, or of two side by side, as tables, diagrams and a
 /// page.
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "classify/population_summary.hpp"
@@ -42,9 +42,11 @@ std::string tests_csv(const PopulationReport& report);
 void write_classes_csv(const PopulationReport& report, const std::filesystem::path& path,
                        unsigned threads = 0);
 
-/// Names and pictures: the diagrams as files for a paper.
-std::vector<std::pair<std::string, std::string>> population_diagrams(
-    const PopulationReport& report);
+/// Pictures as SVG by the names of their files.
+using Diagrams = std::map<std::string, std::string>;
+/// "sneed_folk", "zingg", "size" (with "_1" and "_2" for two populations), "s_c", and "shares_"
+/// with the class column of each scheme.
+Diagrams population_diagrams(const PopulationReport& report);
 
 /// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, the diagrams as .svg and
 /// report.html, one page that needs no network, to `folder`.

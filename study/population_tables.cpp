@@ -228,10 +228,11 @@ void write_population_report(const PopulationReport& report, const std::filesyst
       folder / "provenance.json",
       provenance(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
           "\n");
-  for (const auto& [name, svg] : population_diagrams(report)) {
+  const Diagrams diagrams = population_diagrams(report);
+  for (const auto& [name, svg] : diagrams) {
     write_text_file(folder / (name + ".svg"), svg_file(svg));
   }
-  write_text_file(folder / "report.html", population_page(report));
+  write_text_file(folder / "report.html", population_page(report, diagrams));
 }
 
 }  // namespace clast

@@ -82,9 +82,27 @@ DimensionTable read_blocks(const std::string& input, const DimensionColumns& col
   return table;
 }
 
+/// What is said of a table on the terminal: its first notes and how many rows they are about.
+std::string notes_text(const std::string& input, const DimensionTable& table) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostNotes, table.notes.size()); ++i) {
+    text += input + ": " + table.notes[i] + "\n";
+  }
+  if (table.notes.size() > kMostNotes) {
+    text += input + ": and " + std::to_string(table.notes.size() - kMostNotes) + " more notes\n";
+  }
+  if (table.skipped + table.sorted + table.unweighed > 0) {
+    text += input + ": " + counted(table.blocks.size(), "row") + " used, " +
+            std::to_string(table.skipped) + " skipped, " + std::to_string(table.sorted) +
+            " sorted, " + std::to_string(table.unweighed) + " without a usable mass\n";
+  }
+  return text;
+}
+
 /// One population out of several files; rows without a name of their own are told apart by file.
 ReportedPopulation read_population(const std::vector<std::string>& inputs,
-                                   const DimensionColumns& columns) {
+                                   const DimensionColumns& columns,
+                                   std::vector<std::string>& said) {
   ReportedPopulation reported;
   bool tables = false, libraries = false;
   for (const std::string& input : inputs) {
@@ -99,17 +117,7 @@ ReportedPopulation read_population(const std::vector<std::string>& inputs,
     for (const std::string& note : table.notes) {
       reported.notes.push_back(inputs.size() > 1 ? stem + ": " + note : note);
     }
-    for (std::size_t i = 0; i < std::min(kMostNotes, table.notes.size()); ++i) {
-      std::cerr << input << ": " << table.notes[i] << "\n";
-    }
-    if (table.notes.size() > kMostNotes) {
-      std::cerr << input << ": and " << table.notes.size() - kMostNotes << " more notes\n";
-    }
-    if (table.skipped + table.sorted + table.unweighed > 0) {
-      std::cerr << input << ": " << counted(table.blocks.size(), "row") << " used, "
-                << table.skipped << " skipped, " << table.sorted << " sorted, " << table.unweighed
-                << " without a usable mass\n";
-    }
+    said.push_back(notes_text(input, table));
     reported.inputs.push_back(input + " " + sha256_of_file(input));
   }
   reported.measured =
@@ -201,9 +209,10 @@ void classify(const ClassifyArgs& args) {
       columns_from(args.against_columns.empty() ? args.columns : args.against_columns,
                    args.against_units.empty() ? args.units : args.against_units);
 
-  report.populations.push_back(read_population(args.inputs, columns));
+  std::vector<std::string> said;
+  report.populations.push_back(read_population(args.inputs, columns, said));
   if (!args.against.empty()) {
-    report.populations.push_back(read_population(args.against, against_columns));
+    report.populations.push_back(read_population(args.against, against_columns, said));
     Population &a = report.populations[0].population, &b = report.populations[1].population;
     if (a.name == b.name) {  // the same file name in two folders
       a.name += " (1)";
@@ -217,6 +226,8 @@ void classify(const ClassifyArgs& args) {
   const std::vector<std::string> schemes =
       args.scheme.empty() ? scheme_names() : std::vector<std::string>{args.scheme};
   if (!args.output.empty()) write_population_report(report, args.output);
+  // Only now, so that a failure is the first thing said.
+  for (const std::string& notes : said) std::cerr << notes;
   args.json ? print_json(report, schemes) : print_tables(report, schemes);
   if (!args.output.empty() && !args.json) {
     std::cout << "\nReport: " << (std::filesystem::path(args.output) / "report.html").string()

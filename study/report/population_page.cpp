@@ -16,23 +16,15 @@ constexpr std::size_t kMostRows = 500;  // of the table of blocks
 constexpr std::size_t kMostNotes = 20;
 constexpr double kGarciaLimit = 0.3;  // s_c above which a block is elongated
 
-/// The names of a sample's blocks, where few enough to be told apart.
-void name_values(Series& series, std::vector<std::string> names, std::vector<std::string> keys) {
-  if (series.values.size() > kMostNamedMarks) return;
-  series.names = std::move(names);
-  series.blocks = std::move(keys);
-}
-
 std::string s_c_chart(const PopulationReport& report) {
   std::vector<Series> all;
   for (const ReportedPopulation& reported : report.populations) {
     Series series{reported.population.name, data_colour(all.size()), "", {}};
-    std::vector<std::string> names;
+    const bool named = reported.population.blocks.size() <= kMostNamedMarks;
     for (const MeasuredBlock& block : reported.population.blocks) {
       series.values.push_back(elongation_s_c(block.as_written));
-      names.push_back(block.name);
+      if (named) series.names.push_back(block.name);
     }
-    name_values(series, std::move(names), {});
     all.push_back(std::move(series));
   }
   return histogram_chart({"Elongation s_c (Garcia et al. 2022)",
@@ -45,16 +37,16 @@ std::string s_c_chart(const PopulationReport& report) {
 Series size_series(const ReportedPopulation& reported, std::size_t number, bool by_mass) {
   Series series{
       by_mass ? "by mass" : "by number", data_colour(by_mass ? 1 : 0), by_mass ? "6 3" : "", {}};
-  std::vector<std::string> names, keys;
+  const bool named = reported.population.blocks.size() <= kMostNamedMarks;
   for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
     const MeasuredBlock& block = reported.population.blocks[i];
     if (by_mass && !block.mass) continue;
     series.values.push_back(block_size(block.axes, reported.summary.size.measure));
     if (by_mass) series.weights.push_back(*block.mass);
-    names.push_back(block.name + ", " + significant(series.values.back(), 3) + " m");
-    keys.push_back(block_key(number, i));
+    if (!named) continue;
+    series.names.push_back(block.name + ", " + significant(series.values.back(), 3) + " m");
+    series.blocks.push_back(block_key(number, i));
   }
-  name_values(series, std::move(names), std::move(keys));
   return series;
 }
 
@@ -130,6 +122,15 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
                      classes, all);
 }
 
+/// Files of two populations are told apart by a number.
+std::string suffix(const PopulationReport& report, std::size_t number) {
+  return report.populations.size() > 1 ? "_" + std::to_string(number + 1) : "";
+}
+
+std::string shares_name(const PopulationReport& report, std::size_t scheme) {
+  return "shares_" + class_column(report.populations.front().summary.schemes[scheme].scheme);
+}
+
 std::string blocks_word(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " block" : " blocks");
 }
@@ -188,12 +189,12 @@ std::string comparison_section(const PopulationReport& report) {
   return section(comparison.name_a + " against " + comparison.name_b, html);
 }
 
-std::string classes_section(const PopulationReport& report) {
+std::string classes_section(const PopulationReport& report, const Diagrams& diagrams) {
   std::string html;
   const std::size_t schemes = report.populations.front().summary.schemes.size();
   for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
     html += "<h3>" + escaped(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
-    html += "<div class=\"charts\">" + figure(shares_chart(report, scheme)) + "<div>";
+    html += "<div class=\"charts\">" + figure(diagrams.at(shares_name(report, scheme))) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
       const bool weighed = reported.summary.weighed > 0;
       std::vector<std::string> heads = {reported.population.name, "blocks", "share",
@@ -224,13 +225,13 @@ std::string classes_section(const PopulationReport& report) {
           html);
 }
 
-std::string diagrams_section(const PopulationReport& report) {
+std::string diagrams_section(const PopulationReport& report, const Diagrams& diagrams) {
   std::string html = "<div class=\"charts\">\n";
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
-    html += figure(sneed_folk_diagram(report.populations[i].population, i));
-    html += figure(zingg_diagram(report.populations[i].population, i));
+    html += figure(diagrams.at("sneed_folk" + suffix(report, i)));
+    html += figure(diagrams.at("zingg" + suffix(report, i)));
   }
-  html += figure(s_c_chart(report));
+  html += figure(diagrams.at("s_c"));
   return section("Forms", paragraph("The pointer on a mark names its block and lights it up in all "
                                     "diagrams; the darker a field, the more blocks are in it.") +
                               html + "</div>\n");
@@ -251,7 +252,7 @@ void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& c
   }
 }
 
-std::string size_section(const PopulationReport& report) {
+std::string size_section(const PopulationReport& report, const Diagrams& diagrams) {
   std::string html;
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
@@ -266,8 +267,8 @@ std::string size_section(const PopulationReport& report) {
     HtmlTable laws({"law", "size, m", "spread", "KS distance", "p"}, 3);
     law_rows(laws, "by number", size.by_number);
     if (size.by_mass) law_rows(laws, "by mass", *size.by_mass);
-    html +=
-        "<div class=\"charts\">" + figure(size_chart(reported, i)) + "<div>" + percentiles.html();
+    html += "<div class=\"charts\">" + figure(diagrams.at("size" + suffix(report, i))) + "<div>" +
+            percentiles.html();
     html += size.by_number.laws.empty() ? paragraph("All blocks are of one size: no law is fitted.")
                                         : laws.html();
     if (size.step > 0.0) {
@@ -338,33 +339,29 @@ std::string sources_section(const PopulationReport& report) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> population_diagrams(
-    const PopulationReport& report) {
-  std::vector<std::pair<std::string, std::string>> diagrams;
+Diagrams population_diagrams(const PopulationReport& report) {
+  Diagrams diagrams;
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
-    const std::string number = report.populations.size() > 1 ? "_" + std::to_string(i + 1) : "";
-    diagrams.emplace_back("sneed_folk" + number, sneed_folk_diagram(reported.population, i));
-    diagrams.emplace_back("zingg" + number, zingg_diagram(reported.population, i));
-    diagrams.emplace_back("size" + number, size_chart(reported, i));
+    diagrams["sneed_folk" + suffix(report, i)] = sneed_folk_diagram(reported.population, i);
+    diagrams["zingg" + suffix(report, i)] = zingg_diagram(reported.population, i);
+    diagrams["size" + suffix(report, i)] = size_chart(reported, i);
   }
-  diagrams.emplace_back("s_c", s_c_chart(report));
-  const std::vector<SchemeShares>& schemes = report.populations.front().summary.schemes;
-  for (std::size_t scheme = 0; scheme < schemes.size(); ++scheme) {
-    diagrams.emplace_back("shares_" + class_column(schemes[scheme].scheme),
-                          shares_chart(report, scheme));
+  diagrams["s_c"] = s_c_chart(report);
+  for (std::size_t i = 0; i < report.populations.front().summary.schemes.size(); ++i) {
+    diagrams[shares_name(report, i)] = shares_chart(report, i);
   }
   return diagrams;
 }
 
-std::string population_page(const PopulationReport& report) {
+std::string population_page(const PopulationReport& report, const Diagrams& diagrams) {
   std::string title = "Blocks";
   for (const ReportedPopulation& reported : report.populations) {
     title += (&reported == &report.populations.front() ? ": " : ", ") + reported.population.name;
   }
-  return page(title, head(report) + comparison_section(report) + classes_section(report) +
-                         diagrams_section(report) + size_section(report) + blocks_section(report) +
-                         sources_section(report));
+  return page(title, head(report) + comparison_section(report) + classes_section(report, diagrams) +
+                         diagrams_section(report, diagrams) + size_section(report, diagrams) +
+                         blocks_section(report) + sources_section(report));
 }
 
 }  // namespace clast

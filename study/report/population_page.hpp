@@ -6,6 +6,7 @@
 
 namespace clast {
 
-std::string population_page(const PopulationReport& report);
+/// @param diagrams  of the report, see `population_diagrams`
+std::string population_page(const PopulationReport& report, const Diagrams& diagrams);
 
 }  // namespace clast
