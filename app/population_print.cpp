@@ -1,6 +1,7 @@
 #include "app/population_print.hpp"
 
 #include "app/text_table.hpp"
+#include "classify/certainty.hpp"
 
 namespace clast {
 namespace {
@@ -74,6 +75,13 @@ Json curve_json(const SizeCurve& curve) {
           {"fits", laws}};
 }
 
+Json certainty_json(const ClassCertainty& certainty) {
+  return {{"class", certainty.name},        {"ratio", certainty.ratio},
+          {"value", certainty.value},       {"nearest_limit", certainty.limit},
+          {"distance", certainty.distance}, {"near_limit", certainty.near_limit},
+          {"survives", certainty.survives}, {"others", certainty.others}};
+}
+
 Json test_json(const std::optional<TestResult>& test, const char* statistic) {
   Json json;
   json[statistic] = test ? Json(test->statistic) : Json();
@@ -82,6 +90,49 @@ Json test_json(const std::optional<TestResult>& test, const char* statistic) {
 }
 
 }  // namespace
+
+std::string blocks_text(const Population& population, const PopulationOptions& options) {
+  TextTable table{{"block", "L m", "I m", "S m", "s_c"}, {}};
+  table.headings.insert(table.headings.end(), options.schemes.begin(), options.schemes.end());
+  const std::string& first = options.schemes.front();
+  table.headings.push_back("how sure (" + first + ")");
+  for (const MeasuredBlock& block : population.blocks) {
+    table.rows.push_back({block.name, rounded(block.axes.L), rounded(block.axes.I),
+                          rounded(block.axes.S), rounded(elongation_s_c(block.as_written), 3)});
+    for (const std::string& scheme : options.schemes) {
+      table.rows.back().push_back(shape_class(scheme, block.as_written, options.limits));
+    }
+    const ClassCertainty certainty =
+        class_certainty(first, block.axes, block.axis_error, options.limits);
+    table.rows.back().push_back(certainty.near_limit ? described(certainty) : "clear of limits");
+  }
+  return table.text();
+}
+
+Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits) {
+  Json json = {{"id", block.name},
+               {"box_m", {block.axes.L, block.axes.I, block.axes.S}},
+               {"axis_error_m", block.axis_error},
+               {"s_c", elongation_s_c(block.as_written)},
+               {"sneed_folk", sneed_folk_class(block.as_written, limits)},
+               {"zingg", zingg_class(block.as_written)},
+               {"shape", garcia_class(block.as_written)}};
+  if (block.mass) json["mass_kg"] = *block.mass;
+  for (const std::string& scheme : scheme_names()) {
+    json["classes"][scheme] =
+        certainty_json(class_certainty(scheme, block.axes, block.axis_error, limits));
+  }
+  json["indices"] = form_indices(block.as_written);
+  return json;
+}
+
+Json formulas_json() {
+  Json json;
+  for (const FormIndex& index : form_index_list()) {
+    json[index.name] = {{"formula", index.formula}, {"source", index.source}};
+  }
+  return json;
+}
 
 std::string summary_text(const PopulationSummary& summary) {
   std::string text;
@@ -92,7 +143,7 @@ std::string summary_text(const PopulationSummary& summary) {
   for (const SizeShape& relation : summary.size_and_shape) {
     text += size_shape_words(relation, summary.size.measure) + "\n";
   }
-  return text;
+  return text + "C40 (S/L at most 0.4): " + percent(summary.c40) + " %\n";
 }
 
 std::string comparison_text(const PopulationComparison& comparison) {

@@ -13,12 +13,13 @@ struct MeasuredBlock {
   Axes as_written;  ///< sorted, in the unit of the table; ratios of these carry no rounding of the
                     ///< unit
   std::optional<double> mass;  ///< kg
+  double axis_error = 0.0;     ///< m; each axis may be off by so much
 };
 
 /// Axes that were in metres from the start.
 inline MeasuredBlock measured_block(std::string name, const Axes& axes,
                                     std::optional<double> mass = std::nullopt) {
-  return {std::move(name), axes, axes, mass};
+  return {std::move(name), axes, axes, mass, 0.0};
 }
 
 }  // namespace clast

@@ -48,6 +48,7 @@ std::vector<double> masses(const Population& population) {
 }
 
 std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme,
+                                     const SchemeOptions& options,
                                      std::span<const double> weights) {
   assert(weights.empty() || weights.size() == blocks.size());
   const std::vector<std::string>& names = class_names(scheme);
@@ -55,7 +56,7 @@ std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::st
   std::vector<MassSums> sums(names.size());
   MassSums whole;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const std::string name = shape_class(scheme, blocks[i]);
+    const std::string name = shape_class(scheme, blocks[i], options);
     const auto k =
         static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
     assert(k < names.size());
@@ -78,6 +79,13 @@ std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::st
     set_mass_share(share, sums[k], whole);
   }
   return shares;
+}
+
+double c40(std::span<const Axes> blocks) {
+  const auto slabs = std::count_if(blocks.begin(), blocks.end(), [](const Axes& axes) {
+    return axes.S / axes.L <= 0.4 + 1e-12;  // decimals on the limit are on it
+  });
+  return static_cast<double>(slabs) / static_cast<double>(blocks.size());
 }
 
 }  // namespace clast

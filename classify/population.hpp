@@ -42,6 +42,12 @@ struct ClassShare {
 /// @param weights  mass of each block, kg, 0 where unknown; or empty, and nothing is known by mass
 /// @cite wilson1927, kish1965, korn1998
 std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme,
+                                     const SchemeOptions& options = {},
                                      std::span<const double> weights = {});
+
+/// Share of blocks with S/L <= 0.4.
+/// @param blocks  at least one
+/// @cite benn1993
+double c40(std::span<const Axes> blocks);
 
 }  // namespace clast

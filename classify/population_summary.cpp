@@ -89,13 +89,14 @@ std::string largest_difference(const std::vector<ClassShare>& a, const std::stri
 
 ClassDifference class_difference(const std::string& scheme, const Population& a,
                                  const std::vector<Axes>& axes_a, const Population& b,
-                                 const std::vector<Axes>& axes_b, std::uint64_t seed) {
-  const std::vector<ClassShare> shares_a = class_shares(axes_a, scheme);
-  const std::vector<ClassShare> shares_b = class_shares(axes_b, scheme);
+                                 const std::vector<Axes>& axes_b,
+                                 const PopulationOptions& options) {
+  const std::vector<ClassShare> shares_a = class_shares(axes_a, scheme, options.limits);
+  const std::vector<ClassShare> shares_b = class_shares(axes_b, scheme, options.limits);
   std::vector<std::size_t> counts_a, counts_b;
   for (const ClassShare& share : shares_a) counts_a.push_back(share.count);
   for (const ClassShare& share : shares_b) counts_b.push_back(share.count);
-  ClassDifference result{scheme, same_classes(counts_a, counts_b, seed), {}};
+  ClassDifference result{scheme, same_classes(counts_a, counts_b, options.seed), {}};
   if (!result.test) {
     result.words = "All blocks of both populations are of one " + scheme + " class.";
     return result;
@@ -150,12 +151,13 @@ PopulationSummary summarised(const Population& population, const PopulationOptio
   const std::vector<Axes> axes = proportions(population);
   const std::vector<double> weights = masses(population);
   for (const std::string& scheme : schemes_of(options)) {
-    summary.schemes.push_back({scheme, class_shares(axes, scheme, weights)});
+    summary.schemes.push_back({scheme, class_shares(axes, scheme, options.limits, weights)});
   }
   summary.size = size_distribution(population, options.size, options.seed);
   for (const ShapeMeasure& measure : shape_measures()) {
     summary.size_and_shape.push_back(size_shape(population, measure, options.size));
   }
+  summary.c40 = c40(axes);
   return summary;
 }
 
@@ -169,7 +171,7 @@ PopulationComparison compared(const Population& a, const Population& b,
     comparison.measures.push_back(measure_difference(measure, a, axes_a, b, axes_b));
   }
   for (const std::string& scheme : schemes_of(options)) {
-    comparison.schemes.push_back(class_difference(scheme, a, axes_a, b, axes_b, options.seed));
+    comparison.schemes.push_back(class_difference(scheme, a, axes_a, b, axes_b, options));
   }
   return comparison;
 }

@@ -14,8 +14,9 @@ namespace clast {
 
 struct PopulationOptions {
   SizeMeasure size = SizeMeasure::kIntermediate;
-  std::uint64_t seed = 1;            ///< of the random samples behind p-values
-  std::vector<std::string> schemes;  ///< empty: all
+  std::uint64_t seed = 1;                 ///< of the random samples behind p-values
+  std::vector<std::string> schemes = {};  ///< empty: all
+  SchemeOptions limits = {};              ///< of the schemes that leave them open
 };
 
 struct SchemeShares {
@@ -40,6 +41,7 @@ struct PopulationSummary {
   std::vector<SchemeShares> schemes;
   SizeDistribution size;
   std::vector<SizeShape> size_and_shape;
+  double c40 = 0.0;  ///< share with S/L <= 0.4
 };
 
 /// @throws InputError  no blocks, or an unknown scheme

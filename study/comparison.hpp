@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "study/results.hpp"
 #include "core/statistics.hpp"
+#include "study/results.hpp"
 
 namespace clast {
 

@@ -16,26 +16,21 @@
 namespace clast {
 namespace {
 
-/// Indices in the order of their columns; a block of three unlike axes has them all.
-std::vector<std::string> index_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : form_indices({3.0, 2.0, 1.0})) names.push_back(name);
-  return names;
-}
-
 void class_row(CsvText& csv, const ReportedPopulation& reported, const MeasuredBlock& block,
-               const std::vector<std::string>& schemes, const std::vector<std::string>& indices) {
+               const std::vector<std::string>& schemes, const SchemeOptions& limits) {
   csv.cell(reported.population.name);
   csv.cell(block.name);
   csv.cell(block.axes.L);
   csv.cell(block.axes.I);
   csv.cell(block.axes.S);
   block.mass ? csv.cell(*block.mass) : csv.empty_cells(1);
-  for (const std::string& scheme : schemes) csv.cell(shape_class(scheme, block.as_written));
-  const std::map<std::string, double> values = form_indices(block.as_written);
-  for (const std::string& name : indices) {
-    const auto value = values.find(name);
-    value == values.end() ? csv.empty_cells(1) : csv.cell(value->second);
+  csv.cell(block.axis_error);
+  for (const std::string& scheme : schemes) {
+    csv.cell(shape_class(scheme, block.as_written, limits));
+  }
+  for (const FormIndex& index : form_index_list()) {
+    const std::optional<double> value = index.value(block.as_written);
+    value ? csv.cell(*value) : csv.empty_cells(1);
   }
   csv.end_row();
 }
@@ -79,7 +74,9 @@ nlohmann::ordered_json provenance(const PopulationReport& report) {
   json["program_version"] = version();
   json["options"] = {{"size", name_of(report.options.size)},
                      {"seed", report.options.seed},
-                     {"schemes", schemes_of(report)}};
+                     {"schemes", schemes_of(report)},
+                     {"sneed_folk_thirds", report.options.limits.sneed_folk_thirds},
+                     {"erdogan_limit", report.options.limits.erdogan_limit}};
   json["populations"] = nlohmann::ordered_json::array();
   for (const ReportedPopulation& reported : report.populations) {
     json["populations"].push_back({{"name", reported.population.name},
@@ -104,12 +101,12 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
                        unsigned threads) {
   constexpr std::size_t kChunk = 2048;   // rows of one task
   constexpr std::size_t kTogether = 32;  // tasks in memory at a time, some 20 MB
-  const std::vector<std::string> schemes = schemes_of(report), indices = index_names();
+  const std::vector<std::string> schemes = schemes_of(report);
   OutputFile file(path);
   std::ofstream stream(file.temporary(), std::ios::binary);
-  std::string header = "population,block,L_m,I_m,S_m,mass_kg";
+  std::string header = "population,block,L_m,I_m,S_m,mass_kg,axis_error_m";
   for (const std::string& scheme : schemes) header += "," + class_column(scheme);
-  for (const std::string& name : indices) header += "," + name;
+  for (const FormIndex& index : form_index_list()) header += std::string(",") + index.name;
   stream << header << "\n";
   for (const ReportedPopulation& reported : report.populations) {
     const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
@@ -120,7 +117,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
         CsvText csv;
         const std::size_t begin = first + chunk * kChunk;
         for (std::size_t i = begin; i < std::min(begin + kChunk, last); ++i) {
-          class_row(csv, reported, blocks[i], schemes, indices);
+          class_row(csv, reported, blocks[i], schemes, report.options.limits);
         }
         chunks[chunk] = csv.take();
       });

@@ -5,12 +5,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/block_report.hpp"
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/population_print.hpp"
 #include "app/text_table.hpp"
+#include "classify/certainty.hpp"
 #include "classify/dimension_table.hpp"
-#include "classify/population.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "library/block_library.hpp"
@@ -23,18 +24,34 @@ namespace {
 constexpr std::size_t kMostPrinted = 1000;  // blocks in a printed table
 constexpr std::size_t kMostNotes = 20;      // on the terminal, per input
 
+using Json = nlohmann::ordered_json;
+
 struct ClassifyArgs {
   std::vector<std::string> inputs;
   std::vector<std::string> against;
-  std::string scheme;
+  std::string schemes = "sneed-folk,zingg,garcia";
   std::string columns = "L=L,I=I,S=S";
   std::string against_columns;
   std::string units;
   std::string against_units;
+  std::string box = "smallest";
+  bool box_given = false;
+  double axis_error = -1.0;
+  double roundness_edge = 0.0;
+  SchemeOptions limits;
   std::string size = "I";
   std::string output;
   std::uint64_t seed = 1;
   bool json = false;
+};
+
+/// A population as it was read, with what only the printed form of it needs.
+struct Source {
+  ReportedPopulation reported;
+  std::vector<Json> surfaces;  ///< of the blocks of libraries, for JSON; null for rows of tables
+  std::string box;             ///< convention of the axes
+  std::size_t skipped = 0;     ///< rows of tables
+  std::string said;            ///< notes for the terminal
 };
 
 /// True for the signature every HDF5 file begins with.
@@ -44,8 +61,22 @@ bool is_hdf5(const std::string& path) {
   return file.read(begin.data(), 8) && begin == "\x89HDF\r\n\x1a\n";
 }
 
-bool named_as_library(const std::string& path) {
-  return path.ends_with(".h5") || path.ends_with(".hdf5");
+bool is_library(const std::string& path) {
+  return is_hdf5(path) || path.ends_with(".h5") || path.ends_with(".hdf5");
+}
+
+std::vector<std::string> schemes_from(const std::string& text) {
+  if (text == "all") return scheme_names();
+  const std::vector<std::string> schemes = split_list(text);
+  if (schemes.empty()) throw CLI::ValidationError("--scheme", "names no scheme");
+  for (const std::string& scheme : schemes) {
+    try {
+      class_names(scheme);
+    } catch (const InputError& error) {
+      throw CLI::ValidationError("--scheme", error.what());
+    }
+  }
+  return schemes;
 }
 
 DimensionColumns columns_from(const std::string& text, const std::string& units) {
@@ -71,15 +102,25 @@ DimensionColumns columns_from(const std::string& text, const std::string& units)
   return columns;
 }
 
-DimensionTable read_blocks(const std::string& input, const DimensionColumns& columns) {
-  if (!is_hdf5(input) && !named_as_library(input)) return read_dimension_table(input, columns);
-  DimensionTable table;
-  const BlockLibrary library = BlockLibrary::read(input);
+/// What only a whole surface tells.
+Json surface_json(const Block& block, const Axes& axes, double roundness_edge) {
+  Json json = {{"indices", block_indices(block, axes)}, {"equilibria", equilibria_json(block)}};
+  if (roundness_edge > 0.0) json["roundness"] = roundness_json(block, roundness_edge);
+  return json;
+}
+
+void add_library(Source& source, const ClassifyArgs& args, const std::string& path) {
+  const BlockLibrary library = BlockLibrary::read(path);
   for (const Block& block : library.blocks()) {
-    table.blocks.push_back(measured_block(block.id, block.axes(), block.mass.mass));
+    const Vec3 sides = block_box(block, box_convention(args.box)).lengths;
+    const Axes axes = {sides[0], sides[1], sides[2]};
+    MeasuredBlock measured = measured_block(block.id, axes, block.mass.mass);
+    // The scan's extents are within twice the deviation of the block's.
+    measured.axis_error =
+        args.axis_error >= 0.0 ? args.axis_error : 2.0 * block.deviation.hausdorff;
+    source.reported.population.blocks.push_back(std::move(measured));
+    source.surfaces.push_back(args.json ? surface_json(block, axes, args.roundness_edge) : Json());
   }
-  if (table.blocks.empty()) throw InputError(input + ": the library holds no blocks");
-  return table;
 }
 
 /// What is said of a table on the terminal: its first notes and how many rows they are about.
@@ -99,120 +140,139 @@ std::string notes_text(const std::string& input, const DimensionTable& table) {
   return text;
 }
 
-/// One population out of several files; rows without a name of their own are told apart by file.
-ReportedPopulation read_population(const std::vector<std::string>& inputs,
-                                   const DimensionColumns& columns,
-                                   std::vector<std::string>& said) {
-  ReportedPopulation reported;
-  bool tables = false, libraries = false;
-  for (const std::string& input : inputs) {
-    DimensionTable table = read_blocks(input, columns);
-    const std::string stem = std::filesystem::path(input).stem().string();
-    (is_hdf5(input) ? libraries : tables) = true;
-    reported.population.name += (reported.population.name.empty() ? "" : " + ") + stem;
-    for (MeasuredBlock& block : table.blocks) {
-      if (inputs.size() > 1 && block.name.starts_with("row ")) block.name = stem + " " + block.name;
-      reported.population.blocks.push_back(std::move(block));
-    }
-    for (const std::string& note : table.notes) {
-      reported.notes.push_back(inputs.size() > 1 ? stem + ": " + note : note);
-    }
-    said.push_back(notes_text(input, table));
-    reported.inputs.push_back(input + " " + sha256_of_file(input));
+/// Rows without a name of their own are told apart by `stem`, where there is one.
+void add_table(Source& source, const ClassifyArgs& args, const std::string& path,
+               const DimensionColumns& columns, const std::string& stem) {
+  if (args.box_given) {
+    throw CLI::ValidationError(
+        "--box",
+        path + " is a table: its axes are what was measured, and no box can be put around them");
   }
-  reported.measured =
-      libraries ? "sides of the smallest box of the rounded block" : "as in the table";
-  if (libraries && tables) reported.measured += ", or as in the table";
-  return reported;
+  DimensionTable table = read_dimension_table(path, columns);
+  for (MeasuredBlock& block : table.blocks) {
+    if (!stem.empty() && block.name.starts_with("row ")) block.name = stem + " " + block.name;
+    block.axis_error = args.axis_error >= 0.0 ? args.axis_error : kTapeError;
+    source.reported.population.blocks.push_back(std::move(block));
+  }
+  for (const std::string& note : table.notes) {
+    source.reported.notes.push_back(stem.empty() ? note : stem + ": " + note);
+  }
+  source.skipped += table.skipped;
+  source.said += notes_text(path, table);
 }
 
-void print_tables(const PopulationReport& report, const std::vector<std::string>& schemes) {
-  for (const ReportedPopulation& reported : report.populations) {
-    if (report.populations.size() > 1) {
-      std::cout << (&reported == &report.populations.front() ? "" : "\n")
-                << reported.population.name << "\n";
+/// One population out of several files.
+Source read_population(const ClassifyArgs& args, const std::vector<std::string>& inputs,
+                       const DimensionColumns& columns) {
+  Source source;
+  ReportedPopulation& reported = source.reported;
+  bool tables = false, libraries = false;
+  for (const std::string& input : inputs) {
+    const std::string stem = std::filesystem::path(input).stem().string();
+    if (is_library(input)) {
+      libraries = true;
+      source.surfaces.resize(reported.population.blocks.size());
+      add_library(source, args, input);
+    } else {
+      tables = true;
+      add_table(source, args, input, columns, inputs.size() > 1 ? stem : std::string());
     }
+    reported.population.name += (reported.population.name.empty() ? "" : " + ") + stem;
+    reported.inputs.push_back(input + " " + sha256_of_file(input));
+  }
+  source.surfaces.resize(reported.population.blocks.size());
+  const std::string box_words = "sides of the " + args.box + " box of the rounded body";
+  source.box = libraries ? args.box : "as measured";
+  reported.measured = libraries && tables ? box_words + ", or as measured"
+                      : libraries         ? box_words
+                                          : "as measured";
+  return source;
+}
+
+void print_tables(const PopulationReport& report, const std::vector<Source>& sources) {
+  for (std::size_t i = 0; i < report.populations.size(); ++i) {
+    const ReportedPopulation& reported = report.populations[i];
+    if (i > 0) std::cout << "\n";
+    if (report.populations.size() > 1) std::cout << reported.population.name << "\n";
+    std::cout << "L, I, S: " << reported.measured << "\n\n";
     if (reported.population.blocks.size() > kMostPrinted) {
       std::cout << reported.population.blocks.size()
                 << " blocks; -o DIR writes them to classes.csv, --json prints them\n";
     } else {
-      TextTable blocks{{"block", "L m", "I m", "S m", "s_c"}, {}};
-      blocks.headings.insert(blocks.headings.end(), schemes.begin(), schemes.end());
-      for (const MeasuredBlock& block : reported.population.blocks) {
-        blocks.rows.push_back({block.name, rounded(block.axes.L), rounded(block.axes.I),
-                               rounded(block.axes.S),
-                               rounded(elongation_s_c(block.as_written), 3)});
-        for (const std::string& scheme : schemes) {
-          blocks.rows.back().push_back(shape_class(scheme, block.as_written));
-        }
-      }
-      std::cout << blocks.text();
+      std::cout << blocks_text(reported.population, report.options);
     }
     std::cout << summary_text(reported.summary);
+    if (sources[i].skipped > 0) std::cout << counted(sources[i].skipped, "row") << " skipped\n";
   }
   if (report.comparison) std::cout << comparison_text(*report.comparison);
 }
 
-nlohmann::ordered_json block_json(const MeasuredBlock& block,
-                                  const std::vector<std::string>& schemes) {
-  nlohmann::ordered_json json = {{"id", block.name},
-                                 {"box_m", {block.axes.L, block.axes.I, block.axes.S}},
-                                 {"s_c", elongation_s_c(block.as_written)}};
-  if (block.mass) json["mass_kg"] = *block.mass;
-  for (const std::string& scheme : schemes) {
-    json[class_column(scheme)] = shape_class(scheme, block.as_written);
-  }
-  json["indices"] = form_indices(block.as_written);
-  return json;
+std::string one_line(const Json& json) {
+  // Names may hold bytes that are not UTF-8.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// The members of one population, without the braces around them; a line per block, so that a
 /// million of them are never in memory as JSON.
-void print_population_json(const ReportedPopulation& reported,
-                           const std::vector<std::string>& schemes) {
-  const auto text = [](const nlohmann::ordered_json& json) {
-    // Names may hold bytes that are not UTF-8.
-    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  };
-  std::cout << "\"name\": " << text(reported.population.name) << ",\n\"blocks\": [";
-  const char* separator = "\n";
-  for (const MeasuredBlock& block : reported.population.blocks) {
-    std::cout << separator << text(block_json(block, schemes));
-    separator = ",\n";
+void print_population_json(const ReportedPopulation& reported, const Source& source,
+                           const PopulationOptions& options) {
+  std::cout << "\"name\": " << one_line(reported.population.name)
+            << ",\n\"box\": " << one_line(source.box) << ",\n\"blocks\": [";
+  for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
+    Json json = measured_block_json(reported.population.blocks[i], options.limits);
+    for (const auto& [key, value] : source.surfaces[i].items()) {
+      key == "indices" ? json[key].update(value) : void(json[key] = value);
+    }
+    std::cout << (i > 0 ? ",\n" : "\n") << one_line(json);
   }
-  std::cout << "\n],\n\"population\": " << text(shares_json(reported.summary))
-            << ",\n\"size\": " << text(size_json(reported.summary))
-            << ",\n\"size_and_shape\": " << text(size_and_shape_json(reported.summary))
-            << ",\n\"notes\": " << text(reported.notes);
+  std::cout << "\n],\n\"population\": " << one_line(shares_json(reported.summary))
+            << ",\n\"size\": " << one_line(size_json(reported.summary))
+            << ",\n\"size_and_shape\": " << one_line(size_and_shape_json(reported.summary))
+            << ",\n\"c40\": " << one_line(reported.summary.c40)
+            << ",\n\"skipped\": " << source.skipped << ",\n\"notes\": " << one_line(reported.notes);
 }
 
-void print_json(const PopulationReport& report, const std::vector<std::string>& schemes) {
+void print_json(const PopulationReport& report, const std::vector<Source>& sources) {
   std::cout << "{\n";
-  print_population_json(report.populations.front(), schemes);
+  print_population_json(report.populations.front(), sources.front(), report.options);
+  std::cout << ",\n\"formulas\": " << one_line(formulas_json());
   if (report.comparison) {
     std::cout << ",\n\"against\": {\n";
-    print_population_json(report.populations.back(), schemes);
-    std::cout << "\n},\n\"comparison\": "
-              << comparison_json(*report.comparison)
-                     .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    print_population_json(report.populations.back(), sources.back(), report.options);
+    std::cout << "\n},\n\"comparison\": " << one_line(comparison_json(*report.comparison));
   }
   std::cout << "\n}\n";
 }
 
-void classify(const ClassifyArgs& args) {
-  PopulationReport report;
-  if (!args.scheme.empty()) report.options.schemes = {args.scheme};
-  report.options.size = args.size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean;
-  report.options.seed = args.seed;
-  const DimensionColumns columns = columns_from(args.columns, args.units);
-  const DimensionColumns against_columns =
-      columns_from(args.against_columns.empty() ? args.columns : args.against_columns,
-                   args.against_units.empty() ? args.units : args.against_units);
+void check_has_blocks(const Source& source) {
+  if (!source.reported.population.blocks.empty()) return;
+  throw InputError(
+      source.reported.inputs.front().substr(0, source.reported.inputs.front().rfind(' ')) +
+      ": there is no block in it to classify");
+}
 
-  std::vector<std::string> said;
-  report.populations.push_back(read_population(args.inputs, columns, said));
+void classify(const ClassifyArgs& args) {
+  check_usage([&] { args.limits.check(); });
+  PopulationReport report;
+  report.options = {.size = args.size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean,
+                    .seed = args.seed,
+                    .schemes = schemes_from(args.schemes),
+                    .limits = args.limits};
+  const DimensionColumns columns = columns_from(args.columns, args.units);
+  std::vector<Source> sources;
+  sources.push_back(read_population(args, args.inputs, columns));
   if (!args.against.empty()) {
-    report.populations.push_back(read_population(args.against, against_columns, said));
+    sources.push_back(read_population(
+        args, args.against,
+        columns_from(args.against_columns.empty() ? args.columns : args.against_columns,
+                     args.against_units.empty() ? args.units : args.against_units)));
+  }
+  for (Source& source : sources) {
+    check_has_blocks(source);
+    source.reported.summary = summarised(source.reported.population, report.options);
+    report.populations.push_back(std::move(source.reported));
+  }
+  if (report.populations.size() > 1) {
     Population &a = report.populations[0].population, &b = report.populations[1].population;
     if (a.name == b.name) {  // the same file name in two folders
       a.name += " (1)";
@@ -220,15 +280,10 @@ void classify(const ClassifyArgs& args) {
     }
     report.comparison = compared(a, b, report.options);
   }
-  for (ReportedPopulation& reported : report.populations) {
-    reported.summary = summarised(reported.population, report.options);
-  }
-  const std::vector<std::string> schemes =
-      args.scheme.empty() ? scheme_names() : std::vector<std::string>{args.scheme};
   if (!args.output.empty()) write_population_report(report, args.output);
   // Only now, so that a failure is the first thing said.
-  for (const std::string& notes : said) std::cerr << notes;
-  args.json ? print_json(report, schemes) : print_tables(report, schemes);
+  for (const Source& source : sources) std::cerr << source.said;
+  args.json ? print_json(report, sources) : print_tables(report, sources);
   if (!args.output.empty() && !args.json) {
     std::cout << "\nReport: " << (std::filesystem::path(args.output) / "report.html").string()
               << "\n";
@@ -252,10 +307,37 @@ void add_classify(CLI::App& app) {
                    "A second population to compare with: libraries or tables")
       ->type_name("LIB|CSV");
   std::string known;
-  for (const std::string& name : scheme_names()) known += (known.empty() ? "" : ", ") + name;
-  command->add_option("--scheme", args->scheme, known + "; default: all")
-      ->check(CLI::IsMember(scheme_names()))
-      ->type_name("NAME");
+  for (const std::string& name : scheme_names()) known += name + ", ";
+  command->add_option("--scheme", args->schemes, "One or more of " + known + "or all")
+      ->type_name("NAME,..")
+      ->capture_default_str();
+  command
+      ->add_option("--box", args->box,
+                   "Box whose sides are L, I, S of a library's blocks: smallest volume, along the "
+                   "principal axes of inertia, longest Feret as by callipers, or PCA of the hull's "
+                   "corners")
+      ->check(CLI::IsMember({"smallest", "inertia", "feret", "pca"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      ->add_option("--axis-error", args->axis_error,
+                   "What the axes are known to, m; default: 0.05 for a table (tape), twice the "
+                   "deviation from the scan for a library")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("M");
+  command->add_flag("--thirds", args->limits.sneed_folk_thirds,
+                    "Limits 1/3 and 2/3 for the second letter of Sneed & Folk, not 0.33 and 0.67");
+  command
+      ->add_option("--erdogan-limit", args->limits.erdogan_limit,
+                   "Ratio of axes from which one counts as longer, for the scheme erdogan")
+      ->type_name("RATIO")
+      ->capture_default_str();
+  command
+      ->add_option("--roundness", args->roundness_edge,
+                   "With --json: Wadell roundness of a library's blocks, on their surface cut anew "
+                   "into triangles with edges of so many m")
+      ->check(positive_number())
+      ->type_name("M");
   command
       ->add_option("--columns", args->columns,
                    "Columns of a table, by name or number from 1; also mass=.. and name=..")
@@ -295,7 +377,10 @@ void add_classify(CLI::App& app) {
       "about the deposit.\nExamples:\n  clast classify blocks.h5\n"
       "  clast classify talus.csv --columns L=5,I=6,S=7,mass=4 --units cm --scheme zingg\n"
       "  clast classify talus.csv --against blocks.h5 -o classes");
-  command->callback([args] { classify(*args); });
+  command->callback([args, command] {
+    args->box_given = command->count("--box") > 0;
+    classify(*args);
+  });
 }
 
 }  // namespace clast

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "classify/certainty.hpp"
 #include "study/report/html_page.hpp"
 #include "study/report/marks.hpp"
 #include "study/report/palette.hpp"
@@ -64,8 +65,8 @@ std::string labels_svg(const std::vector<Field>& fields, const std::vector<Class
 }
 
 template <class Place>
-std::string blocks_svg(const Population& population, std::size_t number, const Vec2& corner,
-                       Place place_of) {
+std::string blocks_svg(const Population& population, std::size_t number,
+                       const PopulationOptions& options, const Vec2& corner, Place place_of) {
   std::vector<Vec2> places;
   places.reserve(population.blocks.size());
   for (const MeasuredBlock& block : population.blocks) places.push_back(place_of(block.as_written));
@@ -75,7 +76,7 @@ std::string blocks_svg(const Population& population, std::size_t number, const V
     const MeasuredBlock& block = population.blocks[i];
     svg += shape_mark(places[i].x(), places[i].y(), garcia_class(block.as_written), true,
                       "class=\"block\" data-block=\"" + block_key(number, i) + "\"",
-                      block_title(block)) +
+                      block_title(block, options)) +
            "\n";
   }
   return svg;
@@ -122,9 +123,12 @@ Vec2 on_triangle(double q, double d) {
 
 // Limits of the classes, as drawn by Sneed and Folk.
 constexpr std::array<double, 5> kLimitsQ = {1.0, 0.7, 0.5, 0.3, 0.0};
-constexpr std::array<double, 4> kLimitsD = {0.0, 0.33, 0.67, 1.0};
+std::array<double, 4> limits_d(const SchemeOptions& limits) {
+  if (limits.sneed_folk_thirds) return {0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0};
+  return {0.0, 0.33, 0.67, 1.0};
+}
 
-std::vector<Field> triangle_fields() {
+std::vector<Field> triangle_fields(const std::array<double, 4>& limits) {
   std::vector<Field> fields = {{"C",
                                 {on_triangle(1, 0), on_triangle(0.7, 0), on_triangle(0.7, 1)},
                                 on_triangle(0.785, 0.5)}};
@@ -132,7 +136,7 @@ std::vector<Field> triangle_fields() {
   for (std::size_t i = 0; i < 3; ++i) {
     const double high = kLimitsQ[i + 1], low = kLimitsQ[i + 2];
     for (std::size_t k = 0; k < 3; ++k) {
-      const double left = kLimitsD[k], right = kLimitsD[k + 1];
+      const double left = limits[k], right = limits[k + 1];
       fields.push_back({std::string(before[i]) + after[k],
                         {on_triangle(high, left), on_triangle(high, right), on_triangle(low, right),
                          on_triangle(low, left)},
@@ -148,22 +152,27 @@ std::string block_key(std::size_t number, std::size_t block) {
   return std::to_string(number) + "-" + std::to_string(block);
 }
 
-std::string block_title(const MeasuredBlock& block) {
+std::string block_title(const MeasuredBlock& block, const PopulationOptions& options) {
   const Axes& axes = block.axes;
   std::string title = block.name + "\nL " + significant(axes.L, 3) + ", I " +
                       significant(axes.I, 3) + ", S " + significant(axes.S, 3) + " m";
   if (block.mass) title += ", " + significant(*block.mass, 4) + " kg";
   title += "\ns_c " + fixed(elongation_s_c(block.as_written), 2);
-  for (const std::string& scheme : scheme_names()) {
-    title +=
-        (scheme == scheme_names().front() ? "\n" : ", ") + shape_class(scheme, block.as_written);
+  for (const std::string& scheme : options.schemes.empty() ? scheme_names() : options.schemes) {
+    const ClassCertainty certainty =
+        class_certainty(scheme, axes, block.axis_error, options.limits);
+    title += "\n" + scheme + ": " + shape_class(scheme, block.as_written, options.limits);
+    if (certainty.near_limit) title += " (" + described(certainty) + ")";
   }
   return title;
 }
 
-std::string sneed_folk_diagram(const Population& population, std::size_t number) {
-  const std::vector<ClassShare> shares = class_shares(proportions(population), "sneed-folk");
-  const std::vector<Field> fields = triangle_fields();
+std::string sneed_folk_diagram(const Population& population, std::size_t number,
+                               const PopulationOptions& options) {
+  const std::vector<ClassShare> shares =
+      class_shares(proportions(population), "sneed-folk", options.limits);
+  const std::array<double, 4> limits = limits_d(options.limits);
+  const std::vector<Field> fields = triangle_fields(limits);
   const double base = kApex + kHeight;
   std::string svg = opened(title_with_count("Sneed and Folk (1958)", population), base + 78) +
                     fields_svg(fields, shares);
@@ -172,7 +181,7 @@ std::string sneed_folk_diagram(const Population& population, std::size_t number)
     svg +=
         svg_text(at.x() - 8, at.y() + 4, fixed(q, 1), std::string(kSmall) + " text-anchor=\"end\"");
   }
-  for (const double d : {0.33, 0.67}) {
+  for (const double d : {limits[1], limits[2]}) {
     svg += svg_text(on_triangle(0.0, d).x(), base + 16, fixed(d, 2),
                     std::string(kSmall) + " text-anchor=\"middle\"");
   }
@@ -187,13 +196,14 @@ std::string sneed_folk_diagram(const Population& population, std::size_t number)
                   std::string(kSmall) + " font-weight=\"600\" text-anchor=\"middle\"");
   svg += svg_text(kLeft + kSide + 6, base + 22, "elongated",
                   std::string(kSmall) + " font-weight=\"600\" text-anchor=\"middle\"");
-  svg += blocks_svg(population, number, {kLeft, kApex}, [](const Axes& axes) {
+  svg += blocks_svg(population, number, options, {kLeft, kApex}, [](const Axes& axes) {
     return on_triangle(axes.S / axes.L, disc_rod_index(axes).value_or(0.0));
   });
   return svg + labels_svg(fields, shares) + mark_key(population, base + 62) + "</svg>\n";
 }
 
-std::string zingg_diagram(const Population& population, std::size_t number) {
+std::string zingg_diagram(const Population& population, std::size_t number,
+                          const PopulationOptions& options) {
   constexpr double kSize = 380.0, kX = 84.0, kTop = 36.0, kLimit = 2.0 / 3.0;
   const auto on_square = [](double flat, double long_) {
     return Vec2(kX + kSize * flat, kTop + kSize * (1.0 - long_));
@@ -227,7 +237,7 @@ std::string zingg_diagram(const Population& population, std::size_t number) {
   svg += "<text x=\"0\" y=\"0\" transform=\"translate(" + fixed(kX - 42, 1) + " " +
          fixed(kTop + 0.5 * kSize, 1) + ") rotate(-90)\" text-anchor=\"middle\" " + kSmall +
          ">I/L (limit 2/3)</text>";
-  svg += blocks_svg(population, number, {kX, kTop},
+  svg += blocks_svg(population, number, options, {kX, kTop},
                     [&](const Axes& axes) { return on_square(axes.S / axes.I, axes.I / axes.L); });
   return svg + labels_svg(fields, shares) + mark_key(population, bottom + 62) + "</svg>\n";
 }

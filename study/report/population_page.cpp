@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "classify/certainty.hpp"
 #include "core/version.hpp"
 #include "study/report/form_diagram.hpp"
 #include "study/report/html_page.hpp"
@@ -279,7 +280,11 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
     for (const SizeShape& one : reported.summary.size_and_shape) {
       html += "<li>" + escaped(size_shape_words(one, size.measure)) + "</li>\n";
     }
-    html += "</ul>\n";
+    html +=
+        "<li>" +
+        escaped("C40, the share of blocks with S/L at most 0.4: " + percent(reported.summary.c40) +
+                ".") +
+        "</li>\n</ul>\n";
   }
   return section(
       "Sizes",
@@ -302,6 +307,8 @@ std::string blocks_section(const PopulationReport& report) {
     }
     std::vector<std::string> heads = {reported.population.name};
     for (const SchemeShares& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
+    const std::string& first = reported.summary.schemes.front().scheme;
+    heads.push_back("how sure (" + first + ")");
     const std::size_t text = heads.size();
     for (const char* name : {"L, m", "I, m", "S, m", "mass, kg", "s_c", "S/L"})
       heads.push_back(name);
@@ -309,8 +316,11 @@ std::string blocks_section(const PopulationReport& report) {
     for (const MeasuredBlock& block : blocks) {
       std::vector<std::string> cells = {block.name};
       for (const SchemeShares& scheme : reported.summary.schemes) {
-        cells.push_back(shape_class(scheme.scheme, block.as_written));
+        cells.push_back(shape_class(scheme.scheme, block.as_written, report.options.limits));
       }
+      const ClassCertainty certainty =
+          class_certainty(first, block.axes, block.axis_error, report.options.limits);
+      cells.push_back(certainty.near_limit ? described(certainty) : "clear of limits");
       for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
         cells.push_back(significant(axis, 3));
       }
@@ -343,8 +353,9 @@ Diagrams population_diagrams(const PopulationReport& report) {
   Diagrams diagrams;
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
-    diagrams["sneed_folk" + suffix(report, i)] = sneed_folk_diagram(reported.population, i);
-    diagrams["zingg" + suffix(report, i)] = zingg_diagram(reported.population, i);
+    diagrams["sneed_folk" + suffix(report, i)] =
+        sneed_folk_diagram(reported.population, i, report.options);
+    diagrams["zingg" + suffix(report, i)] = zingg_diagram(reported.population, i, report.options);
     diagrams["size" + suffix(report, i)] = size_chart(reported, i);
   }
   diagrams["s_c"] = s_c_chart(report);

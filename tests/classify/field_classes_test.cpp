@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <map>
+#include <vector>
+
 #include "classify/dimension_table.hpp"
 #include "classify/population.hpp"
 #include "tests/support/reference_data.hpp"

@@ -66,7 +66,7 @@ TEST(ClassShares, OfNoBlocksNothingIsKnown) {
 TEST(ClassShares, EqualMassesGiveTheSharesByNumber) {
   const auto blocks = population(43, 46);
   const std::vector<double> kg(89, 250.0);
-  for (const ClassShare& share : class_shares(blocks, "garcia", kg)) {
+  for (const ClassShare& share : class_shares(blocks, "garcia", {}, kg)) {
     EXPECT_NEAR(share.mass_share, share.share, 1e-14);
     EXPECT_NEAR(share.mass_low, share.low, 1e-12);
     EXPECT_NEAR(share.mass_high, share.high, 1e-12);
@@ -79,14 +79,15 @@ TEST(ClassShares, OneHeavyBlockSaysLittleOfTheDeposit) {
   const auto blocks = population(9, 1);
   std::vector<double> kg(9, 1.0);
   kg.push_back(91.0);
-  const auto shares = class_shares(blocks, "garcia", kg);
+  const auto shares = class_shares(blocks, "garcia", {}, kg);
   EXPECT_NEAR(shares[1].mass_share, 0.91, 1e-14);
   EXPECT_LT(shares[1].mass_low, 0.35);
   EXPECT_NEAR(shares[0].mass_low, 1.0 - shares[1].mass_high, 1e-12);
 }
 
 TEST(ClassShares, BlocksWithoutMassCountByNumberOnly) {
-  const auto shares = class_shares(population(2, 2), "garcia", std::vector<double>{30, 0, 10, 0});
+  const auto shares =
+      class_shares(population(2, 2), "garcia", {}, std::vector<double>{30, 0, 10, 0});
   EXPECT_EQ(shares[0].count, 2u);
   EXPECT_EQ(shares[0].share, 0.5);
   EXPECT_EQ(shares[0].mass, 30.0);
@@ -113,7 +114,7 @@ TEST(ClassShares, IntervalsByMassHoldTheTrueShare) {
         blocks.push_back({elongated ? 2.0 : 1.0, 1.0, 1.0});
         kg.push_back((elongated ? heavier : 1.0) * 600.0 * std::exp(0.8 * random.normal()));
       }
-      const ClassShare share = class_shares(blocks, "garcia", kg)[1];
+      const ClassShare share = class_shares(blocks, "garcia", {}, kg)[1];
       held += share.mass_low <= truth && truth <= share.mass_high;
     }
     EXPECT_GT(held, 0.92 * kSamples) << heavier;
@@ -123,6 +124,11 @@ TEST(ClassShares, IntervalsByMassHoldTheTrueShare) {
 
 TEST(ClassShares, UnknownSchemeIsRefused) {
   EXPECT_THROW(class_shares(population(1, 1), "none"), InputError);
+}
+
+TEST(Population, C40CountsSlabs) {
+  const std::vector<Axes> blocks = {{1, 1, 0.4}, {1, 1, 0.41}, {1.1, 0.6, 0.44}, {1, 0.5, 0.1}};
+  EXPECT_EQ(c40(blocks), 0.75);
 }
 
 }  // namespace

@@ -35,9 +35,10 @@ Population blocks(const std::string& name, std::size_t count, bool weighed = tru
 
 PopulationReport report_of(std::vector<Population> populations) {
   PopulationReport report;
+  report.options.schemes = {"sneed-folk", "zingg", "garcia"};
   for (Population& population : populations) {
     ReportedPopulation reported;
-    reported.summary = summarised(population);
+    reported.summary = summarised(population, report.options);
     reported.population = std::move(population);
     reported.measured = "as in the table";
     reported.inputs = {"talus.csv " + std::string(64, 'a')};
@@ -45,8 +46,8 @@ PopulationReport report_of(std::vector<Population> populations) {
     report.populations.push_back(std::move(reported));
   }
   if (report.populations.size() > 1) {
-    report.comparison =
-        compared(report.populations[0].population, report.populations[1].population);
+    report.comparison = compared(report.populations[0].population, report.populations[1].population,
+                                 report.options);
   }
   return report;
 }
@@ -96,7 +97,7 @@ TEST(PopulationPage, ClassesWithoutABlockAreDrawnToo) {
   const std::string zingg = zingg_diagram(report.populations[0].population, 0);
   EXPECT_EQ(count_of(zingg, "<polygon"), 4u);
   const std::string html = page_of(report);
-  for (const std::string& scheme : scheme_names()) {
+  for (const std::string& scheme : report.options.schemes) {
     for (const std::string& name : class_names(scheme)) EXPECT_TRUE(contains(html, name));
   }
 }
@@ -185,6 +186,35 @@ TEST(PopulationTables, ClassesHoldEveryBlockWithItsClassesAndIndices) {
   }
   EXPECT_EQ(table.rows[5000].at("disc_rod_index"), "");
   EXPECT_EQ(table.rows[5000].at("mass_kg"), "");
+}
+
+TEST(PopulationPage, EverySchemeHasItsDiagramAndColumn) {
+  PopulationReport report = report_of({blocks("talus", 6)});
+  report.options.schemes.clear();  // all
+  report.options.limits.sneed_folk_thirds = true;
+  report.populations[0].summary = summarised(report.populations[0].population, report.options);
+  const Diagrams diagrams = population_diagrams(report);
+  const ScratchFolder folder;
+  write_classes_csv(report, folder / "classes.csv");
+  const CsvTable table = read_csv(read_text_file(folder / "classes.csv"));
+  for (const std::string& scheme : scheme_names()) {
+    const std::string& svg = diagrams.at("shares_" + class_column(scheme));
+    for (const std::string& name : class_names(scheme)) EXPECT_TRUE(contains(svg, escaped(name)));
+    const MeasuredBlock& block = report.populations[0].population.blocks[3];
+    EXPECT_EQ(table.rows[3].at(class_column(scheme)),
+              shape_class(scheme, block.axes, report.options.limits));
+  }
+  EXPECT_EQ(unbalanced(population_page(report, diagrams)), "");
+}
+
+// A block on the limit of C says so where its mark is.
+TEST(PopulationPage, BlocksNearALimitSaySo) {
+  Population population{
+      "two", {measured_block("edge", {1.0, 0.85, 0.7}), measured_block("clear", {1.0, 0.9, 0.1})}};
+  population.blocks[0].axis_error = 0.05;
+  const std::string edge = block_title(population.blocks[0], {.schemes = {"sneed-folk"}});
+  EXPECT_TRUE(contains(edge, "sneed-folk: C (") && contains(edge, "0.7"));
+  EXPECT_EQ(block_title(population.blocks[1], {.schemes = {"zingg"}}).find('('), std::string::npos);
 }
 
 TEST(PopulationTables, SharesAndSizesAreThoseOfTheSummary) {
