@@ -1,9 +1,12 @@
 #include "app/block_report.hpp"
 
+#include <algorithm>
+
 #include "app/text_table.hpp"
 #include "classify/equilibria.hpp"
 #include "classify/roundness.hpp"
 #include "classify/surface_indices.hpp"
+#include "shapes/edge_bend.hpp"
 #include "shapes/remeshing.hpp"
 
 namespace clast {
@@ -78,6 +81,11 @@ Json block_json(const Block& block) {
   json["source"] = block.source.file;
   json["vertices"] = block.body.vertices.size();
   json["edges"] = block.body.edges.size();
+  const std::vector<EdgeBend> bends = edge_bends(block.body);
+  const auto with = [&](EdgeBend bend) { return std::count(bends.begin(), bends.end(), bend); };
+  json["edge_bends"] = {{"convex", with(EdgeBend::kConvex)},
+                        {"flat", with(EdgeBend::kFlat)},
+                        {"reflex", with(EdgeBend::kReflex)}};
   json["faces"] = block.body.faces.size();
   json["radius_m"] = block.body.radius;
   json["volume_m3"] = block.mass.volume;
@@ -106,11 +114,12 @@ Json block_json(const Block& block) {
 
 std::string block_line(const Block& block) {
   const Axes axes = block.axes();
-  std::string line = block.id + ": " + std::to_string(block.body.vertices.size()) + " vertices, " +
-                     rounded(axes.L, 3) + " x " + rounded(axes.I, 3) + " x " + rounded(axes.S, 3) +
-                     " m, " + rounded(block.mass.volume) + " m3, " + rounded(block.mass.mass) +
-                     " kg, " + sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " +
-                     garcia_class(axes) + ", ";
+  const std::size_t count = block.body.vertices.size();
+  std::string line =
+      block.id + ": " + std::to_string(count) + (count == 1 ? " vertex, " : " vertices, ") +
+      rounded(axes.L, 3) + " x " + rounded(axes.I, 3) + " x " + rounded(axes.S, 3) + " m, " +
+      rounded(block.mass.volume) + " m3, " + rounded(block.mass.mass) + " kg, " +
+      sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes) + ", ";
   if (block.from_core) return line + "core with radius " + rounded(block.body.radius, 3) + " m";
   return line + "within " + rounded(block.deviation.hausdorff, 2) + " m of the scan (" +
          rounded(100.0 * block.deviation.hausdorff / axes.L, 2) + " % of L)";

@@ -462,6 +462,32 @@ TEST_F(Scans, ASmallHoleIsClosedAndSaid) {
   EXPECT_TRUE(contains(run.out, "note: ") && contains(run.out, "hole")) << run.out;
 }
 
+TEST_F(Scans, InnerShellsAreDroppedOrKeptAndToldOfEitherWay) {
+  TriangleMesh cavity = cuboid(0.3, 0.3, 0.3);
+  for (TriangleMesh::Triangle& t : cavity.triangles) std::swap(t[0], t[1]);
+  write_obj(folder / "hollow.obj", merged(cuboid(1, 0.9, 0.8), cavity));
+  const ProgramRun dropped = run_clast({"reconstruct", "hollow.obj"}, folder.path());
+  ASSERT_EQ(dropped.exit_code, 0) << dropped.err;
+  EXPECT_TRUE(contains(dropped.out, "0.7200 m3"));
+  EXPECT_TRUE(contains(dropped.out, "1 inner shell (bubbles) of 0.027 m3 in all dropped"));
+  const ProgramRun kept =
+      run_clast({"reconstruct", "hollow.obj", "--keep-inner-shells", "-o", "k.h5"}, folder.path());
+  ASSERT_EQ(kept.exit_code, 0) << kept.err;
+  EXPECT_TRUE(contains(kept.out, "0.6930 m3"));
+  EXPECT_TRUE(contains(kept.out, "1 inner shell (bubbles) of 0.027 m3 in all kept as cavities"));
+  const ProgramRun shown = run_clast({"show", "k.h5", "hollow"}, folder.path());
+  EXPECT_TRUE(contains(shown.out, "kept as cavities"));
+  EXPECT_TRUE(contains(shown.out, "inner_shells=kept"));
+}
+
+TEST_F(Scans, NearlyEqualMomentsAreToldOf) {
+  write_obj(folder / "cube.obj", cuboid(1, 1, 1));
+  const ProgramRun made = run_clast({"reconstruct", "cube.obj"}, folder.path());
+  EXPECT_TRUE(contains(made.out, "principal moments are nearly equal")) << made.err;
+  const ProgramRun shown = run_clast({"show", "blocks.h5", "cube"}, folder.path());
+  EXPECT_TRUE(contains(shown.out, "principal moments are nearly equal")) << shown.err;
+}
+
 TEST_F(Scans, AnOutputThatCantBeWrittenIsRefused) {
   write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
   fs::create_directory(folder / "folder.h5");
