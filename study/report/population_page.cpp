@@ -82,9 +82,9 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
       false, curves);
 }
 
-/// "22.8 to 41.7 %"
+/// "22.8-41.7 %", with a dash that is no minus
 std::string range_text(double low, double high) {
-  return fixed(100.0 * low, 1) + " to " + percent(high);
+  return fixed(100.0 * low, 1) + "\xE2\x80\x93" + percent(high);
 }
 
 /// Whole kilograms where four digits would be an exponent.
@@ -198,11 +198,11 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
     html += "<div class=\"charts\">" + figure(diagrams.at(shares_name(report, scheme))) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
       const bool weighed = reported.summary.weighed > 0;
-      std::vector<std::string> heads = {reported.population.name, "blocks", "share",
-                                        "95 % interval"};
+      std::vector<std::string> heads = {"class", "blocks", "share", "95 % interval"};
       if (weighed) {
         for (const char* name : {"mass, kg", "by mass", "95 % interval"}) heads.push_back(name);
       }
+      if (report.populations.size() > 1) html += paragraph(reported.population.name);
       HtmlTable table(heads, 1);
       for (const ClassShare& share : reported.summary.schemes[scheme].shares) {
         std::vector<std::string> cells = {share.name, std::to_string(share.count),

@@ -18,7 +18,7 @@ std::string share_chart(const std::string& title, const std::vector<std::string>
                         const std::vector<ShareSeries>& series) {
   std::size_t longest = 4;
   for (const std::string& name : classes) longest = std::max(longest, name.size());
-  const double left = std::min(220.0, 16.0 + kCharacter * static_cast<double>(longest));
+  const double left = std::min(250.0, 16.0 + kCharacter * static_cast<double>(longest));
   double highest = 0.0;
   for (const ShareSeries& one : series) {
     for (const Share& share : one.shares) highest = std::max(highest, share.high);
