@@ -32,14 +32,15 @@ std::vector<std::string> split_list(const std::string& text) {
 }
 
 double length_unit(const std::string& text) {
-  static const std::map<std::string, double> units = {
-      {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"km", 1000.0}, {"in", 0.0254}, {"ft", 0.3048}};
+  static const std::map<std::string, double> units = {{"m", 1.0},    {"cm", 0.01},   {"mm", 0.001},
+                                                      {"um", 1e-6},  {"km", 1000.0}, {"in", 0.0254},
+                                                      {"ft", 0.3048}};
   const auto unit = units.find(text);
   if (unit != units.end()) return unit->second;
   const double factor = number_from(text);
   if (factor > 0.0) return factor;
   throw CLI::ValidationError("--units", "\"" + text +
-                                            "\" is no unit; expected m, cm, mm, km, in, ft or "
+                                            "\" is no unit; expected m, cm, mm, um, km, in, ft or "
                                             "the metres in one unit as a positive number");
 }
 

@@ -4,22 +4,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <sstream>
+#include <span>
 #include <string_view>
 
+#include "classify/delimited_text.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
 
 namespace clast {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::string lower_case(std::string_view text) {
   std::string result(text);
@@ -29,87 +23,54 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
-struct Line {
-  std::size_t number;
-  std::string text;
-};
-
-/// Lines with something on them; lines that start with # are remarks.
-std::vector<Line> lines_of(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  std::vector<Line> lines;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (!trimmed(line).empty() && trimmed(line).front() != '#') {
-      lines.push_back({number, std::string(line)});
-    }
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
-}
-
-/// Semicolons or tabs leave the comma free to be a decimal sign.
-char separator_of(std::string_view line) {
-  for (const char c : {';', '\t', ','}) {
-    if (line.find(c) != std::string_view::npos) return c;
-  }
-  return ' ';
-}
-
-std::vector<std::string> fields_of(std::string_view line, char separator) {
-  std::vector<std::string> fields;
-  std::string field;
-  bool quoted = false;
-  const auto finish = [&] {
-    const std::string_view content = trimmed(field);
-    if (separator != ' ' || !content.empty()) fields.emplace_back(content);
-    field.clear();
-  };
-  for (const char c : line) {
-    if (c == '"') {
-      quoted = !quoted;
-    } else if (!quoted && (c == separator || (separator == ' ' && c == '\t'))) {
-      finish();
-    } else {
-      field += c;
-    }
-  }
-  finish();
-  return fields;
-}
-
-std::optional<double> number_of(std::string field, char separator) {
-  if (separator != ',') std::replace(field.begin(), field.end(), ',', '.');
-  return number_in(field);
+std::optional<double> number_of(std::string_view field, char separator) {
+  constexpr std::size_t kLongest = 64;  // no number anyone writes is longer
+  if (separator == ',' || field.find(',') == std::string_view::npos) return number_in(field);
+  if (field.size() > kLongest) return std::nullopt;
+  std::array<char, kLongest> text;
+  std::replace_copy(field.begin(), field.end(), text.begin(), ',', '.');
+  return number_in({text.data(), field.size()});
 }
 
 struct Unit {
   const char* name;
-  double metres;
+  double factor;
 };
-constexpr std::array<Unit, 5> kUnits = {
-    {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"ft", 0.3048}, {"in", 0.0254}}};
+/// The micro sign stands twice in Unicode: as itself and as the Greek letter.
+constexpr std::array<Unit, 9> kLengths = {{{"um", 1e-6},
+                                           {"\xC2\xB5m", 1e-6},
+                                           {"\xCE\xBCm", 1e-6},
+                                           {"mm", 1e-3},
+                                           {"cm", 1e-2},
+                                           {"m", 1.0},
+                                           {"km", 1e3},
+                                           {"ft", 0.3048},
+                                           {"in", 0.0254}}};
+constexpr std::array<Unit, 4> kMasses = {
+    {{"g", 1e-3}, {"kg", 1.0}, {"t", 1e3}, {"lb", 0.45359237}}};
 
 struct ColumnName {
-  std::string name;            ///< lower case, unit cut off
-  std::optional<double> unit;  ///< metres, where the name says it
+  std::string name;              ///< lower case, unit cut off
+  const Unit* length = nullptr;  ///< where the name says it
+  const Unit* mass = nullptr;
 };
 
 /// "L_m", "l (cm)", "L [mm]" and "L cm" are a name and a unit.
-ColumnName column_name(const std::string& header) {
-  const std::string text = lower_case(trimmed(header));
+ColumnName column_name(std::string_view header) {
+  const std::string text = lower_case(header);
   const std::size_t cut = text.find_last_of("_([ ");
-  if (cut == std::string::npos || cut == 0) return {text, std::nullopt};
+  if (cut == std::string::npos || cut == 0) return {text};
   std::string ending = text.substr(cut + 1);
   while (!ending.empty() && (ending.back() == ')' || ending.back() == ']')) ending.pop_back();
-  for (const Unit& unit : kUnits) {
-    if (ending != unit.name) continue;
-    return {std::string(trimmed(std::string_view(text).substr(0, cut))), unit.metres};
-  }
-  return {text, std::nullopt};
+  const auto unit_in = [&](std::span<const Unit> units) -> const Unit* {
+    const auto found =
+        std::find_if(units.begin(), units.end(), [&](const Unit& u) { return ending == u.name; });
+    return found == units.end() ? nullptr : &*found;
+  };
+  ColumnName column{text, unit_in(kLengths), unit_in(kMasses)};
+  if (column.length || column.mass)
+    column.name = text.substr(0, text.find_last_not_of("_([ ", cut) + 1);
+  return column;
 }
 
 std::optional<std::size_t> column_number(const std::string& column) {
@@ -120,11 +81,7 @@ std::optional<std::size_t> column_number(const std::string& column) {
   return number - 1;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "\"" : ", \"") + word + "\"";
-  return text;
-}
+constexpr std::array<const char*, 3> kAxisNames = {"L", "I", "S"};
 
 /// Where the table holds what.
 struct Layout {
@@ -133,118 +90,175 @@ struct Layout {
   std::array<std::size_t, 3> axes{};  ///< columns of L, I, S
   std::optional<std::size_t> mass;
   std::optional<std::size_t> name;
-  std::optional<double> named_unit;
+  double unit = 1.0;       ///< m
+  double mass_unit = 1.0;  ///< kg
 };
 
-Layout layout_of(const std::string& first_line, const DimensionColumns& columns,
-                 const std::string& file) {
-  Layout layout;
-  layout.separator = separator_of(first_line);
-  const std::vector<std::string> fields = fields_of(first_line, layout.separator);
-  std::vector<ColumnName> names;
-  for (const std::string& field : fields) names.push_back(column_name(field));
-  layout.has_header = std::none_of(fields.begin(), fields.end(), [&](const std::string& field) {
-    return number_of(field, layout.separator).has_value();
-  });
-
-  const auto column = [&](const std::string& wanted) -> std::size_t {
-    const std::string name = column_name(wanted).name;
-    const auto found = std::find_if(names.begin(), names.end(),
-                                    [&](const ColumnName& c) { return c.name == name; });
-    if (layout.has_header && found != names.end()) {
-      return static_cast<std::size_t>(found - names.begin());
+/// Finds columns by name, or by number, in the first row of a table.
+class Header {
+ public:
+  Header(const Record& first, char separator, std::string file) : file_(std::move(file)) {
+    for (const std::string_view field : first.fields) {
+      fields_.emplace_back(field);
+      names_.push_back(column_name(field));
     }
-    if (const auto number = column_number(wanted); number && *number < fields.size()) {
-      return *number;
-    }
-    throw InputError(file + ": no column \"" + wanted + "\"; " +
-                     (layout.has_header
-                          ? "the header has " + joined(fields)
-                          : "there is no header line, so give the numbers of the columns, 1 to " +
-                                std::to_string(fields.size())));
-  };
-  const std::array<std::string, 3> wanted = {columns.L, columns.I, columns.S};
-  for (int axis = 0; axis < 3; ++axis) {
-    layout.axes[axis] = column(wanted[axis]);
-    const ColumnName& name = names[layout.axes[axis]];
-    if (layout.has_header && name.unit) layout.named_unit = name.unit;
+    is_one_ = std::none_of(first.fields.begin(), first.fields.end(), [&](std::string_view field) {
+      return number_of(field, separator).has_value();
+    });
   }
-  if (!columns.mass.empty()) layout.mass = column(columns.mass);
-  for (std::size_t i = 0; layout.has_header && i < names.size() && !layout.name; ++i) {
-    const std::string& name = names[i].name;
-    if (name == "id" || name == "name" || name == "block") layout.name = i;
+
+  bool is_one() const { return is_one_; }
+  const ColumnName& name(std::size_t column) const { return names_[column]; }
+  const std::string& text(std::size_t column) const { return fields_[column]; }
+
+  std::optional<std::size_t> find(const std::string& wanted) const {
+    if (!is_one_) return std::nullopt;
+    const std::string name = column_name(wanted).name;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (names_[i].name == name) return i;
+    }
+    return std::nullopt;
+  }
+  std::size_t required(const std::string& wanted) const {
+    if (const auto found = find(wanted)) return *found;
+    if (const auto number = column_number(wanted); number && *number < fields_.size())
+      return *number;
+    std::string known;
+    for (const std::string& field : fields_)
+      known += (known.empty() ? "\"" : ", \"") + field + "\"";
+    throw InputError(file_ + ": no column \"" + wanted + "\"; " +
+                     (is_one_
+                          ? "the header has " + known
+                          : "there is no header line, so give the numbers of the columns, 1 to " +
+                                std::to_string(fields_.size())));
+  }
+
+ private:
+  std::string file_;
+  std::vector<std::string> fields_;
+  std::vector<ColumnName> names_;
+  bool is_one_ = false;
+};
+
+/// The unit of L, I, S: as asked for, else as the header says, else metres.
+double unit_of(const Header& header, const Layout& layout, const std::optional<double>& asked,
+               const std::string& file, std::vector<std::string>& notes) {
+  const Unit* named = nullptr;
+  for (const std::size_t column : layout.axes) {
+    const Unit* unit = header.is_one() ? header.name(column).length : nullptr;
+    if (unit && named && unit->factor != named->factor) {
+      throw InputError(file + ": the header names different units, " + named->name + " and " +
+                       unit->name + "; write L, I and S in one unit");
+    }
+    if (unit) named = unit;
+  }
+  if (named && asked && named->factor != *asked) {
+    notes.push_back(std::string("the header says ") + named->name + ", the axes were read as " +
+                    with_digits(*asked, 6) + " m per unit, as asked");
+  }
+  if (named && !asked && named->factor != 1.0) {
+    notes.push_back(std::string("axes were read in ") + named->name + ", as the header says");
+  }
+  return asked ? *asked : named ? named->factor : 1.0;
+}
+
+Layout layout_of(const Header& header, char separator, const DimensionColumns& columns,
+                 const std::string& file, std::vector<std::string>& notes) {
+  Layout layout;
+  layout.separator = separator;
+  layout.has_header = header.is_one();
+  const std::array<const std::string*, 3> wanted = {&columns.L, &columns.I, &columns.S};
+  for (int axis = 0; axis < 3; ++axis) layout.axes[axis] = header.required(*wanted[axis]);
+  layout.unit = unit_of(header, layout, columns.unit, file, notes);
+  layout.mass = columns.mass ? header.required(*columns.mass) : header.find("mass");
+  if (layout.mass && layout.has_header && header.name(*layout.mass).mass) {
+    layout.mass_unit = header.name(*layout.mass).mass->factor;
+  }
+  if (columns.name) {
+    layout.name = header.required(*columns.name);
+  } else {
+    for (const char* usual : {"id", "name", "block"}) {
+      if (!layout.name) layout.name = header.find(usual);
+    }
   }
   return layout;
 }
 
-/// The numbers of a row as written, or why it can't be used.
-struct Row {
-  std::array<double, 3> axes{};
-  std::optional<double> mass;
+/// A positive number, or why there is none.
+struct Cell {
+  double value = 0.0;
   std::string trouble;
 };
 
-Row row_of(const std::vector<std::string>& fields, const Layout& layout) {
-  Row row;
-  const auto positive = [&](std::size_t column, const std::string& name, const char* what) {
-    double value = 0.0;
-    if (column >= fields.size() || fields[column].empty()) {
-      row.trouble = name + " is missing";
-    } else if (const auto number = number_of(fields[column], layout.separator); !number) {
-      row.trouble = name + " \"" + fields[column] + "\" is not a number";
-    } else if (!(*number > 0.0) || !std::isfinite(*number)) {
-      row.trouble = name + " = " + fields[column] + " is not a " + what;
-    } else {
-      value = *number;
-    }
-    return value;
-  };
-  constexpr std::array<const char*, 3> kNames = {"L", "I", "S"};
-  for (int axis = 0; axis < 3 && row.trouble.empty(); ++axis) {
-    row.axes[axis] = positive(layout.axes[axis], kNames[axis], "length");
+Cell positive_cell(const Record& record, std::size_t column, char separator, const char* quantity) {
+  const std::string name = quantity;
+  if (column >= record.fields.size() || record.fields[column].empty()) {
+    return {0.0, name + " is missing"};
   }
-  if (layout.mass && row.trouble.empty()) row.mass = positive(*layout.mass, "mass", "mass");
-  return row;
+  const std::string_view field = record.fields[column];
+  const auto value = number_of(field, separator);
+  if (!value) return {0.0, name + " \"" + std::string(field) + "\" is not a number"};
+  if (!(*value > 0.0) || !std::isfinite(*value)) {
+    return {0.0, name + " = " + std::string(field) + " is not a positive, finite number"};
+  }
+  return {*value, {}};
+}
+
+void read_row(const Record& record, const Layout& layout, DimensionTable& table) {
+  const auto row = [&] { return "row " + std::to_string(record.line); };
+  std::array<double, 3> values{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Cell cell = positive_cell(record, layout.axes[axis], layout.separator, kAxisNames[axis]);
+    if (!cell.trouble.empty()) {
+      ++table.skipped;
+      table.notes.push_back(row() + " skipped: " + cell.trouble);
+      return;
+    }
+    values[axis] = cell.value;
+  }
+  const auto& [L, I, S] = values;
+  if (L < I || I < S) {
+    ++table.sorted;
+    table.notes.push_back(row() + ": axes were not in the order L >= I >= S and were sorted");
+  }
+  MeasuredBlock block;
+  block.as_written = Axes::sorted(L, I, S);
+  const Axes& sorted = block.as_written;
+  block.axes = {sorted.L * layout.unit, sorted.I * layout.unit, sorted.S * layout.unit};
+  if (layout.mass) {
+    const Cell mass = positive_cell(record, *layout.mass, layout.separator, "mass");
+    if (mass.trouble.empty()) {
+      block.mass = mass.value * layout.mass_unit;
+    } else {
+      ++table.unweighed;
+      table.notes.push_back(row() + ": " + mass.trouble + "; the block counts by number only");
+    }
+  }
+  const bool named =
+      layout.name && *layout.name < record.fields.size() && !record.fields[*layout.name].empty();
+  block.name = named ? std::string(record.fields[*layout.name]) : row();
+  table.blocks.push_back(std::move(block));
 }
 
 }  // namespace
 
 DimensionTable read_dimension_table(const std::filesystem::path& path,
                                     const DimensionColumns& columns) {
-  if (!(columns.unit > 0.0) || !std::isfinite(columns.unit)) {
-    throw InputError("unit " + std::to_string(columns.unit) +
+  if (columns.unit && (!(*columns.unit > 0.0) || !std::isfinite(*columns.unit))) {
+    throw InputError("unit " + with_digits(*columns.unit, 6) +
                      " m: must be positive, for example 0.01 for a table in centimetres");
   }
   const std::string file = path.string();
-  const std::vector<Line> lines = lines_of(read_text_file(path));
-  if (lines.empty()) throw InputError(file + ": the table is empty");
-  const Layout layout = layout_of(lines.front().text, columns, file);
+  const std::string content = read_text_file(path);
+  DelimitedText text(content, file);
+  Record record;
+  if (!text.next(record)) throw InputError(file + ": the table is empty");
+  const Header header(record, text.separator(), file);
 
   DimensionTable table;
-  if (layout.named_unit && *layout.named_unit != columns.unit) {
-    std::ostringstream note;
-    note << "the header names units of " << *layout.named_unit << " m, read as " << columns.unit
-         << " m per unit; classes don't depend on it";
-    table.notes.push_back(note.str());
-  }
-  for (std::size_t i = layout.has_header ? 1 : 0; i < lines.size(); ++i) {
-    const std::string row = "row " + std::to_string(lines[i].number);
-    const std::vector<std::string> fields = fields_of(lines[i].text, layout.separator);
-    const Row read = row_of(fields, layout);
-    if (!read.trouble.empty()) {
-      table.notes.push_back(row + " skipped: " + read.trouble);
-      ++table.skipped;
-      continue;
-    }
-    const auto& [L, I, S] = read.axes;
-    if (L < I || I < S) {
-      table.notes.push_back(row + ": axes were not in the order L >= I >= S and were sorted");
-    }
-    const bool named = layout.name && *layout.name < fields.size() && !fields[*layout.name].empty();
-    table.blocks.push_back({named ? fields[*layout.name] : row,
-                            Axes::sorted(L * columns.unit, I * columns.unit, S * columns.unit),
-                            read.mass});
-  }
+  const Layout layout = layout_of(header, text.separator(), columns, file, table.notes);
+  if (!layout.has_header) read_row(record, layout, table);
+  while (text.next(record)) read_row(record, layout, table);
   if (table.blocks.empty()) {
     throw InputError(file + ": no usable row" +
                      (table.notes.empty() ? std::string() : "; " + table.notes.back()));

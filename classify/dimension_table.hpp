@@ -1,42 +1,45 @@
 #pragma once
 /// Tape-measured blocks from text tables.
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "classify/form.hpp"
+#include "classify/measured_block.hpp"
 
 namespace clast {
-
-/// One usable row.
-struct MeasuredBlock {
-  std::string name;  ///< from a column "id", "name" or "block", else "row <line>"
-  Axes axes;
-  std::optional<double> mass = std::nullopt;  ///< kg, where a column of masses was asked for
-};
 
 /// A table and what was wrong with it.
 struct DimensionTable {
   std::vector<MeasuredBlock> blocks;
-  std::size_t skipped = 0;         ///< rows that could not be used, each with a note
-  std::vector<std::string> notes;  ///< skipped rows and re-sorted axes, each with its line
+  std::vector<std::string>
+      notes;                  ///< the unit, skipped rows, sorted axes, masses left out, by line
+  std::size_t skipped = 0;    ///< rows without three usable axes
+  std::size_t sorted = 0;     ///< rows whose axes were not in the order L >= I >= S
+  std::size_t unweighed = 0;  ///< blocks without a usable mass where there is a column for it
 };
 
-/// Which columns hold the axes: names or 1-based numbers.
+/// Which columns hold what: names or 1-based numbers.
 struct DimensionColumns {
   std::string L = "L";
   std::string I = "I";
   std::string S = "S";
-  std::string mass = "";  ///< in kg; empty: the table holds none
-  double unit = 1.0;      ///< metres per unit of the table
+  std::optional<std::string> mass = {};  ///< none: a column called "mass", if there is one
+  std::optional<std::string> name = {};  ///< none: a column called "id", "name" or "block", if any
+  std::optional<double> unit =
+      {};  ///< metres per unit of L, I, S; none: as the header says, else 1
 };
 
 /// Reads comma, semicolon, tab or blank separated tables, with a header line or without one (then
 /// the columns must be numbers). Column names are matched without case and with a unit ending
-/// ("L_m", "l (cm)") cut off. Rows with zero, negative, missing or unreadable axes or
-/// masses are skipped and noted.
-/// @throws InputError  no file, no such column (the message lists those found), or no usable row
+/// ("L_m", "l (cm)", "mass [t]") cut off; without another unit asked for it is the unit of the
+/// column. Fields may be quoted, also over several lines [rfc4180]; decimal commas are read where
+/// the comma is not the separator. Rows with zero, negative, missing or unreadable axes are skipped
+/// and noted; a mass that can't be read is noted and left out.
+/// @throws InputError  no file, not text, no such column (the message lists those found), columns
+///                     with different units, or no usable row
+/// @cite rfc4180
 DimensionTable read_dimension_table(const std::filesystem::path& path,
                                     const DimensionColumns& columns = {});
 

@@ -1,15 +1,25 @@
 #pragma once
-/// Shares of shape classes in a population of blocks, and how it differs from another.
+/// Shares of shape classes in a population of blocks.
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "classify/measured_block.hpp"
 #include "classify/schemes.hpp"
-#include "classify/statistics.hpp"
 
 namespace clast {
+
+/// Blocks of one deposit, quarry or sample.
+struct Population {
+  std::string name;  ///< for headings and legends
+  std::vector<MeasuredBlock> blocks;
+};
+
+/// Axes as written, for classes and ratios.
+std::vector<Axes> proportions(const Population& population);
+/// kg; 0 for a block whose mass is not known.
+std::vector<double> masses(const Population& population);
 
 /// One class of a population. Shares are in [0, 1].
 struct ClassShare {
@@ -18,28 +28,26 @@ struct ClassShare {
   double share = 0.0;
   double low = 0.0;  ///< Wilson interval, 95 %
   double high = 0.0;
-  std::optional<double> mass_share;  ///< only where every block has a mass
+  double mass = 0.0;  ///< kg, of the blocks whose mass is known
+  double mass_share = 0.0;
+  double mass_low = 0.0;  ///< 95 %, see `class_shares`
+  double mass_high = 1.0;
 };
 
 /// Counts and shares of every class of the scheme, also of empty ones.
-/// @param masses  kg, of every block in order, or empty
-/// @cite wilson1927
+///
+/// The interval of a share by mass is Wilson's for the number of equally heavy blocks that would be
+/// as uncertain: p (1 - p) over the linearised variance of p = sum of m_i in the class / sum of
+/// m_i, and at most (sum of m_i)^2 / sum of m_i^2, which alone decides for empty and full classes.
+/// @param weights  mass of each block, kg, 0 where unknown; or empty, and nothing is known by mass
+/// @cite wilson1927, kish1965, korn1998
 std::vector<ClassShare> class_shares(std::span<const Axes> blocks, const std::string& scheme,
                                      const SchemeOptions& options = {},
-                                     std::span<const double> masses = {});
+                                     std::span<const double> weights = {});
 
-/// Share of blocks with S/L <= 0.4. @cite benn1993
+/// Share of blocks with S/L <= 0.4.
+/// @param blocks  at least one
+/// @cite benn1993
 double c40(std::span<const Axes> blocks);
-
-/// Of two populations, both with a block.
-struct PopulationComparison {
-  TestResult s_c, s_l, disc_rod_index;  ///< Kolmogorov-Smirnov
-  TestResult classes;                   ///< chi-squared on the scheme's classes
-};
-PopulationComparison compared(std::span<const Axes> a, std::span<const Axes> b,
-                              const std::string& scheme, const SchemeOptions& options = {});
-
-/// A sentence to quote: "s_c differs (Kolmogorov-Smirnov D = 0.31, p = 0.002)".
-std::string in_words(const std::string& what, const TestResult& result);
 
 }  // namespace clast

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <iterator>
 
 #include "core/error.hpp"
 #include "core/output_file.hpp"
@@ -19,8 +18,16 @@ std::string read_text_file(const std::filesystem::path& path) {
     throw InputError(path.string() + ": is a folder, a file is needed");
   }
   std::ifstream stream(path, std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream.good() && !stream.eof()) {
+  // In pieces: pipes don't know their size, and one character at a time is slow for large tables.
+  std::string content;
+  constexpr std::size_t kPiece = 1 << 20;
+  while (stream.good()) {
+    const std::size_t before = content.size();
+    content.resize(before + kPiece);
+    stream.read(content.data() + before, kPiece);
+    content.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.eof()) {
     throw InputError(path.string() + ": can't be read; check its permissions");
   }
   return content;

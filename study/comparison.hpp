@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/statistics.hpp"
 #include "study/results.hpp"
-#include "study/statistics.hpp"
 
 namespace clast {
 

@@ -1,10 +1,8 @@
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
+#include "core/csv_text.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/version.hpp"
@@ -17,55 +15,13 @@ namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
-/// CSV after RFC 4180, with "\n" line ends. Numbers are the shortest text that reads back to the
-/// same bits; what is not known is an empty cell.
-/// @cite rfc4180
-class CsvText {
- public:
-  void cell(std::string_view text) {
-    if (!first_) text_ += ',';
-    first_ = false;
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-      text_ += text;
-      return;
-    }
-    text_ += '"';
-    for (const char c : text) text_.append(c == '"' ? 2 : 1, c);
-    text_ += '"';
-  }
-  void cell(double value) {
-    if (!std::isfinite(value)) return cell(std::string_view());
-    std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-    cell(std::string_view(text.data(), static_cast<std::size_t>(end.ptr - text.data())));
-  }
-  void count(std::uint64_t value) { cell(std::string_view(std::to_string(value))); }
-  void end_row() {
-    text_ += '\n';
-    first_ = true;
-  }
-  void header(std::string_view names) {
-    text_ += names;
-    end_row();
-  }
-  std::string text() && { return std::move(text_); }
-
- private:
-  std::string text_;
-  bool first_ = true;
-};
-
 void cells(CsvText& csv, const Vec3& vector) {
   for (int axis = 0; axis < 3; ++axis) csv.cell(vector[axis]);
 }
 
-void empty_cells(CsvText& csv, int count) {
-  for (int i = 0; i < count; ++i) csv.cell(std::string_view());
-}
-
 /// mean, std, median, p95, max; empty where nothing was measured.
 void cells(CsvText& csv, const Summary& summary, double unit = 1.0) {
-  if (summary.count == 0) return empty_cells(csv, 5);
+  if (summary.count == 0) return csv.empty_cells(5);
   for (const double value : {summary.mean, summary.std, summary.median, summary.p95, summary.max}) {
     csv.cell(value * unit);
   }
@@ -127,7 +83,7 @@ std::string runs_csv(const Comparison& comparison) {
     csv.cell(std::string_view(result.message));
     csv.end_row();
   }
-  return std::move(csv).text();
+  return csv.take();
 }
 
 std::string barriers_csv(const Comparison& comparison) {
@@ -153,7 +109,7 @@ std::string barriers_csv(const Comparison& comparison) {
     }
     csv.end_row();
   }
-  return std::move(csv).text();
+  return csv.take();
 }
 
 std::string crossings_csv(const Comparison& comparison) {
@@ -183,7 +139,7 @@ std::string crossings_csv(const Comparison& comparison) {
     csv.count(comparison.rows[row.row].file + 1);
     csv.end_row();
   }
-  return std::move(csv).text();
+  return csv.take();
 }
 
 std::string deposits_csv(const Comparison& comparison) {
@@ -201,7 +157,7 @@ std::string deposits_csv(const Comparison& comparison) {
       csv.cell(deposit.lateral.mean * kDegrees);
       csv.cell(deposit.lateral.std * kDegrees);
     } else {
-      empty_cells(csv, 5);
+      csv.empty_cells(5);
     }
     csv.count(deposit.started);
     csv.count(deposit.stops.left_terrain);
@@ -211,7 +167,7 @@ std::string deposits_csv(const Comparison& comparison) {
     csv.cell(comparison.downslope.y());
     csv.end_row();
   }
-  return std::move(csv).text();
+  return csv.take();
 }
 
 std::string provenance_json(const Comparison& comparison) {

@@ -1,32 +1,57 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/block_report.hpp"
-#include "app/classify_report.hpp"
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
+#include "app/population_print.hpp"
+#include "app/text_table.hpp"
 #include "classify/certainty.hpp"
 #include "classify/dimension_table.hpp"
+#include "core/digest.hpp"
 #include "core/error.hpp"
 #include "library/block_library.hpp"
+#include "study/population_report.hpp"
 
 namespace clast {
 
 namespace {
 
+constexpr std::size_t kMostPrinted = 1000;  // blocks in a printed table
+constexpr std::size_t kMostNotes = 20;      // on the terminal, per input
+
+using Json = nlohmann::ordered_json;
+
 struct ClassifyArgs {
-  std::string input, other;
+  std::vector<std::string> inputs;
+  std::vector<std::string> against;
   std::string schemes = "sneed-folk,zingg,garcia";
   std::string columns = "L=L,I=I,S=S";
-  std::string units = "m";
+  std::string against_columns;
+  std::string units;
+  std::string against_units;
   std::string box = "smallest";
   bool box_given = false;
   double axis_error = -1.0;
   double roundness_edge = 0.0;
-  SchemeOptions options;
+  SchemeOptions limits;
+  std::string size = "I";
+  std::string output;
+  std::uint64_t seed = 1;
   bool json = false;
+};
+
+/// A population as it was read, with what only the printed form of it needs.
+struct Source {
+  ReportedPopulation reported;
+  std::vector<Json> surfaces;  ///< of the blocks of libraries, for JSON; null for rows of tables
+  std::string box;             ///< convention of the axes
+  std::size_t skipped = 0;     ///< rows of tables
+  std::string said;            ///< notes for the terminal
 };
 
 /// True for the signature every HDF5 file begins with.
@@ -54,100 +79,215 @@ std::vector<std::string> schemes_from(const std::string& text) {
   return schemes;
 }
 
-DimensionColumns columns_from(const ClassifyArgs& args) {
+DimensionColumns columns_from(const std::string& text, const std::string& units) {
   DimensionColumns columns;
-  columns.unit = length_unit(args.units);
-  for (const std::string& piece : split_list(args.columns)) {
+  if (!units.empty()) columns.unit = length_unit(units);
+  for (const std::string& piece : split_list(text)) {
     const std::size_t equals = piece.find('=');
-    const std::string name = piece.substr(0, equals);
+    const std::string quantity = piece.substr(0, equals);
     const std::string column = equals == std::string::npos ? "" : piece.substr(equals + 1);
-    std::string* const wanted = name == "L"      ? &columns.L
-                                : name == "I"    ? &columns.I
-                                : name == "S"    ? &columns.S
-                                : name == "mass" ? &columns.mass
-                                                 : nullptr;
-    if (column.empty() || wanted == nullptr) {
+    const bool axis = quantity == "L" || quantity == "I" || quantity == "S";
+    if (column.empty() || (!axis && quantity != "mass" && quantity != "name")) {
       throw CLI::ValidationError("--columns", "\"" + piece +
                                                   "\" is not understood; expected something like "
-                                                  "L=5,I=6,S=7,mass=4 or L=length,I=width,"
-                                                  "S=height");
+                                                  "L=5,I=6,S=7,mass=4 or L=length,I=width,S=height,"
+                                                  "name=label");
     }
-    *wanted = column;
+    if (axis) {
+      (quantity == "L" ? columns.L : quantity == "I" ? columns.I : columns.S) = column;
+    } else {
+      (quantity == "mass" ? columns.mass : columns.name) = column;
+    }
   }
   return columns;
 }
 
 /// What only a whole surface tells.
-nlohmann::ordered_json surface_json(const Block& block, const Axes& axes, double roundness_edge) {
-  nlohmann::ordered_json json = {{"indices", block_indices(block, axes)},
-                                 {"equilibria", equilibria_json(block)}};
+Json surface_json(const Block& block, const Axes& axes, double roundness_edge) {
+  Json json = {{"indices", block_indices(block, axes)}, {"equilibria", equilibria_json(block)}};
   if (roundness_edge > 0.0) json["roundness"] = roundness_json(block, roundness_edge);
   return json;
 }
 
-void add_library(Classification& all, const ClassifyArgs& args, const std::string& path) {
-  all.box = args.box;
+void add_library(Source& source, const ClassifyArgs& args, const std::string& path) {
   const BlockLibrary library = BlockLibrary::read(path);
   for (const Block& block : library.blocks()) {
     const Vec3 sides = block_box(block, box_convention(args.box)).lengths;
     const Axes axes = {sides[0], sides[1], sides[2]};
+    MeasuredBlock measured = measured_block(block.id, axes, block.mass.mass);
     // The scan's extents are within twice the deviation of the block's.
-    const double error = args.axis_error >= 0.0 ? args.axis_error : 2.0 * block.deviation.hausdorff;
-    all.blocks.push_back({block.id, axes, block.mass.mass, error,
-                          args.json ? surface_json(block, axes, args.roundness_edge) : nullptr});
+    measured.axis_error =
+        args.axis_error >= 0.0 ? args.axis_error : 2.0 * block.deviation.hausdorff;
+    source.reported.population.blocks.push_back(std::move(measured));
+    source.surfaces.push_back(args.json ? surface_json(block, axes, args.roundness_edge) : Json());
   }
 }
 
-void add_table(Classification& all, const ClassifyArgs& args, const std::string& path) {
+/// What is said of a table on the terminal: its first notes and how many rows they are about.
+std::string notes_text(const std::string& input, const DimensionTable& table) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostNotes, table.notes.size()); ++i) {
+    text += input + ": " + table.notes[i] + "\n";
+  }
+  if (table.notes.size() > kMostNotes) {
+    text += input + ": and " + std::to_string(table.notes.size() - kMostNotes) + " more notes\n";
+  }
+  if (table.skipped + table.sorted + table.unweighed > 0) {
+    text += input + ": " + counted(table.blocks.size(), "row") + " used, " +
+            std::to_string(table.skipped) + " skipped, " + std::to_string(table.sorted) +
+            " sorted, " + std::to_string(table.unweighed) + " without a usable mass\n";
+  }
+  return text;
+}
+
+/// Rows without a name of their own are told apart by `stem`, where there is one.
+void add_table(Source& source, const ClassifyArgs& args, const std::string& path,
+               const DimensionColumns& columns, const std::string& stem) {
   if (args.box_given) {
     throw CLI::ValidationError(
         "--box",
         path + " is a table: its axes are what was measured, and no box can be put around them");
   }
-  const DimensionTable table = read_dimension_table(path, columns_from(args));
-  all.notes = table.notes;
-  all.skipped = table.skipped;
-  const double error = args.axis_error >= 0.0 ? args.axis_error : kTapeError;
-  for (const MeasuredBlock& block : table.blocks) {
-    all.blocks.push_back({block.name, block.axes, block.mass, error, nullptr});
+  DimensionTable table = read_dimension_table(path, columns);
+  for (MeasuredBlock& block : table.blocks) {
+    if (!stem.empty() && block.name.starts_with("row ")) block.name = stem + " " + block.name;
+    block.axis_error = args.axis_error >= 0.0 ? args.axis_error : kTapeError;
+    source.reported.population.blocks.push_back(std::move(block));
   }
+  for (const std::string& note : table.notes) {
+    source.reported.notes.push_back(stem.empty() ? note : stem + ": " + note);
+  }
+  source.skipped += table.skipped;
+  source.said += notes_text(path, table);
 }
 
-Classification classification(const ClassifyArgs& args, const std::string& path) {
-  Classification all;
-  all.schemes = schemes_from(args.schemes);
-  all.options = args.options;
-  is_library(path) ? add_library(all, args, path) : add_table(all, args, path);
-  return all;
+/// One population out of several files.
+Source read_population(const ClassifyArgs& args, const std::vector<std::string>& inputs,
+                       const DimensionColumns& columns) {
+  Source source;
+  ReportedPopulation& reported = source.reported;
+  bool tables = false, libraries = false;
+  for (const std::string& input : inputs) {
+    const std::string stem = std::filesystem::path(input).stem().string();
+    if (is_library(input)) {
+      libraries = true;
+      source.surfaces.resize(reported.population.blocks.size());
+      add_library(source, args, input);
+    } else {
+      tables = true;
+      add_table(source, args, input, columns, inputs.size() > 1 ? stem : std::string());
+    }
+    reported.population.name += (reported.population.name.empty() ? "" : " + ") + stem;
+    reported.inputs.push_back(input + " " + sha256_of_file(input));
+  }
+  source.surfaces.resize(reported.population.blocks.size());
+  const std::string box_words = "sides of the " + args.box + " box of the rounded body";
+  source.box = libraries ? args.box : "as measured";
+  reported.measured = libraries && tables ? box_words + ", or as measured"
+                      : libraries         ? box_words
+                                          : "as measured";
+  return source;
 }
 
-void say_notes(const std::string& path, const Classification& all) {
-  for (const std::string& note : all.notes) std::cerr << path << ": " << note << "\n";
+void print_tables(const PopulationReport& report, const std::vector<Source>& sources) {
+  for (std::size_t i = 0; i < report.populations.size(); ++i) {
+    const ReportedPopulation& reported = report.populations[i];
+    if (i > 0) std::cout << "\n";
+    if (report.populations.size() > 1) std::cout << reported.population.name << "\n";
+    std::cout << "L, I, S: " << reported.measured << "\n\n";
+    if (reported.population.blocks.size() > kMostPrinted) {
+      std::cout << reported.population.blocks.size()
+                << " blocks; -o DIR writes them to classes.csv, --json prints them\n";
+    } else {
+      std::cout << blocks_text(reported.population, report.options);
+    }
+    std::cout << summary_text(reported.summary);
+    if (sources[i].skipped > 0) std::cout << counted(sources[i].skipped, "row") << " skipped\n";
+  }
+  if (report.comparison) std::cout << comparison_text(*report.comparison);
+}
+
+std::string one_line(const Json& json) {
+  // Names may hold bytes that are not UTF-8.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The members of one population, without the braces around them; a line per block, so that a
+/// million of them are never in memory as JSON.
+void print_population_json(const ReportedPopulation& reported, const Source& source,
+                           const PopulationOptions& options) {
+  std::cout << "\"name\": " << one_line(reported.population.name)
+            << ",\n\"box\": " << one_line(source.box) << ",\n\"blocks\": [";
+  for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
+    Json json = measured_block_json(reported.population.blocks[i], options.limits);
+    for (const auto& [key, value] : source.surfaces[i].items()) {
+      key == "indices" ? json[key].update(value) : void(json[key] = value);
+    }
+    std::cout << (i > 0 ? ",\n" : "\n") << one_line(json);
+  }
+  std::cout << "\n],\n\"population\": " << one_line(shares_json(reported.summary))
+            << ",\n\"size\": " << one_line(size_json(reported.summary))
+            << ",\n\"size_and_shape\": " << one_line(size_and_shape_json(reported.summary))
+            << ",\n\"c40\": " << one_line(reported.summary.c40)
+            << ",\n\"skipped\": " << source.skipped << ",\n\"notes\": " << one_line(reported.notes);
+}
+
+void print_json(const PopulationReport& report, const std::vector<Source>& sources) {
+  std::cout << "{\n";
+  print_population_json(report.populations.front(), sources.front(), report.options);
+  std::cout << ",\n\"formulas\": " << one_line(formulas_json());
+  if (report.comparison) {
+    std::cout << ",\n\"against\": {\n";
+    print_population_json(report.populations.back(), sources.back(), report.options);
+    std::cout << "\n},\n\"comparison\": " << one_line(comparison_json(*report.comparison));
+  }
+  std::cout << "\n}\n";
+}
+
+void check_has_blocks(const Source& source) {
+  if (!source.reported.population.blocks.empty()) return;
+  throw InputError(
+      source.reported.inputs.front().substr(0, source.reported.inputs.front().rfind(' ')) +
+      ": there is no block in it to classify");
 }
 
 void classify(const ClassifyArgs& args) {
-  check_usage([&] { args.options.check(); });
-  const Classification all = classification(args, args.input);
-  std::optional<Classification> other;
-  if (!args.other.empty()) {
-    other = classification(args, args.other);
-    if (all.blocks.empty() || other->blocks.empty()) {
-      throw InputError((all.blocks.empty() ? args.input : args.other) +
-                       ": there is no block in it to compare");
+  check_usage([&] { args.limits.check(); });
+  PopulationReport report;
+  report.options = {.size = args.size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean,
+                    .seed = args.seed,
+                    .schemes = schemes_from(args.schemes),
+                    .limits = args.limits};
+  const DimensionColumns columns = columns_from(args.columns, args.units);
+  std::vector<Source> sources;
+  sources.push_back(read_population(args, args.inputs, columns));
+  if (!args.against.empty()) {
+    sources.push_back(read_population(
+        args, args.against,
+        columns_from(args.against_columns.empty() ? args.columns : args.against_columns,
+                     args.against_units.empty() ? args.units : args.against_units)));
+  }
+  for (Source& source : sources) {
+    check_has_blocks(source);
+    source.reported.summary = summarised(source.reported.population, report.options);
+    report.populations.push_back(std::move(source.reported));
+  }
+  if (report.populations.size() > 1) {
+    Population &a = report.populations[0].population, &b = report.populations[1].population;
+    if (a.name == b.name) {  // the same file name in two folders
+      a.name += " (1)";
+      b.name += " (2)";
     }
+    report.comparison = compared(a, b, report.options);
   }
-  say_notes(args.input, all);
-  if (other) say_notes(args.other, *other);
-  if (args.json) {
-    nlohmann::ordered_json json = classification_json(all);
-    if (other) json["comparison"] = comparison_json(all, *other);
-    std::cout << json.dump(2) << "\n";
-    return;
+  if (!args.output.empty()) write_population_report(report, args.output);
+  // Only now, so that a failure is the first thing said.
+  for (const Source& source : sources) std::cerr << source.said;
+  args.json ? print_json(report, sources) : print_tables(report, sources);
+  if (!args.output.empty() && !args.json) {
+    std::cout << "\nReport: " << (std::filesystem::path(args.output) / "report.html").string()
+              << "\n";
   }
-  std::cout << classification_text(all);
-  if (!other) return;
-  std::cout << "\nagainst " << args.other << " (" << other->blocks.size() << " blocks):\n";
-  for (const std::string& line : comparison_lines(all, *other)) std::cout << line << "\n";
 }
 
 }  // namespace
@@ -155,16 +295,20 @@ void classify(const ClassifyArgs& args) {
 void add_classify(CLI::App& app) {
   const auto args = std::make_shared<ClassifyArgs>();
   CLI::App* command = app.add_subcommand(
-      "classify", "Give blocks their shape classes, from a library or a table of L, I, S");
+      "classify", "Give blocks their shape classes, from libraries or tables of L, I, S");
   command
-      ->add_option("input", args->input,
-                   "Block library, or a text table of tape-measured axes (csv, tsv, txt)")
+      ->add_option("inputs", args->inputs,
+                   "Block libraries, or text tables of tape-measured axes (csv, tsv, txt); several "
+                   "are one population")
       ->required()
       ->type_name("LIB|CSV");
   command
-      ->add_option("--scheme", args->schemes,
-                   "One or more of sneed-folk, zingg, garcia, williams, erdogan, blott-pye, "
-                   "en-933-4, flakiness, or all")
+      ->add_option("--against", args->against,
+                   "A second population to compare with: libraries or tables")
+      ->type_name("LIB|CSV");
+  std::string known;
+  for (const std::string& name : scheme_names()) known += name + ", ";
+  command->add_option("--scheme", args->schemes, "One or more of " + known + "or all")
       ->type_name("NAME,..")
       ->capture_default_str();
   command
@@ -181,10 +325,10 @@ void add_classify(CLI::App& app) {
                    "deviation from the scan for a library")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("M");
-  command->add_flag("--thirds", args->options.sneed_folk_thirds,
+  command->add_flag("--thirds", args->limits.sneed_folk_thirds,
                     "Limits 1/3 and 2/3 for the second letter of Sneed & Folk, not 0.33 and 0.67");
   command
-      ->add_option("--erdogan-limit", args->options.erdogan_limit,
+      ->add_option("--erdogan-limit", args->limits.erdogan_limit,
                    "Ratio of axes from which one counts as longer, for the scheme erdogan")
       ->type_name("RATIO")
       ->capture_default_str();
@@ -195,24 +339,44 @@ void add_classify(CLI::App& app) {
       ->check(positive_number())
       ->type_name("M");
   command
-      ->add_option("--compare", args->other,
-                   "Another library or table, read the same way: is it the same population?")
-      ->type_name("LIB|CSV");
-  command
       ->add_option("--columns", args->columns,
-                   "Columns of a table, by name or number from 1; mass in kg")
-      ->type_name("L=..,I=..,S=..,mass=..")
+                   "Columns of a table, by name or number from 1; also mass=.. and name=..")
+      ->type_name("L=..,I=..,S=..")
       ->capture_default_str();
   command
-      ->add_option("--units", args->units,
-                   "Length unit of a table: m, cm, mm, km, in, ft, or metres per unit")
-      ->type_name("UNIT")
+      ->add_option(
+          "--units", args->units,
+          "Length unit of a table: m, cm, mm, um, km, in, ft, or metres per unit; default: "
+          "as its header says, else m")
+      ->type_name("UNIT");
+  command
+      ->add_option("--against-columns", args->against_columns,
+                   "Columns of the second population's tables; default: the same")
+      ->type_name("L=..,I=..,S=..");
+  command
+      ->add_option("--against-units", args->against_units,
+                   "Length unit of the second population's tables; default: the same")
+      ->type_name("UNIT");
+  command
+      ->add_option(
+          "--size", args->size,
+          "Size of a block in size distributions: I, the sieve axis, or mean, (L I S)^(1/3)")
+      ->check(CLI::IsMember({"I", "mean"}))
+      ->type_name("NAME")
       ->capture_default_str();
+  command->add_option("--seed", args->seed, "Seed of the random samples behind p-values of fits")
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      ->add_option("-o,--output", args->output,
+                   "Folder for report.html, tables (csv) and diagrams (svg)")
+      ->type_name("DIR");
   command->add_flag("--json", args->json, "Print as JSON");
   command->footer(
       "Shares come with the 95 % interval of Wilson: what a sample of this size says "
       "about the deposit.\nExamples:\n  clast classify blocks.h5\n"
-      "  clast classify talus.csv --columns L=5,I=6,S=7,mass=4 --units cm --scheme zingg");
+      "  clast classify talus.csv --columns L=5,I=6,S=7,mass=4 --units cm --scheme zingg\n"
+      "  clast classify talus.csv --against blocks.h5 -o classes");
   command->callback([args, command] {
     args->box_given = command->count("--box") > 0;
     classify(*args);

@@ -9,10 +9,6 @@
 namespace clast {
 namespace {
 
-std::string fact(const std::string& name, const std::string& value) {
-  return "<div><dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
-}
-
 /// The same text for all files, or each file's own.
 template <class Text>
 std::string per_file(const Comparison& comparison, Text text_of) {
@@ -30,11 +26,7 @@ std::string warning_box(const Comparison& comparison) {
     return "<div class=\"fine\">No warnings: every planned run is stored and came to rest on the "
            "terrain with its energy accounted for.</div>\n";
   }
-  std::string html = "<div class=\"warnings\" role=\"note\"><h2>Read this first</h2><ul>\n";
-  for (const std::string& warning : comparison.warnings) {
-    html += "<li>" + escaped(warning) + "</li>\n";
-  }
-  return html + "</ul></div>\n";
+  return note_box("Read this first", comparison.warnings);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ figcaption{font-size:13.5px;color:var(--soft);margin-top:4px}
 .key{cursor:pointer}
 .key.off{opacity:.35}
 .hidden{display:none}
-.stop:hover{stroke:#000;stroke-width:2}
+.stop:hover,.block:hover,.lit{stroke:#000;stroke-width:2}
 details{margin:10px 0}
 summary{cursor:pointer;font-weight:600}
 pre{background:var(--band);padding:12px;overflow-x:auto;font-size:12.5px;line-height:1.4}
@@ -79,6 +79,17 @@ document.querySelectorAll('.key').forEach(function(key){
     document.querySelectorAll('.'+key.dataset.shows).forEach(function(e){e.classList.toggle('hidden',off)});
   });
 });
+(function(){
+  var lit=[];
+  function light(on){lit.forEach(function(e){e.classList.toggle('lit',on)})}
+  document.addEventListener('pointerover',function(e){
+    var mark=e.target.closest&&e.target.closest('[data-block]');
+    light(false);lit=[];
+    if(!mark)return;
+    lit=Array.from(document.querySelectorAll('[data-block="'+mark.dataset.block+'"]'));
+    light(true);
+  });
+})();
 )";
 
 std::string number_text(double value, std::chars_format format, int precision) {
@@ -181,11 +192,40 @@ std::string svg_open(double width, double height, std::string_view label) {
          fixed(height, 0) + "\" role=\"img\" aria-label=\"" + escaped(label) + "\">";
 }
 
+std::string svg_file(const std::string& svg) {
+  const std::string_view box = "viewBox=\"0 0 ";
+  const std::size_t at = svg.find(box) + box.size();
+  const std::string size = svg.substr(at, svg.find('"', at) - at);  // "width height"
+  const std::string width = size.substr(0, size.find(' '));
+  const std::string height = size.substr(size.find(' ') + 1);
+  const std::size_t end = svg.find('>') + 1;
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg width=\"" + width + "\" height=\"" +
+         height + "\" font-family=\"Helvetica, Arial, sans-serif\"" + svg.substr(4, end - 4) +
+         "<rect width=\"" + width + "\" height=\"" + height + "\" fill=\"#fff\"/>" +
+         svg.substr(end);
+}
+
 std::string section(std::string_view title, std::string_view body) {
   return "<section>\n<h2>" + escaped(title) + "</h2>\n" + std::string(body) + "</section>\n";
 }
 
 std::string paragraph(std::string_view text) { return "<p>" + escaped(text) + "</p>\n"; }
+
+std::string figure(std::string_view svg, std::string_view caption) {
+  std::string html = "<figure>" + std::string(svg);
+  if (!caption.empty()) html += "<figcaption>" + escaped(caption) + "</figcaption>";
+  return html + "</figure>\n";
+}
+
+std::string fact(std::string_view name, std::string_view value) {
+  return "<div><dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
+}
+
+std::string note_box(std::string_view title, const std::vector<std::string>& notes) {
+  std::string html = "<div class=\"warnings\" role=\"note\"><h2>" + escaped(title) + "</h2><ul>\n";
+  for (const std::string& note : notes) html += "<li>" + escaped(note) + "</li>\n";
+  return html + "</ul></div>\n";
+}
 
 std::string page(std::string_view title, std::string_view body) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

@@ -37,11 +37,21 @@ std::string svg_text(double x, double y, std::string_view text, std::string_view
 /// Opening "<svg ...>" that scales with the page.
 std::string svg_open(double width, double height, std::string_view label);
 
+/// A picture of a page as a file of its own: white below it, a font named, its size in px.
+std::string svg_file(const std::string& svg);
+
 /// "<section><h2>title</h2>body</section>"
 std::string section(std::string_view title, std::string_view body);
 std::string paragraph(std::string_view text);  ///< plain text, escaped here
+/// A picture with a line below it.
+std::string figure(std::string_view svg, std::string_view caption = {});
+/// One entry of a "<dl class=facts>".
+std::string fact(std::string_view name, std::string_view value);
+/// A coloured box with a list of what must not be missed.
+std::string note_box(std::string_view title, const std::vector<std::string>& notes);
 
-/// The whole page, with its style and the few lines of script that sort tables and hide map keys.
+/// The whole page, with its style and the few lines of script that sort tables, hide map keys and
+/// light up every mark with the same data-block as the one under the pointer.
 std::string page(std::string_view title, std::string_view body);
 
 }  // namespace clast

@@ -1,7 +1,7 @@
 #include "study/report/map_marks.hpp"
 
 #include "study/report/html_page.hpp"
-#include "study/report/palette.hpp"
+#include "study/report/marks.hpp"
 
 namespace clast {
 
@@ -16,19 +16,7 @@ std::string release_mark(double x, double y, const std::string& title) {
 
 std::string stop_mark(double x, double y, const std::string& garcia, bool at_rest,
                       const std::string& title) {
-  const std::string paint = at_rest
-                                ? "fill=\"" + class_colour(garcia) +
-                                      "\" fill-opacity=\".8\" stroke=\"#fff\" stroke-width=\".7\""
-                                : "fill=\"#fff\" fill-opacity=\".6\" stroke-width=\"1.6\" "
-                                  "stroke=\"" +
-                                      class_colour(garcia) + "\"";
-  const std::string tail = title.empty() ? "/>" : "><title>" + escaped(title) + "</title>";
-  if (garcia == "compact") {
-    return "<circle class=\"stop\" cx=\"" + fixed(x, 1) + "\" cy=\"" + fixed(y, 1) +
-           "\" r=\"3.6\" " + paint + tail + (title.empty() ? "" : "</circle>");
-  }
-  return "<path class=\"stop\" d=\"M" + fixed(x, 1) + " " + fixed(y - 4.8, 1) +
-         "l4.8 4.8-4.8 4.8-4.8-4.8z\" " + paint + tail + (title.empty() ? "" : "</path>");
+  return shape_mark(x, y, garcia, at_rest, "class=\"stop\"", title);
 }
 
 std::string block_class(std::size_t group) { return "block-" + std::to_string(group); }

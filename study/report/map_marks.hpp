@@ -1,8 +1,8 @@
 #pragma once
 /// What the map and its legend draw alike.
-#include <array>
 #include <string>
 
+#include "study/report/marks.hpp"
 #include "study/report/relief.hpp"
 
 namespace clast {
@@ -10,10 +10,6 @@ namespace clast {
 inline constexpr double kMapLeft = 88.0;  ///< of the map in its picture, px
 inline constexpr double kMapTop = 12.0;
 inline constexpr const char* kMapText = "font-size=\"12\" fill=\"#33404d\"";
-
-/// Few to many stops.
-inline constexpr std::array<const char*, 5> kDensityColours = {"#fcbba1", "#fb6a4a", "#de2d26",
-                                                               "#a50f15", "#4a0008"};
 
 /// The part of the plan that is drawn (map coordinates) and where it lies on the picture.
 struct Sheet {

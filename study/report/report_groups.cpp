@@ -32,10 +32,4 @@ std::string measured(double value, const Summary& summary, int decimals) {
   return summary.count == 0 ? "-" : fixed(value, decimals);
 }
 
-std::string figure(const std::string& svg, const std::string& caption) {
-  return "<figure>" + svg +
-         (caption.empty() ? "" : "<figcaption>" + escaped(caption) + "</figcaption>") +
-         "</figure>\n";
-}
-
 }  // namespace clast

@@ -22,7 +22,6 @@ std::string short_name(const Group& group);
 std::string mean_and_std(const Summary& summary, int decimals, double unit = 1.0);
 /// `value` of a summary; "-" for an empty sample.
 std::string measured(double value, const Summary& summary, int decimals);
-std::string figure(const std::string& svg, const std::string& caption = {});
 
 /// One curve per group. Classes keep their colours; with several files the dash tells files apart.
 template <class Value>

@@ -170,28 +170,13 @@ std::string single_stops(const Comparison& comparison, const Sheet& sheet) {
   return svg;
 }
 
-constexpr double kDensityCell = 7.0;  // px
-/// Stops per square; colours step by factors, since densities span decades.
 std::string stop_density(const Comparison& comparison, const Sheet& sheet) {
-  std::map<std::pair<int, int>, std::size_t> counts;
-  std::size_t most = 1;
+  std::vector<Vec2> places;
   for (const RunRow& row : comparison.rows) {
     if (row.record->result.stop_reason == StopReason::kError) continue;
-    const int i = static_cast<int>(std::floor((sheet.x(row.stop.x()) - kMapLeft) / kDensityCell));
-    const int j = static_cast<int>(std::floor((sheet.y(row.stop.y()) - kMapTop) / kDensityCell));
-    most = std::max(most, ++counts[{i, j}]);
+    places.emplace_back(sheet.x(row.stop.x()), sheet.y(row.stop.y()));
   }
-  std::string svg;
-  for (const auto& [cell, count] : counts) {
-    const double level = std::log(static_cast<double>(count)) /
-                         std::log(static_cast<double>(most) + 1.0) *
-                         static_cast<double>(kDensityColours.size());
-    svg += "<rect x=\"" + fixed(kMapLeft + kDensityCell * cell.first, 1) + "\" y=\"" +
-           fixed(kMapTop + kDensityCell * cell.second, 1) + "\" width=\"7\" height=\"7\" fill=\"" +
-           kDensityColours[std::min(static_cast<std::size_t>(level), kDensityColours.size() - 1)] +
-           "\" fill-opacity=\".85\"><title>" + std::to_string(count) + " stops</title></rect>";
-  }
-  return svg;
+  return density_squares(places, {kMapLeft, kMapTop}, "stops");
 }
 
 std::string scale_bar(const Sheet& sheet) {

@@ -32,4 +32,18 @@ Ticks ticks(double low, double high, int wanted) {
   return found;
 }
 
+std::vector<double> log_ticks(double low, double high, std::size_t most) {
+  std::vector<double> all, decades;
+  for (double power = std::pow(10.0, std::floor(std::log10(low))); power <= high * (1.0 + 1e-9);
+       power *= 10.0) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double value = factor * power;
+      if (value < low * (1.0 - 1e-9) || value > high * (1.0 + 1e-9)) continue;
+      all.push_back(value);
+      if (factor == 1.0) decades.push_back(value);
+    }
+  }
+  return all.size() <= most ? all : decades;
+}
+
 }  // namespace clast

@@ -1,5 +1,6 @@
 #pragma once
 /// Round numbers for axes.
+#include <cstddef>
 #include <vector>
 
 namespace clast {
@@ -12,6 +13,11 @@ struct Ticks {
 
 /// Multiples of 1, 2 or 5 times a power of ten inside [low, high], about `wanted` of them.
 Ticks ticks(double low, double high, int wanted);
+
+/// Multiples of 1, 2 and 5 of powers of ten inside [low, high]; of 1 alone where there would be
+/// more than `most`.
+/// @param low, high  positive
+std::vector<double> log_ticks(double low, double high, std::size_t most);
 
 /// The smallest of 1, 2, 5 times a power of ten that is not below `value`; 1 unless value > 0.
 double round_up_to_nice(double value);

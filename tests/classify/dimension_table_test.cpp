@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
@@ -17,12 +18,7 @@ class Tables : public testing::Test {
     return read_dimension_table(path, columns);
   }
   std::string refusal(const std::string& text, const DimensionColumns& columns = {}) {
-    try {
-      read(text, columns);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "not refused";
+    return clast::refusal([&] { read(text, columns); });
   }
 
   ScratchFolder folder_;
@@ -52,21 +48,6 @@ TEST_F(Tables, EverySeparatorGivesTheSameBlocks) {
   }
 }
 
-TEST_F(Tables, MassesAreReadWhereTheyAreAskedFor) {
-  const char* text = "L,I,S,m_kg\n3,2,1,50\n3,2,1,\n3,2,1,-4\n4,2,1,70\n";
-  const DimensionTable table = read(text, {.mass = "m_kg"});
-  ASSERT_EQ(table.blocks.size(), 2u);
-  EXPECT_EQ(*table.blocks[0].mass, 50.0);
-  EXPECT_EQ(*table.blocks[1].mass, 70.0);
-  EXPECT_EQ(table.skipped, 2u);
-  ASSERT_EQ(table.notes.size(), 2u);
-  EXPECT_EQ(table.notes[0], "row 3 skipped: mass is missing");
-  EXPECT_EQ(table.notes[1], "row 4 skipped: mass = -4 is not a mass");
-  EXPECT_FALSE(read(text).blocks[0].mass.has_value());
-  EXPECT_EQ(read(text).skipped, 0u);
-  EXPECT_NE(refusal(text, {.mass = "weight"}).find("weight"), std::string::npos);
-}
-
 TEST_F(Tables, ColumnNamesIgnoreCaseAndUnits) {
   for (const char* header :
        {"L_m,I_m,S_m", "l (m),i (m),s (m)", "L [m],I [m],S [m]", "L m,I m,S m"}) {
@@ -78,12 +59,92 @@ TEST_F(Tables, ColumnNamesIgnoreCaseAndUnits) {
 }
 
 TEST_F(Tables, UnitOfTheTableIsApplied) {
+  expect_axes(read("L,I,S\n300,200,100\n", {.unit = 0.01}).blocks.at(0), 3, 2, 1);
   expect_axes(read("L_cm,I_cm,S_cm\n300,200,100\n", {.unit = 0.01}).blocks.at(0), 3, 2, 1);
-  // A unit in the header that is not the one asked for is said, not obeyed.
-  const DimensionTable table = read("L_cm,I_cm,S_cm\n300,200,100\n");
-  expect_axes(table.blocks.at(0), 300, 200, 100);
-  ASSERT_EQ(table.notes.size(), 1u);
-  EXPECT_NE(table.notes[0].find("0.01"), std::string::npos);
+  // Without a unit asked for, the header's is taken and said.
+  const DimensionTable named = read("L_cm,I_cm,S_cm\n300,200,100\n");
+  expect_axes(named.blocks.at(0), 3, 2, 1);
+  ASSERT_EQ(named.notes.size(), 1u);
+  EXPECT_TRUE(contains(named.notes[0], "cm"));
+  // One that is not the header's is obeyed, and said too.
+  const DimensionTable other = read("L_cm,I_cm,S_cm\n300,200,100\n", {.unit = 0.001});
+  expect_axes(other.blocks.at(0), 0.3, 0.2, 0.1);
+  ASSERT_EQ(other.notes.size(), 1u);
+  EXPECT_TRUE(contains(other.notes[0], "cm") && contains(other.notes[0], "0.001"));
+  for (const char* micron : {"um", "\xC2\xB5m", "\xCE\xBCm"}) {
+    const std::string unit = std::string(" (") + micron + ")";
+    const auto block =
+        read("L" + unit + ",I" + unit + ",S" + unit + "\n300,200,100\n").blocks.at(0);
+    EXPECT_NEAR(block.axes.L, 3e-4, 1e-18);
+    EXPECT_EQ(block.as_written.L, 300.0);
+  }
+  EXPECT_TRUE(contains(refusal("L_cm,I_cm,S_mm\n3,2,1\n"), "different units"));
+}
+
+// 0.42/0.6 in any unit: ratios are of the numbers as they were written.
+TEST_F(Tables, RatiosCarryNoRoundingOfTheUnit) {
+  const auto block = read("L,I,S\n1,3,0.7\n", {.unit = 1e-6}).blocks.at(0);
+  EXPECT_EQ(block.as_written.S / block.as_written.I, 0.7);
+  EXPECT_EQ(block.as_written.I / block.as_written.L, 1.0 / 3.0);
+}
+
+TEST_F(Tables, MassesAreReadWhereThereIsAColumn) {
+  const DimensionTable kilograms = read("L,I,S,mass_kg\n3,2,1,450\n3,2,1,\n3,2,1,-4\n");
+  ASSERT_EQ(kilograms.blocks.size(), 3u);
+  EXPECT_EQ(kilograms.blocks[0].mass, 450.0);
+  EXPECT_FALSE(kilograms.blocks[1].mass || kilograms.blocks[2].mass);
+  EXPECT_EQ(kilograms.unweighed, 2u);
+  ASSERT_EQ(kilograms.notes.size(), 2u);
+  EXPECT_TRUE(contains(kilograms.notes[0], "row 3: mass is missing"));
+  EXPECT_TRUE(contains(kilograms.notes[1], "row 4: mass = -4"));
+  EXPECT_NEAR(*read("L,I,S,Mass (t)\n3,2,1,1.5\n").blocks.at(0).mass, 1500.0, 1e-12);
+  EXPECT_NEAR(*read("L,I,S,weight [g]\n3,2,1,15\n", {.mass = "Weight"}).blocks.at(0).mass, 0.015,
+              1e-15);
+  EXPECT_EQ(*read("9 8 3 2 1\n", {.L = "3", .I = "4", .S = "5", .mass = "2"}).blocks.at(0).mass,
+            8.0);
+  EXPECT_TRUE(contains(refusal("L,I,S\n3,2,1\n", {.mass = "kg"}), "\"kg\""));
+}
+
+TEST_F(Tables, NamesComeFromTheColumnAskedFor) {
+  EXPECT_EQ(read("Particle ID,L,I,S\n17,3,2,1\n", {.name = "particle id"}).blocks.at(0).name, "17");
+  EXPECT_EQ(read("17 3 2 1\n", {.L = "2", .I = "3", .S = "4", .name = "1"}).blocks.at(0).name,
+            "17");
+}
+
+TEST_F(Tables, WhatExcelWritesIsRead) {
+  // Separator line, a heading over two lines, decimal commas, Windows line ends, empty rows at the
+  // end.
+  const DimensionTable table = read(
+      "\xef\xbb\xbfsep=;\r\nid;\"L\r\n(cm)\";I (cm);S (cm);remark\r\n\"B "
+      "\"\"7\"\"\";65,5;53;38;\"wet; "
+      "mossy\"\r\nB8;70;60;\"50\";\r\n;;;;\r\n;;;;\r\n");
+  ASSERT_EQ(table.blocks.size(), 2u);
+  EXPECT_EQ(table.blocks[0].name, "B \"7\"");
+  expect_axes(table.blocks[0], 0.655, 0.53, 0.38);
+  expect_axes(table.blocks[1], 0.7, 0.6, 0.5);
+  EXPECT_EQ(table.skipped, 0u);
+  // Line numbers count the lines of the file, that of the heading and old Macintosh ends too.
+  const DimensionTable bad = read("id;\"L\n(m)\";I;S\nB1;1;1;0\nB2;3;2;1\n");
+  EXPECT_TRUE(contains(bad.notes.back(), "row 3 skipped"));
+  EXPECT_TRUE(contains(read("L,I,S\r3,2,1\r3,2,x\r").notes.at(0), "row 3 skipped"));
+  // Blanks between, commas within.
+  expect_axes(read("1,5 1,2 0,5\n0,9 0,8 0,7\n", {.L = "1", .I = "2", .S = "3"}).blocks.at(0), 1.5,
+              1.2, 0.5);
+  expect_axes(read("1, 2, 3\n", {.L = "3", .I = "2", .S = "1"}).blocks.at(0), 3, 2, 1);
+}
+
+TEST_F(Tables, WhatIsNoTextTableIsRefused) {
+  EXPECT_TRUE(contains(refusal(std::string("PK\x03\x04\x14\0\0", 7)), "workbook"));
+  EXPECT_TRUE(contains(refusal(std::string("\xff\xfeL\0,\0I\0", 8)), "UTF-16"));
+  EXPECT_TRUE(contains(refusal(std::string("L,I,S\n\0\0\0", 9)), "no text"));
+  EXPECT_TRUE(contains(refusal("L,I,S\n3,\"2,1\n3,2,1\n"), "row 2"));
+}
+
+TEST_F(Tables, CountsSayHowManyRowsWereLeftOutOrSorted) {
+  const DimensionTable table = read("L,I,S\n3,2,1\n1,2,3\n0,2,1\nnan,2,1\n2,3,1\n");
+  EXPECT_EQ(table.blocks.size(), 3u);
+  EXPECT_EQ(table.skipped, 2u);
+  EXPECT_EQ(table.sorted, 2u);
 }
 
 TEST_F(Tables, ColumnsByNumberNeedNoHeader) {

@@ -9,9 +9,9 @@
 #include <sstream>
 #include <vector>
 
+#include "core/statistics.hpp"
 #include "core/text_file.hpp"
 #include "core/types.hpp"
-#include "study/statistics.hpp"
 #include "tests/study/csv_reader.hpp"
 
 namespace clast {

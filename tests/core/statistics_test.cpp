@@ -1,4 +1,4 @@
-#include "study/statistics.hpp"
+#include "core/statistics.hpp"
 
 #include <gtest/gtest.h>
 

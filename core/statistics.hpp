@@ -35,4 +35,10 @@ struct Interval {
 /// @cite wilson1927
 Interval wilson_interval(std::size_t hits, std::size_t trials);
 
+/// The same for an observed share that is worth so many independent trials, not a whole number
+/// where trials weigh unequally.
+/// @param share   in [0, 1]
+/// @param trials  positive
+Interval wilson_interval_of_share(double share, double trials);
+
 }  // namespace clast

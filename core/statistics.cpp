@@ -1,4 +1,4 @@
-#include "study/statistics.hpp"
+#include "core/statistics.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -41,14 +41,21 @@ double quantile(std::span<const double> sorted, double p) {
 
 Interval wilson_interval(std::size_t hits, std::size_t trials) {
   if (trials == 0) return {};
-  constexpr double kZ = 1.959963984540054;  // 97.5 % quantile of the standard normal
   const double n = static_cast<double>(trials);
-  const double p = static_cast<double>(hits) / n;
+  return wilson_interval_of_share(static_cast<double>(hits) / n, n);
+}
+
+Interval wilson_interval_of_share(double share, double trials) {
+  assert(share >= 0.0 && share <= 1.0 && trials > 0.0);
+  constexpr double kZ = 1.959963984540054;  // 97.5 % quantile of the standard normal
+  const double n = trials;
+  const double p = share;
   const double shrink = 1.0 + kZ * kZ / n;
   const double middle = (p + kZ * kZ / (2.0 * n)) / shrink;
   const double half = kZ / shrink * std::sqrt(p * (1.0 - p) / n + kZ * kZ / (4.0 * n * n));
-  // At 0 and n hits the bound is exact; rounding must not take it outside.
-  return {hits == 0 ? 0.0 : middle - half, hits == trials ? 1.0 : middle + half};
+  // At shares of 0 and 1 the bound is exact; rounding must not take it outside.
+  return {p == 0.0 ? 0.0 : std::max(0.0, middle - half),
+          p == 1.0 ? 1.0 : std::min(1.0, middle + half)};
 }
 
 }  // namespace clast

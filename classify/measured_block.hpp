@@ -1,0 +1,25 @@
+#pragma once
+/// A block as far as classes and populations need it.
+#include <optional>
+#include <string>
+
+#include "classify/form.hpp"
+
+namespace clast {
+
+struct MeasuredBlock {
+  std::string name;
+  Axes axes;        ///< m
+  Axes as_written;  ///< sorted, in the unit of the table; ratios of these carry no rounding of the
+                    ///< unit
+  std::optional<double> mass;  ///< kg
+  double axis_error = 0.0;     ///< m; each axis may be off by so much
+};
+
+/// Axes that were in metres from the start.
+inline MeasuredBlock measured_block(std::string name, const Axes& axes,
+                                    std::optional<double> mass = std::nullopt) {
+  return {std::move(name), axes, axes, mass, 0.0};
+}
+
+}  // namespace clast

@@ -1,0 +1,179 @@
+#include "classify/population_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/statistics.hpp"
+
+namespace clast {
+namespace {
+
+std::string decimals(double value, int count) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", count, value);
+  return text;
+}
+
+std::string percent(double share) { return decimals(100.0 * share, 1) + " %"; }
+
+void check_has_blocks(const Population& population) {
+  if (population.blocks.empty()) {
+    throw InputError("population " + population.name +
+                     ": has no blocks; nothing can be said of it");
+  }
+}
+
+const std::vector<std::string>& schemes_of(const PopulationOptions& options) {
+  return options.schemes.empty() ? scheme_names() : options.schemes;
+}
+
+SizeShape size_shape(const Population& population, const ShapeMeasure& measure, SizeMeasure size) {
+  std::vector<double> sizes, shapes;
+  for (const MeasuredBlock& block : population.blocks) {
+    const auto shape = measure.value(block.as_written);
+    if (!shape) continue;
+    // Relative to a metre the twelfth decimal is far below any tape or scanner.
+    sizes.push_back(without_rounding(block_size(block.axes, size)));
+    shapes.push_back(without_rounding(*shape));
+  }
+  return {&measure, sizes.size(), spearman(sizes, shapes)};
+}
+
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? std::nan("") : quantile(values, 0.5);
+}
+
+std::string chance(double p) {
+  return "two samples of one deposit differ as much with a chance of " + p_words(p);
+}
+
+MeasureDifference measure_difference(const ShapeMeasure& measure, const Population& a,
+                                     const std::vector<Axes>& axes_a, const Population& b,
+                                     const std::vector<Axes>& axes_b) {
+  const std::vector<double> x = values_of(measure, axes_a), y = values_of(measure, axes_b);
+  MeasureDifference result{&measure, median_of(x), median_of(y), two_sample_ks(x, y), {}};
+  const std::string name = std::string(measure.name) + " = " + measure.formula;
+  if (!result.test) {
+    result.words = name + " is not defined for the blocks of one of the two populations.";
+    return result;
+  }
+  const bool differs = result.test->p_value < kSignificant;
+  result.words = (differs ? "The distributions of " + name + " differ"
+                          : "No difference in " + name + " can be shown") +
+                 ": median " + decimals(result.median_a, 3) + " in " + a.name + " (" +
+                 std::to_string(x.size()) + " blocks), " + decimals(result.median_b, 3) + " in " +
+                 b.name + " (" + std::to_string(y.size()) + "); " + chance(result.test->p_value) +
+                 " (Kolmogorov-Smirnov, D = " + decimals(result.test->statistic, 3) + ").";
+  return result;
+}
+
+/// The class whose share differs most, which is what a reader wants named.
+std::string largest_difference(const std::vector<ClassShare>& a, const std::string& name_a,
+                               const std::vector<ClassShare>& b, const std::string& name_b) {
+  std::size_t largest = 0;
+  const auto gap = [&](std::size_t k) { return std::abs(a[k].share - b[k].share); };
+  for (std::size_t k = 1; k < a.size(); ++k) {
+    if (gap(k) > gap(largest)) largest = k;
+  }
+  const auto share = [&](const ClassShare& one, const std::string& name) {
+    return percent(one.share) + " (" + percent(one.low) + " to " + percent(one.high) + ") of " +
+           name;
+  };
+  return "most for " + a[largest].name + ", " + share(a[largest], name_a) + " against " +
+         share(b[largest], name_b);
+}
+
+ClassDifference class_difference(const std::string& scheme, const Population& a,
+                                 const std::vector<Axes>& axes_a, const Population& b,
+                                 const std::vector<Axes>& axes_b,
+                                 const PopulationOptions& options) {
+  const std::vector<ClassShare> shares_a = class_shares(axes_a, scheme, options.limits);
+  const std::vector<ClassShare> shares_b = class_shares(axes_b, scheme, options.limits);
+  std::vector<std::size_t> counts_a, counts_b;
+  for (const ClassShare& share : shares_a) counts_a.push_back(share.count);
+  for (const ClassShare& share : shares_b) counts_b.push_back(share.count);
+  ClassDifference result{scheme, same_classes(counts_a, counts_b, options.seed), {}};
+  if (!result.test) {
+    result.words = "All blocks of both populations are of one " + scheme + " class.";
+    return result;
+  }
+  const ClassTest& test = *result.test;
+  const bool differs = test.p_value < kSignificant;
+  result.words = (differs ? "The shares of the " + scheme + " classes differ, "
+                          : "No difference in the shares of the " + scheme +
+                                " classes can be shown; they differ ") +
+                 largest_difference(shares_a, a.name, shares_b, b.name) + "; " +
+                 chance(test.p_value) + " (chi-squared " + decimals(test.chi_squared, 2) + ", " +
+                 std::to_string(test.freedom) + (test.freedom == 1 ? " degree" : " degrees") +
+                 " of freedom";
+  if (test.draws > 0) {
+    result.words += "; smallest expected count " + decimals(test.smallest_expected, 1) +
+                    ", so from " + std::to_string(test.draws) + " random tables";
+  }
+  result.words += ").";
+  return result;
+}
+
+}  // namespace
+
+std::string p_words(double p_value) {
+  if (p_value < 1e-4) return "less than 0.0001";
+  return with_digits(p_value, 2);
+}
+
+std::string size_shape_words(const SizeShape& relation, SizeMeasure size) {
+  const std::string pair = name_of(size) + " and " + relation.measure->name;
+  if (!relation.test) {
+    return "Whether " + pair + " go together can't be said of " + std::to_string(relation.blocks) +
+           (relation.blocks == 1 ? " block" : " blocks") +
+           (relation.blocks < 3 ? "." : " of one size or one shape.");
+  }
+  const double rho = relation.test->statistic;
+  const std::string found = relation.test->p_value >= kSignificant
+                                ? "No relation of " + pair + " can be shown"
+                                : std::string(relation.measure->name) +
+                                      (rho > 0.0 ? " rises" : " falls") + " with size " +
+                                      name_of(size);
+  return found + ": Spearman's rho " + decimals(rho, 2) + " over " +
+         std::to_string(relation.blocks) + " blocks, p " + p_words(relation.test->p_value) + ".";
+}
+
+PopulationSummary summarised(const Population& population, const PopulationOptions& options) {
+  check_has_blocks(population);
+  PopulationSummary summary;
+  summary.name = population.name;
+  summary.blocks = population.blocks.size();
+  for (const MeasuredBlock& block : population.blocks) summary.weighed += block.mass.has_value();
+  const std::vector<Axes> axes = proportions(population);
+  const std::vector<double> weights = masses(population);
+  for (const std::string& scheme : schemes_of(options)) {
+    summary.schemes.push_back({scheme, class_shares(axes, scheme, options.limits, weights)});
+  }
+  summary.size = size_distribution(population, options.size, options.seed);
+  for (const ShapeMeasure& measure : shape_measures()) {
+    summary.size_and_shape.push_back(size_shape(population, measure, options.size));
+  }
+  summary.c40 = c40(axes);
+  return summary;
+}
+
+PopulationComparison compared(const Population& a, const Population& b,
+                              const PopulationOptions& options) {
+  check_has_blocks(a);
+  check_has_blocks(b);
+  const std::vector<Axes> axes_a = proportions(a), axes_b = proportions(b);
+  PopulationComparison comparison{a.name, b.name, {}, {}};
+  for (const ShapeMeasure& measure : shape_measures()) {
+    comparison.measures.push_back(measure_difference(measure, a, axes_a, b, axes_b));
+  }
+  for (const std::string& scheme : schemes_of(options)) {
+    comparison.schemes.push_back(class_difference(scheme, a, axes_a, b, axes_b, options));
+  }
+  return comparison;
+}
+
+}  // namespace clast

@@ -1,0 +1,52 @@
+#include "core/csv_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace clast {
+
+void CsvText::begin_cell() {
+  if (!first_) text_ += ',';
+  first_ = false;
+}
+
+void CsvText::cell(std::string_view text) {
+  begin_cell();
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    text_ += text;
+    return;
+  }
+  text_ += '"';
+  for (const char c : text) text_.append(c == '"' ? 2 : 1, c);
+  text_ += '"';
+}
+
+void CsvText::cell(double value) {
+  begin_cell();
+  if (!std::isfinite(value)) return;
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  text_.append(text.data(), end.ptr);
+}
+
+void CsvText::count(std::uint64_t value) { cell(std::string_view(std::to_string(value))); }
+
+void CsvText::empty_cells(int count) {
+  for (int i = 0; i < count; ++i) cell(std::string_view());
+}
+
+void CsvText::end_row() {
+  text_ += '\n';
+  first_ = true;
+}
+
+void CsvText::header(std::string_view names) {
+  text_ += names;
+  end_row();
+}
+
+std::string CsvText::take() { return std::exchange(text_, {}); }
+
+}  // namespace clast

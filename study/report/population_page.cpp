@@ -1,0 +1,378 @@
+#include "study/report/population_page.hpp"
+
+#include <cmath>
+
+#include "classify/certainty.hpp"
+#include "core/version.hpp"
+#include "study/report/form_diagram.hpp"
+#include "study/report/html_page.hpp"
+#include "study/report/palette.hpp"
+#include "study/report/share_chart.hpp"
+#include "study/report/svg_chart.hpp"
+
+namespace clast {
+namespace {
+
+constexpr std::size_t kMostRows = 500;  // of the table of blocks
+constexpr std::size_t kMostNotes = 20;
+constexpr double kGarciaLimit = 0.3;  // s_c above which a block is elongated
+
+std::string s_c_chart(const PopulationReport& report) {
+  std::vector<Series> all;
+  for (const ReportedPopulation& reported : report.populations) {
+    Series series{reported.population.name, data_colour(all.size()), "", {}};
+    const bool named = reported.population.blocks.size() <= kMostNamedMarks;
+    for (const MeasuredBlock& block : reported.population.blocks) {
+      series.values.push_back(elongation_s_c(block.as_written));
+      if (named) series.names.push_back(block.name);
+    }
+    all.push_back(std::move(series));
+  }
+  return histogram_chart({"Elongation s_c (Garcia et al. 2022)",
+                          "s_c = L/I \xE2\x88\x92 1 (-)",
+                          false,
+                          {{kGarciaLimit, "elongated above 0.3"}}},
+                         all);
+}
+
+Series size_series(const ReportedPopulation& reported, std::size_t number, bool by_mass) {
+  Series series{
+      by_mass ? "by mass" : "by number", data_colour(by_mass ? 1 : 0), by_mass ? "6 3" : "", {}};
+  const bool named = reported.population.blocks.size() <= kMostNamedMarks;
+  for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
+    const MeasuredBlock& block = reported.population.blocks[i];
+    if (by_mass && !block.mass) continue;
+    series.values.push_back(block_size(block.axes, reported.summary.size.measure));
+    if (by_mass) series.weights.push_back(*block.mass);
+    if (!named) continue;
+    series.names.push_back(block.name + ", " + significant(series.values.back(), 3) + " m");
+    series.blocks.push_back(block_key(number, i));
+  }
+  return series;
+}
+
+/// A fitted law from far below the smallest size to far above the largest.
+Curve law_curve(const SizeLaw& law, double smallest, double largest) {
+  constexpr int kSteps = 160;
+  const bool normal = law.kind == SizeLawKind::kLogNormal;
+  Curve curve{name_of(law.kind) + " by number",
+              normal ? "#009E73" : "#6a6f76",
+              normal ? "2 2" : "8 3 2 3",
+              {}};
+  for (int k = 0; k <= kSteps; ++k) {
+    const double size =
+        0.5 * smallest * std::pow(4.0 * largest / smallest, static_cast<double>(k) / kSteps);
+    curve.points.emplace_back(size, law.below(size));
+  }
+  return curve;
+}
+
+std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
+  const SizeDistribution& size = reported.summary.size;
+  std::vector<Series> series = {size_series(reported, number, false)};
+  if (size.by_mass) series.push_back(size_series(reported, number, true));
+  const auto [smallest, largest] =
+      std::minmax_element(series[0].values.begin(), series[0].values.end());
+  std::vector<Curve> curves;
+  for (const SizeLaw& law : size.by_number.laws) {
+    curves.push_back(law_curve(law, *smallest, *largest));
+  }
+  return cumulative_chart(
+      {"Size: " + reported.population.name, "size " + name_of(size.measure) + ", m", true}, series,
+      false, curves);
+}
+
+/// "22.8-41.7 %", with a dash that is no minus
+std::string range_text(double low, double high) {
+  return fixed(100.0 * low, 1) + "\xE2\x80\x93" + percent(high);
+}
+
+/// Whole kilograms where four digits would be an exponent.
+std::string mass_text(double mass) { return mass < 1e4 ? significant(mass, 4) : fixed(mass, 0); }
+
+Share share_bar(const ClassShare& share, bool by_mass) {
+  Share bar{by_mass ? share.mass_share : share.share,
+            by_mass ? share.mass_low : share.low,
+            by_mass ? share.mass_high : share.high,
+            {}};
+  bar.note = (by_mass ? mass_text(share.mass) + " kg" : std::to_string(share.count) + " blocks") +
+             ", " + percent(bar.value) + " (95 % interval " + percent(bar.low) + " to " +
+             percent(bar.high) + ")";
+  return bar;
+}
+
+/// By number and by mass for one population; the populations by number where there are two.
+std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
+  std::vector<ShareSeries> all;
+  std::vector<std::string> classes;
+  const auto add = [&](const ReportedPopulation& reported, const std::string& name, bool by_mass) {
+    ShareSeries series{name, data_colour(all.size()), {}};
+    classes.clear();
+    for (const ClassShare& share : reported.summary.schemes[scheme].shares) {
+      classes.push_back(share.name);
+      series.shares.push_back(share_bar(share, by_mass));
+    }
+    all.push_back(std::move(series));
+  };
+  const bool two = report.populations.size() > 1;
+  for (const ReportedPopulation& reported : report.populations) {
+    add(reported, two ? reported.population.name : "by number", false);
+    if (!two && reported.summary.weighed > 0) add(reported, "by mass", true);
+  }
+  return share_chart("Shares of classes: " + report.populations[0].summary.schemes[scheme].scheme,
+                     classes, all);
+}
+
+/// Files of two populations are told apart by a number.
+std::string suffix(const PopulationReport& report, std::size_t number) {
+  return report.populations.size() > 1 ? "_" + std::to_string(number + 1) : "";
+}
+
+std::string shares_name(const PopulationReport& report, std::size_t scheme) {
+  return "shares_" + class_column(report.populations.front().summary.schemes[scheme].scheme);
+}
+
+std::string blocks_word(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " block" : " blocks");
+}
+
+std::string head(const PopulationReport& report) {
+  std::string title, facts;
+  std::vector<std::string> notes;
+  for (const ReportedPopulation& reported : report.populations) {
+    title += (title.empty() ? "" : " and ") + reported.population.name;
+    std::string text = blocks_word(reported.summary.blocks);
+    if (reported.summary.weighed > 0) {
+      text += ", " + std::to_string(reported.summary.weighed) + " with a mass, " +
+              mass_text(reported.summary.size.total_mass) + " kg";
+    }
+    facts += fact(reported.population.name, text);
+    facts += fact("L, I, S of " + reported.population.name, reported.measured);
+    for (std::size_t i = 0; i < std::min(kMostNotes, reported.notes.size()); ++i) {
+      notes.push_back(reported.population.name + ": " + reported.notes[i]);
+    }
+    if (reported.notes.size() > kMostNotes) {
+      notes.push_back(reported.population.name + ": and " +
+                      std::to_string(reported.notes.size() - kMostNotes) +
+                      " more notes, all in provenance.json");
+    }
+    if (reported.population.blocks.size() > kMostSingleBlocks) {
+      notes.push_back(
+          reported.population.name + ": with " + blocks_word(reported.summary.blocks) +
+          " the diagrams show densities, not single blocks; every block is in classes.csv");
+    }
+  }
+  facts += fact("Size", name_of(report.options.size) +
+                            (report.options.size == SizeMeasure::kIntermediate
+                                 ? ", the axis that decides which sieve lets a block through"
+                                 : ", the side of a cube as large as the block's box"));
+  facts += fact("Report by", std::string("clast ") + version());
+  return "<h1>Shapes and sizes of blocks</h1>\n<p class=\"lead\">" + escaped(title) + "</p>\n" +
+         (notes.empty() ? std::string() : note_box("Read this first", notes)) +
+         "<dl class=\"facts\">\n" + facts + "</dl>\n";
+}
+
+std::string comparison_section(const PopulationReport& report) {
+  if (!report.comparison) return {};
+  const PopulationComparison& comparison = *report.comparison;
+  std::string html = "<ul>\n";
+  for (const ClassDifference& one : comparison.schemes)
+    html += "<li>" + escaped(one.words) + "</li>\n";
+  for (const MeasureDifference& one : comparison.measures) {
+    html += "<li>" + escaped(one.words) + "</li>\n";
+  }
+  const std::size_t tests = comparison.schemes.size() + comparison.measures.size();
+  html += "</ul>\n" +
+          paragraph("These are " + std::to_string(tests) +
+                    " looks at the same blocks: of twenty looks at equal deposits one shows a "
+                    "chance below 0.05. Where no difference can be shown, the samples may be too "
+                    "small to show it.");
+  return section(comparison.name_a + " against " + comparison.name_b, html);
+}
+
+std::string classes_section(const PopulationReport& report, const Diagrams& diagrams) {
+  std::string html;
+  const std::size_t schemes = report.populations.front().summary.schemes.size();
+  for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
+    html += "<h3>" + escaped(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
+    html += "<div class=\"charts\">" + figure(diagrams.at(shares_name(report, scheme))) + "<div>";
+    for (const ReportedPopulation& reported : report.populations) {
+      const bool weighed = reported.summary.weighed > 0;
+      std::vector<std::string> heads = {"class", "blocks", "share", "95 % interval"};
+      if (weighed) {
+        for (const char* name : {"mass, kg", "by mass", "95 % interval"}) heads.push_back(name);
+      }
+      if (report.populations.size() > 1) html += paragraph(reported.population.name);
+      HtmlTable table(heads, 1);
+      for (const ClassShare& share : reported.summary.schemes[scheme].shares) {
+        std::vector<std::string> cells = {share.name, std::to_string(share.count),
+                                          percent(share.share), range_text(share.low, share.high)};
+        if (weighed) {
+          cells.push_back(mass_text(share.mass));
+          cells.push_back(percent(share.mass_share));
+          cells.push_back(range_text(share.mass_low, share.mass_high));
+        }
+        table.row(std::move(cells));
+      }
+      html += table.html();
+    }
+    html += "</div></div>\n";
+  }
+  return section(
+      "Classes",
+      paragraph("Intervals are Wilson's: the shares of the deposit that a sample of this "
+                "size does not contradict. Shares by mass count a few heavy blocks as "
+                "much as many light ones, so their intervals are wider.") +
+          html);
+}
+
+std::string diagrams_section(const PopulationReport& report, const Diagrams& diagrams) {
+  std::string html = "<div class=\"charts\">\n";
+  for (std::size_t i = 0; i < report.populations.size(); ++i) {
+    html += figure(diagrams.at("sneed_folk" + suffix(report, i)));
+    html += figure(diagrams.at("zingg" + suffix(report, i)));
+  }
+  html += figure(diagrams.at("s_c"));
+  return section("Forms", paragraph("The pointer on a mark names its block and lights it up in all "
+                                    "diagrams; the darker a field, the more blocks are in it.") +
+                              html + "</div>\n");
+}
+
+std::string with_error(double value, double error) {
+  return significant(value, 3) + " \xC2\xB1 " + significant(error, 2);
+}
+
+void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& curve) {
+  for (const SizeLaw& law : curve.laws) {
+    const bool normal = law.kind == SizeLawKind::kLogNormal;
+    table.row(
+        {name_of(law.kind) + " " + weighting,
+         (normal ? "median " : "d63 ") + with_error(law.location, law.location_error),
+         (normal ? "\xCF\x83 of ln " : "exponent ") + with_error(law.spread, law.spread_error),
+         fixed(law.distance, 3), law.p_value ? p_words(*law.p_value) : "-"});
+  }
+}
+
+std::string size_section(const PopulationReport& report, const Diagrams& diagrams) {
+  std::string html;
+  for (std::size_t i = 0; i < report.populations.size(); ++i) {
+    const ReportedPopulation& reported = report.populations[i];
+    const SizeDistribution& size = reported.summary.size;
+    HtmlTable percentiles({reported.population.name, "blocks", "d10, m", "d50, m", "d90, m"}, 1);
+    const auto add = [&](const std::string& name, const SizeCurve& curve) {
+      percentiles.row({name, std::to_string(curve.blocks), significant(curve.d10, 3),
+                       significant(curve.d50, 3), significant(curve.d90, 3)});
+    };
+    add("by number", size.by_number);
+    if (size.by_mass) add("by mass", *size.by_mass);
+    HtmlTable laws({"law", "size, m", "spread", "KS distance", "p"}, 3);
+    law_rows(laws, "by number", size.by_number);
+    if (size.by_mass) law_rows(laws, "by mass", *size.by_mass);
+    html += "<div class=\"charts\">" + figure(diagrams.at("size" + suffix(report, i))) + "<div>" +
+            percentiles.html();
+    html += size.by_number.laws.empty() ? paragraph("All blocks are of one size: no law is fitted.")
+                                        : laws.html();
+    if (size.step > 0.0) {
+      html += paragraph("Sizes were read in steps of " + significant(size.step, 2) +
+                        " m; fits are judged with samples read in the same steps.");
+    }
+    html += "</div></div>\n<ul>\n";
+    for (const SizeShape& one : reported.summary.size_and_shape) {
+      html += "<li>" + escaped(size_shape_words(one, size.measure)) + "</li>\n";
+    }
+    html +=
+        "<li>" +
+        escaped("C40, the share of blocks with S/L at most 0.4: " + percent(reported.summary.c40) +
+                ".") +
+        "</li>\n</ul>\n";
+  }
+  return section(
+      "Sizes",
+      paragraph(
+          "Laws are fitted by maximum likelihood, with standard errors. p is the chance that a "
+          "sample of the law lies as far from its own fit: a small p speaks against the law, "
+          "a large one does not prove it. By mass there is no p, since the kilograms of one "
+          "block are not independent of each other.") +
+          html);
+}
+
+std::string blocks_section(const PopulationReport& report) {
+  std::string html;
+  for (const ReportedPopulation& reported : report.populations) {
+    const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
+    if (blocks.size() > kMostRows) {
+      html += paragraph(reported.population.name + ": " + blocks_word(blocks.size()) +
+                        ", all of them in classes.csv.");
+      continue;
+    }
+    std::vector<std::string> heads = {reported.population.name};
+    for (const SchemeShares& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
+    const std::string& first = reported.summary.schemes.front().scheme;
+    heads.push_back("how sure (" + first + ")");
+    const std::size_t text = heads.size();
+    for (const char* name : {"L, m", "I, m", "S, m", "mass, kg", "s_c", "S/L"})
+      heads.push_back(name);
+    HtmlTable table(heads, text);
+    for (const MeasuredBlock& block : blocks) {
+      std::vector<std::string> cells = {block.name};
+      for (const SchemeShares& scheme : reported.summary.schemes) {
+        cells.push_back(shape_class(scheme.scheme, block.as_written, report.options.limits));
+      }
+      const ClassCertainty certainty =
+          class_certainty(first, block.axes, block.axis_error, report.options.limits);
+      cells.push_back(certainty.near_limit ? described(certainty) : "clear of limits");
+      for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
+        cells.push_back(significant(axis, 3));
+      }
+      cells.push_back(block.mass ? significant(*block.mass, 4) : "-");
+      cells.push_back(fixed(elongation_s_c(block.as_written), 2));
+      cells.push_back(fixed(block.as_written.S / block.as_written.L, 2));
+      table.row(std::move(cells));
+    }
+    html += table.html();
+  }
+  return section("Blocks", html);
+}
+
+std::string sources_section(const PopulationReport& report) {
+  std::string html = "<ul class=\"note\">\n";
+  for (const ReportedPopulation& reported : report.populations) {
+    for (const std::string& input : reported.inputs) {
+      html += "<li><code>" + escaped(input) + "</code></li>\n";
+    }
+  }
+  return section("Inputs", html + "</ul>\n") + "<footer>Made by clast " + escaped(version()) +
+         ", random samples from seed " + std::to_string(report.options.seed) +
+         ". Every figure here is in classes.csv, shares.csv, sizes.csv and tests.csv beside this "
+         "page; every diagram is there as .svg.</footer>\n";
+}
+
+}  // namespace
+
+Diagrams population_diagrams(const PopulationReport& report) {
+  Diagrams diagrams;
+  for (std::size_t i = 0; i < report.populations.size(); ++i) {
+    const ReportedPopulation& reported = report.populations[i];
+    diagrams["sneed_folk" + suffix(report, i)] =
+        sneed_folk_diagram(reported.population, i, report.options);
+    diagrams["zingg" + suffix(report, i)] = zingg_diagram(reported.population, i, report.options);
+    diagrams["size" + suffix(report, i)] = size_chart(reported, i);
+  }
+  diagrams["s_c"] = s_c_chart(report);
+  for (std::size_t i = 0; i < report.populations.front().summary.schemes.size(); ++i) {
+    diagrams[shares_name(report, i)] = shares_chart(report, i);
+  }
+  return diagrams;
+}
+
+std::string population_page(const PopulationReport& report, const Diagrams& diagrams) {
+  std::string title = "Blocks";
+  for (const ReportedPopulation& reported : report.populations) {
+    title += (&reported == &report.populations.front() ? ": " : ", ") + reported.population.name;
+  }
+  return page(title, head(report) + comparison_section(report) + classes_section(report, diagrams) +
+                         diagrams_section(report, diagrams) + size_section(report, diagrams) +
+                         blocks_section(report) + sources_section(report));
+}
+
+}  // namespace clast

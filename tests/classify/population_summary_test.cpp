@@ -1,0 +1,123 @@
+#include "classify/population_summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.hpp"
+#include "tests/support/refusal.hpp"
+
+namespace clast {
+namespace {
+
+/// Blocks with s_c about `s_c`; sizes rise with elongation where `related`.
+Population deposit(const std::string& name, std::uint64_t seed, int blocks, double s_c,
+                   bool related = false) {
+  Random random(seed);
+  Population population{name, {}};
+  for (int i = 0; i < blocks; ++i) {
+    const double elongation = s_c * std::exp(0.4 * random.normal());
+    const double I = related ? 0.3 + elongation : 0.5 + 0.3 * random.uniform();
+    population.blocks.push_back(
+        measured_block("b" + std::to_string(i), {I * (1.0 + elongation), I, 0.7 * I}, 1000.0 * I));
+  }
+  return population;
+}
+
+TEST(Summarised, HoldsEverySchemeAndMeasure) {
+  const PopulationSummary summary = summarised(deposit("talus", 1, 40, 0.3));
+  EXPECT_EQ(summary.blocks, 40u);
+  EXPECT_EQ(summary.weighed, 40u);
+  ASSERT_EQ(summary.schemes.size(), scheme_names().size());
+  for (const SchemeShares& scheme : summary.schemes) {
+    EXPECT_EQ(scheme.shares.size(), class_names(scheme.scheme).size());
+    std::size_t count = 0;
+    double mass = 0.0;
+    for (const ClassShare& share : scheme.shares) {
+      count += share.count;
+      mass += share.mass_share;
+    }
+    EXPECT_EQ(count, 40u);
+    EXPECT_NEAR(mass, 1.0, 1e-12);
+  }
+  EXPECT_EQ(summary.size_and_shape.size(), 3u);
+  EXPECT_EQ(summarised(deposit("talus", 1, 5, 0.3), {.schemes = {"zingg"}}).schemes.size(), 1u);
+}
+
+TEST(Summarised, SizeAndShapeGoTogetherOnlyWhereTheyDo) {
+  const auto related = summarised(deposit("a", 1, 60, 0.3, true)).size_and_shape;
+  const auto unrelated = summarised(deposit("b", 1, 60, 0.3)).size_and_shape;
+  EXPECT_STREQ(related[0].measure->name, "s_c");
+  EXPECT_NEAR(related[0].test->statistic, 1.0, 1e-12);
+  EXPECT_LT(related[0].test->p_value, 1e-9);
+  EXPECT_LT(std::abs(unrelated[0].test->statistic), 0.4);
+}
+
+TEST(Summarised, OneBlockAndOneSizeSayWhatCanBeSaid) {
+  Population cubes{"cubes", {}};
+  for (int i = 0; i < 4; ++i) cubes.blocks.push_back(measured_block("c", {1, 1, 1}));
+  const PopulationSummary summary = summarised(cubes);
+  EXPECT_FALSE(summary.size_and_shape[0].test);
+  EXPECT_EQ(summary.size_and_shape[2].blocks, 0u);  // d of L = S is not defined
+  EXPECT_TRUE(summary.size.by_number.laws.empty());
+  EXPECT_EQ(summary.weighed, 0u);
+  EXPECT_EQ(summarised({"one", {measured_block("x", {3, 2, 1})}}).blocks, 1u);
+  EXPECT_TRUE(contains(refusal([] { summarised({"none", {}}); }), "none"));
+}
+
+TEST(Compared, SaysThatDifferentDepositsDiffer) {
+  const PopulationComparison comparison =
+      compared(deposit("P1", 1, 60, 0.2), deposit("P2", 2, 80, 0.5));
+  const MeasureDifference& s_c = comparison.measures.at(0);
+  EXPECT_LT(s_c.test->p_value, 1e-6);
+  EXPECT_LT(s_c.median_a, s_c.median_b);
+  for (const char* part : {"differ", "median", "P1 (60 blocks)", "P2 (80)", "less than 0.0001"}) {
+    EXPECT_TRUE(contains(s_c.words, part));
+  }
+  const ClassDifference& garcia = comparison.schemes.at(2);
+  EXPECT_EQ(garcia.scheme, "garcia");
+  EXPECT_LT(garcia.test->p_value, 1e-6);
+  EXPECT_TRUE(contains(garcia.words, "compact") || contains(garcia.words, "elongated"));
+}
+
+TEST(Compared, SaysThatNothingIsShownWhereNothingIs) {
+  const PopulationComparison comparison =
+      compared(deposit("P1", 1, 30, 0.3), deposit("P2", 3, 30, 0.3));
+  EXPECT_TRUE(contains(comparison.measures.at(0).words, "No difference"));
+  EXPECT_TRUE(contains(comparison.schemes.at(2).words, "can be shown"));
+}
+
+TEST(Compared, EqualPopulationsHaveNoDistance) {
+  const Population one = deposit("P1", 1, 30, 0.3);
+  const PopulationComparison comparison = compared(one, one);
+  for (const MeasureDifference& measure : comparison.measures) {
+    EXPECT_EQ(measure.test->statistic, 0.0);
+    EXPECT_EQ(measure.test->p_value, 1.0);
+  }
+}
+
+TEST(Compared, SmallExpectedCountsAreSaid) {
+  const PopulationComparison comparison =
+      compared(deposit("P1", 1, 4, 0.2), deposit("P2", 2, 5, 0.5));
+  EXPECT_TRUE(contains(comparison.schemes.at(2).words, "random tables"));
+}
+
+TEST(Compared, PopulationsOfOneClassHaveNothingToCompare) {
+  Population cubes{"cubes", {measured_block("c", {1, 1, 1})}};
+  const PopulationComparison comparison = compared(cubes, cubes);
+  EXPECT_FALSE(comparison.schemes.at(0).test);
+  EXPECT_TRUE(contains(comparison.schemes.at(0).words, "one sneed-folk class"));
+  EXPECT_FALSE(comparison.measures.at(2).test);
+  EXPECT_TRUE(contains(comparison.measures.at(2).words, "not defined"));
+}
+
+// Ratios of decimals that are equal on paper: 1.1/0.8 and 0.55/0.4.
+TEST(ShapeMeasures, TiesOnPaperAreTies) {
+  const auto values = values_of(shape_measures()[0],
+                                std::vector<Axes>{{1.1, 0.8, 0.5}, {0.55, 0.4, 0.2}, {1.3, 1, 1}});
+  EXPECT_EQ(values[0], values[1]);
+  EXPECT_NEAR(values[2], 0.3, 1e-12);
+}
+
+}  // namespace
+}  // namespace clast
