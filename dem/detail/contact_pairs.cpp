@@ -158,7 +158,7 @@ void ContactSearch::look_at_face_vertex(std::uint32_t block_face, Pair& pair) {
   const SurfaceFace& face = block_.faces[block_face];
   const Vec3& corner = ground_.features.vertices[pair.ground_feature];
   const Vec3 in_body = rotation_.transpose() * (corner - position_);
-  if (!over_face(block_, face, in_body)) {
+  if (depth_in_face(block_, face, in_body) < 0.0) {
     return sleep(pair, std::abs(nearest_on_face(block_, block_face, in_body).distance));
   }
   const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);

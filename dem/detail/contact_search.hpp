@@ -86,6 +86,7 @@ class ContactSearch {
     // While its foot stays on `sure_face`, no other face matters: inside the ground until the one,
     // outside within reach until the other.
     std::uint32_t sure_face = kNoFeature;
+    double sure_foot_until = -1.0;  ///< the foot cannot leave the face before
     double sure_inside_until = -1.0;
     double sure_outside_until = -1.0;
   };
