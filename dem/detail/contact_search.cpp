@@ -65,7 +65,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   for (const std::uint32_t s : awake_sides_) {
     if (side_due_[s] <= moved_) {
-      look_at_side(s, moved_, std::max(reach_, deepest_) + kPairMargins * margin_);
+      look_at_side(s, moved_, std::max(reach_, deepest_pair()) + kPairMargins * margin_);
     }
   }
   deepest_ = 0.0;
