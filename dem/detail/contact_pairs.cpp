@@ -8,8 +8,9 @@
 namespace clast {
 namespace {
 
-/// Edges and faces may touch deeper than anything touched before by this many margins.
-constexpr double kDeeperMargins = 0.25;
+/// A turn can make edges and faces touch that are deeper than anything that touches already: by
+/// this share of that depth, and this many margins.
+constexpr double kDeeperShare = 0.5, kDeeperMargins = 0.25;
 /// A list of pairs is kept while this share of the movement it allows is left.
 constexpr double kWorthKeeping = 0.3;
 
@@ -88,12 +89,14 @@ void ContactSearch::list_pairs(std::uint32_t s, double within) {
   hold(asleep(others - side.radius), others - side.radius - reach_);
 }
 
+double ContactSearch::deepest_pair() const {
+  return deepest_ > 0.0 ? (1.0 + kDeeperShare) * deepest_ + kDeeperMargins * margin_ : 0.0;
+}
+
 double ContactSearch::asleep(double apart) const {
   // Features that have passed each other inside the ground touch as deep as the block has sunk, so
-  // they must be seen again when the one distance meets the other; and a turn can make a pair touch
-  // that is somewhat deeper.
-  const double deep = deepest_ > 0.0 ? deepest_ + kDeeperMargins * margin_ : 0.0;
-  return std::min(apart - reach_, 0.5 * (apart - deep));
+  // they must be seen again when the one distance meets the other.
+  return std::min(apart - reach_, 0.5 * (apart - deepest_pair()));
 }
 
 void ContactSearch::sleep(Pair& pair, double apart) const {
@@ -158,7 +161,7 @@ void ContactSearch::look_at_face_vertex(std::uint32_t block_face, Pair& pair) {
   const SurfaceFace& face = block_.faces[block_face];
   const Vec3& corner = ground_.features.vertices[pair.ground_feature];
   const Vec3 in_body = rotation_.transpose() * (corner - position_);
-  if (!over_face(block_, face, in_body)) {
+  if (depth_in_face(block_, face, in_body) < 0.0) {
     return sleep(pair, std::abs(nearest_on_face(block_, block_face, in_body).distance));
   }
   const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);

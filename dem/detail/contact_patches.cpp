@@ -61,34 +61,21 @@ bool ContactPatches::same_features(const std::vector<ContactPoint>& points) cons
 
 void ContactPatches::link(const std::vector<ContactPoint>& points) {
   features_.clear();
-  std::vector<std::array<std::uint32_t, 2>> on_joint;  // joint, point
+  links_.clear();
+  on_joint_.clear();
+  last_on_joint_.resize(block_.faces.size() + block_.edges.size(), kNoFeature);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     features_.emplace_back(points[i].kind, points[i].block_feature);
-    for (const std::uint32_t joint : joints_of(points[i], buffer)) on_joint.push_back({joint, i});
-  }
-  std::sort(on_joint.begin(), on_joint.end());
-  std::vector<std::array<std::uint32_t, 3>> shared;  // point, earlier point, joint
-  for (std::size_t first = 0; first < on_joint.size();) {
-    std::size_t i = first;
-    for (; i < on_joint.size() && on_joint[i][0] == on_joint[first][0]; ++i) {
-      for (std::size_t j = first; j < i; ++j) {
-        shared.push_back({on_joint[i][1], on_joint[j][1], on_joint[i][0]});
+    for (const std::uint32_t joint : joints_of(points[i], buffer)) {
+      for (std::uint32_t j = last_on_joint_[joint]; j != kNoFeature; j = on_joint_[j].before) {
+        links_.push_back({i, on_joint_[j].point, joint});
       }
+      on_joint_.push_back({i, joint, last_on_joint_[joint]});
+      last_on_joint_[joint] = static_cast<std::uint32_t>(on_joint_.size() - 1);
     }
-    first = i;
   }
-  std::sort(shared.begin(), shared.end());
-  links_.clear();
-  link_joints_.clear();
-  for (const auto& [point, earlier, joint] : shared) {
-    if (links_.empty() || links_.back().point != point || links_.back().earlier != earlier) {
-      const auto start = static_cast<std::uint32_t>(link_joints_.size());
-      links_.push_back({point, earlier, start, start});
-    }
-    link_joints_.push_back(joint);
-    ++links_.back().end_joint;
-  }
+  for (const OnJoint& entry : on_joint_) last_on_joint_[entry.joint] = kNoFeature;
 }
 
 void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& orientation) {
@@ -117,12 +104,8 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
   for (const Link& link : links_) {
     const std::size_t a = name(link.point), b = name(link.earlier);
     if (a == b) continue;
-    const bool joined =
-        std::any_of(link_joints_.begin() + link.first_joint, link_joints_.begin() + link.end_joint,
-                    [&](std::uint32_t joint) {
-                      return !wall(joint, link.point) && !wall(joint, link.earlier);
-                    });
-    if (joined && smooth_between(points[link.point], points[link.earlier])) {
+    if (wall(link.joint, link.point) || wall(link.joint, link.earlier)) continue;
+    if (smooth_between(points[link.point], points[link.earlier])) {
       law_[std::max(a, b)] = std::min(a, b);
     }
   }

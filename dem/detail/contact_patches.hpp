@@ -24,11 +24,13 @@ class ContactPatches {
   std::size_t law_of(std::size_t point) const { return law_[point]; }
 
  private:
-  /// Two points that lie on the same planes or lines of the block, which are
-  /// `link_joints_[first_joint ..]`.
+  /// Two points that lie on the same plane or line of the block.
   struct Link {
-    std::uint32_t point = 0, earlier = 0;
-    std::uint32_t first_joint = 0, end_joint = 0;
+    std::uint32_t point = 0, earlier = 0, joint = 0;
+  };
+  /// A point on a joint, chained to the one before on the same joint.
+  struct OnJoint {
+    std::uint32_t point = 0, joint = 0, before = 0;
   };
 
   void join(const std::vector<ContactPoint>& points, const Quat& orientation);
@@ -49,7 +51,9 @@ class ContactPatches {
   std::vector<Vec3> normals_in_body_;
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< of the block, by point
   std::vector<Link> links_;
-  std::vector<std::uint32_t> link_joints_;
+  // Scratch of `link`, kept to spare the allocations.
+  std::vector<OnJoint> on_joint_;
+  std::vector<std::uint32_t> last_on_joint_;  ///< entry of `on_joint_`, by joint
 };
 
 }  // namespace clast

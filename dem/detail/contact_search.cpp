@@ -65,7 +65,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   for (const std::uint32_t s : awake_sides_) {
     if (side_due_[s] <= moved_) {
-      look_at_side(s, moved_, std::max(reach_, deepest_) + kPairMargins * margin_);
+      look_at_side(s, moved_, std::max(reach_, deepest_pair()) + kPairMargins * margin_);
     }
   }
   deepest_ = 0.0;
@@ -214,25 +214,24 @@ void ContactSearch::list_awake(double horizon) {
   listed_for_flight_ = false;
   awake_vertices_.clear();
   awake_sides_.clear();
-  sleepers_clear_until_ = 1e300;
+  double sleepers_clear_until = 1e300;
+  const auto list = [&](std::uint32_t first, std::uint32_t end, const std::vector<double>& due,
+                        std::vector<std::uint32_t>& awake) {
+    for (std::uint32_t i = first; i < end; ++i) {
+      if (due[i] <= horizon) {
+        awake.push_back(i);
+      } else {
+        sleepers_clear_until = std::min(sleepers_clear_until, due[i]);
+      }
+    }
+  };
   for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
     if (!part_states_[p].near) continue;
     const BlockPart& part = parts_.parts[p];
-    for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
-      if (vertex_due_[v] <= horizon) {
-        awake_vertices_.push_back(v);
-      } else {
-        sleepers_clear_until_ = std::min(sleepers_clear_until_, vertex_due_[v]);
-      }
-    }
-    for (std::uint32_t s = part.first_side; s < part.end_side; ++s) {
-      if (side_due_[s] <= horizon) {
-        awake_sides_.push_back(s);
-      } else {
-        sleepers_clear_until_ = std::min(sleepers_clear_until_, side_due_[s]);
-      }
-    }
+    list(part.first_vertex, part.end_vertex, vertex_due_, awake_vertices_);
+    list(part.first_side, part.end_side, side_due_, awake_sides_);
   }
+  sleepers_clear_until_ = sleepers_clear_until;
   survey_parts();
 }
 
@@ -376,6 +375,7 @@ void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
   if (depth >= complete) return;
   if (nearest.within_face) {
     state.sure_face = nearest.face;
+    state.sure_foot_until = moved_;
     state.sure_inside_until = moved_ + 0.5 * (found.second - depth);
     state.sure_outside_until = moved_ + (found.second - reach_);
   }
@@ -390,7 +390,11 @@ bool ContactSearch::look_at_sure_face(std::uint32_t v, const Vec3& centre) {
   const SurfaceFace& face = ground_.features.faces[state.sure_face];
   const double height = face.normal.dot(centre - ground_.features.vertices[face.vertices[0]]);
   if (moved_ >= (height < 0.0 ? state.sure_inside_until : state.sure_outside_until)) return false;
-  if (!over_face(ground_.features, face, centre)) return false;
+  if (moved_ >= state.sure_foot_until) {
+    const double inside = depth_in_face(ground_.features, face, centre);
+    if (inside < 0.0) return false;
+    state.sure_foot_until = moved_ + inside;
+  }
   state.distance = height;
   state.seen = centre;
   state.seen_at = moved_;
@@ -443,7 +447,7 @@ void ContactSearch::add_outside_contacts(std::uint32_t v, const Vec3& centre) {
     const SurfaceFace& face = ground.faces[f];
     const double height = face.normal.dot(centre - ground.vertices[face.vertices[0]]);
     if (height < 0.0 || height >= reach_) continue;
-    if (over_face(ground, face, centre)) {
+    if (depth_in_face(ground, face, centre) >= 0.0) {
       touch(f, centre - height * face.normal, face.normal, height);
       continue;
     }

@@ -86,6 +86,7 @@ class ContactSearch {
     // While its foot stays on `sure_face`, no other face matters: inside the ground until the one,
     // outside within reach until the other.
     std::uint32_t sure_face = kNoFeature;
+    double sure_foot_until = -1.0;  ///< the foot cannot leave the face before
     double sure_inside_until = -1.0;
     double sure_outside_until = -1.0;
   };
@@ -139,6 +140,8 @@ class ContactSearch {
   void look_at_edge_vertex(std::uint32_t block_edge, Pair& pair);
   void look_at_face_vertex(std::uint32_t block_face, Pair& pair);
   void look_at_pair(std::uint32_t block_feature, Pair& pair);
+  /// How deep an edge or a face may be in contact without having been seen before, m.
+  double deepest_pair() const;
   /// How far the block can move before features this far apart must be looked at again.
   double asleep(double apart) const;
   void sleep(Pair& pair, double apart) const;

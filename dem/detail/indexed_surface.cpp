@@ -37,29 +37,26 @@ NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
     return best;
   }
   double nearest = std::numeric_limits<double>::infinity();
+  const SurfaceEdge* on_edge = nullptr;  // else the nearest point is a vertex
+  std::uint32_t vertex = 0;
   for (int k = 0; k < 3; ++k) {
     if (depth[k] >= 0.0) continue;
     const SurfaceEdge& edge = surface.edges[f.edges[k]];
     const Vec3& start = surface.vertices[edge.vertices[0]];
     const double along = edge.direction.dot(query - start);
-    Vec3 point, normal;
-    if (along <= 0.0) {
-      point = start;
-      normal = surface.vertex_normals[edge.vertices[0]];
-    } else if (along >= edge.length) {
-      point = surface.vertices[edge.vertices[1]];
-      normal = surface.vertex_normals[edge.vertices[1]];
-    } else {
-      point = start + along * edge.direction;
-      normal = surface.edge_normal(edge);
-    }
-    const double distance = (query - point).norm();
-    if (distance < nearest) {
-      nearest = distance;
+    const bool before = along <= 0.0, inner = !before && along < edge.length;
+    const std::uint32_t end = edge.vertices[before ? 0 : 1];
+    const Vec3 point = inner ? Vec3(start + along * edge.direction) : surface.vertices[end];
+    const double squared_distance = (query - point).squaredNorm();
+    if (squared_distance < nearest) {
+      nearest = squared_distance;
       best.point = point;
-      best.normal = normal;
+      on_edge = inner ? &edge : nullptr;
+      vertex = end;
     }
   }
+  nearest = std::sqrt(nearest);
+  best.normal = on_edge ? surface.edge_normal(*on_edge) : surface.vertex_normals[vertex];
   best.distance = std::copysign(nearest, best.normal.dot(query - best.point));
   return best;
 }

@@ -206,13 +206,16 @@ Vec3 SurfaceFeatures::edge_normal(const SurfaceEdge& edge) const {
   return length > kFlatSine ? Vec3(sum / length) : first;
 }
 
-bool over_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point) {
+double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point) {
+  double depth = 1e300;
   for (int k = 0; k < 3; ++k) {
     const Vec3& corner = surface.vertices[face.vertices[k]];
     const Vec3 along = surface.vertices[face.vertices[(k + 1) % 3]] - corner;
-    if (face.normal.cross(along).dot(point - corner) < 0.0) return false;
+    const double twice_area = face.normal.cross(along).dot(point - corner);
+    if (twice_area < 0.0) return -1.0;
+    depth = std::min(depth, twice_area / along.norm());
   }
-  return true;
+  return depth;
 }
 
 bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {

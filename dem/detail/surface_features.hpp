@@ -68,8 +68,8 @@ struct SurfaceFeatures {
 SurfaceFeatures surface_features(const TriangleMesh& mesh,
                                  std::span<const std::array<std::uint32_t, 2>> wires = {});
 
-/// True when the foot of the point on the face's plane lies in the face.
-bool over_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point);
+/// How far inside the face the foot of the point on its plane lies, m; -1 when outside.
+double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point);
 
 /// True when `direction` points out of the solid at the edge: within the arc between the normals
 /// of its faces (to 1e-9).
