@@ -5,7 +5,8 @@
 /// Everything is paced by how far any point of the block has moved since the start, `moved_`.
 /// Whatever is found to be a distance d away sleeps until it has grown by d, so that nothing can
 /// touch unseen and most of the block costs nothing most of the time. The block is cut into parts
-/// that sleep as one; a part near the ground holds a list of the ground near it.
+/// that sleep as one; a part near the ground holds a list of the ground near it, in which its
+/// vertices and its sides (edges and faces) look for what they may touch.
 #include <cstdint>
 #include <vector>
 
@@ -59,8 +60,9 @@ class ContactSearch {
 
   /// No contact can come before the travel has grown beyond this (valid after `contacts`).
   double safe_travel();
-  /// No contact can come earlier on such a flight (valid after `contacts`), s. Not worth a search
-  /// for exact distances again and again: 0 when a recent one promised too little.
+  /// How long no contact can come on such a flight (valid after `contacts`), s. The search for it
+  /// costs as much as several steps, so it is not repeated at once where one has found too little:
+  /// then 0.
   /// @param worthwhile  s: a shorter time is of no use to the caller
   double safe_time(const FlightBounds& flight, double worthwhile);
 
@@ -171,9 +173,9 @@ class ContactSearch {
   double turned_ = 0.0;     ///< likewise: bounds what turning moves a point at an arm of 1 m, m
   double last_move_ = 0.0;  ///< growth of `moved_` in the last call, m
   LocalGround local_;       ///< around the whole block
-  double ground_complete_ =
-      -1.0;  ///< from every point of the block so far `local_` was complete ...
-  double ground_gathered_at_ = 0.0;  ///< ... when it was gathered
+  // From every point of the block so far `local_` was complete when it was gathered.
+  double ground_complete_ = -1.0;
+  double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
   std::vector<SideState> side_states_;
@@ -182,10 +184,10 @@ class ContactSearch {
   double horizon_ = -1.0;                      ///< everything due before it is listed as awake
   bool listed_for_flight_ = false;             ///< the list is longer than contact steps need
   std::vector<std::uint32_t> awake_vertices_, awake_sides_;
-  double sleepers_clear_until_ =
-      -1.0;                  ///< nothing else in the parts near the ground can touch before
-  double search_at_ = -1.0;  ///< no use in searching for a longer flight before
-  double deepest_ = 0.0;     ///< largest overlap at the last call, m
+  double sleepers_clear_until_ = -1.0;  ///< no other vertex or side of parts near the ground
+                                        ///< touches before
+  double search_at_ = -1.0;             ///< no use in searching for a longer flight before
+  double deepest_ = 0.0;                ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };
 
