@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/detail/deep_contacts.hpp"
+
 namespace clast {
 namespace {
 
@@ -53,6 +55,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   for (Pair& pair : pairs_) {
     if (pair.due <= travel) look_at_pair(pair, travel);
   }
+  drop_resolved(contacts_, ground_, reach_);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   return contacts_;
@@ -136,7 +139,9 @@ void ContactSearch::look_at_vertex(std::uint32_t vertex, double travel) {
     second = std::min(second, std::abs(nearer ? nearest.distance : candidate.distance));
     if (nearer) nearest = candidate;
   }
-  state.sure_face = nearest.within_face ? nearest.face : kNoFeature;
+  const bool inside = nearest.face != kNoFeature && nearest.distance < 0.0;
+  const bool backwards = inside && pushes_backwards(vertex, push_of(nearest, centre));
+  state.sure_face = nearest.within_face && !backwards ? nearest.face : kNoFeature;
   state.sure_inside_until =
       std::min(state.list_until, travel + 0.5 * (second - std::abs(nearest.distance)));
   state.sure_outside_until = std::min(state.list_until, travel + second - reach_);
@@ -147,7 +152,34 @@ void ContactSearch::look_at_vertex(std::uint32_t vertex, double travel) {
   }
   sleep(nearest.distance);
   if (nearest.distance >= 0.0) return add_outside_contacts(vertex, centre);
+  if (backwards) nearest = nearest_forwards(vertex, centre, nearest);
   add_inside_contact(vertex, centre, nearest);
+}
+
+Vec3 ContactSearch::push_of(const NearestPoint& nearest, const Vec3& centre) {
+  // On the surface itself, and above a face, the direction to it is its normal.
+  return nearest.within_face || nearest.distance > -1e-9
+             ? nearest.normal
+             : Vec3((nearest.point - centre) / -nearest.distance);
+}
+
+bool ContactSearch::pushes_backwards(std::uint32_t vertex, const Vec3& push) const {
+  return push.dot(rotation_ * block_.vertex_normals[vertex]) > 0.0;
+}
+
+NearestPoint ContactSearch::nearest_forwards(std::uint32_t vertex, const Vec3& centre,
+                                             const NearestPoint& nearest) const {
+  NearestPoint best = nearest;
+  double distance = 1e300;
+  for (const std::uint32_t f : vertices_[vertex].faces) {
+    const NearestPoint candidate = nearest_on_face(ground_.features, f, centre);
+    if (candidate.within_face && candidate.distance < 0.0 && -candidate.distance < distance &&
+        !pushes_backwards(vertex, push_of(candidate, centre))) {
+      distance = -candidate.distance;
+      best = candidate;
+    }
+  }
+  return best;
 }
 
 bool ContactSearch::look_at_sure_face(std::uint32_t vertex, const Vec3& centre, double travel) {
@@ -166,6 +198,7 @@ bool ContactSearch::look_at_sure_face(std::uint32_t vertex, const Vec3& centre, 
     if (face.inward[k].dot(centre - ground_.features.vertices[face.vertices[k]]) < 0.0)
       return false;
   }
+  if (height < 0.0 && pushes_backwards(vertex, face.normal)) return false;
   due_[vertex] = travel;
   ContactPoint contact;
   contact.block_feature = vertex;
@@ -182,11 +215,8 @@ void ContactSearch::add_inside_contact(std::uint32_t vertex, const Vec3& centre,
   ContactPoint contact;
   contact.block_feature = vertex;
   contact.ground_feature = contact.ground_face = nearest.face;
-  const double depth = -nearest.distance;
-  // On the surface itself, and above a face, the direction to it is its normal.
-  contact.normal =
-      nearest.within_face || depth < 1e-9 ? nearest.normal : Vec3((nearest.point - centre) / depth);
-  contact.overlap = reach_ + depth;
+  contact.normal = push_of(nearest, centre);
+  contact.overlap = reach_ - nearest.distance;
   contact.foot = nearest.point + ground_.radius * contact.normal;
   contacts_.push_back(contact);
 }

@@ -66,6 +66,14 @@ class ContactSearch {
 
   void look_at_vertex(std::uint32_t vertex, double travel);
   bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre, double travel);
+  /// Direction in which a vertex inside the ground is pushed to the surface point.
+  static Vec3 push_of(const NearestPoint& nearest, const Vec3& centre);
+  /// True when the push would drag the block's vertex out through the block: beside the edge of a
+  /// ground that ends where the block does, the nearest way out may be the ground's wall.
+  bool pushes_backwards(std::uint32_t vertex, const Vec3& push) const;
+  /// The nearest face below which it lies that does not, or `nearest` where there is none.
+  NearestPoint nearest_forwards(std::uint32_t vertex, const Vec3& centre,
+                                const NearestPoint& nearest) const;
   void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
   void add_outside_contacts(std::uint32_t vertex, const Vec3& centre);
   void refresh_pairs(double travel);
