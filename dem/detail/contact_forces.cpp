@@ -60,7 +60,9 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
     const double restitution = contact.ground->energy_restitution;
     const double w = contact.weight;
     const Vec3 place = contact.point.point();
-    const Vec3 arm = place - block.world_from_body.translation;
+    contact.arm = place - block.world_from_body.translation;
+    contact.other_arm = place - other.world_from_body.translation;
+    const Vec3& arm = contact.arm;
     const Vec3 moving = block.velocity_at(place) - other.velocity_at(place);
     const double closing = -moving.dot(n);
     const Vec3 sliding = moving + closing * n;
@@ -72,6 +74,9 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
     double weight_before = w;
     double restitution_before = restitution;
     Vec3 tangential_before = Vec3::Zero(), rolling_before = Vec3::Zero();
+    // Power of the loads of the step before along the motion of this one, by normal and friction:
+    // they act where the contact was then.
+    double power_normal = -normal_before * closing, power_sliding = 0.0;
     if (previous_of_[i] >= 0) {
       const Contact& previous = contacts_[previous_of_[i]];
       before = previous.point.overlap;
@@ -80,6 +85,9 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
       restitution_before = previous.ground->energy_restitution;
       tangential_before = turned_into_plane(previous.tangential, n);
       rolling_before = previous.rolling;
+      const Vec3 moving_there = relative_velocity(block, other, previous);
+      power_normal = previous.normal * previous.point.normal.dot(moving_there);
+      power_sliding = previous.tangential.dot(moving_there);
     } else {
       ledger.reassigned -= 0.5 * w * k_n * restitution * before * before;
     }
@@ -99,18 +107,18 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
     const Vec3 force = w * (contact.normal * n + contact.tangential);
     load.force += force;
     load.torque += arm.cross(force) + w * contact.rolling;
-    load.torque_on_other -=
-        (place - other.world_from_body.translation).cross(force) + w * contact.rolling;
+    load.torque_on_other -= contact.other_arm.cross(force) + w * contact.rolling;
 
     // Work taken from the block by the mean of the forces at both ends of the step, less what is
     // stored, is dissipated; a change of weight or zone changes what is stored and is booked apart.
-    const double taken_normal = 0.5 * (weight_before * normal_before + w * contact.normal) * deeper;
+    const double taken_normal =
+        -0.5 * duration * (weight_before * power_normal - w * contact.normal * closing);
     ledger.normal +=
         taken_normal - 0.5 * w * k_n * restitution * (overlap * overlap - before * before);
     ledger.reassigned -=
         0.5 * k_n * before * before * (w * restitution - weight_before * restitution_before);
     const double taken_sliding =
-        -0.5 * duration * (weight_before * tangential_before + w * contact.tangential).dot(sliding);
+        -0.5 * duration * (weight_before * power_sliding + w * contact.tangential.dot(sliding));
     const double tangential_squared = tangential_before.squaredNorm();
     ledger.friction +=
         taken_sliding - 0.5 * w / k_t * (contact.tangential.squaredNorm() - tangential_squared);
@@ -126,8 +134,7 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
   for (std::size_t j = 0; j < contacts_.size(); ++j) {
     if (carried_on_[j]) continue;
     const Contact& gone = contacts_[j];
-    const Vec3 place = gone.point.point();
-    const Vec3 moving = block.velocity_at(place) - other.velocity_at(place);
+    const Vec3 moving = relative_velocity(block, other, gone);
     const double given_back =
         0.5 * duration * gone.weight *
         ((gone.normal * gone.point.normal + gone.tangential).dot(moving) + gone.rolling.dot(spin));
@@ -136,6 +143,12 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
   }
   std::swap(contacts_, now_);
   return load;
+}
+
+Vec3 ContactForces::relative_velocity(const BodyMotion& block, const BodyMotion& other,
+                                     const Contact& contact) {
+  return block.velocity + block.angular_velocity.cross(contact.arm) - other.velocity -
+         other.angular_velocity.cross(contact.other_arm);
 }
 
 void ContactForces::match(const std::vector<ContactPoint>& points) {

@@ -63,7 +63,13 @@ class ContactForces {
     double normal = 0.0;             ///< N
     Vec3 tangential = Vec3::Zero();  ///< N
     Vec3 rolling = Vec3::Zero();     ///< N m
+    Vec3 arm = Vec3::Zero();         ///< from the block's centre of mass, m
+    Vec3 other_arm = Vec3::Zero();   ///< from the other body's
   };
+
+  /// Of the two bodies where they touch, the contact's arms as they were when it was loaded.
+  static Vec3 relative_velocity(const BodyMotion& block, const BodyMotion& other,
+                                const Contact& contact);
 
   void match(const std::vector<ContactPoint>& points);
   double stored(const Contact& contact) const;
