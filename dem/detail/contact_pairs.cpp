@@ -173,7 +173,7 @@ void ContactSearch::look_at_edges(Pair& pair, double travel) {
       closest.second > other.length) {
     return;
   }
-  if (!in_arc(other, normal) || !meets_edge(edge, normal)) return;
+  if (!near_arc(other, normal) || !near_arc(edge, -(rotation_.transpose() * normal))) return;
   ContactPoint contact;
   contact.kind = ContactKind::kEdgeEdge;
   contact.block_feature = pair.block_feature;
@@ -199,7 +199,9 @@ void ContactSearch::look_at_edge_vertex(Pair& pair, double travel) {
   }
   if (s <= 0.0 || s >= edge.length || !(distance > 0.0)) return;
   const Vec3 normal = out / distance;
-  if (meets_edge(edge, normal)) touch_corner(pair, normal, distance);
+  if (meets_edge(edge, normal) && in_cone(ground_.features, pair.ground_feature, normal)) {
+    touch_corner(pair, normal, distance);
+  }
 }
 
 void ContactSearch::look_at_face_vertex(Pair& pair, double travel) {
@@ -215,11 +217,11 @@ void ContactSearch::look_at_face_vertex(Pair& pair, double travel) {
   for (int k = 0; k < 3; ++k) {
     if (face.inward[k].dot(in_body - block_.vertices[face.vertices[k]]) < 0.0) return;
   }
-  touch_corner(pair, -(rotation_ * face.normal), height);
+  const Vec3 normal = -(rotation_ * face.normal);
+  if (near_cone(ground_.features, pair.ground_feature, normal)) touch_corner(pair, normal, height);
 }
 
 void ContactSearch::touch_corner(const Pair& pair, const Vec3& normal, double distance) {
-  if (!in_cone(ground_.features, pair.ground_feature, normal)) return;
   ContactPoint contact;
   contact.kind = pair.kind;
   contact.block_feature = pair.block_feature;

@@ -16,6 +16,13 @@ namespace {
 constexpr double kFlatSine = 1e-7;
 /// Slack of the arc and cone tests, a sine.
 constexpr double kConeSlack = 1e-9;
+/// Share of the turn at an edge or vertex that its arc or cone gives: 3 degrees at a right angle,
+/// as much as a block of the settled depth tilts.
+constexpr double kGiveShare = 1.0 / 30.0;
+
+double give_of(const Vec3& normal, const Vec3& other) {
+  return std::sin(kGiveShare * std::atan2(normal.cross(other).norm(), normal.dot(other)));
+}
 
 struct HalfEdge {
   std::uint32_t low, high, face, side;
@@ -92,6 +99,7 @@ void make_edges(SurfaceFeatures& surface) {
       edge.kind = kind_of(first, second, edge.inward[1]);
       const Vec3 sum = first.normal + second.normal;
       if (sum.norm() > kFlatSine) edge.normal = sum.normalized();
+      if (edge.kind == EdgeKind::kRidge) edge.give = give_of(first.normal, second.normal);
     }
     surface.edges.push_back(edge);
     i = end;
@@ -186,6 +194,13 @@ void make_vertex_normals(SurfaceFeatures& surface) {
   for (Vec3& normal : surface.vertex_normals) {
     if (normal.norm() > 0.0) normal.normalize();
   }
+  surface.give.assign(surface.vertices.size(), 0.0);
+  for (const SurfaceFace& face : surface.faces) {
+    for (const std::uint32_t v : face.vertices) {
+      surface.give[v] =
+          std::max(surface.give[v], 2.0 * give_of(surface.vertex_normals[v], face.normal));
+    }
+  }
 }
 
 void gather_joints(SurfaceFeatures& surface, const Incident& edges_at) {
@@ -228,15 +243,36 @@ SurfaceFeatures surface_features(const TriangleMesh& mesh,
   return surface;
 }
 
+namespace {
+
+bool within(const SurfaceEdge& edge, const Vec3& direction, double slack) {
+  return direction.dot(edge.inward[0]) <= slack && direction.dot(edge.inward[1]) <= slack;
+}
+
+bool within(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction,
+            double slack) {
+  for (const Vec3& ray : surface.rays_of(vertex)) {
+    if (direction.dot(ray) > slack) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool in_arc(const SurfaceEdge& edge, const Vec3& direction) {
-  return direction.dot(edge.inward[0]) <= kConeSlack && direction.dot(edge.inward[1]) <= kConeSlack;
+  return within(edge, direction, kConeSlack);
+}
+
+bool near_arc(const SurfaceEdge& edge, const Vec3& direction) {
+  return within(edge, direction, kConeSlack + edge.give);
 }
 
 bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
-  for (const Vec3& ray : surface.rays_of(vertex)) {
-    if (direction.dot(ray) > kConeSlack) return false;
-  }
-  return true;
+  return within(surface, vertex, direction, kConeSlack);
+}
+
+bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  return within(surface, vertex, direction, kConeSlack + surface.give[vertex]);
 }
 
 }  // namespace clast

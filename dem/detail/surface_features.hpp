@@ -34,6 +34,7 @@ struct SurfaceEdge {
   Vec3 direction;                      ///< unit, from the first vertex to the second
   Vec3 normal;                         ///< mean of the face normals, unit
   double length = 0.0;
+  double give = 0.0;  ///< sine of how far beyond its arc flat bodies still rest on it
   EdgeKind kind = EdgeKind::kFlat;
   std::uint32_t line = 0;  ///< convex edges that go straight on into each other share this number
 
@@ -46,6 +47,7 @@ struct SurfaceFeatures {
   std::vector<SurfaceFace> faces;
   std::vector<SurfaceEdge> edges;
   std::vector<Vec3> vertex_normals;          ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
+  std::vector<double> give;                  ///< of every vertex, like that of an edge
   std::vector<std::uint8_t> pointed;         ///< vertices that can be touched: a convex edge ends
                                              ///< there and does not go straight on
   std::vector<std::uint32_t> ray_offsets;    ///< edges leaving vertex v: rays[ray_offsets[v] ..]
@@ -73,8 +75,14 @@ SurfaceFeatures surface_features(const TriangleMesh& mesh,
 /// True when `direction` points out of the solid at the edge: within the arc between the normals
 /// of its faces (to 1e-9).
 bool in_arc(const SurfaceEdge& edge, const Vec3& direction);
+/// The same with the edge's give: a thirtieth of the angle by which its faces turn, 3 degrees at a
+/// right angle and nothing where they are smooth. Where two flat faces overlap partly, the edges
+/// that bound the overlap then carry their share whichever way the faces are tilted a little.
+bool near_arc(const SurfaceEdge& edge, const Vec3& direction);
 
 /// True when no edge leaving the vertex rises along `direction`: it lies in the normal cone.
 bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
+/// The same with the vertex's give, from the largest angle between its faces and its normal.
+bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
 
 }  // namespace clast

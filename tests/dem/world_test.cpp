@@ -149,12 +149,17 @@ class OverTheEdge : public testing::TestWithParam<Stand> {};
 // just its weight, not deeper than twice the depth of one law, and not pushed away by walls that
 // are deep behind each other beside the overlap.
 TEST_P(OverTheEdge, Stays) {
-  const World world = stand_at_rest(GetParam(), 0.01);
-  EXPECT_LT((world.contact_force(0) - Vec3(0, 0, kStandMass * 9.81)).norm(),
-            0.02 * kStandMass * 9.81);
-  EXPECT_LT(world.overlap(0, 1), 2.0 * kStandDepth);
-  EXPECT_LT((world.state(0).position.head<2>() - GetParam().offset).norm(), 2e-3);
+  World world = stand_at_rest(GetParam(), 0.01);
+  // What it tilts while it settles shifts its centre by about its depth.
+  EXPECT_LT((world.state(0).position.head<2>() - GetParam().offset).norm(), kStandDepth);
   EXPECT_LT(world.energy().error, 0.005);
+  for (const double until = world.time() + 3.0; world.time() < until;) world.step();
+  const Vec3 place = world.state(0).position;
+  EXPECT_LT((world.contact_force(0) - Vec3(0, 0, kStandMass * 9.81)).norm(),
+            0.01 * kStandMass * 9.81);
+  EXPECT_LT(world.overlap(0, 1), 2.0 * kStandDepth);
+  for (const double until = world.time() + 3.0; world.time() < until;) world.step();
+  EXPECT_LT((world.state(0).position - place).head<2>().norm(), 2e-4);
 }
 INSTANTIATE_TEST_SUITE_P(Stands, OverTheEdge,
                          testing::Values(Stand{true, {0.2, 0.14}}, Stand{true, {0.3, 0.0}},
