@@ -18,7 +18,10 @@ constexpr double kDepthShare = 0.5;
 }  // namespace
 
 ContactSearch::ContactSearch(const IndexedSurface& ground, const IndexedSurface& block, double size)
-    : ground_(ground), block_(block.features), reach_(block.radius + ground.radius) {
+    : ground_(ground),
+      surface_(block),
+      block_(block.features),
+      reach_(block.radius + ground.radius) {
   for (const Vec3& vertex : block_.vertices) {
     bounding_radius_ = std::max(bounding_radius_, vertex.norm());
   }
@@ -55,7 +58,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   for (Pair& pair : pairs_) {
     if (pair.due <= travel) look_at_pair(pair, travel);
   }
-  drop_resolved(contacts_, ground_, reach_);
+  drop_resolved(contacts_, ground_, surface_, ground_from_body);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   return contacts_;

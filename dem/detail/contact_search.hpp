@@ -93,12 +93,13 @@ class ContactSearch {
   bool meets_edge(const SurfaceEdge& edge, const Vec3& normal) const;
 
   const IndexedSurface& ground_;
-  const SurfaceFeatures& block_;
-  double reach_;                  ///< block radius + skin radius, m
-  double bounding_radius_ = 0.0;  ///< of the core about the centre, m
-  double longest_edge_ = 0.0;     ///< of the block, m
-  double margin_;                 ///< how far lists look ahead, m
-  double depth_limit_;            ///< edge and face contacts deeper than this are not trusted, m
+  const IndexedSurface& surface_;  ///< of the block
+  const SurfaceFeatures& block_;   ///< its features
+  double reach_;                   ///< block radius + skin radius, m
+  double bounding_radius_ = 0.0;   ///< of the core about the centre, m
+  double longest_edge_ = 0.0;      ///< of the block, m
+  double margin_;                  ///< how far lists look ahead, m
+  double depth_limit_;             ///< edge and face contacts deeper than this are not trusted, m
 
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
