@@ -42,7 +42,8 @@ struct ThreadTeam::Impl {
   std::exception_ptr failure;
 
   std::atomic<std::uint32_t> loop{0};  ///< number of the loop; changes to start one, or to end all
-  std::atomic<std::uint32_t> busy{0};  ///< helpers that have not finished it
+  std::atomic<bool> open{false};       ///< there is a loop to help with
+  std::atomic<std::uint32_t> active{0};  ///< helpers that may be looking at it
   bool ending = false;
   std::vector<std::jthread> helpers;
 
@@ -71,8 +72,10 @@ struct ThreadTeam::Impl {
       wait_while(loop, done);
       done = loop;
       if (ending) return;
-      work();
-      if (--busy == 0) busy.notify_one();
+      // Who wakes too late to help is not waited for.
+      ++active;
+      if (open) work();
+      if (--active == 0) active.notify_one();
     }
   }
 };
@@ -100,13 +103,14 @@ void ThreadTeam::run(std::size_t count, std::size_t chunk,
   impl_->failure = nullptr;
   const bool alone = impl_->helpers.empty() || count <= impl_->chunk;
   if (!alone) {
-    impl_->busy = static_cast<std::uint32_t>(impl_->helpers.size());
+    impl_->open = true;
     ++impl_->loop;
     impl_->loop.notify_all();
   }
   impl_->work();
   if (!alone) {
-    while (const std::uint32_t left = impl_->busy.load()) wait_while(impl_->busy, left);
+    impl_->open = false;
+    while (const std::uint32_t left = impl_->active.load()) wait_while(impl_->active, left);
   }
   if (impl_->failure) std::rethrow_exception(std::exchange(impl_->failure, nullptr));
 }

@@ -1,5 +1,6 @@
 #pragma once
 /// Scenes of several bodies.
+#include "dem/stiffness.hpp"
 #include "dem/world.hpp"
 #include "tests/support/test_rock.hpp"
 
@@ -67,6 +68,40 @@ inline void add_room(World& world, std::size_t slab, double half) {
       world.add_body(slab + static_cast<std::size_t>(axis), at(place), true);
     }
   }
+}
+
+/// A round bowl, 16 m wide.
+inline TriangleMesh bowl() {
+  TriangleMesh mesh = plane_mesh(8.0, 32);
+  for (Vec3& vertex : mesh.vertices) vertex.z() = 0.15 * vertex.head<2>().squaredNorm();
+  return mesh;
+}
+
+/// Rocks of 10 cuts^2 + 2 vertices in a column, 36 to a layer, falling into the bowl.
+inline World falling_pile(const TerrainSurface& terrain, std::size_t blocks, int cuts,
+                          unsigned threads) {
+  std::vector<RigidBody> shapes;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    shapes.push_back(rock(cuts, {0.30, 0.25, 0.20}, 0.01, 2650.0, seed));
+  }
+  const std::vector<GroundParameters> zones = {{0.05, 0.7, 0.2}};
+  WorldSettings settings;
+  settings.stiffness = choose_stiffness(shapes, zones, 10.0, 9.81).stiffness;
+  settings.between_bodies = {0.05, 0.6, 0.2};
+  settings.threads = threads;
+  World world(shapes, settings, terrain, zones);
+  Random random(5);
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const std::size_t layer = i / 36, place = i % 36;
+    RigidState state;
+    state.position = {0.75 * (static_cast<double>(place % 6) - 2.5),
+                      0.75 * (static_cast<double>(place / 6) - 2.5),
+                      1.5 + 0.72 * static_cast<double>(layer)};
+    state.orientation = random.rotation();
+    state.velocity = {0.0, 0.0, -2.0};
+    world.add_body(i % shapes.size(), state);
+  }
+  return world;
 }
 
 }  // namespace clast
