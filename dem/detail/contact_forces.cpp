@@ -146,7 +146,7 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
 }
 
 Vec3 ContactForces::relative_velocity(const BodyMotion& block, const BodyMotion& other,
-                                     const Contact& contact) {
+                                      const Contact& contact) {
   return block.velocity + block.angular_velocity.cross(contact.arm) - other.velocity -
          other.angular_velocity.cross(contact.other_arm);
 }
