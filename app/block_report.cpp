@@ -1,6 +1,13 @@
 #include "app/block_report.hpp"
 
+#include <algorithm>
+
 #include "app/text_table.hpp"
+#include "classify/equilibria.hpp"
+#include "classify/roundness.hpp"
+#include "classify/surface_indices.hpp"
+#include "shapes/edge_bend.hpp"
+#include "shapes/remeshing.hpp"
 
 namespace clast {
 
@@ -25,7 +32,47 @@ Json field_json(const FieldNotes& field) {
   return json;
 }
 
+/// L, I, S by every convention.
+Json boxes_json(const Block& block) {
+  Json json = Json::object();
+  for (const BoxConvention convention : kBoxConventions) {
+    json[name_of(convention)] = vector_json(block_box(block, convention).lengths);
+  }
+  return json;
+}
+
 }  // namespace
+
+OrientedBox block_box(const Block& block, BoxConvention convention) {
+  if (convention == BoxConvention::kSmallest) return block.box;  // stored
+  return box_of(block.body, block.principal, convention);
+}
+
+std::map<std::string, double> block_indices(const Block& block, const Axes& axes) {
+  std::map<std::string, double> indices = form_indices(axes);
+  indices["wadell_true_sphericity"] = true_sphericity(block.mass.volume, block.area);
+  indices["convexity"] = convexity(block.body, block.mass.volume);
+  const SurfaceOrientation orientation = surface_orientation(block.body);
+  indices["bagi_orosz_compactness"] = orientation.compactness();
+  indices["bagi_orosz_flakiness"] = orientation.flakiness();
+  indices["bagi_orosz_rodness"] = orientation.rodness();
+  return indices;
+}
+
+Json equilibria_json(const Block& block) {
+  const Equilibria found = static_equilibria(block.body, block.mass.centre);
+  return {{"stable", found.stable}, {"unstable", found.unstable}, {"saddle", found.saddle}};
+}
+
+Json roundness_json(const Block& block, double edge_length) {
+  // A core's own surface has none of the rounding.
+  const TriangleMesh surface = block.from_core ? skin_mesh(block.body) : block.surface;
+  const Roundness found = roundness(remeshed(surface, edge_length));
+  return {{"wadell_roundness", found.value},
+          {"edge_length_m", found.edge_length},
+          {"inscribed_radius_m", found.inscribed_radius},
+          {"corner_share", found.corner_share}};
+}
 
 Json block_json(const Block& block) {
   const Axes axes = block.axes();
@@ -34,6 +81,11 @@ Json block_json(const Block& block) {
   json["source"] = block.source.file;
   json["vertices"] = block.body.vertices.size();
   json["edges"] = block.body.edges.size();
+  const std::vector<EdgeBend> bends = edge_bends(block.body);
+  const auto with = [&](EdgeBend bend) { return std::count(bends.begin(), bends.end(), bend); };
+  json["edge_bends"] = {{"convex", with(EdgeBend::kConvex)},
+                        {"flat", with(EdgeBend::kFlat)},
+                        {"reflex", with(EdgeBend::kReflex)}};
   json["faces"] = block.body.faces.size();
   json["radius_m"] = block.body.radius;
   json["volume_m3"] = block.mass.volume;
@@ -44,11 +96,13 @@ Json block_json(const Block& block) {
   json["inertia_kg_m2"] = matrix_json(block.mass.inertia);
   json["principal_moments_kg_m2"] = vector_json(block.principal.moments);
   json["box_m"] = {axes.L, axes.I, axes.S};
+  json["boxes_m"] = boxes_json(block);
   json["s_c"] = elongation_s_c(axes);
   json["sneed_folk"] = sneed_folk_class(axes);
   json["zingg"] = zingg_class(axes);
   json["shape"] = garcia_class(axes);
-  json["indices"] = form_indices(axes);
+  json["indices"] = block_indices(block, axes);
+  json["equilibria"] = equilibria_json(block);
   json["deviation_m"] = {{"hausdorff", block.deviation.hausdorff},
                          {"mean", block.deviation.mean},
                          {"volume_relative", block.deviation.volume_relative}};
@@ -60,11 +114,12 @@ Json block_json(const Block& block) {
 
 std::string block_line(const Block& block) {
   const Axes axes = block.axes();
-  std::string line = block.id + ": " + std::to_string(block.body.vertices.size()) + " vertices, " +
-                     rounded(axes.L, 3) + " x " + rounded(axes.I, 3) + " x " + rounded(axes.S, 3) +
-                     " m, " + rounded(block.mass.volume) + " m3, " + rounded(block.mass.mass) +
-                     " kg, " + sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " +
-                     garcia_class(axes) + ", ";
+  const std::size_t count = block.body.vertices.size();
+  std::string line =
+      block.id + ": " + std::to_string(count) + (count == 1 ? " vertex, " : " vertices, ") +
+      rounded(axes.L, 3) + " x " + rounded(axes.I, 3) + " x " + rounded(axes.S, 3) + " m, " +
+      rounded(block.mass.volume) + " m3, " + rounded(block.mass.mass) + " kg, " +
+      sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes) + ", ";
   if (block.from_core) return line + "core with radius " + rounded(block.body.radius, 3) + " m";
   return line + "within " + rounded(block.deviation.hausdorff, 2) + " m of the scan (" +
          rounded(100.0 * block.deviation.hausdorff / axes.L, 2) + " % of L)";

@@ -14,21 +14,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_mesh_file(const fs::path& path) {
+std::string lower_case_extension(const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool is_scan_file(const fs::path& path) {
+  const std::string extension = lower_case_extension(path);
+  if (extension == ".shp") return !is_map_file(path);
   const std::vector<std::string>& known = readable_mesh_extensions();
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
-std::vector<fs::path> meshes_in(const fs::path& folder) {
+std::vector<fs::path> scans_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code code;
   for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
        entry.increment(code)) {
     const bool hidden = entry->path().filename().string().starts_with(".");
-    if (!hidden && entry->is_regular_file() && is_mesh_file(entry->path())) {
+    if (!hidden && entry->is_regular_file() && is_scan_file(entry->path())) {
       found.push_back(entry->path());
     }
   }
@@ -36,7 +42,8 @@ std::vector<fs::path> meshes_in(const fs::path& folder) {
   if (found.empty()) {
     std::string known;
     for (const std::string& extension : readable_mesh_extensions()) known += " " + extension;
-    throw InputError(folder.string() + ": no mesh file in this folder; known are" + known);
+    throw InputError(folder.string() + ": no mesh file in this folder; known are" + known +
+                     " .shp");
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -46,7 +53,32 @@ std::string folder_name(const fs::path& path) {
   return fs::absolute(path).lexically_normal().parent_path().filename().string();
 }
 
+/// A name that may be the path of the mesh a shape was made from.
+std::string id_from_name(const std::string& name) {
+  const bool is_path = name.find_first_of("/\\") != std::string::npos;
+  const fs::path path = name.substr(is_path ? name.find_last_of("/\\") + 1 : 0);
+  const bool is_file = is_path || lower_case_extension(path) == ".stl";
+  return is_file ? path.stem().string() : name;
+}
+
+/// One entry for a mesh; for a .shp file one for each shape, or one without when it can't be read:
+/// the reason is told when its turn comes.
+std::vector<ScanFile> scans_of(const fs::path& path) {
+  ScanFile file{path, path.stem().string(), {}};
+  if (!file.is_shp()) return {file};
+  try {
+    std::vector<ScanFile> scans;
+    for (ShpShape& shape : read_shp(path)) scans.push_back({path, id_from_name(shape.name), shape});
+    if (scans.size() == 1) scans[0].id = file.id;
+    return scans;
+  } catch (const InputError&) {
+    return {file};
+  }
+}
+
 }  // namespace
+
+bool ScanFile::is_shp() const { return lower_case_extension(path) == ".shp"; }
 
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   std::vector<ScanFile> scans;
@@ -54,12 +86,11 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
     std::error_code code;
     const std::vector<fs::path> paths =
-        fs::is_directory(input, code) ? meshes_in(input) : std::vector<fs::path>{input};
+        fs::is_directory(input, code) ? scans_in(input) : std::vector<fs::path>{input};
     for (const fs::path& path : paths) {
       const fs::path canonical = fs::weakly_canonical(path, code);
-      if (seen.insert(code ? path : canonical).second) {
-        scans.push_back({path, path.stem().string()});
-      }
+      if (!seen.insert(code ? path : canonical).second) continue;
+      for (ScanFile& scan : scans_of(path)) scans.push_back(std::move(scan));
     }
   }
 
@@ -71,7 +102,7 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
     const auto [other, is_new] = ids.emplace(scan.id, scan.path);
     if (!is_new) {
       throw InputError(scan.path.string() + " and " + other->second.string() +
-                       " would both be block " + scan.id + "; rename one of the files");
+                       " would both be block " + scan.id + "; rename one of them");
     }
   }
   return scans;

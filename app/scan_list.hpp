@@ -1,21 +1,29 @@
 #pragma once
 /// Which scans a command line names, and the ids their blocks get.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "shapes/shp_file.hpp"
+
 namespace clast {
 
-/// A scan file and the id of its block.
+/// A scan file and the id of its block; of a .shp file one of its shapes, none where it can't be
+/// read.
 struct ScanFile {
   std::filesystem::path path;
   std::string id;
+  std::optional<ShpShape> shape;
+
+  bool is_shp() const;
 };
 
-/// Files as they are, folders as every mesh file in them, deeper folders included, sorted by path;
-/// a file that is named twice is taken once. The id is the file's stem; where two share a stem,
-/// parent folder and stem.
-/// @throws InputError  a folder without a mesh file, or files that share folder name and stem
+/// Files as they are, folders as every mesh and shape file in them (map files of the extension .shp
+/// left out), deeper folders included, sorted by path; a file that is named twice is taken once.
+/// The id is the file's stem, or the name of a shape where a .shp file holds several (of a name
+/// that is a path, the stem); where two share an id, parent folder and id.
+/// @throws InputError  a folder without a mesh file, or files that share folder name and id
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs);
 
 }  // namespace clast

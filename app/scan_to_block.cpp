@@ -34,16 +34,6 @@ std::string likely_unit(double raw) {
   return "";
 }
 
-void check_size(const TriangleMesh& mesh, const std::string& id,
-                const ScanToBlockOptions& options) {
-  const Bounds box = bounds(mesh);
-  const double length = (box.high - box.low).maxCoeff();
-  if (options.any_size || (length <= kLargestBlock && length >= kSmallestBlock)) return;
-  throw InputError("block " + id + " would be " + rounded(length, 3) +
-                   " m long, read with --units " + options.unit_name +
-                   likely_unit(length / options.scan.unit) + "; --any-size takes it as it is");
-}
-
 /// Every trial starts from the largest count, so that a large scan is thinned once. A scan that
 /// can't be thinned to that one may still lose its flaws on the way to a smaller one.
 TriangleMesh thinned_for_trials(const TriangleMesh& scan) {
@@ -88,18 +78,24 @@ Block lightest_block(const std::string& id, const TriangleMesh& fine, const Tria
   return std::move(*first);
 }
 
-/// Thinning leaves no crossings, but a mesh that is taken as it is may have them.
-void warn_of_crossings(Block& block, const TriangleMesh& scan) {
-  if (block.surface.triangles.size() != scan.triangles.size()) return;
-  const std::size_t pairs = crossing_triangles(scan).size();
+}  // namespace
+
+void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options) {
+  const double length = (box.high - box.low).maxCoeff();
+  if (options.any_size || (length <= kLargestBlock && length >= kSmallestBlock)) return;
+  throw InputError("block " + id + " would be " + rounded(length, 3) +
+                   " m long, read with --units " + options.unit_name +
+                   likely_unit(length / options.scan.unit) + "; --any-size takes it as it is");
+}
+
+void warn_of_crossings(Block& block, const TriangleMesh& surface) {
+  const std::size_t pairs = crossing_triangles(surface).size();
   if (pairs == 0) return;
   block.warnings.push_back("the surface passes through itself at " + std::to_string(pairs) +
                            (pairs == 1 ? " pair" : " pairs") +
                            " of triangles: what lies inside twice counts twice in its volume; mend "
                            "it in MeshLab or CloudCompare");
 }
-
-}  // namespace
 
 void ScanToBlockOptions::check() const {
   scan.check();
@@ -115,9 +111,10 @@ Block block_from_scan(const std::filesystem::path& path, const std::string& id,
   };
   begin("reading");
   const Scan scan = read_scan(path, options.scan);
-  check_size(scan.mesh, id, options);
+  check_size(bounds(scan.mesh), id, options);
   BlockSource source{path.string(), sha256_of_file(path),
                      "units=" + options.unit_name + " up=" + options.scan.up, ""};
+  if (options.scan.keep_inner_shells) source.options += " inner_shells=kept";
   Block block;
   if (options.block.core) {
     begin("measuring");
@@ -134,7 +131,9 @@ Block block_from_scan(const std::filesystem::path& path, const std::string& id,
     begin("measuring");
     block = lightest_block(id, fine, scan.mesh, source, options);
   }
-  warn_of_crossings(block, scan.mesh);
+  // Thinning leaves no crossings, but a mesh that is taken as it is may have them.
+  const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
+  if (as_it_is) warn_of_crossings(block, scan.mesh);
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
   return block;
 }

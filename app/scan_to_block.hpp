@@ -25,10 +25,18 @@ struct ScanToBlockOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
+/// Refuses a size that no rock block has (over 50 m or under 1 mm), which is a wrong unit most of
+/// the time. `box` is in metres.
+/// @throws InputError  naming the unit that would fit
+void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options);
+
+/// Adds a warning where the surface passes through itself.
+void warn_of_crossings(Block& block, const TriangleMesh& surface);
+
 /// Reads, mends, thins and measures one scan.
 /// @param stage  called with the name of each step before it starts
-/// @throws InputError, GeometryError  with the file or the id in the message; also for a size
-///         that no rock block has (over 50 m or under 1 mm), which is a wrong unit most of the time
+/// @throws InputError, GeometryError  with the file or the id in the message; also what
+///         `check_size` throws
 Block block_from_scan(const std::filesystem::path& path, const std::string& id,
                       const ScanToBlockOptions& options,
                       const std::function<void(const std::string&)>& stage = {});

@@ -131,6 +131,7 @@ struct Layout {
   char separator = ',';
   bool has_header = false;
   std::array<std::size_t, 3> axes{};  ///< columns of L, I, S
+  std::optional<std::size_t> mass;
   std::optional<std::size_t> name;
   std::optional<double> named_unit;
 };
@@ -146,24 +147,29 @@ Layout layout_of(const std::string& first_line, const DimensionColumns& columns,
     return number_of(field, layout.separator).has_value();
   });
 
-  const std::array<std::string, 3> wanted = {columns.L, columns.I, columns.S};
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::string name = column_name(wanted[axis]).name;
+  const auto column = [&](const std::string& wanted) -> std::size_t {
+    const std::string name = column_name(wanted).name;
     const auto found = std::find_if(names.begin(), names.end(),
                                     [&](const ColumnName& c) { return c.name == name; });
     if (layout.has_header && found != names.end()) {
-      layout.axes[axis] = static_cast<std::size_t>(found - names.begin());
-      if (found->unit) layout.named_unit = found->unit;
-    } else if (const auto number = column_number(wanted[axis]); number && *number < fields.size()) {
-      layout.axes[axis] = *number;
-    } else {
-      throw InputError(file + ": no column \"" + wanted[axis] + "\"; " +
-                       (layout.has_header
-                            ? "the header has " + joined(fields)
-                            : "there is no header line, so give the numbers of the columns, 1 to " +
-                                  std::to_string(fields.size())));
+      return static_cast<std::size_t>(found - names.begin());
     }
+    if (const auto number = column_number(wanted); number && *number < fields.size()) {
+      return *number;
+    }
+    throw InputError(file + ": no column \"" + wanted + "\"; " +
+                     (layout.has_header
+                          ? "the header has " + joined(fields)
+                          : "there is no header line, so give the numbers of the columns, 1 to " +
+                                std::to_string(fields.size())));
+  };
+  const std::array<std::string, 3> wanted = {columns.L, columns.I, columns.S};
+  for (int axis = 0; axis < 3; ++axis) {
+    layout.axes[axis] = column(wanted[axis]);
+    const ColumnName& name = names[layout.axes[axis]];
+    if (layout.has_header && name.unit) layout.named_unit = name.unit;
   }
+  if (!columns.mass.empty()) layout.mass = column(columns.mass);
   for (std::size_t i = 0; layout.has_header && i < names.size() && !layout.name; ++i) {
     const std::string& name = names[i].name;
     if (name == "id" || name == "name" || name == "block") layout.name = i;
@@ -171,32 +177,33 @@ Layout layout_of(const std::string& first_line, const DimensionColumns& columns,
   return layout;
 }
 
-/// The axes of a row as written, or why it can't be used.
-struct RowAxes {
-  std::array<double, 3> values{};
+/// The numbers of a row as written, or why it can't be used.
+struct Row {
+  std::array<double, 3> axes{};
+  std::optional<double> mass;
   std::string trouble;
 };
 
-RowAxes row_axes(const std::vector<std::string>& fields, const Layout& layout) {
-  RowAxes row;
-  constexpr std::array<const char*, 3> kNames = {"L", "I", "S"};
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t column = layout.axes[axis];
+Row row_of(const std::vector<std::string>& fields, const Layout& layout) {
+  Row row;
+  const auto positive = [&](std::size_t column, const std::string& name, const char* what) {
+    double value = 0.0;
     if (column >= fields.size() || fields[column].empty()) {
-      row.trouble = std::string(kNames[axis]) + " is missing";
-      return row;
+      row.trouble = name + " is missing";
+    } else if (const auto number = number_of(fields[column], layout.separator); !number) {
+      row.trouble = name + " \"" + fields[column] + "\" is not a number";
+    } else if (!(*number > 0.0) || !std::isfinite(*number)) {
+      row.trouble = name + " = " + fields[column] + " is not a " + what;
+    } else {
+      value = *number;
     }
-    const auto value = number_of(fields[column], layout.separator);
-    if (!value) {
-      row.trouble = std::string(kNames[axis]) + " \"" + fields[column] + "\" is not a number";
-      return row;
-    }
-    if (!(*value > 0.0) || !std::isfinite(*value)) {
-      row.trouble = std::string(kNames[axis]) + " = " + fields[column] + " is not a length";
-      return row;
-    }
-    row.values[axis] = *value;
+    return value;
+  };
+  constexpr std::array<const char*, 3> kNames = {"L", "I", "S"};
+  for (int axis = 0; axis < 3 && row.trouble.empty(); ++axis) {
+    row.axes[axis] = positive(layout.axes[axis], kNames[axis], "length");
   }
+  if (layout.mass && row.trouble.empty()) row.mass = positive(*layout.mass, "mass", "mass");
   return row;
 }
 
@@ -223,18 +230,20 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
   for (std::size_t i = layout.has_header ? 1 : 0; i < lines.size(); ++i) {
     const std::string row = "row " + std::to_string(lines[i].number);
     const std::vector<std::string> fields = fields_of(lines[i].text, layout.separator);
-    const RowAxes axes = row_axes(fields, layout);
-    if (!axes.trouble.empty()) {
-      table.notes.push_back(row + " skipped: " + axes.trouble);
+    const Row read = row_of(fields, layout);
+    if (!read.trouble.empty()) {
+      table.notes.push_back(row + " skipped: " + read.trouble);
+      ++table.skipped;
       continue;
     }
-    const auto& [L, I, S] = axes.values;
+    const auto& [L, I, S] = read.axes;
     if (L < I || I < S) {
       table.notes.push_back(row + ": axes were not in the order L >= I >= S and were sorted");
     }
     const bool named = layout.name && *layout.name < fields.size() && !fields[*layout.name].empty();
     table.blocks.push_back({named ? fields[*layout.name] : row,
-                            Axes::sorted(L * columns.unit, I * columns.unit, S * columns.unit)});
+                            Axes::sorted(L * columns.unit, I * columns.unit, S * columns.unit),
+                            read.mass});
   }
   if (table.blocks.empty()) {
     throw InputError(file + ": no usable row" +

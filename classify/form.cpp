@@ -37,18 +37,96 @@ double intercept_sphericity(const Axes& axes) {
 
 double corey_shape_factor(const Axes& axes) { return axes.S / std::sqrt(axes.L * axes.I); }
 
-std::map<std::string, double> form_indices(const Axes& axes) {
-  std::map<std::string, double> indices = {
-      {"L/I", axes.L / axes.I},
-      {"I/L", axes.I / axes.L},
-      {"S/I", axes.S / axes.I},
-      {"S/L", axes.S / axes.L},
-      {"s_c", elongation_s_c(axes)},
-      {"maximum_projection_sphericity", maximum_projection_sphericity(axes)},
-      {"intercept_sphericity", intercept_sphericity(axes)},
-      {"corey_shape_factor", corey_shape_factor(axes)},
+double williams_w(const Axes& axes) {
+  const double ratio = axes.I * axes.I / (axes.L * axes.S);
+  return ratio >= 1.0 ? 1.0 - 1.0 / ratio : ratio - 1.0;
+}
+
+double aschenbrenner_working_sphericity(const Axes& axes) {
+  const double p = axes.S / axes.I, q = axes.I / axes.L;
+  return 12.8 * std::cbrt(p * p * q) /
+         (1.0 + p * (1.0 + q) + 6.0 * std::sqrt(1.0 + p * p * (1.0 + q * q)));
+}
+
+std::optional<double> oblate_prolate_index(const Axes& axes) {
+  const auto index = disc_rod_index(axes);
+  if (!index) return std::nullopt;
+  return 10.0 * (*index - 0.5) * axes.L / axes.S;
+}
+
+TernaryPlace ternary_place(const Axes& axes) {
+  // (1 - q) d without the division by L - S, which L = S does not allow.
+  return {axes.S / axes.L, (axes.L - axes.I) / axes.L, (axes.I - axes.S) / axes.L};
+}
+
+std::span<const FormIndex> form_index_list() {
+  using A = Axes;
+  using Value = std::optional<double>;
+  static constexpr std::array kList = {
+      FormIndex{"L/I", "L/I", "", [](const A& a) -> Value { return a.L / a.I; }},
+      FormIndex{"I/L", "I/L", "zingg1935", [](const A& a) -> Value { return a.I / a.L; }},
+      FormIndex{"S/I", "S/I", "zingg1935", [](const A& a) -> Value { return a.S / a.I; }},
+      FormIndex{"S/L", "S/L", "sneed1958", [](const A& a) -> Value { return a.S / a.L; }},
+      FormIndex{"L/S", "L/S", "en933-4", [](const A& a) -> Value { return a.L / a.S; }},
+      FormIndex{"s_c", "L/I - 1", "garcia2022",
+                [](const A& a) -> Value { return elongation_s_c(a); }},
+      FormIndex{"disc_rod_index", "(L - I)/(L - S)", "sneed1958", disc_rod_index},
+      FormIndex{"ternary_compact", "S/L", "graham2000",
+                [](const A& a) -> Value { return ternary_place(a).compact; }},
+      FormIndex{"ternary_elongate", "(1 - S/L) (L - I)/(L - S) = (L - I)/L", "graham2000",
+                [](const A& a) -> Value { return ternary_place(a).elongate; }},
+      FormIndex{"ternary_platy", "(1 - S/L) (I - S)/(L - S) = (I - S)/L", "graham2000",
+                [](const A& a) -> Value { return ternary_place(a).platy; }},
+      FormIndex{"maximum_projection_sphericity", "(S^2/(L I))^(1/3)", "sneed1958",
+                [](const A& a) -> Value { return maximum_projection_sphericity(a); }},
+      FormIndex{"intercept_sphericity", "(I S/L^2)^(1/3)", "krumbein1941",
+                [](const A& a) -> Value { return intercept_sphericity(a); }},
+      FormIndex{"corey_shape_factor", "S/(L I)^(1/2)", "corey1949",
+                [](const A& a) -> Value { return corey_shape_factor(a); }},
+      FormIndex{"janke_form_factor", "S (3/(L^2 + I^2 + S^2))^(1/2)", "janke1966",
+                [](const A& a) -> Value {
+                  return a.S * std::sqrt(3.0 / (a.L * a.L + a.I * a.I + a.S * a.S));
+                }},
+      FormIndex{"aschenbrenner_shape_factor", "L S/I^2", "aschenbrenner1956",
+                [](const A& a) -> Value { return a.L * a.S / (a.I * a.I); }},
+      FormIndex{"aschenbrenner_working_sphericity",
+                "12.8 (p^2 q)^(1/3)/(1 + p (1 + q) + 6 (1 + p^2 (1 + q^2))^(1/2)), p = S/I, "
+                "q = I/L",
+                "aschenbrenner1956",
+                [](const A& a) -> Value { return aschenbrenner_working_sphericity(a); }},
+      FormIndex{"oblate_prolate_index", "10 ((L - I)/(L - S) - 1/2)/(S/L)", "dobkins1970",
+                oblate_prolate_index},
+      FormIndex{"williams_w", "1 - L S/I^2 if I^2 >= L S, else I^2/(L S) - 1", "williams1965",
+                [](const A& a) -> Value { return williams_w(a); }},
+      FormIndex{"cailleux_flatness", "(L + I)/(2 S)", "cailleux1945",
+                [](const A& a) -> Value { return (a.L + a.I) / (2.0 * a.S); }},
+      FormIndex{"kong_fonseca_elongation", "(L - I)/L", "kong2018",
+                [](const A& a) -> Value { return (a.L - a.I) / a.L; }},
+      FormIndex{"kong_fonseca_flatness", "(I - S)/I", "kong2018",
+                [](const A& a) -> Value { return (a.I - a.S) / a.I; }},
+      FormIndex{"potticary_elongation", "(L - I)/(L + I + S)", "potticary2015",
+                [](const A& a) -> Value { return (a.L - a.I) / (a.L + a.I + a.S); }},
+      FormIndex{"potticary_flatness", "2 (I - S)/(L + I + S)", "potticary2015",
+                [](const A& a) -> Value { return 2.0 * (a.I - a.S) / (a.L + a.I + a.S); }},
+      FormIndex{"angelidakis_elongation", "L S/(L S + I^2) - S/(L + S)", "angelidakis2022",
+                [](const A& a) -> Value {
+                  return a.L * a.S / (a.L * a.S + a.I * a.I) - a.S / (a.L + a.S);
+                }},
+      FormIndex{"angelidakis_flatness", "I^2/(L S + I^2) - S/(L + S)", "angelidakis2022",
+                [](const A& a) -> Value {
+                  return a.I * a.I / (a.L * a.S + a.I * a.I) - a.S / (a.L + a.S);
+                }},
+      FormIndex{"angelidakis_compactness", "2 S/(L + S)", "angelidakis2022",
+                [](const A& a) -> Value { return 2.0 * a.S / (a.L + a.S); }},
   };
-  if (const auto index = disc_rod_index(axes)) indices["disc_rod_index"] = *index;
+  return kList;
+}
+
+std::map<std::string, double> form_indices(const Axes& axes) {
+  std::map<std::string, double> indices;
+  for (const FormIndex& index : form_index_list()) {
+    if (const auto value = index.value(axes)) indices[index.name] = *value;
+  }
   return indices;
 }
 

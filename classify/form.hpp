@@ -2,6 +2,7 @@
 /// Form ratios and indices from the axes L >= I >= S.
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/types.hpp"
@@ -29,8 +30,37 @@ double maximum_projection_sphericity(const Axes& axes);
 double intercept_sphericity(const Axes& axes);
 /// S/sqrt(L I). @cite corey1949
 double corey_shape_factor(const Axes& axes);
+/// 1 - L S/I^2 where I^2 >= L S (oblate, up to 1), else I^2/(L S) - 1 (prolate, down to -1).
+/// @cite williams1965
+double williams_w(const Axes& axes);
+/// 12.8 (p^2 q)^(1/3) / (1 + p (1 + q) + 6 sqrt(1 + p^2 (1 + q^2))) with p = S/I, q = I/L.
+/// @cite aschenbrenner1956
+double aschenbrenner_working_sphericity(const Axes& axes);
+/// 10 ((L - I)/(L - S) - 0.5) / (S/L): negative disc-like, positive rod-like; none for L = S.
+/// @cite dobkins1970
+std::optional<double> oblate_prolate_index(const Axes& axes);
 
-/// All of the above and L/I, S/I, I/L, S/L under their documented names, for tables and JSON.
+/// Place in the triangle of Sneed & Folk; the three add up to 1. L = S is the compact corner.
+/// @cite sneed1958 @cite graham2000
+struct TernaryPlace {
+  double compact = 0.0;   ///< q = S/L
+  double elongate = 0.0;  ///< (1 - q) (L - I)/(L - S)
+  double platy = 0.0;     ///< (1 - q) (I - S)/(L - S)
+};
+TernaryPlace ternary_place(const Axes& axes);
+
+/// One index of a block's form.
+struct FormIndex {
+  const char* name;     ///< as in tables and JSON
+  const char* formula;  ///< in L, I, S
+  const char* source;   ///< key in docs/references.bib; empty for a plain ratio
+  std::optional<double> (*value)(const Axes&);
+};
+
+/// Every index, in the order it is listed in docs/theory.md.
+std::span<const FormIndex> form_index_list();
+
+/// The values of all that are defined for these axes, by name.
 std::map<std::string, double> form_indices(const Axes& axes);
 
 }  // namespace clast

@@ -1,8 +1,10 @@
 #include "classify/schemes.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace clast {
 namespace {
@@ -14,44 +16,197 @@ constexpr double kOnLimit = 1e-12;
 bool at_least(double value, double limit) { return value >= limit - kOnLimit; }
 bool above(double value, double limit) { return value > limit + kOnLimit; }
 
+constexpr double kGarciaLimit = 0.3;
+constexpr double kZinggLimit = 2.0 / 3.0;
+constexpr double kNonCubical = 3.0;
+constexpr double kFlaky = 0.625;
+constexpr std::array kBlottPyeWords = {"extremely", "very", "moderately", "slightly", "not"};
+
+std::array<double, 2> sneed_folk_limits(const SchemeOptions& options) {
+  if (options.sneed_folk_thirds) return {1.0 / 3.0, 2.0 / 3.0};
+  return {0.33, 0.67};
+}
+
+double blott_pye_limit(int step) { return 0.2 * (step + 1); }
+
+const char* blott_pye_word(double ratio) {
+  std::size_t word = 0;
+  while (word < 4 && at_least(ratio, blott_pye_limit(static_cast<int>(word)))) ++word;
+  return kBlottPyeWords[word];
+}
+
+std::vector<std::string> blott_pye_names() {
+  std::vector<std::string> names;
+  for (auto elongate = kBlottPyeWords.rbegin(); elongate != kBlottPyeWords.rend(); ++elongate) {
+    for (auto flat = kBlottPyeWords.rbegin(); flat != kBlottPyeWords.rend(); ++flat) {
+      names.push_back(std::string(*elongate) + " elongate, " + *flat + " flat");
+    }
+  }
+  return names;
+}
+
+/// A scheme by its name.
+struct Scheme {
+  std::string name;
+  std::vector<std::string> classes;
+  std::string (*shape_class)(const Axes&, const SchemeOptions&);
+  std::vector<SchemeRatio> (*ratios)(const Axes&, const SchemeOptions&);
+};
+
+std::vector<SchemeRatio> sneed_folk_ratios(const Axes& a, const SchemeOptions& options) {
+  std::vector<SchemeRatio> ratios = {{"S/L", a.S / a.L, {0.3, 0.5, 0.7}}};
+  if (at_least(a.S / a.L, 0.7)) return ratios;
+  const auto [low, high] = sneed_folk_limits(options);
+  ratios.push_back({"(L-I)/(L-S)", *disc_rod_index(a), {low, high}});
+  return ratios;
+}
+
+std::vector<SchemeRatio> blott_pye_ratios(const Axes& a, const SchemeOptions&) {
+  std::vector<double> limits;
+  for (int step = 0; step < 4; ++step) limits.push_back(blott_pye_limit(step));
+  return {{"I/L", a.I / a.L, limits}, {"S/I", a.S / a.I, limits}};
+}
+
+const std::vector<Scheme>& schemes() {
+  using A = Axes;
+  using O = SchemeOptions;
+  using Ratios = std::vector<SchemeRatio>;
+  static const std::vector<Scheme> all = {
+      {"sneed-folk",
+       {"C", "CP", "CB", "CE", "P", "B", "E", "VP", "VB", "VE"},
+       sneed_folk_class,
+       sneed_folk_ratios},
+      {"zingg",
+       {"disc", "spheroid", "blade", "rod"},
+       [](const A& a, const O&) { return zingg_class(a); },
+       [](const A& a, const O&) -> Ratios {
+         return {{"I/L", a.I / a.L, {kZinggLimit}}, {"S/I", a.S / a.I, {kZinggLimit}}};
+       }},
+      {"garcia",
+       {"compact", "elongated"},
+       [](const A& a, const O&) { return garcia_class(a); },
+       [](const A& a, const O&) -> Ratios {
+         return {{"s_c", elongation_s_c(a), {kGarciaLimit}}};
+       }},
+      {"williams",
+       {"oblate", "neither", "prolate"},
+       [](const A& a, const O&) { return williams_class(a); },
+       [](const A& a, const O&) -> Ratios {
+         return {{"W", williams_w(a), {0.0}}};
+       }},
+      {"erdogan",
+       {"platy", "elongated", "undetermined"},
+       erdogan_class,
+       [](const A& a, const O& options) -> Ratios {
+         return {{"L/I", a.L / a.I, {options.erdogan_limit}},
+                 {"I/S", a.I / a.S, {options.erdogan_limit}}};
+       }},
+      {"blott-pye", blott_pye_names(), [](const A& a, const O&) { return blott_pye_class(a); },
+       blott_pye_ratios},
+      {"en-933-4",
+       {"cubical", "non-cubical"},
+       [](const A& a, const O&) { return en_933_4_class(a); },
+       [](const A& a, const O&) -> Ratios {
+         return {{"L/S", a.L / a.S, {kNonCubical}}};
+       }},
+      {"flakiness",
+       {"not flaky", "flaky"},
+       [](const A& a, const O&) { return flakiness_class(a); },
+       [](const A& a, const O&) -> Ratios {
+         return {{"S/I", a.S / a.I, {kFlaky}}};
+       }},
+  };
+  return all;
+}
+
+const Scheme& scheme_named(const std::string& name) {
+  for (const Scheme& scheme : schemes()) {
+    if (scheme.name == name) return scheme;
+  }
+  std::string known;
+  for (const Scheme& scheme : schemes()) {
+    if (!known.empty()) known += &scheme == &schemes().back() ? " and " : ", ";
+    known += scheme.name;
+  }
+  throw InputError("unknown classification scheme \"" + name + "\"; known are " + known);
+}
+
 }  // namespace
 
-std::string sneed_folk_class(const Axes& axes) {
-  const double compactness = axes.S / axes.L;
-  if (at_least(compactness, 0.7)) return "C";
+void SchemeOptions::check() const {
+  if (!(erdogan_limit > 1.0) || !std::isfinite(erdogan_limit)) {
+    throw InputError("erdogan_limit is " + with_digits(erdogan_limit, 6) +
+                     "; it is a limit of L/I and I/S and must be above 1");
+  }
+}
+
+std::string sneed_folk_class(const Axes& axes, const SchemeOptions& options) {
+  const double q = axes.S / axes.L;
+  if (at_least(q, 0.7)) return "C";
   const double index = *disc_rod_index(axes);  // S < L here
-  const std::string form = !at_least(index, 0.33) ? "P" : above(index, 0.67) ? "E" : "B";
-  if (at_least(compactness, 0.5)) return "C" + form;
-  return at_least(compactness, 0.3) ? form : "V" + form;
+  const auto [low, high] = sneed_folk_limits(options);
+  const std::string form = !at_least(index, low) ? "P" : above(index, high) ? "E" : "B";
+  if (at_least(q, 0.5)) return "C" + form;
+  return at_least(q, 0.3) ? form : "V" + form;
 }
 
 std::string zingg_class(const Axes& axes) {
-  const bool round = at_least(axes.I / axes.L, 2.0 / 3.0);
-  const bool thick = at_least(axes.S / axes.I, 2.0 / 3.0);
+  const bool round = at_least(axes.I / axes.L, kZinggLimit);
+  const bool thick = at_least(axes.S / axes.I, kZinggLimit);
   if (round) return thick ? "spheroid" : "disc";
   return thick ? "rod" : "blade";
 }
 
 std::string garcia_class(const Axes& axes) {
-  return above(elongation_s_c(axes), 0.3) ? "elongated" : "compact";
+  return above(elongation_s_c(axes), kGarciaLimit) ? "elongated" : "compact";
+}
+
+std::string williams_class(const Axes& axes) {
+  const double w = williams_w(axes);
+  if (above(w, 0.0)) return "oblate";
+  return at_least(w, 0.0) ? "neither" : "prolate";
+}
+
+std::string erdogan_class(const Axes& axes, const SchemeOptions& options) {
+  const bool long_axis = at_least(axes.L / axes.I, options.erdogan_limit);
+  const bool short_axis = at_least(axes.I / axes.S, options.erdogan_limit);
+  if (long_axis == short_axis) return "undetermined";
+  return long_axis ? "elongated" : "platy";
+}
+
+std::string blott_pye_class(const Axes& axes) {
+  return std::string(blott_pye_word(axes.I / axes.L)) + " elongate, " +
+         blott_pye_word(axes.S / axes.I) + " flat";
+}
+
+std::string en_933_4_class(const Axes& axes) {
+  return above(axes.L / axes.S, kNonCubical) ? "non-cubical" : "cubical";
+}
+
+std::string flakiness_class(const Axes& axes) {
+  return at_least(axes.S / axes.I, kFlaky) ? "not flaky" : "flaky";
+}
+
+const std::vector<std::string>& scheme_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Scheme& scheme : schemes()) all.push_back(scheme.name);
+    return all;
+  }();
+  return names;
 }
 
 const std::vector<std::string>& class_names(const std::string& scheme) {
-  static const std::vector<std::string> sneed_folk = {"C", "CP", "CB", "CE", "P",
-                                                      "B", "E",  "VP", "VB", "VE"};
-  static const std::vector<std::string> zingg = {"disc", "spheroid", "blade", "rod"};
-  static const std::vector<std::string> garcia = {"compact", "elongated"};
-  if (scheme == "sneed-folk") return sneed_folk;
-  if (scheme == "zingg") return zingg;
-  if (scheme == "garcia") return garcia;
-  throw InputError("unknown classification scheme \"" + scheme +
-                   "\"; known are sneed-folk, zingg and garcia");
+  return scheme_named(scheme).classes;
 }
 
-std::string shape_class(const std::string& scheme, const Axes& axes) {
-  class_names(scheme);  // refuses an unknown scheme
-  if (scheme == "sneed-folk") return sneed_folk_class(axes);
-  return scheme == "zingg" ? zingg_class(axes) : garcia_class(axes);
+std::string shape_class(const std::string& scheme, const Axes& axes, const SchemeOptions& options) {
+  return scheme_named(scheme).shape_class(axes, options);
+}
+
+std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& axes,
+                                       const SchemeOptions& options) {
+  return scheme_named(scheme).ratios(axes, options);
 }
 
 }  // namespace clast

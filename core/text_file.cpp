@@ -1,5 +1,7 @@
 #include "core/text_file.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 
@@ -31,6 +33,13 @@ void write_text_file(const std::filesystem::path& path, std::string_view content
   stream.close();
   if (!stream) throw InputError(path.string() + ": writing failed; is the disk full?");
   file.commit();
+}
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 }  // namespace clast

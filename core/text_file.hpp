@@ -1,5 +1,5 @@
 #pragma once
-/// Whole files in and out as bytes.
+/// Whole files in and out as bytes, and what their names say.
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -13,5 +13,8 @@ std::string read_text_file(const std::filesystem::path& path);
 /// Writes `content` through an `OutputFile`, so that `path` is either the old or the new file.
 /// @throws InputError  the folder can't be written to
 void write_text_file(const std::filesystem::path& path, std::string_view content);
+
+/// Lower-case extension of a file name, with the dot.
+std::string extension_of(const std::filesystem::path& path);
 
 }  // namespace clast

@@ -1,23 +1,43 @@
 #include "dem/contact_law.hpp"
 
-#include <cmath>
+#include <optional>
 
 #include "core/error.hpp"
 
 namespace clast {
 
-void GroundParameters::check(const std::string& zone) const {
-  const auto refuse = [&](const std::string& field, double value, const std::string& expected) {
-    throw InputError("ground " + zone + ": " + field + " = " + std::to_string(value) +
-                     "; must be " + expected);
-  };
-  if (!(energy_restitution > 0.0 && energy_restitution <= 1.0)) {
-    refuse("energy_restitution", energy_restitution, "above 0 and at most 1");
+namespace {
+
+/// Calls `visit` with a default-made law of every kind.
+template <std::size_t Index = 0, class Visit>
+void for_each_law(const Visit& visit) {
+  if constexpr (Index < std::variant_size_v<ContactLaw>) {
+    visit(std::variant_alternative_t<Index, ContactLaw>());
+    for_each_law<Index + 1>(visit);
   }
-  if (!(friction >= 0.0 && std::isfinite(friction))) refuse("friction", friction, "0 or more");
-  if (!(rolling_friction >= 0.0 && std::isfinite(rolling_friction))) {
-    refuse("rolling_friction", rolling_friction, "0 or more");
-  }
+}
+
+}  // namespace
+
+ContactLaw contact_law(const std::string& name) {
+  std::optional<ContactLaw> found;
+  std::string known;
+  for_each_law([&](const auto& law) {
+    if (name == law.kName) found = law;
+    known += (known.empty() ? "" : " or ") + std::string(law.kName);
+  });
+  if (!found) throw InputError("contact law \"" + name + "\" is unknown; use " + known);
+  return *found;
+}
+
+std::string name_of(const ContactLaw& law) {
+  return std::visit([](const auto& one) { return std::string(one.kName); }, law);
+}
+
+std::vector<std::string> contact_law_names() {
+  std::vector<std::string> names;
+  for_each_law([&](const auto& law) { names.emplace_back(law.kName); });
+  return names;
 }
 
 ContactWeights contact_weights(const std::string& name) {

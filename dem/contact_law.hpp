@@ -1,18 +1,26 @@
 #pragma once
-/// Parameters of the contact law: loading with k_n, unloading with k_n e_n^2, Coulomb friction and
-/// rolling resistance (Eqs. 2-5 of the paper). @cite garcia2022
+/// Which normal law acts, how it is shared among contact points, and how stiff it is.
+/// @cite garcia2022
 #include <string>
+#include <variant>
+#include <vector>
+
+#include "dem/energy_restitution_law.hpp"
+#include "dem/ground_parameters.hpp"
+#include "dem/spring_dashpot_law.hpp"
 
 namespace clast {
 
-/// What a ground zone does to a block. @cite garcia2022 (Table 2)
-struct GroundParameters {
-  double energy_restitution = 0.01;  ///< e_n^2, in (0, 1]
-  double friction = 0.7;             ///< mu
-  double rolling_friction = 0.0;     ///< mu_R
+/// The normal laws to choose from; friction and rolling resistance are the same under all of them.
+/// Another law is one struct with the members of these, in a file of its own, named here.
+using ContactLaw = std::variant<EnergyRestitutionLaw, SpringDashpotLaw>;
 
-  void check(const std::string& zone) const;  ///< throws InputError naming zone, field and value
-};
+/// A law by name, "energy-restitution" or "spring-dashpot".
+/// @throws InputError  unknown name; the message lists the laws
+ContactLaw contact_law(const std::string& name);
+std::string name_of(const ContactLaw& law);
+/// Names of all laws, in the order of the variant.
+std::vector<std::string> contact_law_names();
 
 /// How contact stiffness is shared among the points of one block.
 enum class ContactWeights {

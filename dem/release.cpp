@@ -5,15 +5,19 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "dem/detail/contact_forces.hpp"
 #include "dem/detail/contact_search.hpp"
+#include "dem/detail/free_flight.hpp"
 #include "dem/detail/moving_body.hpp"
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
 namespace {
 
-/// Flights shorter than this many time steps are stepped: a jump costs about as much.
-constexpr double kShortFlight = 2.0;
+/// A flight ends this close to the first touch, s.
+constexpr double kLandingTime = 5e-10;
+/// How much farther each look for the touch goes after one that fell short of it.
+constexpr double kLookFarther = 8.0;
 /// A settled block may lie deeper than its rest depth by this factor before it counts as lost.
 constexpr double kSettledSlack = 1.1;
 
@@ -30,7 +34,7 @@ class Release {
         surface_(indexed_surface(body.shape)),
         search_(terrain.impl().surface, surface_, body.size()),
         forces_(zones, terrain.impl().zones, surface_.features, body.size(), settings.stiffness,
-                settings.weights),
+                settings.weights, settings.law),
         moving_(body, start),
         radius_(body.bounding_radius()) {}
 
@@ -43,9 +47,8 @@ class Release {
         result_.stop_reason = *reason;
         break;
       }
-      const double flight = forces_.empty() ? flight_time() : 0.0;
-      if (flight > kShortFlight * settings_.stiffness.time_step) {
-        fly(flight);
+      if (forces_.empty()) {
+        fly();
       } else {
         step();
       }
@@ -73,53 +76,118 @@ class Release {
 
   /// How long the block can fly for sure: the time in which no point of it can travel farther than
   /// the nearest thing it might touch.
-  double flight_time() const {
-    const double allowed = search_.safe_travel() - travel_;
-    if (!(allowed > 0.0)) return 0.0;
-    const double speed = moving_.state().velocity.norm() + top_spin() * radius_;
-    const double g = settings_.gravity;
-    // speed t + g t^2/2 = allowed, in the form that keeps its digits for small g.
-    const double time = 2.0 * allowed / (speed + std::sqrt(speed * speed + 2.0 * g * allowed));
-    return std::min(time, settings_.max_time - time_);
+  double safe_time() {
+    const double spin = flight_->top_spin(), g = settings_.gravity;
+    // Of a point that turns with the body: centripetal, and from the change of the spin (Euler).
+    const double uneven = body_.moments.maxCoeff() / body_.moments.minCoeff();
+    return search_.safe_time({.velocity = moving_.state().velocity,
+                              .spin = moving_.state().angular_velocity,
+                              .acceleration = g + uneven * spin * spin * radius_,
+                              .top_speed = moving_.state().velocity.norm() + spin * radius_,
+                              .gravity = g},
+                             settings_.stiffness.time_step);
   }
 
-  /// The spin never exceeds this in torque-free motion: the energy, all in the smallest moment.
-  double top_spin() const {
-    return std::sqrt(2.0 * rotational_energy(body_, moving_.state()) / body_.moments.minCoeff());
+  /// Moves to another time of the flight and looks for contacts there.
+  const std::vector<ContactPoint>& look_at(double flown) {
+    const double g = settings_.gravity, time = std::abs(flown - flown_);
+    travel_ += (moving_.state().velocity.norm() + flight_->top_spin() * radius_) * time +
+               0.5 * g * time * time;
+    flown_ = flown;
+    moving_.place(flight_->after(flown));
+    return search_.contacts(moving_.state().world_from_body(), travel_);
   }
 
-  void fly(double duration) {
+  /// A piece of flight: as far as it is safe, at least a time step, and never beyond the first
+  /// touch.
+  void fly() {
     const RigidState begin = moving_.state();
-    const auto position_after = [&](double t) {
-      const Vec3 fall(0.0, 0.0, 0.5 * settings_.gravity * t * t);
-      return Vec3(begin.position + t * begin.velocity - fall);
+    if (!flight_) {
+      flight_.emplace(body_, begin, settings_.gravity);
+      flown_ = 0.0;
+    }
+    const double before = flown_;
+    double end = before + std::min(std::max(safe_time(), settings_.stiffness.time_step),
+                                   settings_.max_time - time_);
+    const auto inside = [&](double flown) {
+      const RigidState& from = flight_->begin();
+      return terrain_.covers(from.position.x() + flown * from.velocity.x(),
+                             from.position.y() + flown * from.velocity.y());
     };
-    const Vec3 end = position_after(duration);
-    if (!terrain_.covers(end.x(), end.y())) {
+    if (!inside(end)) {
       // The run ends where the centre passes the border of the survey.
-      double inside = 0.0, outside = duration;
-      while (outside - inside > 1e-9) {
-        const double middle = 0.5 * (inside + outside);
-        const Vec3 there = position_after(middle);
-        (terrain_.covers(there.x(), there.y()) ? inside : outside) = middle;
+      double within = before;
+      while (end - within > 1e-9) {
+        const double middle = 0.5 * (within + end);
+        (inside(middle) ? within : end) = middle;
       }
-      duration = outside;
       left_ = true;
     }
-    const double g = settings_.gravity;
-    travel_ +=
-        (begin.velocity.norm() + top_spin() * radius_) * duration + 0.5 * g * duration * duration;
-    moving_.place(free_flight(body_, begin, duration, g));
-    const double middle_speed = (begin.velocity - Vec3(0.0, 0.0, 0.5 * g * duration)).norm();
+    if (!look_at(end).empty()) {
+      land(before);
+      left_ = left_ && !inside(flown_);
+    }
+    const double duration = flown_ - before;
+    const double middle_speed =
+        (begin.velocity - Vec3(0.0, 0.0, 0.5 * settings_.gravity * duration)).norm();
     result_.path_length +=
         duration / 6.0 *
         (begin.velocity.norm() + 4.0 * middle_speed + moving_.state().velocity.norm());
     resting_ = 0.0;
+    ++result_.flight_pieces;
     meet_ground(moving_.motion(), 0.0);
+    result_.energy.reassigned += first_kick();
     advance(begin, duration, true);
   }
 
+  /// What Verlet steps lose when they begin with contact loads that no step has ended with (a
+  /// dashpot acts from the first touch on), J (docs/theory.md).
+  double first_kick() const {
+    if (load_.force.isZero() && load_.torque.isZero()) return 0.0;
+    const double dt = settings_.stiffness.time_step;
+    const Vec3 weight(0.0, 0.0, -body_.mass * settings_.gravity);
+    const double push = (load_.force + weight).squaredNorm() - weight.squaredNorm();
+    return 0.125 * dt * dt *
+           (push / body_.mass + load_.torque.dot(moving_.motion().turned_by(load_.torque)));
+  }
+
+  /// Goes back from a time with contact to the first touch: Newton's method on the overlap from the
+  /// side of contact, with a bracket.
+  /// @param clear  a time of the flight without contact
+  void land(double clear) {
+    double touching = flown_, look_farther = kLandingTime;
+    const std::vector<ContactPoint>* contacts =
+        &search_.contacts(moving_.state().world_from_body(), travel_);
+    while (touching - clear > kLandingTime) {
+      double next = 0.5 * (clear + touching);
+      if (!contacts->empty()) {
+        const double since = time_since_touch(*contacts);
+        if (since <= kLandingTime) return;
+        next = std::max(touching - since + 0.5 * kLandingTime, clear + 0.5 * kLandingTime);
+        if (!(next < touching)) next = 0.5 * (clear + touching);
+      } else {
+        next = std::min(clear + look_farther, next);
+        look_farther *= kLookFarther;
+      }
+      contacts = &look_at(next);
+      (contacts->empty() ? clear : touching) = next;
+    }
+    if (contacts->empty()) look_at(touching);
+  }
+
+  /// How long ago the deepest of the contacts began, to first order, s.
+  double time_since_touch(const std::vector<ContactPoint>& contacts) const {
+    const BodyMotion motion = moving_.motion();
+    double longest = 0.0;
+    for (const ContactPoint& contact : contacts) {
+      const double closing = -motion.velocity_at(contact.point()).dot(contact.normal);
+      longest = std::max(longest, closing > 0.0 ? contact.overlap / closing : 1e300);
+    }
+    return longest;
+  }
+
   void step() {
+    flight_.reset();
     const double dt = std::min(settings_.stiffness.time_step, settings_.max_time - time_);
     const RigidState begin = moving_.state();
     const Vec3 gravity(0.0, 0.0, -settings_.gravity);
@@ -128,6 +196,12 @@ class Release {
     result_.path_length += dt * motion.velocity.norm();
     meet_ground(motion, dt);
     moving_.end_step(dt, load_.force, load_.torque, gravity);
+    if (load_.event) {
+      const EventLoad& event = *load_.event;
+      result_.energy.reassigned -= moving_.correct(event.impulse, event.angular_impulse,
+                                                   event.moment, event.angular_moment, gravity);
+      travel_ += moving_.corrected_by();
+    }
     ++result_.contact_steps;
 
     const double specific = moving_.kinetic_energy() / body_.mass;
@@ -167,8 +241,7 @@ class Release {
     // The potential counts from the end height, so that the scale does not depend on the datum.
     ledger.close(energy(), ledger.initial - body_.mass * settings_.gravity * place.z());
     const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
-    const double rest_depth = body_.mass * settings_.gravity /
-                              (settings_.stiffness.normal * forces_.smallest_restitution());
+    const double rest_depth = body_.mass * settings_.gravity / forces_.rest_stiffness();
     result_.below_ground =
         (ground && place.z() < *ground) || (result_.stop_reason == StopReason::kRest &&
                                             forces_.settled_depth() > kSettledSlack * rest_depth);
@@ -184,6 +257,8 @@ class Release {
   MovingBody moving_;
   double radius_;
   ContactLoad load_;
+  std::optional<FreeFlight> flight_;  ///< the one in progress
+  double flown_ = 0.0;                ///< time since its begin, s
   double time_ = 0.0;
   double travel_ = 0.0;
   double resting_ = 0.0;

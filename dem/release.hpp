@@ -22,6 +22,7 @@ std::string name_of(StopReason reason);
 /// Everything about a release that is not block, terrain or start.
 struct ReleaseSettings {
   ContactStiffness stiffness;
+  ContactLaw law;  ///< energy-restitution unless chosen otherwise
   ContactWeights weights = ContactWeights::kPatch;
   double gravity = 9.81;        ///< m/s^2, along -z
   double max_time = 60.0;       ///< s
@@ -59,6 +60,7 @@ struct ReleaseResult {
   bool below_ground = false;         ///< as docs/theory.md defines it
   EnergyLedger energy;
   std::uint64_t contact_steps = 0;
+  std::uint64_t flight_pieces = 0;  ///< pieces of flight between two looks at the ground
   std::uint64_t impacts = 0;  ///< flights ended by a contact
 };
 

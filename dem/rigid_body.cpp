@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "dem/detail/rotation.hpp"
+#include "dem/detail/free_flight.hpp"
 
 namespace clast {
 
@@ -44,13 +44,7 @@ double lowest_point(const RigidBody& body, const RigidState& state) {
 
 RigidState free_flight(const RigidBody& body, const RigidState& state, double duration,
                        double gravity) {
-  RigidState after = state;
-  after.position += duration * state.velocity - Vec3(0.0, 0.0, 0.5 * gravity * duration * duration);
-  after.velocity.z() -= gravity * duration;
-  const Vec3 momentum = angular_momentum(body.moments, state.orientation, state.angular_velocity);
-  after.orientation = freely_turned(body.moments, state.orientation, momentum, duration);
-  after.angular_velocity = angular_velocity(body.moments, after.orientation, momentum);
-  return after;
+  return FreeFlight(body, state, gravity).after(duration);
 }
 
 }  // namespace clast

@@ -42,7 +42,7 @@ double rotational_energy(const RigidBody& body, const RigidState& state);
 double lowest_point(const RigidBody& body, const RigidState& state);
 
 /// Moves the state along the exact flight without contact: ballistic centre, torque-free rotation
-/// (angular momentum kept to rounding, angle to 1e-9 rad per revolution).
+/// in closed form (angular momentum kept to rounding).
 RigidState free_flight(const RigidBody& body, const RigidState& state, double duration,
                        double gravity);
 

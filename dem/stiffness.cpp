@@ -50,15 +50,22 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
   if (bodies.empty() || zones.empty()) {
     throw SimulationError("stiffness: no block or no ground zone to choose it for");
   }
-  double restitution = 1.0;
-  for (const GroundParameters& zone : zones) {
-    restitution = std::min(restitution, zone.energy_restitution);
-  }
+  // What the law makes of a stiffness of 1 N/m and a frequency of 1 rad/s, at worst.
+  double rest_share = 1.0, rate = 1.0;
+  std::visit(
+      [&]<class Law>(const Law&) {
+        for (const GroundParameters& zone : zones) {
+          const Law law = Law::of(1.0, zone);
+          rest_share = std::min(rest_share, law.rest_stiffness());
+          rate = std::max(rate, law.stepping_rate(1.0));
+        }
+      },
+      options.law);
   double normal = 0.0, mobility = 0.0, smallest_moment = 1e300, smallest_side = 1e300;
   for (const RigidBody& body : bodies) {
     const double depth = std::min(kRestDepth, kRestDepthShare * body.smallest_side);
     const double deepest = kImpactDepthShare * body.smallest_side;
-    normal = std::max({normal, body.mass * gravity / (restitution * depth),
+    normal = std::max({normal, body.mass * gravity / (rest_share * depth),
                        body.mass * fastest * fastest / (deepest * deepest)});
     mobility = std::max(mobility, largest_mobility(body));
     smallest_moment = std::min(smallest_moment, body.moments.minCoeff());
@@ -71,13 +78,14 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
   chosen.tangential = options.tangential.value_or(chosen.normal);
   const double arm = kRollingArmShare * smallest_side;
   chosen.rolling = options.rolling.value_or(chosen.tangential * arm * arm);
-  const double frequency = std::sqrt(std::max(std::max(chosen.normal, chosen.tangential) * mobility,
-                                              chosen.rolling / smallest_moment));
+  const double frequency =
+      std::max(rate * std::sqrt(chosen.normal * mobility),
+               std::sqrt(std::max(chosen.tangential * mobility, chosen.rolling / smallest_moment)));
   chosen.time_step = options.time_step.value_or(kStepTimesFrequency / frequency);
 
   double worst_rest_share = 0.0;
   for (const RigidBody& body : bodies) {
-    const double rest = body.mass * gravity / (chosen.normal * restitution);
+    const double rest = body.mass * gravity / (chosen.normal * rest_share);
     const double impact = fastest * std::sqrt(body.mass / chosen.normal);
     choice.settled_depth = std::max(choice.settled_depth, rest);
     choice.impact_depth = std::max(choice.impact_depth, impact);

@@ -16,19 +16,21 @@ struct StiffnessOptions {
   std::optional<double> tangential;  ///< k_t, N/m
   std::optional<double> rolling;     ///< k_r, N m/rad
   std::optional<double> time_step;   ///< s
+  ContactLaw law;                    ///< tells the rest depth and the fastest rate of a contact
 };
 
 /// A choice of stiffness, with warnings about what a user's own value leads to.
 struct StiffnessChoice {
   ContactStiffness stiffness;
-  double settled_depth = 0.0;  ///< deepest m g/(k_n e_n^2) over bodies and zones, m
+  double settled_depth = 0.0;  ///< deepest rest depth, m g/(k_n e_n^2) or m g/k_n by law, m
   double impact_depth = 0.0;   ///< deepest v sqrt(m/k_n) at `fastest` over bodies, m
   std::vector<std::string> warnings;
 };
 
-/// k_n = m g/(e_n^2 d), d = min(2 cm, 2 % of S), largest over all bodies and zones; stiffer where
-/// an impact at `fastest` would go deeper than S/4. k_t = k_n, k_r from k_t and the block's size,
-/// and a time step with a stated margin below the fastest contact oscillation (docs/theory.md).
+/// k_n such that a body rests no deeper than d = min(2 cm, 2 % of S), m g/(e_n^2 d) under the
+/// energy-restitution law, largest over all bodies and zones; stiffer where an impact at `fastest`
+/// would go deeper than S/4. k_t = k_n, k_r from k_t and the block's size, and a time step with a
+/// stated margin below the fastest contact oscillation (docs/theory.md).
 /// @param fastest  speed no block can exceed: from release heights and the lowest ground, m/s
 StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
                                  std::span<const GroundParameters> zones, double fastest,

@@ -41,7 +41,12 @@ struct Shape {
 struct Actor {
   Actor(const Shape& of_shape, const RigidState& start, bool is_fixed)
       : shape(&of_shape), moving(of_shape.body, start), fixed(is_fixed), motion(moving.motion()) {
-    if (fixed) motion = {start.world_from_body(), Vec3::Zero(), Vec3::Zero()};
+    if (fixed) motion = without_motion();
+  }
+  BodyMotion without_motion() const {
+    BodyMotion still;
+    still.world_from_body = moving.state().world_from_body();
+    return still;
   }
   bool still() const { return fixed || left; }
 
@@ -53,6 +58,7 @@ struct Actor {
   BodyMotion motion;         ///< over the last step
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
+  double corrected = 0.0;        ///< energy that events inside the last step gave it, J
   double resting = 0.0;          ///< s
   std::uint64_t pair_steps = 0;  ///< touching pairs in which it is the block, summed over steps
 };
@@ -65,6 +71,16 @@ struct Encounter {
 
   NearPairs::Pair key() const { return {std::min(ground, block), std::max(ground, block)}; }
 };
+
+/// Adds what the events of one pair give to one of its bodies.
+void add_event(std::optional<EventLoad>& sum, const EventLoad& event, bool is_block) {
+  if (!sum) sum.emplace();
+  sum->impulse += is_block ? event.impulse : Vec3(-event.impulse);
+  sum->angular_impulse += is_block ? event.angular_impulse : event.angular_impulse_on_other;
+  if (!is_block) return;  // only a block against what is fixed is shifted
+  sum->moment += event.moment;
+  sum->angular_moment += event.angular_moment;
+}
 
 std::string name_of_body(std::size_t body) { return "body " + std::to_string(body); }
 
@@ -86,10 +102,14 @@ struct World::Impl {
       body.check("shape " + std::to_string(shapes.size()));
       shapes.emplace_back(std::move(body));
     }
-    between_bodies = {
-        std::span(&settings.between_bodies, 1), {}, settings.stiffness, settings.weights};
+    between_bodies = {std::span(&settings.between_bodies, 1),
+                      {},
+                      settings.stiffness,
+                      settings.weights,
+                      settings.law};
     if (terrain) {
-      on_terrain = {zones, terrain->impl().zones, settings.stiffness, settings.weights};
+      on_terrain = {zones, terrain->impl().zones, settings.stiffness, settings.weights,
+                    settings.law};
     }
   }
 
@@ -103,6 +123,8 @@ struct World::Impl {
   void prepare();
   void take_out_what_left();
   void advance(double dt);
+  /// What Verlet steps lose when they begin with these loads and no step has ended with them, J.
+  double first_kick(const Actor& actor) const;
   double own_energy(const Actor& actor) const {
     return actor.moving.kinetic_energy() +
            actor.shape->body.mass * settings.gravity * actor.moving.state().position.z();
@@ -133,7 +155,7 @@ struct World::Impl {
 
   double time = 0.0;
   double initial = 0.0;  ///< energy that bodies brought, J
-  EnergyLedger parted;   ///< losses of pairs that are no more
+  EnergyLedger parted;   ///< losses of pairs that are no more, and of no pair
   std::uint64_t steps = 0, lists_made = 0;
 };
 
@@ -221,25 +243,42 @@ void World::Impl::end_moves(double dt) {
   team.run(actors.size(), kBodiesAtATime, [&](std::size_t i) {
     Actor& actor = actors[i];
     actor.force = actor.torque = Vec3::Zero();
+    actor.corrected = 0.0;
     std::uint64_t touching = 0, as_block = 0;
+    std::optional<EventLoad> events;
     for (const std::uint32_t e : encounters_of[i]) {
       const Encounter& pair = encounters[e];
       const ContactLoad& load = pair.contacts->load();
       const bool is_block = pair.block == i;
       actor.force += is_block ? load.force : Vec3(-load.force);
       actor.torque += is_block ? load.torque : load.torque_on_other;
+      if (load.event) add_event(events, *load.event, is_block);
       if (!pair.contacts->touching()) continue;
       ++touching;
       if (is_block) ++as_block;
     }
     if (actor.still()) return;
     actor.moving.end_step(dt, actor.force, actor.torque, gravity);
+    if (events && dt > 0.0) {  // else they were given at the end of the step before
+      actor.corrected = actor.moving.correct(events->impulse, events->angular_impulse,
+                                             events->moment, events->angular_moment, gravity);
+    }
     const double specific = actor.moving.kinetic_energy() / actor.shape->body.mass;
     actor.resting = touching > 0 && specific < settings.rest_energy ? actor.resting + dt : 0.0;
     actor.pair_steps += as_block;
     const Vec3& place = actor.moving.state().position;
     actor.off_terrain = terrain && !terrain->covers(place.x(), place.y());
   });
+  for (const Actor& actor : actors) parted.reassigned -= actor.corrected;
+}
+
+double World::Impl::first_kick(const Actor& actor) const {
+  if (actor.still() || (actor.force.isZero() && actor.torque.isZero())) return 0.0;
+  const double dt = settings.stiffness.time_step, mass = actor.shape->body.mass;
+  const Vec3 weight(0.0, 0.0, -mass * settings.gravity);
+  const double push = (actor.force + weight).squaredNorm() - weight.squaredNorm();
+  return 0.125 * dt * dt *
+         (push / mass + actor.torque.dot(actor.moving.motion().turned_by(actor.torque)));
 }
 
 void World::Impl::prepare() {
@@ -263,7 +302,9 @@ void World::Impl::prepare() {
   parted.reassigned -= brought;
   initial -= brought;
   refuse_deep_starts();
+  for (const Actor& actor : actors) parted.reassigned -= first_kick(actor);
   end_moves(0.0);
+  for (const Actor& actor : actors) parted.reassigned += first_kick(actor);
   prepared = actors.size();
 }
 
@@ -289,7 +330,7 @@ void World::Impl::take_out_what_left() {
       encounters[e].contacts->part(motion_of(encounters[e].ground), motion_of(encounters[e].block));
     }
     actor.left = true;
-    actor.motion = {actor.moving.state().world_from_body(), Vec3::Zero(), Vec3::Zero()};
+    actor.motion = actor.without_motion();
     near = {};
   }
 }

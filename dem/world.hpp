@@ -13,6 +13,7 @@ namespace clast {
 /// Everything about a world that is not bodies or terrain.
 struct WorldSettings {
   ContactStiffness stiffness;  ///< of all contacts
+  ContactLaw law;              ///< likewise
   ContactWeights weights = ContactWeights::kPatch;
   GroundParameters between_bodies;  ///< what two bodies do to each other
   double gravity = 9.81;            ///< m/s^2, along -z

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
 #include "core/output_file.hpp"
+#include "shapes/edge_bend.hpp"
 
 namespace clast {
 
@@ -122,6 +123,10 @@ void write_body(Hdf5Group group, const SpheroPolyhedron& body) {
   }
   group.write<std::uint32_t>("face_sizes", sizes);
   group.write<std::uint32_t>("face_vertices", corners);
+  std::vector<std::uint8_t> bends;
+  for (const EdgeBend bend : edge_bends(body)) bends.push_back(static_cast<std::uint8_t>(bend));
+  group.write<std::uint8_t>("edge_bends", bends);
+  group.set_unit("edge_bends", "1");
   group.set_unit("face_sizes", "1");
   group.set_unit("face_vertices", "1");
 }

@@ -9,6 +9,7 @@
 #include "core/version.hpp"
 #include "massprops/solid.hpp"
 #include "massprops/sphero.hpp"
+#include "shapes/coplanar_faces.hpp"
 
 namespace clast {
 
@@ -75,6 +76,12 @@ void add_warnings(Block& block, const BlockOptions& options) {
         "two principal moments are nearly equal: the principal axes, and what is given relative to "
         "them, follow a convention and not the shape");
   }
+  if (block.mass.relative_error > options.accuracy) {
+    block.warnings.push_back("volume and inertia are known to " +
+                             number(block.mass.relative_error) + " and not to the " +
+                             number(options.accuracy) +
+                             " asked for; thin the scan, or ask for less with --accuracy");
+  }
   if (block.body.radius > kLargestRadiusShare * S) {
     block.warnings.push_back("the radius " + number(block.body.radius) +
                              " m is more than a quarter of S (" + number(S) +
@@ -106,27 +113,10 @@ std::string described(const BlockOptions& options, const Block& block) {
   return text + " accuracy=" + number(options.accuracy);
 }
 
-Block checked_block(const std::string& id, const TriangleMesh& surface, const TriangleMesh& scan,
-                    BlockSource source, const BlockOptions& options) {
-  options.check();
-  Block block;
-  block.id = id;
-  block.surface = surface;
+/// Everything that follows from a body and its unit mass properties.
+Block finished(Block block, MeasuredBody measured, BlockSource source,
+               const BlockOptions& options) {
   block.from_core = options.core;
-
-  MeasuredBody measured;
-  if (options.core) {
-    measured.body = sphero_polyhedron(surface, *options.radius);
-    measured.unit = sphero_mass_properties(measured.body, 1.0, options.accuracy);
-  } else {
-    const double radius = options.radius
-                              ? *options.radius
-                              : options.radius_share * smallest_box(surface.vertices).lengths[2];
-    const double target = solid_mass_properties(scan, 1.0).volume;
-    measured = with_volume(rounded_core(surface, radius), target, options.accuracy);
-    block.deviation = surface_deviation(scan, measured.body);
-    block.deviation.volume_relative = measured.unit.volume / target - 1.0;
-  }
   block.body = std::move(measured.body);
   block.density = options.mass && !options.density_given ? *options.mass / measured.unit.volume
                                                          : options.density;
@@ -144,6 +134,46 @@ Block checked_block(const std::string& id, const TriangleMesh& surface, const Tr
   block.source.program_version = version();
   add_warnings(block, options);
   return block;
+}
+
+Block block_of_body(Block block, const SpheroPolyhedron& body, BlockSource source,
+                    const BlockOptions& options) {
+  options.check();
+  MeasuredBody measured{with_merged_faces(body), {}};
+  measured.unit = sphero_mass_properties(measured.body, 1.0, options.accuracy);
+  return finished(std::move(block), std::move(measured), std::move(source), options);
+}
+
+Block checked_block(Block block, const TriangleMesh& surface, const TriangleMesh& scan,
+                    BlockSource source, const BlockOptions& options) {
+  options.check();
+  block.surface = surface;
+  if (options.core) {
+    const SpheroPolyhedron body = sphero_polyhedron(surface, *options.radius);
+    return block_of_body(std::move(block), body, std::move(source), options);
+  }
+  const double radius = options.radius
+                            ? *options.radius
+                            : options.radius_share * smallest_box(surface.vertices).lengths[2];
+  const double target = solid_mass_properties(scan, 1.0).volume;
+  MeasuredBody measured = with_volume(rounded_core(surface, radius), target, options.accuracy);
+  block.deviation = surface_deviation(scan, measured.body);
+  block.deviation.volume_relative = measured.unit.volume / target - 1.0;
+  return finished(std::move(block), std::move(measured), std::move(source), options);
+}
+
+/// Runs `make` with an empty block of that id, and puts the id before what it refuses.
+template <class Make>
+Block named_block(const std::string& id, Make&& make) {
+  try {
+    Block block;
+    block.id = id;
+    return make(std::move(block));
+  } catch (const GeometryError& error) {
+    throw GeometryError("block " + id + ": " + error.what());
+  } catch (const InputError& error) {
+    throw InputError("block " + id + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -176,13 +206,20 @@ bool within_tolerance(const Block& block, const BlockOptions& options) {
 
 Block make_block(const std::string& id, const TriangleMesh& surface, const TriangleMesh& scan,
                  BlockSource source, const BlockOptions& options) {
-  try {
-    return checked_block(id, surface, scan, std::move(source), options);
-  } catch (const GeometryError& error) {
-    throw GeometryError("block " + id + ": " + error.what());
-  } catch (const InputError& error) {
-    throw InputError("block " + id + ": " + error.what());
-  }
+  return named_block(id, [&](Block block) {
+    return checked_block(std::move(block), surface, scan, std::move(source), options);
+  });
+}
+
+Block make_block(const std::string& id, const SpheroPolyhedron& body, BlockSource source,
+                 BlockOptions options) {
+  options.core = true;
+  options.radius = body.radius;
+  return named_block(id, [&](Block block) {
+    block = block_of_body(std::move(block), body, std::move(source), options);
+    block.surface = body.faces.empty() ? skin_mesh(body) : core_mesh(body);
+    return block;
+  });
 }
 
 }  // namespace clast

@@ -24,8 +24,9 @@ struct BlockOptions {
 /// Is the block as near to its scan as asked? Always true of a core.
 bool within_tolerance(const Block& block, const BlockOptions& options);
 
-/// A core is taken as it is. Else the core is `surface` moved in by the radius, then scaled about
-/// its own centre by the little that gives the rounded body the volume of `scan`.
+/// A core is taken as it is, faces in one plane merged to polygons. Else the core is `surface`
+/// moved in by the radius, then scaled about its own centre by the little that gives the rounded
+/// body the volume of `scan`.
 ///
 /// @param surface  closed, outward, simplified; the outer surface of the rock, or its core
 /// @param scan     the full-resolution closed scan `surface` was thinned from: the deviation and
@@ -34,5 +35,11 @@ bool within_tolerance(const Block& block, const BlockOptions& options);
 /// @throws GeometryError, InputError  with the block's id in the message
 Block make_block(const std::string& id, const TriangleMesh& surface, const TriangleMesh& scan,
                  BlockSource source, const BlockOptions& options);
+
+/// A block that is given whole, core and radius; `options` say nothing of these. A ball's or a
+/// capsule's surface is its skin.
+/// @throws GeometryError, InputError  with the block's id in the message
+Block make_block(const std::string& id, const SpheroPolyhedron& body, BlockSource source,
+                 BlockOptions options);
 
 }  // namespace clast

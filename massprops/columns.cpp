@@ -1,13 +1,18 @@
 #include "massprops/columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace clast {
 namespace {
 
-// A plane this close to vertical bounds a column on its side, not along it.
-constexpr double kVertical = 1e-12;
+constexpr double kSigmas = 3.0;
+// What columns of unknown place meet this many times on average, they miss once in twenty.
+constexpr double kUnseenColumns = 3.0;
+constexpr std::size_t kFewColumns = 10;
+// Share of the radius below which the excess of a column is rounding.
+constexpr double kMet = 1e-9;
 
 /// Integrals of 1, z, z^2 over intervals.
 struct Chord {
@@ -19,113 +24,6 @@ struct Chord {
     second += sign * (high * high * high - low * low * low) / 3.0;
   }
 };
-
-struct Interval {
-  double low, high;
-};
-
-/// z <= or >= x_slope x + y_slope y + height.
-struct Bound {
-  double x_slope, y_slope, height;
-  double at(double x, double y) const { return x_slope * x + y_slope * y + height; }
-};
-
-/// A piece made ready for vertical lines.
-class LinePiece {
- public:
-  explicit LinePiece(const SkinPiece& piece, double radius)
-      : box(piece.box),
-        round_(piece.round),
-        centre_(piece.centre),
-        axis_(piece.axis),
-        radius_squared_(radius * radius) {
-    for (const HalfSpace& plane : piece.planes) {
-      const Vec3& n = plane.normal;
-      if (std::abs(n.z()) < kVertical) {
-        walls_.push_back({n.x(), n.y(), plane.offset});
-        continue;
-      }
-      const Bound bound{-n.x() / n.z(), -n.y() / n.z(), plane.offset / n.z()};
-      (n.z() > 0.0 ? upper_ : lower_).push_back(bound);
-    }
-  }
-
-  /// The part of the line at (x, y) inside; empty when low >= high.
-  Interval cut(double x, double y) const {
-    Interval result = round_cut(x, y);
-    for (const Bound& bound : lower_) result.low = std::max(result.low, bound.at(x, y));
-    for (const Bound& bound : upper_) result.high = std::min(result.high, bound.at(x, y));
-    for (const Bound& wall : walls_) {
-      if (wall.x_slope * x + wall.y_slope * y > wall.height) return {0.0, 0.0};
-    }
-    return result;
-  }
-
-  Bounds box;
-
- private:
-  Interval round_cut(double x, double y) const {
-    if (round_ == SkinPiece::Round::none) return {box.low.z(), box.high.z()};
-    const double dx = x - centre_.x();
-    const double dy = y - centre_.y();
-    const double along = dx * axis_.x() + dy * axis_.y();
-    const double a = 1.0 - axis_.z() * axis_.z();
-    const double b = -along * axis_.z();
-    const double c = dx * dx + dy * dy - along * along - radius_squared_;
-    if (a < kVertical) return c <= 0.0 ? Interval{box.low.z(), box.high.z()} : Interval{0.0, 0.0};
-    const double discriminant = b * b - a * c;
-    if (!(discriminant > 0.0)) return {0.0, 0.0};
-    const double half = std::sqrt(discriminant);
-    return {centre_.z() + (-b - half) / a, centre_.z() + (-b + half) / a};
-  }
-
-  SkinPiece::Round round_;
-  Vec3 centre_, axis_;  // no axis for a ball: the cylinder's formulas then give the sphere's chord
-  double radius_squared_;
-  std::vector<Bound> lower_, upper_, walls_;
-};
-
-/// A core triangle made ready for vertical lines.
-struct LineTriangle {
-  std::array<Vec3, 3> corner;
-  std::array<bool, 3> turned;  ///< edge i runs from the larger to the smaller vertex index
-  Bound plane{0.0, 0.0, 0.0};
-  Bounds box;
-};
-
-std::vector<LineTriangle> line_triangles(const TriangleMesh& core) {
-  std::vector<LineTriangle> result;
-  result.reserve(core.triangles.size());
-  for (const auto& triangle : core.triangles) {
-    LineTriangle t;
-    for (int i = 0; i < 3; ++i) {
-      t.corner[i] = core.vertices[triangle[i]];
-      t.turned[i] = triangle[i] > triangle[(i + 1) % 3];
-      t.box.include(t.corner[i]);
-    }
-    const Vec3 n = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]);
-    // Seen edge-on, or without area: the height is clamped to the triangle's own range.
-    if (std::abs(n.z()) > 0.0) {
-      t.plane = {-n.x() / n.z(), -n.y() / n.z(), n.dot(t.corner[0]) / n.z()};
-    }
-    result.push_back(t);
-  }
-  return result;
-}
-
-/// +1 where a line that rises at (x, y) leaves through the triangle, -1 where it enters, 0 beside
-/// it. Each edge is judged from its smaller vertex index, so both its triangles agree to the bit
-/// and no line slips between them or hits both.
-int crossing(const LineTriangle& t, double x, double y) {
-  int left_of = 0;
-  for (int i = 0; i < 3; ++i) {
-    const Vec3& p = t.corner[t.turned[i] ? (i + 1) % 3 : i];
-    const Vec3& q = t.corner[t.turned[i] ? i : (i + 1) % 3];
-    const bool left = (q.x() - p.x()) * (y - p.y()) > (q.y() - p.y()) * (x - p.x());
-    left_of += left != t.turned[i];
-  }
-  return left_of == 3 ? 1 : left_of == 0 ? -1 : 0;
-}
 
 struct Crossing {
   double z;
@@ -188,149 +86,199 @@ struct Column {
 struct Grid {
   double x0, y0, step;
   std::size_t columns, rows;
+
+  Grid(const Bounds& box, std::size_t per_side) {
+    const Vec3 size = box.high - box.low;
+    step = std::max(size.x(), size.y()) / static_cast<double>(per_side);
+    x0 = box.low.x() + 0.5 * step;
+    y0 = box.low.y() + 0.5 * step;
+    // Even, so that all columns belong to a block of two by two.
+    columns = 2 * (static_cast<std::size_t>(std::ceil(size.x() / step)) / 2 + 1);
+    rows = 2 * (static_cast<std::size_t>(std::ceil(size.y() / step)) / 2 + 1);
+  }
+
   double x(std::size_t i) const { return x0 + step * static_cast<double>(i); }
   double y(std::size_t j) const { return y0 + step * static_cast<double>(j); }
 
   struct Range {
     std::size_t first, end;
   };
-  static Range range(double low, double high, double start, double step, std::size_t count) {
+  Range columns_in(const Interval& range) const { return within(range, x0, columns); }
+  Range rows_in(const Interval& range) const { return within(range, y0, rows); }
+
+ private:
+  Range within(const Interval& range, double start, std::size_t count) const {
     const double last = static_cast<double>(count);
-    const double from = std::clamp(std::ceil((low - start) / step), 0.0, last);
-    const double to = std::clamp(std::floor((high - start) / step) + 1.0, from, last);
+    const double from = std::clamp(std::ceil((range.low - start) / step), 0.0, last);
+    const double to = std::clamp(std::floor((range.high - start) / step) + 1.0, from, last);
     return {static_cast<std::size_t>(from), static_cast<std::size_t>(to)};
-  }
-  Range columns_over(const Bounds& box) const {
-    return range(box.low.x(), box.high.x(), x0, step, columns);
-  }
-  Range rows_over(const Bounds& box) const {
-    return range(box.low.y(), box.high.y(), y0, step, rows);
   }
 };
 
-/// Items of each row, by the rows their boxes cover.
-template <class Item>
-std::vector<std::vector<std::uint32_t>> by_first_row(const std::vector<Item>& items,
-                                                     const Grid& grid) {
-  std::vector<std::vector<std::uint32_t>> result(grid.rows);
-  for (std::uint32_t i = 0; i < items.size(); ++i) {
-    const Grid::Range rows = grid.rows_over(items[i].box);
-    if (rows.first < rows.end) result[rows.first].push_back(i);
-  }
-  return result;
-}
-
-/// The items whose boxes cover the row that is being worked on.
-template <class Item>
-class ActiveItems {
+/// Goes over the rows, and on each over the columns that items (pieces, triangles) can meet there.
+template <class Items>
+class Sweep {
  public:
-  ActiveItems(const std::vector<Item>& items, const Grid& grid)
-      : items_(items), grid_(grid), starts_(by_first_row(items, grid)) {}
+  Sweep(const Items& items, const Grid& grid) : items_(items), grid_(grid) {}
 
+  /// `visit_item(item, column)`; rows must come in ascending order.
   template <class Visit>
   void visit(std::size_t row, const Visit& visit_item) {
-    active_.insert(active_.end(), starts_[row].begin(), starts_[row].end());
-    std::erase_if(active_,
-                  [&](std::uint32_t i) { return grid_.rows_over(items_[i].box).end <= row; });
-    for (const std::uint32_t i : active_) {
-      const Grid::Range span = grid_.columns_over(items_[i].box);
+    for (; next_ < items_.size(); ++next_) {
+      const Grid::Range rows = grid_.rows_in(items_.rows(next_));
+      if (rows.first > row) break;
+      if (rows.end > row) active_.push_back({static_cast<std::uint32_t>(next_), rows.end});
+    }
+    std::erase_if(active_, [&](const Active& item) { return item.end <= row; });
+    const double y = grid_.y(row);
+    for (const Active& item : active_) {
+      const Grid::Range span = grid_.columns_in(items_.reach(item.index, y));
       for (std::size_t column = span.first; column < span.end; ++column) {
-        visit_item(items_[i], column);
+        visit_item(item.index, column);
       }
     }
   }
 
  private:
-  const std::vector<Item>& items_;
+  struct Active {
+    std::uint32_t index;
+    std::size_t end;  ///< row past its last
+  };
+  const Items& items_;
   const Grid& grid_;
-  std::vector<std::vector<std::uint32_t>> starts_;
-  std::vector<std::uint32_t> active_;
+  std::size_t next_ = 0;  ///< first item that no row has reached yet
+  std::vector<Active> active_;
 };
 
-std::vector<LinePiece> line_pieces(const std::vector<SkinPiece>& pieces, double radius) {
-  std::vector<LinePiece> result;
-  result.reserve(pieces.size());
-  for (const SkinPiece& piece : pieces) result.emplace_back(piece, radius);
-  return result;
+Moments column_moments(const Chord& chord, double x, double y) {
+  Moments m;
+  m.volume = chord.length;
+  m.first = Vec3(x * chord.length, y * chord.length, chord.first);
+  m.second << x * x * chord.length, x * y * chord.length, x * chord.first,  //
+      x * y * chord.length, y * y * chord.length, y * chord.first,          //
+      x * chord.first, y * chord.first, chord.second;
+  return m;
 }
 
-Grid make_grid(const TriangleMesh& core, double radius, std::size_t per_side) {
-  Bounds box = bounds(core);
-  box.low -= Vec3::Constant(radius);
-  box.high += Vec3::Constant(radius);
-  const Vec3 size = box.high - box.low;
-  Grid grid{};
-  grid.step = std::max(size.x(), size.y()) / static_cast<double>(per_side);
-  grid.x0 = box.low.x() + 0.5 * grid.step;
-  grid.y0 = box.low.y() + 0.5 * grid.step;
-  grid.columns = static_cast<std::size_t>(std::ceil(size.x() / grid.step)) + 1;
-  grid.rows = static_cast<std::size_t>(std::ceil(size.y() / grid.step)) + 1;
-  return grid;
+/// Frobenius norm of tr(M) I - M, squared.
+double tensor_square(const Mat3& second) {
+  const double trace = second.trace();
+  return trace * trace + second.squaredNorm();
 }
 
-void add_column(Moments& sum, const Chord& chord, double x, double y) {
-  sum.volume += chord.length;
-  sum.first += Vec3(x * chord.length, y * chord.length, chord.first);
-  Mat3& m = sum.second;
-  m(0, 0) += x * x * chord.length;
-  m(0, 1) += x * y * chord.length;
-  m(0, 2) += x * chord.first;
-  m(1, 1) += y * y * chord.length;
-  m(1, 2) += y * chord.first;
-  m(2, 2) += chord.second;
+/// The sum over the columns and its error. Columns come two rows at a time.
+class BlockSum {
+ public:
+  /// @param least  length in a column from which on it counts as meeting something
+  BlockSum(std::size_t columns, double least) : least_(least), lower_(columns), upper_(columns) {}
+
+  std::vector<Moments>& row(std::size_t number) { return number % 2 == 0 ? lower_ : upper_; }
+  std::size_t columns_met() const { return met_; }
+
+  /// Takes in the blocks of two by two columns that the two rows hold.
+  void add_rows() {
+    for (std::size_t i = 0; i + 1 < lower_.size(); i += 2) {
+      add_block({&lower_[i], &lower_[i + 1], &upper_[i], &upper_[i + 1]});
+    }
+  }
+
+  /// @param cell  area of a column
+  Excess result(double cell) const {
+    Excess excess;
+    for (const Moments& grid : grids_) excess.moments.add(grid, cell);
+    double volume_spread = 0.0, second_spread = 0.0;
+    for (const Moments& grid : grids_) {
+      Moments departure = excess.moments;
+      departure.add(grid, -4.0 * cell);
+      volume_spread = std::max(volume_spread, std::abs(departure.volume));
+      second_spread = std::max(second_spread, std::sqrt(tensor_square(departure.second)));
+    }
+    excess.volume_error = std::max(volume_spread, kSigmas * cell * std::sqrt(volume_squares_));
+    excess.second_error = std::max(second_spread, kSigmas * cell * std::sqrt(second_squares_));
+    return excess;
+  }
+
+ private:
+  void add_block(const std::array<const Moments*, 4>& block) {
+    Moments twist;
+    for (int i = 0; i < 4; ++i) {
+      grids_[i] += *block[i];
+      twist.add(*block[i], i == 0 || i == 3 ? 1.0 : -1.0);
+      met_ += std::abs(block[i]->volume) > least_;
+    }
+    volume_squares_ += twist.volume * twist.volume;
+    second_squares_ += tensor_square(twist.second);
+  }
+
+  double least_;
+  std::vector<Moments> lower_, upper_;
+  std::array<Moments, 4> grids_;  ///< by place in the block
+  double volume_squares_ = 0.0, second_squares_ = 0.0;
+  std::size_t met_ = 0;
+};
+
+Bounds grown(Bounds box, double margin) {
+  box.low -= Vec3::Constant(margin);
+  box.high += Vec3::Constant(margin);
+  return box;
 }
 
 }  // namespace
 
-std::array<Moments, 4> excess_by_columns(const TriangleMesh& core, const Skin& skin,
-                                         std::size_t per_side) {
-  const Grid grid = make_grid(core, skin.radius, per_side);
-  const std::vector<LineTriangle> triangles = line_triangles(core);
-  const std::vector<LinePiece> pieces = line_pieces(skin.pieces, skin.radius);
-  const std::vector<LinePiece> overlaps = line_pieces(skin.overlaps, skin.radius);
-  ActiveItems active_triangles(triangles, grid);
-  ActiveItems active_pieces(pieces, grid);
-  ActiveItems active_overlaps(overlaps, grid);
+Columns::Columns(const TriangleMesh& core, const Skin& skin)
+    : box_(grown(bounds(core), skin.radius)),
+      radius_(skin.radius),
+      triangles_(core),
+      pieces_(skin.pieces, skin.radius),
+      overlaps_(skin.overlaps, skin.radius) {}
 
-  std::array<Moments, 4> sums;
+Excess Columns::excess(std::size_t per_side) const {
+  const Grid grid(box_, per_side);
+  Sweep triangles(triangles_, grid);
+  Sweep pieces(pieces_, grid);
+  Sweep overlaps(overlaps_, grid);
+  BlockSum sum(grid.columns, kMet * radius_);
   std::vector<Column> columns(grid.columns);
   for (std::size_t row = 0; row < grid.rows; ++row) {
     const double y = grid.y(row);
     for (Column& column : columns) column.clear();
-    active_triangles.visit(row, [&](const LineTriangle& t, std::size_t i) {
+    triangles.visit(row, [&](std::size_t triangle, std::size_t i) {
       const double x = grid.x(i);
-      const int sign = crossing(t, x, y);
-      if (sign == 0) return;
-      const double z = std::clamp(t.plane.at(x, y), t.box.low.z(), t.box.high.z());
-      columns[i].crossings.push_back({z, sign});
+      const int sign = triangles_.crossing(triangle, x, y);
+      if (sign != 0) columns[i].crossings.push_back({triangles_.height(triangle, x, y), sign});
     });
-    active_pieces.visit(row, [&](const LinePiece& piece, std::size_t i) {
-      const Interval cut = piece.cut(grid.x(i), y);
+    pieces.visit(row, [&](std::size_t piece, std::size_t i) {
+      const Interval cut = pieces_.cut(piece, grid.x(i), y);
       if (!(cut.low < cut.high)) return;
       columns[i].excess.add(cut.low, cut.high);
       columns[i].intervals.push_back(cut);
     });
-    active_overlaps.visit(row, [&](const LinePiece& piece, std::size_t i) {
-      const Interval cut = piece.cut(grid.x(i), y);
+    overlaps.visit(row, [&](std::size_t piece, std::size_t i) {
+      const Interval cut = overlaps_.cut(piece, grid.x(i), y);
       if (cut.low < cut.high) columns[i].excess.add(cut.low, cut.high, -1.0);
     });
+    std::vector<Moments>& moments = sum.row(row);
     for (std::size_t i = 0; i < grid.columns; ++i) {
       Column& column = columns[i];
-      if (!column.balanced()) continue;
-      column.add_core();
-      column.take_union();
-      add_column(sums[2 * (row % 2) + i % 2], column.excess, grid.x(i), y);
+      if (column.balanced()) {
+        column.add_core();
+        column.take_union();
+      } else {
+        column.clear();
+      }
+      moments[i] = column_moments(column.excess, grid.x(i), y);
     }
+    if (row % 2 == 1) sum.add_rows();
   }
-
-  const double cell = 4.0 * grid.step * grid.step;
-  for (Moments& sum : sums) {
-    sum.volume *= cell;
-    sum.first *= cell;
-    sum.second *= cell;
-    sum.second.triangularView<Eigen::StrictlyLower>() = sum.second.transpose();
+  const double cell = grid.step * grid.step;
+  Excess excess = sum.result(cell);
+  if (sum.columns_met() < kFewColumns) {
+    const double unseen = kUnseenColumns * cell * radius_;
+    const double reach = 0.5 * box_.diagonal();
+    excess.volume_error += unseen;
+    excess.second_error += unseen * reach * reach;
   }
-  return sums;
+  return excess;
 }
 
 }  // namespace clast

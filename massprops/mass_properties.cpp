@@ -1,6 +1,7 @@
 #include "massprops/mass_properties.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -11,6 +12,8 @@ namespace {
 
 // Moments closer than this share of the largest leave the axes between them undetermined.
 constexpr double kNearlyEqual = 1e-6;
+// Cosine from which on a direction counts as along an axis of the source.
+constexpr double kAlong = 0.9;
 // Rounding of an exact tensor; sampled tensors add their own stated error.
 constexpr double kRounding = 1e-9;
 
@@ -36,6 +39,24 @@ Vec3 with_largest_component_positive(const Vec3& axis) {
   return axis[largest] < 0.0 ? Vec3(-axis) : axis;
 }
 
+/// Across `axis`: the source's x axis as far as it is perpendicular to it, or y where x is not.
+Vec3 convention_across(const Vec3& axis) {
+  const Vec3 source = std::abs(axis.x()) < kAlong ? Vec3::UnitX() : Vec3::UnitY();
+  return (source - source.dot(axis) * axis).normalized();
+}
+
+/// Replaces the axes that nearly equal moments leave open, so that rounding does not choose them.
+Mat3 settled(Mat3 axes, bool first_two, bool last_two) {
+  if (first_two && last_two) return Mat3::Identity();
+  if (first_two) {
+    axes.col(0) = convention_across(axes.col(2));
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+  } else if (last_two) {
+    axes.col(1) = convention_across(axes.col(0));
+  }
+  return axes;
+}
+
 }  // namespace
 
 PrincipalFrame principal_frame(const MassProperties& properties) {
@@ -48,15 +69,17 @@ PrincipalFrame principal_frame(const MassProperties& properties) {
   frame.moments = solver.eigenvalues();
   check_moments(frame.moments, properties.relative_error);
 
-  Mat3 axes;
-  axes.col(0) = with_largest_component_positive(solver.eigenvectors().col(0));
-  axes.col(1) = with_largest_component_positive(solver.eigenvectors().col(1));
+  const double limit =
+      std::max(kNearlyEqual * frame.moments[2], 2.0 * properties.relative_error * frame.moments[0]);
+  const bool first_two = frame.moments[1] - frame.moments[0] <= limit;
+  const bool last_two = frame.moments[2] - frame.moments[1] <= limit;
+  frame.nearly_equal = first_two || last_two;
+
+  Mat3 axes = settled(solver.eigenvectors(), first_two, last_two);
+  axes.col(0) = with_largest_component_positive(axes.col(0));
+  axes.col(1) = with_largest_component_positive(axes.col(1));
   axes.col(2) = axes.col(0).cross(axes.col(1)).normalized();
   frame.rotation = Quat(axes).normalized();
-
-  const double limit = kNearlyEqual * frame.moments[2];
-  frame.nearly_equal =
-      frame.moments[1] - frame.moments[0] <= limit || frame.moments[2] - frame.moments[1] <= limit;
   return frame;
 }
 

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t kFirstGrid = 64;
 constexpr std::size_t kLastGrid = 4096;
+// The error of columns falls about with this power of their number per side.
+constexpr double kOrder = 1.75;
 // A closed convex surface turns through 4 pi in all; this is the rounding of the sum.
 constexpr double kTurning = 1e-9;
 // Step of the radius for the area, as a share of it, and the accuracy asked of the result.
@@ -75,6 +77,12 @@ LocalCore local_core(const SpheroPolyhedron& body) {
   core.origin = vertex_mean(core.mesh);
   for (Vec3& vertex : core.mesh.vertices) vertex -= core.origin;
   core.moments = polyhedron_moments(core.mesh, Vec3::Zero());
+  if (core.moments.volume > 0.0) {  // about its own centre, whatever the spacing of its vertices
+    const Vec3 centre = core.moments.first / core.moments.volume;
+    core.origin += centre;
+    for (Vec3& vertex : core.mesh.vertices) vertex -= centre;
+    core.moments = polyhedron_moments(core.mesh, Vec3::Zero());
+  }
   if (!(core.moments.volume > 0.0)) {
     throw GeometryError("core encloses " + with_digits(core.moments.volume, 6) +
                         " m3: its faces point inward or it is flat; turn them outward first");
@@ -103,30 +111,23 @@ LocalCore turned(LocalCore core) {
   return core;
 }
 
-Moments mean_of(const std::array<Moments, 4>& parts) {
-  Moments mean;
-  for (const Moments& part : parts) mean.add(part, 0.25);
-  return mean;
+/// Columns per side that should bring the error down by `factor`.
+std::size_t next_grid(std::size_t per_side, double factor) {
+  const double growth = std::clamp(1.05 * std::pow(factor, 1.0 / kOrder), 1.25, 8.0);
+  const double wanted = std::ceil(growth * static_cast<double>(per_side));
+  return std::min(static_cast<std::size_t>(wanted), kLastGrid);
 }
 
-MassProperties by_columns(const LocalCore& core, const Skin& skin, double density,
-                          std::size_t per_side) {
-  const std::array<Moments, 4> excess = excess_by_columns(core.mesh, skin, per_side);
-  const auto with_excess = [&](const Moments& part) {
-    Moments sum = core.moments;
-    sum += skin.total;
-    sum.add(skin.overlap_total, -1.0);
-    sum.add(part, -1.0);
-    return mass_properties_from(sum, core.origin, core.rotation, density);
-  };
-  MassProperties result = with_excess(mean_of(excess));
-  const double smallest_moment = principal_frame(result).moments[0];
-  for (const Moments& part : excess) {
-    const MassProperties coarse = with_excess(part);
-    result.relative_error =
-        std::max({result.relative_error, std::abs(coarse.volume / result.volume - 1.0),
-                  (coarse.inertia - result.inertia).norm() / smallest_moment});
-  }
+MassProperties less_excess(const LocalCore& core, const Skin& skin, const Excess& excess,
+                           double density) {
+  Moments sum = core.moments;
+  sum += skin.total;
+  sum.add(skin.overlap_total, -1.0);
+  sum.add(excess.moments, -1.0);
+  MassProperties result = mass_properties_from(sum, core.origin, core.rotation, density);
+  const double smallest_moment = principal_frame(result).moments[0] / density;
+  result.relative_error =
+      std::max(excess.volume_error / result.volume, excess.second_error / smallest_moment);
   return result;
 }
 
@@ -158,12 +159,13 @@ MassProperties sphero_mass_properties(const SpheroPolyhedron& body, double densi
 
   const LocalCore oblique = turned(core);
   const Skin oblique_skin = make_skin(oblique.mesh, body.radius, body.radius);
+  const Columns columns(oblique.mesh, oblique_skin);
   MassProperties result;
-  for (std::size_t per_side = kFirstGrid; per_side <= kLastGrid; per_side *= 2) {
-    result = by_columns(oblique, oblique_skin, density, per_side);
-    if (result.relative_error <= accuracy) break;
+  for (std::size_t per_side = kFirstGrid;;
+       per_side = next_grid(per_side, result.relative_error / accuracy)) {
+    result = less_excess(oblique, oblique_skin, columns.excess(per_side), density);
+    if (result.relative_error <= accuracy || per_side >= kLastGrid) return result;
   }
-  return result;
 }
 
 double sphero_area(const SpheroPolyhedron& body) {
@@ -180,20 +182,16 @@ double sphero_area(const SpheroPolyhedron& body) {
 
   const Skin wider = make_skin(core.mesh, (1.0 + kAreaStep) * r, (1.0 + kAreaStep) * r);
   const Skin narrower = make_skin(core.mesh, (1.0 - kAreaStep) * r, (1.0 + kAreaStep) * r);
+  const Columns outer(core.mesh, wider);
+  const Columns inner(core.mesh, narrower);
   double area = 0.0;
   for (std::size_t per_side = kFirstGrid; per_side <= kLastGrid / 4; per_side *= 2) {
-    const auto upper = excess_by_columns(core.mesh, wider, per_side);
-    const auto lower = excess_by_columns(core.mesh, narrower, per_side);
-    const auto lost = [&](const Moments& high, const Moments& low) {
-      return (high.volume - low.volume) / (2.0 * kAreaStep * r);
-    };
-    area = skin.area - skin.overlap_area - lost(mean_of(upper), mean_of(lower));
-    double spread = 0.0;
-    for (std::size_t part = 0; part < 4; ++part) {
-      const double coarse = skin.area - skin.overlap_area - lost(upper[part], lower[part]);
-      spread = std::max(spread, std::abs(coarse - area));
-    }
-    if (spread <= kAreaAccuracy * area) break;
+    const double wider_excess = outer.excess(per_side).moments.volume;
+    const double narrower_excess = inner.excess(per_side).moments.volume;
+    const double lost = (wider_excess - narrower_excess) / (2.0 * kAreaStep * r);
+    const double before = area;
+    area = skin.area - skin.overlap_area - lost;
+    if (std::abs(area - before) <= 0.5 * kAreaAccuracy * area) break;
   }
   return area;
 }

@@ -58,6 +58,10 @@ std::string open_defects(TriangleMesh mesh) {
   return text;
 }
 
+void turn_over(TriangleMesh& mesh) {
+  for (TriangleMesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
 /// The pieces of a mesh, largest area first.
 struct Piece {
   TriangleMesh mesh;
@@ -167,7 +171,7 @@ class Cleaning {
     }
   }
 
-  /// Leaves the block alone: drops debris and shells inside it, refuses two blocks.
+  /// Leaves the block alone: drops debris, drops or keeps shells inside it, refuses two blocks.
   void keep_block() {
     std::vector<Piece> pieces = pieces_of(scan_.mesh);
     if (pieces.size() == 1) return;
@@ -176,13 +180,18 @@ class Cleaning {
     detail::fill_small_holes(closed, options_.fan_hole_edges);
     const bool main_closed = inspect(closed).closed();
     const detail::TriangleTree tree(closed);
-    std::size_t shells = 0, debris = 0, others = 0;
+    std::vector<const TriangleMesh*> shells;
+    std::size_t debris = 0, others = 0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       const TriangleMesh& piece = pieces[i].mesh;
       const bool inside = main_closed && lies_inside(piece, closed, tree);
-      if (inside && inspect(piece).closed()) {
-        ++shells;
-        scan_.inner_shell_volume += std::abs(detail::signed_volume(piece));
+      const auto holds_piece = [&](const TriangleMesh* shell) {
+        return detail::encloses(*shell, piece.vertices[0]);
+      };
+      // What lies in a bubble has less area than the bubble, so that one comes first.
+      if (inside && inspect(piece).closed() &&
+          std::none_of(shells.begin(), shells.end(), holds_piece)) {
+        shells.push_back(&piece);
       } else if (inside || is_debris(pieces[i], main)) {
         ++debris;
       } else {
@@ -197,13 +206,27 @@ class Cleaning {
     }
     // An open surface with other large parts is refused whole, with all its defects.
     if (others > 0) return;
-    if (shells > 0) {
-      note(counted(shells, "inner shell", "inner shells") + " (bubbles) of " +
-           with_digits(scan_.inner_shell_volume * std::pow(options_.unit, 3), 4) +
-           " m3 in all dropped");
-    }
+    take_shells(shells, main.mesh);
     if (debris > 0) note(counted(debris, "loose scrap", "loose scraps") + " dropped");
     scan_.mesh = std::move(main.mesh);
+  }
+
+  /// Counts the shells; where they are to be kept, adds them to `block` facing the other way.
+  void take_shells(const std::vector<const TriangleMesh*>& shells, TriangleMesh& block) {
+    if (shells.empty()) return;
+    const bool block_outward = detail::signed_volume(block) > 0.0;
+    scan_.inner_shells = shells.size();
+    for (const TriangleMesh* shell : shells) {
+      const double volume = detail::signed_volume(*shell);
+      scan_.inner_shell_volume += std::abs(volume);
+      if (!options_.keep_inner_shells) continue;
+      TriangleMesh cavity = *shell;
+      if ((volume > 0.0) == block_outward) turn_over(cavity);
+      block = merged(std::move(block), cavity);
+    }
+    note(counted(shells.size(), "inner shell", "inner shells") + " (bubbles) of " +
+         with_digits(scan_.inner_shell_volume * std::pow(options_.unit, 3), 4) + " m3 in all " +
+         (options_.keep_inner_shells ? "kept as cavities" : "dropped"));
   }
 
   void close_tiny_holes() {
@@ -234,12 +257,13 @@ class Cleaning {
       fail("the surface encloses no volume; is it a folded sheet?");
     }
     if (volume > 0.0) return;
-    for (TriangleMesh::Triangle& t : scan_.mesh.triangles) std::swap(t[1], t[2]);
+    turn_over(scan_.mesh);
     note("the surface faced inwards and was turned");
   }
 
   void count_tunnels() {
-    const long handles = (2 - inspect(scan_.mesh).euler_characteristic) / 2;
+    const MeshReport report = inspect(scan_.mesh);
+    const long handles = static_cast<long>(report.components) - report.euler_characteristic / 2;
     if (handles <= 0) return;
     note(counted(static_cast<std::size_t>(handles), "tunnel goes", "tunnels go") +
          " through the block and stay open; if the rock has none, fill them in the scan");

@@ -15,19 +15,23 @@ struct ScanOptions {
   std::string up = "z";            ///< axis of the file that points up: "y" or "z"
   double weld_tolerance = 1e-5;    ///< share of the diagonal within which vertices are one
   std::size_t fan_hole_edges = 4;  ///< holes with at most this many border edges are closed
+  bool keep_inner_shells =
+      false;  ///< closed shells inside stay as cavities; false: rock fills them
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 /// A scan that became a closed mesh, and what was done to it.
 struct Scan {
-  TriangleMesh mesh;                ///< closed, 2-manifold, outward; metres, z up
+  TriangleMesh mesh;                ///< closed, 2-manifold, outward; metres, z up; cavities inward
   MeshReport as_read;               ///< before anything was mended, after welding
-  double inner_shell_volume = 0.0;  ///< bubbles dropped from the inside, m^3
+  std::size_t inner_shells = 0;     ///< bubbles inside, dropped unless they were to be kept
+  double inner_shell_volume = 0.0;  ///< of all of them, m^3
   std::vector<std::string> notes;   ///< each mend in words, with counts
 };
 
-/// Reads, scales, welds, orients outward, closes tiny holes by a fan and drops inner shells.
+/// Reads, scales, welds, orients outward, closes tiny holes by a fan, and drops inner shells or
+/// turns them to bound cavities. Surfaces inside a bubble (loose stones) are dropped always.
 /// @throws InputError     what `read_mesh` throws
 /// @throws GeometryError  anything that would need more repair: names the defect and its place
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "shapes/detail/calipers.hpp"
 
 namespace clast {
 namespace {
@@ -28,6 +29,35 @@ template <class Measure>
 Vec3 farthest(std::span<const Vec3> points, const Measure& measure) {
   return *std::max_element(points.begin(), points.end(),
                            [&](const Vec3& a, const Vec3& b) { return measure(a) < measure(b); });
+}
+
+void check_finite(std::span<const Vec3> points) {
+  for (const Vec3& p : points) {
+    if (!p.allFinite())
+      throw GeometryError("convex hull: a point has coordinates that are not finite");
+  }
+}
+
+/// Corners of the outline of sorted points that lie in a plane or on a line.
+std::vector<Vec3> flat_corners(const std::vector<Vec3>& points, const Mat3& axes) {
+  struct Flat {
+    Vec2 place;
+    Vec3 point;
+  };
+  std::vector<Flat> flat;
+  std::vector<Vec2> places;
+  for (const Vec3& p : points) {
+    const Vec3 local = p - points.front();
+    places.emplace_back(axes.col(0).dot(local), axes.col(1).dot(local));
+    flat.push_back({places.back(), p});
+  }
+  std::vector<Vec3> corners;
+  for (const Vec2& corner : convex_outline(std::move(places))) {
+    const auto found =
+        std::find_if(flat.begin(), flat.end(), [&](const Flat& f) { return f.place == corner; });
+    corners.push_back(found->point);
+  }
+  return sorted_points(corners);
 }
 
 /// Triangles start at their smallest vertex and ascend.
@@ -77,11 +107,19 @@ AffineSpan affine_span(std::span<const Vec3> points) {
   return span;
 }
 
+std::vector<Vec3> extreme_points(std::span<const Vec3> points) {
+  check_finite(points);
+  const std::vector<Vec3> sorted = sorted_points(points);
+  const AffineSpan span = affine_span(sorted);
+  if (span.dimension == 3) return convex_hull(sorted).vertices;
+  if (span.dimension == 2) return flat_corners(sorted, span.axes);
+  // Along a line the order by x, y, z is the order along it.
+  if (span.dimension == 1) return {sorted.front(), sorted.back()};
+  return sorted;
+}
+
 TriangleMesh convex_hull(std::span<const Vec3> points) {
-  for (const Vec3& p : points) {
-    if (!p.allFinite())
-      throw GeometryError("convex hull: a point has coordinates that are not finite");
-  }
+  check_finite(points);
   const std::vector<Vec3> sorted = sorted_points(points);
   const int dimension = affine_span(sorted).dimension;
   if (sorted.size() < 4 || dimension < 3) {

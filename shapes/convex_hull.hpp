@@ -25,4 +25,9 @@ AffineSpan affine_span(std::span<const Vec3> points);
 /// in which points come.
 std::vector<Vec3> sorted_points(std::span<const Vec3> points);
 
+/// Corners of the convex hull, sorted: of the hull, of the outline of points in a plane, the ends
+/// of a line, or the one place.
+/// @throws GeometryError  a point is not finite
+std::vector<Vec3> extreme_points(std::span<const Vec3> points);
+
 }  // namespace clast

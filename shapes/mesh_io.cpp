@@ -1,7 +1,6 @@
 #include "shapes/mesh_io.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "core/error.hpp"
@@ -13,13 +12,6 @@
 namespace clast {
 
 namespace {
-
-std::string lower_case_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
@@ -62,7 +54,7 @@ const std::vector<std::string>& readable_mesh_extensions() {
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
   const std::string content = read_text_file(path);
-  const std::string extension = lower_case_extension(path);
+  const std::string extension = extension_of(path);
   const std::vector<std::string>& known = readable_mesh_extensions();
   if (std::find(known.begin(), known.end(), extension) == known.end()) {
     throw InputError(path.string() + ": meshes are read from " + listed(known) +
@@ -79,7 +71,7 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  const std::string extension = lower_case_extension(path);
+  const std::string extension = extension_of(path);
   if (mesh.triangles.empty()) throw GeometryError(path.string() + ": a mesh without triangles");
   std::string content;
   if (extension == ".stl") {

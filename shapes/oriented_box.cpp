@@ -17,12 +17,18 @@ namespace {
 // About so many directions are looked at on the Gauss image of a hull before the best are refined.
 constexpr double kDirections = 4000.0;
 constexpr double kFinestStep = 0.002;  // rad
-constexpr std::size_t kRefined = 32;
+constexpr std::size_t kRefined = 48;
 // A direction is dropped unseen only if its lower bound is this much above the best box.
 constexpr double kMargin = 1.02;
 // Volumes closer than this are equal; area and length decide.
 constexpr double kTie = 1e-11;
-constexpr int kGoldenSteps = 40;
+// An extent below this share of the largest is rounding.
+constexpr double kFlat = 1e-12;
+constexpr int kFirstGoldenSteps = 12, kGoldenSteps = 28;
+constexpr int kFirstRounds = 3, kRounds = 60;
+// After the first steps a candidate this much above the lowest can't become the lowest any more:
+// they leave it a hundredth of a step from its minimum.
+constexpr double kRunningMargin = 1.001;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -46,14 +52,16 @@ struct Posture {
 class Hull {
  public:
   Hull(const TriangleMesh& mesh, double radius)
-      : vertices_(mesh.vertices), radius_(radius), seen_(mesh.vertices.size(), 0) {
+      : vertices_(mesh.vertices), radius_(radius), next_(mesh.vertices.size(), 0) {
     const auto count = static_cast<Eigen::Index>(vertices_.size());
     coordinates_.resize(count, 3);
     for (Eigen::Index i = 0; i < count; ++i) coordinates_.row(i) = vertices_[i].transpose();
-    std::vector<std::array<std::uint32_t, 4>> sides;  // smaller vertex, larger vertex, face, 0
+    std::vector<std::array<std::uint32_t, 4>> sides;  // smaller vertex, larger, backwards?, face
     const auto faces = static_cast<Eigen::Index>(mesh.triangles.size());
     normals_.resize(faces, 3);
+    weighted_normals_.resize(faces, 3);
     areas_.resize(faces);
+    up_.resize(mesh.triangles.size());
     for (Eigen::Index f = 0; f < faces; ++f) {
       const auto& [a, b, c] = mesh.triangles[f];
       const Vec3 cross = (vertices_[b] - vertices_[a]).cross(vertices_[c] - vertices_[a]);
@@ -62,14 +70,15 @@ class Hull {
       // A face without area adds no direction of its own; any will do, as every box is measured.
       const Vec3 normal = twice > 0.0 ? Vec3(cross / twice) : Vec3::UnitX();
       normals_.row(f) = normal.transpose();
+      weighted_normals_.row(f) = 0.5 * cross.transpose();
       const auto face = static_cast<std::uint32_t>(f);
-      sides.push_back({std::min(a, b), std::max(a, b), face, 0});
-      sides.push_back({std::min(b, c), std::max(b, c), face, 0});
-      sides.push_back({std::min(c, a), std::max(c, a), face, 0});
+      for (const auto& [from, to] : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) {
+        sides.push_back({std::min(from, to), std::max(from, to), from > to ? 1u : 0u, face});
+      }
     }
     std::sort(sides.begin(), sides.end());
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-      edges_.push_back({sides[i][0], sides[i][1], sides[i][2], sides[i + 1][2]});
+      edges_.push_back({sides[i][0], sides[i][1], sides[i][3], sides[i + 1][3]});
     }
   }
 
@@ -97,8 +106,8 @@ class Hull {
   Posture best_about(const Vec3& direction, double limit) {
     along_.noalias() = coordinates_ * direction;
     const double width = along_.maxCoeff() - along_.minCoeff() + 2.0 * radius_;
-    slopes_.noalias() = normals_ * direction;
-    const double shadow = 0.5 * slopes_.cwiseAbs().dot(areas_);
+    slopes_.noalias() = weighted_normals_ * direction;
+    const double shadow = 0.5 * slopes_.cwiseAbs().sum();
     const double side = std::sqrt(shadow) + 2.0 * radius_;
     if (width * side * side > limit) return {};
 
@@ -106,7 +115,8 @@ class Hull {
     frame.col(0) = direction;
     frame.col(1) = direction.unitOrthogonal();
     frame.col(2) = direction.cross(frame.col(1));
-    const Rectangle rectangle = smallest_rectangle(outline_points(frame), radius_);
+    trace_outline(frame);
+    const Rectangle rectangle = smallest_rectangle_of_outline(outline_, radius_);
     Posture posture;
     posture.axes.col(0) = direction;
     posture.axes.col(1) =
@@ -119,32 +129,56 @@ class Hull {
 
  private:
   struct Edge {
-    std::uint32_t from, to, face, other_face;
+    std::uint32_t from, to;  ///< counter-clockwise around `face`, seen from outside
+    std::uint32_t face, other_face;
   };
 
-  /// Points of the shadow's outline: ends of edges between a face that looks up and one that looks
-  /// down.
-  std::vector<Vec2> outline_points(const Mat3& frame) {
-    ++round_;
-    std::vector<Vec2> points;
-    for (const Edge& edge : edges_) {
-      if (slopes_[edge.face] * slopes_[edge.other_face] > 0.0) continue;
-      for (const auto v : {edge.from, edge.to}) {
-        if (seen_[v] == round_) continue;
-        seen_[v] = round_;
-        points.emplace_back(frame.col(1).dot(vertices_[v]), frame.col(2).dot(vertices_[v]));
-      }
+  /// Corners of the shadow's outline: faces that look up are bounded by one loop of edges, which
+  /// runs around the shadow.
+  void trace_outline(const Mat3& frame) {
+    for (std::size_t f = 0; f < up_.size(); ++f) {
+      up_[f] = slopes_[static_cast<Eigen::Index>(f)] >= 0.0;
     }
-    return points;
+    std::size_t count = 0;
+    std::uint32_t start = 0;
+    for (const Edge& edge : edges_) {
+      if (up_[edge.face] == up_[edge.other_face]) continue;
+      const bool forward = up_[edge.face] != 0;
+      start = forward ? edge.from : edge.to;
+      next_[start] = forward ? edge.to : edge.from;
+      ++count;
+    }
+    outline_.clear();
+    const auto add = [&](std::uint32_t v) {
+      outline_.emplace_back(frame.col(1).dot(vertices_[v]), frame.col(2).dot(vertices_[v]));
+    };
+    std::uint32_t v = start;
+    do {
+      add(v);
+      v = next_[v];
+    } while (v != start && outline_.size() < count);
+    if (v == start && outline_.size() == count) {
+      outline_ = convex_loop(std::move(outline_));
+      return;
+    }
+    // Faces on edge, told up from down by rounding, can pinch the loop.
+    outline_.clear();
+    for (const Edge& edge : edges_) {
+      if (up_[edge.face] == up_[edge.other_face]) continue;
+      add(edge.from);
+      add(edge.to);
+    }
+    outline_ = convex_outline(std::move(outline_));
   }
 
   std::vector<Vec3> vertices_;
   std::vector<Edge> edges_;
   double radius_;
-  Eigen::MatrixX3d coordinates_, normals_;
+  Eigen::MatrixX3d coordinates_, normals_, weighted_normals_;  ///< by area
   Eigen::VectorXd areas_, along_, slopes_;
-  std::vector<std::uint64_t> seen_;
-  std::uint64_t round_ = 0;
+  std::vector<std::uint8_t> up_;     ///< of every face: looks along the direction
+  std::vector<std::uint32_t> next_;  ///< of vertices on the outline
+  std::vector<Vec2> outline_;
 };
 
 /// A place on an arc, and half the distance to the next that was looked at.
@@ -175,7 +209,7 @@ std::vector<Candidate> scan_gauss_image(Hull& hull) {
   std::vector<Candidate> candidates;
   std::vector<double> volumes;
   for (std::size_t e = 0; e < hull.edge_count(); ++e) {
-    const auto pieces = static_cast<std::size_t>(std::ceil(hull.arc(e) / step)) + 1;
+    const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(hull.arc(e) / step)));
     const double reach = 1.0 / static_cast<double>(pieces);
     volumes.assign(1, face_volume[hull.faces_of(e)[0]]);
     for (std::size_t i = 1; i < pieces; ++i) {
@@ -197,21 +231,31 @@ std::vector<Candidate> scan_gauss_image(Hull& hull) {
   return candidates;
 }
 
-/// The lowest posture within reach on the candidate's arc, by golden section.
-Posture refined(Hull& hull, const Candidate& candidate) {
+/// A candidate with the lowest posture that was met near it.
+struct Refined {
+  Candidate candidate;
+  Posture posture;
+};
+
+/// Golden section on the candidate's arc: so many steps nearer to the lowest posture within reach.
+Refined refined(Hull& hull, const Candidate& candidate, int steps) {
   constexpr double kGolden = 0.6180339887498949;
   double low = std::max(0.0, candidate.share - candidate.reach);
   double high = std::min(1.0, candidate.share + candidate.reach);
+  Refined best = {candidate, {}};
   const auto look = [&](double share) {
-    return hull.best_about(hull.on_arc(candidate.edge, share), kInfinity);
+    const Posture posture = hull.best_about(hull.on_arc(candidate.edge, share), kInfinity);
+    if (posture.volume < best.posture.volume) {
+      best.posture = posture;
+      best.candidate.share = share;
+    }
+    return posture.volume;
   };
-  Posture best = look(candidate.share);
+  look(candidate.share);
   double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
-  Posture at_left = look(left), at_right = look(right);
-  for (int i = 0; i < kGoldenSteps; ++i) {
-    if (at_left.volume < best.volume) best = at_left;
-    if (at_right.volume < best.volume) best = at_right;
-    if (at_left.volume <= at_right.volume) {
+  double at_left = look(left), at_right = look(right);
+  for (int i = 0; i < steps; ++i) {
+    if (at_left <= at_right) {
       high = right;
       right = left;
       at_right = at_left;
@@ -225,12 +269,16 @@ Posture refined(Hull& hull, const Candidate& candidate) {
       at_right = look(right);
     }
   }
+  best.candidate.volume = best.posture.volume;
+  best.candidate.reach = high - low;
   return best;
 }
 
-/// Calipers about the three axes in turn until none makes the box smaller.
-Posture settled(Hull& hull, Posture posture) {
-  for (bool smaller = true; smaller;) {
+/// Calipers about the three axes in turn until none makes the box smaller, or so many times: off an
+/// arc's minimum the gains can become ever smaller without an end.
+Posture settled(Hull& hull, Posture posture, int rounds) {
+  bool smaller = true;
+  for (int round = 0; smaller && round < rounds; ++round) {
     smaller = false;
     for (int axis = 0; axis < 3; ++axis) {
       const Posture next = hull.best_about(posture.axes.col(axis), kInfinity);
@@ -246,12 +294,6 @@ Posture settled(Hull& hull, Posture posture) {
 double box_area(const OrientedBox& box) {
   const Vec3& l = box.lengths;
   return 2.0 * (l[0] * l[1] + l[1] * l[2] + l[2] * l[0]);
-}
-
-bool is_better(const OrientedBox& a, const OrientedBox& b) {
-  if (std::abs(a.volume() - b.volume()) > kTie * b.volume()) return a.volume() < b.volume();
-  if (std::abs(box_area(a) - box_area(b)) > kTie * box_area(b)) return box_area(a) < box_area(b);
-  return a.lengths[0] < b.lengths[0] * (1.0 - kTie);
 }
 
 Vec3 with_largest_component_positive(const Vec3& axis) {
@@ -281,6 +323,12 @@ OrientedBox flat_box(std::span<const Vec3> points, const AffineSpan& span, doubl
 
 }  // namespace
 
+bool is_smaller(const OrientedBox& a, const OrientedBox& b) {
+  if (std::abs(a.volume() - b.volume()) > kTie * b.volume()) return a.volume() < b.volume();
+  if (std::abs(box_area(a) - box_area(b)) > kTie * box_area(b)) return box_area(a) < box_area(b);
+  return a.lengths[0] < b.lengths[0] * (1.0 - kTie);
+}
+
 OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double radius) {
   check_points(points, radius);
   // Relative to a point, so that large coordinates keep their digits.
@@ -291,7 +339,8 @@ OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double rad
     low = low.cwiseMin(local);
     high = high.cwiseMax(local);
   }
-  const Vec3 extents = high - low;
+  Vec3 extents = high - low;
+  for (double& extent : extents) extent = extent > kFlat * extents.maxCoeff() ? extent : 0.0;
   std::array<int, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return extents[a] > extents[b]; });
@@ -317,13 +366,24 @@ OrientedBox smallest_box(std::span<const Vec3> points, double radius) {
   for (Vec3& v : mesh.vertices) v -= middle;
   Hull hull(mesh, radius);
 
+  // All of the best a little, then those that are still in the running to the end.
+  std::vector<Refined> running;
+  double lowest = kInfinity;
   const std::vector<Candidate> candidates = scan_gauss_image(hull);
+  for (std::size_t i = 0; i < std::min(kRefined, candidates.size()); ++i) {
+    running.push_back(refined(hull, candidates[i], kFirstGoldenSteps));
+    running.back().posture = settled(hull, running.back().posture, kFirstRounds);
+    lowest = std::min(lowest, running.back().posture.volume);
+  }
   OrientedBox best;
   bool first = true;
-  for (std::size_t i = 0; i < std::min(kRefined, candidates.size()); ++i) {
-    const Posture posture = settled(hull, refined(hull, candidates[i]));
-    const OrientedBox box = box_along(mesh.vertices, posture.axes, radius);
-    if (first || is_better(box, best)) best = box;
+  for (const Refined& start : running) {
+    if (start.posture.volume > kRunningMargin * lowest) continue;
+    const Refined end = refined(hull, start.candidate, kGoldenSteps);
+    const Posture posture = settled(hull, end.posture, kRounds);
+    const Mat3& axes = posture.volume < start.posture.volume ? posture.axes : start.posture.axes;
+    const OrientedBox box = box_along(mesh.vertices, axes, radius);
+    if (first || is_smaller(box, best)) best = box;
     first = false;
   }
   best.centre += middle;

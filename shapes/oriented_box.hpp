@@ -15,6 +15,9 @@ struct OrientedBox {
   double volume() const { return lengths.prod(); }
 };
 
+/// Whether `a` is the smaller box: by volume; by area where volumes agree to 1e-11, then by L.
+bool is_smaller(const OrientedBox& a, const OrientedBox& b);
+
 /// The box of smallest volume around the points, each swept by a ball of `radius`. The search uses
 /// the extents with 2 radius added, so it is the smallest box of the rounded body. Same bits for
 /// any order of the points; ties by smallest area, then smallest L. Points in a plane, on a line or
@@ -25,7 +28,8 @@ OrientedBox smallest_box(std::span<const Vec3> points, double radius = 0.0);
 
 OrientedBox smallest_box(const SpheroPolyhedron& body);
 
-/// The box along given axes (columns, orthonormal); sides sorted L >= I >= S.
+/// The box along given axes (columns, orthonormal); sides sorted L >= I >= S. An extent below 1e-12
+/// of the largest is rounding and counts as none.
 OrientedBox box_along(std::span<const Vec3> points, const Mat3& axes, double radius = 0.0);
 
 }  // namespace clast

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "shapes/detail/shp_reader.hpp"
 
 namespace clast {
 
@@ -65,6 +67,23 @@ void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shap
     write_shape(out, shape);
   }
   write_text_file(path, out.str());
+}
+
+std::vector<ShpShape> read_shp(const std::filesystem::path& path) {
+  try {
+    return detail::shp_shapes(read_text_file(path));
+  } catch (const InputError& error) {
+    const std::string reason = error.what();
+    if (reason.find(path.string()) != std::string::npos) throw;
+    throw InputError(path.string() + ": " + reason);
+  }
+}
+
+bool is_map_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string start(detail::kMapFileMark.size(), ' ');
+  return file.read(start.data(), static_cast<std::streamsize>(start.size())) &&
+         start == detail::kMapFileMark;
 }
 
 }  // namespace clast

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
-#include <tuple>
 
 #include "core/error.hpp"
+#include "shapes/detail/face_sides.hpp"
+#include "shapes/edge_bend.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
@@ -28,21 +30,6 @@ Vec3 turned(const Vec3& a, const Vec3& b, double t) {
   return std::cos(t * angle) * a + std::sin(t * angle) * ahead;
 }
 
-Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
-  Vec3 area = Vec3::Zero();
-  for (std::size_t k = 2; k < face.size(); ++k) {
-    area += (shape.vertices[face[k - 1]] - shape.vertices[face[0]])
-                .cross(shape.vertices[face[k]] - shape.vertices[face[0]]);
-  }
-  return area.normalized();
-}
-
-/// A side of a face, findable by the edge it lies on.
-struct Side {
-  Index low, high, face, corner;
-  bool forward;
-};
-
 /// Grows the skin: points are named by core vertex and direction, so that strips and patches that
 /// meet share them.
 class SkinBuilder {
@@ -57,7 +44,7 @@ class SkinBuilder {
 
   TriangleMesh built() {
     find_neighbours();
-    for (Index f = 0; f < shape_.faces.size(); ++f) add_face(f);
+    add_faces();
     for (Index f = 0; f < shape_.faces.size(); ++f) {
       for (Index k = 0; k < shape_.faces[f].size(); ++k) {
         if (vertex(f, k) < vertex(f, k + 1)) add_strip(f, k);
@@ -74,33 +61,18 @@ class SkinBuilder {
   }
 
   void find_neighbours() {
-    std::vector<Side> sides;
-    for (Index f = 0; f < shape_.faces.size(); ++f) {
-      neighbours_.emplace_back(shape_.faces[f].size());
-      for (Index k = 0; k < shape_.faces[f].size(); ++k) {
-        const Index from = vertex(f, k), to = vertex(f, k + 1);
-        sides.push_back({std::min(from, to), std::max(from, to), f, k, from < to});
-      }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-      return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
-    });
-    const auto same = [](const Side& a, const Side& b) {
-      return a.low == b.low && a.high == b.high;
-    };
-    for (std::size_t i = 0; i < sides.size(); i += 2) {
-      const bool paired = i + 1 < sides.size() && same(sides[i], sides[i + 1]) &&
-                          sides[i].forward != sides[i + 1].forward &&
-                          !(i + 2 < sides.size() && same(sides[i + 1], sides[i + 2]));
-      if (!paired) {
+    for (const SpheroPolyhedron::Face& face : shape_.faces) neighbours_.emplace_back(face.size());
+    const std::vector<detail::FaceSide> sides = detail::sorted_face_sides(shape_.faces);
+    detail::for_each_shared_edge(sides, [&](std::span<const detail::FaceSide> shared) {
+      if (!detail::are_neighbours(shared)) {
         throw GeometryError("the core is not a closed surface at its edge between vertices " +
-                            std::to_string(sides[i].low + 1) + " and " +
-                            std::to_string(sides[i].high + 1) +
+                            std::to_string(shared[0].low + 1) + " and " +
+                            std::to_string(shared[0].high + 1) +
                             "; only a closed core has a rounded skin");
       }
-      neighbours_[sides[i].face][sides[i].corner] = {sides[i + 1].face, sides[i + 1].corner};
-      neighbours_[sides[i + 1].face][sides[i + 1].corner] = {sides[i].face, sides[i].corner};
-    }
+      neighbours_[shared[0].face][shared[0].corner] = {shared[1].face, shared[1].corner};
+      neighbours_[shared[1].face][shared[1].corner] = {shared[0].face, shared[0].corner};
+    });
   }
 
   Index point(Index core_vertex, const Vec3& direction) {
@@ -117,11 +89,14 @@ class SkinBuilder {
     if (a != b && b != c && c != a) mesh_.triangles.push_back({a, b, c});
   }
 
-  void add_face(Index f) {
-    const Index size = static_cast<Index>(shape_.faces[f].size());
-    for (Index k = 2; k < size; ++k) {
-      add_triangle(point(vertex(f, 0), normals_[f]), point(vertex(f, k - 1), normals_[f]),
-                   point(vertex(f, k), normals_[f]));
+  void add_faces() {
+    const TriangleMesh core = core_mesh(shape_);
+    auto triangle = core.triangles.begin();
+    for (Index f = 0; f < shape_.faces.size(); ++f) {
+      for (std::size_t k = 2; k < shape_.faces[f].size(); ++k) {
+        const auto& [a, b, c] = *triangle++;
+        add_triangle(point(a, normals_[f]), point(b, normals_[f]), point(c, normals_[f]));
+      }
     }
   }
 
@@ -132,7 +107,7 @@ class SkinBuilder {
     const Vec3 along =
         shape_.vertices[vertex(face, corner + 1)] - shape_.vertices[vertex(face, corner)];
     const double angle = angle_between(from, to);
-    const bool reflex = along.dot(from.cross(to)) < 0.0;
+    const bool reflex = edge_bend(from, to, along.cross(to).normalized()) == EdgeBend::kReflex;
     const int pieces = reflex ? 1 : std::max(1, static_cast<int>(std::ceil(angle / step() - 1e-9)));
     std::vector<Vec3> directions = {from};
     for (int i = 1; i < pieces; ++i) directions.push_back(turned(from, to, double(i) / pieces));

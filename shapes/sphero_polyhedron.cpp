@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "shapes/detail/polygon.hpp"
 
 namespace clast {
 
@@ -19,26 +20,49 @@ SpheroPolyhedron sphero_polyhedron(const TriangleMesh& core, double minkowski_ra
   SpheroPolyhedron shape;
   shape.vertices = core.vertices;
   shape.radius = minkowski_radius;
-  shape.edges.reserve(3 * core.triangles.size());
   shape.faces.reserve(core.triangles.size());
   for (const TriangleMesh::Triangle& t : core.triangles) {
     shape.faces.emplace_back(t.begin(), t.end());
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t from = t[k], to = t[(k + 1) % 3];
-      shape.edges.push_back({std::min(from, to), std::max(from, to)});
+  }
+  shape.edges = edges_of(shape.faces);
+  return shape;
+}
+
+std::vector<SpheroPolyhedron::Edge> edges_of(const std::vector<SpheroPolyhedron::Face>& faces) {
+  std::vector<SpheroPolyhedron::Edge> edges;
+  for (const SpheroPolyhedron::Face& face : faces) {
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const std::uint32_t from = face[k], to = face[(k + 1) % face.size()];
+      if (from != to) edges.push_back({std::min(from, to), std::max(from, to)});
     }
   }
-  std::sort(shape.edges.begin(), shape.edges.end());
-  shape.edges.erase(std::unique(shape.edges.begin(), shape.edges.end()), shape.edges.end());
-  return shape;
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+Vec3 face_area(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
+  Vec3 area = Vec3::Zero();
+  const Vec3& origin = shape.vertices[face[0]];
+  for (std::size_t k = 2; k < face.size(); ++k) {
+    area += (shape.vertices[face[k - 1]] - origin).cross(shape.vertices[face[k]] - origin);
+  }
+  return area;
+}
+
+Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
+  return face_area(shape, face).normalized();
 }
 
 TriangleMesh core_mesh(const SpheroPolyhedron& shape) {
   TriangleMesh mesh;
   mesh.vertices = shape.vertices;
   for (const SpheroPolyhedron::Face& face : shape.faces) {
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      mesh.triangles.push_back({face[0], face[k - 1], face[k]});
+    if (face.size() == 3) {
+      mesh.triangles.push_back({face[0], face[1], face[2]});
+    } else {
+      const std::vector<std::int64_t> corners(face.begin(), face.end());
+      detail::append_polygon(mesh, corners);
     }
   }
   return mesh;

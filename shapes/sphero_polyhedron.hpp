@@ -16,7 +16,7 @@ struct SpheroPolyhedron {
 
   std::vector<Vec3> vertices;  ///< core, m
   std::vector<Edge> edges;     ///< each once, smaller index first, sorted
-  std::vector<Face> faces;     ///< planar polygons; triangles unless merged
+  std::vector<Face> faces;     ///< planar polygons, concave ones too; triangles unless merged
   double radius = 0.0;         ///< Minkowski radius, m
 };
 
@@ -24,12 +24,22 @@ struct SpheroPolyhedron {
 /// @throws GeometryError  the mesh is empty; InputError  radius negative or not finite
 SpheroPolyhedron sphero_polyhedron(const TriangleMesh& core, double minkowski_radius);
 
-/// The core as triangles (polygons cut into fans).
+/// The sides of the faces, as `SpheroPolyhedron::edges` holds them.
+std::vector<SpheroPolyhedron::Edge> edges_of(const std::vector<SpheroPolyhedron::Face>& faces);
+
+/// Twice the area of a face, along its normal.
+Vec3 face_area(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
+/// Unit, out of the solid.
+Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
+
+/// The core as triangles, face by face, two fewer than a face has corners. Polygons are cut along
+/// diagonals inside them, and into triangles that have area where that can be had.
 TriangleMesh core_mesh(const SpheroPolyhedron& shape);
 
 /// The rounded surface as a closed triangle mesh whose vertices lie on it: core faces moved out,
 /// cylinders over convex edges, sphere patches over vertices. `segments` pieces per quarter turn.
-/// At reflex edges the pieces cross; the mesh is for viewing and export, not for volumes.
+/// At reflex edges the pieces cross inside the body: the mesh goes round every point of the body and
+/// round no other, but round some twice, so it is no measure of volume there; `outer_skin` is.
 /// @throws GeometryError  the core is not closed (nor a lone vertex or edge with a radius)
 TriangleMesh skin_mesh(const SpheroPolyhedron& shape, int segments = 4);
 

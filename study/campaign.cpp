@@ -271,7 +271,7 @@ void read_contact(const TomlTable& top, Campaign& campaign) {
   const TomlTable table(*node, top.file(), "[contact]",
                         {"law", "weights", "stiffness", "stiffness_n_m", "tangential_stiffness_n_m",
                          "rolling_stiffness_n_m_rad", "time_step_s"});
-  choice(table, "law", {"energy-restitution"});
+  const std::optional<std::string> law = choice(table, "law", contact_law_names());
   if (const auto weights = choice(table, "weights", {"patch", "overlap", "count", "none"})) {
     campaign.weights = contact_weights(*weights);
   }
@@ -282,7 +282,8 @@ void read_contact(const TomlTable& top, Campaign& campaign) {
   campaign.stiffness = {.normal = table.number("stiffness_n_m", kPositive),
                         .tangential = table.number("tangential_stiffness_n_m", kPositive),
                         .rolling = table.number("rolling_stiffness_n_m_rad", kPositive),
-                        .time_step = table.number("time_step_s", kPositive)};
+                        .time_step = table.number("time_step_s", kPositive),
+                        .law = law ? contact_law(*law) : ContactLaw()};
   if (automatic && campaign.stiffness.normal) {
     table.refuse("stiffness_n_m", *table.find("stiffness_n_m"),
                  "contradicts stiffness = \"auto\"; keep one of the two");

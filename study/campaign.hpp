@@ -48,7 +48,7 @@ struct Campaign {
   std::map<std::string, GroundParameters> ground;
   ReleasePlan release;
   ContactWeights weights = ContactWeights::kPatch;
-  StiffnessOptions stiffness;     ///< all empty: auto
+  StiffnessOptions stiffness;     ///< with the contact law; all else empty: auto
   std::vector<Barrier> barriers;  ///< in map coordinates
   double max_time = 60.0;         ///< s
   double rest_energy = 2e-4;      ///< J/kg

@@ -279,6 +279,7 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
   }
   header.zone_names = terrain.zone_names;
   header.ground = ground_by_zone(campaign, terrain.zone_names);
+  header.law = campaign.stiffness.law;
   header.weights = campaign.weights;
   header.frame = terrain.frame;
   header.downslope = campaign.downslope;
@@ -316,6 +317,7 @@ PreparedCampaign prepare_campaign(const Campaign& campaign) {
   header.stiffness = prepared.stiffness.stiffness;
   header.warnings = warnings_of(prepared);
   prepared.settings = {.stiffness = header.stiffness,
+                       .law = campaign.stiffness.law,
                        .weights = campaign.weights,
                        .gravity = campaign.gravity,
                        .max_time = campaign.max_time,

@@ -111,7 +111,7 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
                [](const GroundParameters& g) { return g.rolling_friction; });
 
   Hdf5Group contact = root.create_group("contact");
-  contact.set_attribute<std::string>("law", "energy-restitution");
+  contact.set_attribute<std::string>("law", name_of(header.law));
   contact.set_attribute<std::string>("weights", name_of(header.weights));
   contact.set_attribute<double>("stiffness_n_m", header.stiffness.normal);
   contact.set_attribute<double>("tangential_stiffness_n_m", header.stiffness.tangential);

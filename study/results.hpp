@@ -53,6 +53,7 @@ struct CampaignResults {
   std::vector<std::string> zone_names;
   std::vector<GroundParameters> ground;  ///< by zone
   ContactStiffness stiffness;
+  ContactLaw law;
   ContactWeights weights = ContactWeights::kPatch;
   std::vector<std::string> warnings;
   MapFrame frame;

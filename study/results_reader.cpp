@@ -247,6 +247,7 @@ CampaignResults read_results(const fs::path& path) {
   read_ground(root.into("ground"), results);
 
   const Hdf5Group contact = root.group.group("contact");
+  results.law = contact_law(contact.attribute<std::string>("law"));
   results.weights = contact_weights(contact.attribute<std::string>("weights"));
   results.stiffness = {.normal = contact.attribute<double>("stiffness_n_m"),
                        .tangential = contact.attribute<double>("tangential_stiffness_n_m"),

@@ -70,7 +70,7 @@ detail::HeightGrid sampled(const Terrain& terrain, double cell, const std::files
 void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
                     const std::string& up, double cell) {
   if (up != "z" && up != "y") throw InputError("up = \"" + up + "\"; must be \"z\" or \"y\"");
-  const std::string extension = detail::extension_of(path);
+  const std::string extension = extension_of(path);
   if (extension == ".tif" || extension == ".tiff") {
     if (up == "y") throw InputError(path.string() + ": rasters are z up; leave out up = \"y\"");
     if (!(cell > 0.0 && std::isfinite(cell))) {

@@ -5,7 +5,9 @@
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/text_file.hpp"
 #include "shapes/mesh_io.hpp"
+#include "shapes/point_cloud.hpp"
 #include "terrain/detail/cloud_input.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/mending.hpp"
@@ -27,22 +29,16 @@ constexpr double kSmallGround = 2.0, kLargeGround = 1e5;  // m
 enum class Kind { kMesh, kRaster, kCloud, kTerrain };
 
 Kind kind_of(const fs::path& path) {
-  const std::string extension = detail::extension_of(path);
-  if (extension == ".las" || extension == ".laz") {
-    throw InputError(path.string() +
-                     ": LAS and LAZ clouds can't be read yet; convert the ground points to text "
-                     "first, for example with: pdal translate " +
-                     path.filename().string() + " " + path.stem().string() +
-                     ".xyz, or save them as ASCII (x y z) in CloudCompare");
-  }
+  const std::string extension = extension_of(path);
   if (extension == ".h5" || extension == ".hdf5") return Kind::kTerrain;
   if (detail::is_raster(path)) return Kind::kRaster;
-  if (detail::is_cloud(path)) return Kind::kCloud;
+  const std::vector<std::string>& clouds = cloud_extensions();
+  if (std::find(clouds.begin(), clouds.end(), extension) != clouds.end()) return Kind::kCloud;
   const std::vector<std::string>& meshes = readable_mesh_extensions();
   if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end()) return Kind::kMesh;
   throw InputError(path.string() +
                    ": a ground is a mesh (stl, ply, obj, ...), a raster (tif, asc, "
-                   "...), a cloud (xyz, txt, csv, pts) or a terrain file (h5), not \"" +
+                   "...), a cloud (las, xyz, txt, csv, pts, pcd) or a terrain file (h5), not \"" +
                    extension + "\"");
 }
 
@@ -131,10 +127,31 @@ RawSurface read_one_raster(const TerrainOptions& options) {
   return surface;
 }
 
+/// The points of one cloud; of a classified one those on the ground.
+std::vector<Vec3> ground_points(const fs::path& path, RawSurface& surface) {
+  std::vector<Vec3> all, ground;
+  const CloudSummary summary = stream_cloud(path, [&](const PointBatch& batch) {
+    all.insert(all.end(), batch.points.begin(), batch.points.end());
+    for (std::size_t i = 0; i < batch.classes.size(); ++i) {
+      if (batch.classes[i] == kGroundClass) ground.push_back(batch.points[i]);
+    }
+  });
+  if (!summary.crs.empty()) surface.crs = summary.crs;
+  const auto note = [&](std::size_t count, const std::string& what) {
+    if (count > 0) surface.notes.push_back(path.string() + ": " + std::to_string(count) + what);
+  };
+  note(summary.withheld, " points flagged as noise or withheld were left out");
+  note(summary.without_place, " points without finite coordinates were left out");
+  if (ground.empty()) return all;
+  note(all.size() - ground.size(), " points not classed as ground were left out");
+  return ground;
+}
+
 RawSurface read_clouds(const TerrainOptions& options) {
   std::vector<Vec3> points;
+  RawSurface cloud;
   for (const fs::path& path : options.surface) {
-    const std::vector<Vec3> more = detail::read_cloud(path);
+    const std::vector<Vec3> more = ground_points(path, cloud);
     points.insert(points.end(), more.begin(), more.end());
   }
   if (options.up == "y") {
@@ -145,8 +162,10 @@ RawSurface read_clouds(const TerrainOptions& options) {
   detail::HeightGrid grid = detail::binned(points, cell, path);
   const std::size_t filled = detail::fill_pinholes(grid);
   RawSurface surface = surface_of(grid, path);
-  std::vector<std::string> notes = {path.string() + ": " + std::to_string(points.size()) +
-                                    " points, mean heights over " + cells_of(cell)};
+  surface.crs = cloud.crs;
+  std::vector<std::string> notes = std::move(cloud.notes);
+  notes.push_back(path.string() + ": " + std::to_string(points.size()) +
+                  " points, mean heights over " + cells_of(cell));
   if (filled > 0) {
     notes.push_back(path.string() + ": " + std::to_string(filled) +
                     " cells without points were filled from their neighbours");

@@ -12,8 +12,8 @@ namespace clast {
 
 /// How surface files are read and zoned. File paths are used as given.
 struct TerrainOptions {
-  /// Meshes (.stl, .ply, .obj, ...), one raster (.tif, .asc, ...), clouds (.xyz, .txt, .csv, .pts),
-  /// or one terrain file (.h5).
+  /// Meshes (.stl, .ply, .obj, ...), one raster (.tif, .asc, ...), clouds (.las, .xyz, .txt, .csv,
+  /// .pts, .pcd), or one terrain file (.h5).
   std::vector<std::filesystem::path> surface = {};
   /// A name per mesh, or one zone raster, or one file of polygons (GeoJSON, GeoPackage, Shapefile)
   /// with a property "zone". A raster holds class numbers; they are the names, or get them by

@@ -2,26 +2,30 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "app/block_report.hpp"
+#include "app/classify_report.hpp"
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
-#include "app/text_table.hpp"
+#include "classify/certainty.hpp"
 #include "classify/dimension_table.hpp"
-#include "classify/population.hpp"
+#include "core/error.hpp"
 #include "library/block_library.hpp"
 
 namespace clast {
 
 namespace {
 
-const std::vector<std::string> kSchemes = {"sneed-folk", "zingg", "garcia"};
-
 struct ClassifyArgs {
-  std::string input;
-  std::string scheme;
+  std::string input, other;
+  std::string schemes = "sneed-folk,zingg,garcia";
   std::string columns = "L=L,I=I,S=S";
   std::string units = "m";
+  std::string box = "smallest";
+  bool box_given = false;
+  double axis_error = -1.0;
+  double roundness_edge = 0.0;
+  SchemeOptions options;
   bool json = false;
 };
 
@@ -32,8 +36,22 @@ bool is_hdf5(const std::string& path) {
   return file.read(begin.data(), 8) && begin == "\x89HDF\r\n\x1a\n";
 }
 
-bool named_as_library(const std::string& path) {
-  return path.ends_with(".h5") || path.ends_with(".hdf5");
+bool is_library(const std::string& path) {
+  return is_hdf5(path) || path.ends_with(".h5") || path.ends_with(".hdf5");
+}
+
+std::vector<std::string> schemes_from(const std::string& text) {
+  if (text == "all") return scheme_names();
+  const std::vector<std::string> schemes = split_list(text);
+  if (schemes.empty()) throw CLI::ValidationError("--scheme", "names no scheme");
+  for (const std::string& scheme : schemes) {
+    try {
+      class_names(scheme);
+    } catch (const InputError& error) {
+      throw CLI::ValidationError("--scheme", error.what());
+    }
+  }
+  return schemes;
 }
 
 DimensionColumns columns_from(const ClassifyArgs& args) {
@@ -41,94 +59,95 @@ DimensionColumns columns_from(const ClassifyArgs& args) {
   columns.unit = length_unit(args.units);
   for (const std::string& piece : split_list(args.columns)) {
     const std::size_t equals = piece.find('=');
-    const std::string axis = piece.substr(0, equals);
+    const std::string name = piece.substr(0, equals);
     const std::string column = equals == std::string::npos ? "" : piece.substr(equals + 1);
-    if (column.empty() || (axis != "L" && axis != "I" && axis != "S")) {
+    std::string* const wanted = name == "L"      ? &columns.L
+                                : name == "I"    ? &columns.I
+                                : name == "S"    ? &columns.S
+                                : name == "mass" ? &columns.mass
+                                                 : nullptr;
+    if (column.empty() || wanted == nullptr) {
       throw CLI::ValidationError("--columns", "\"" + piece +
                                                   "\" is not understood; expected something like "
-                                                  "L=5,I=6,S=7 or L=length,I=width,S=height");
+                                                  "L=5,I=6,S=7,mass=4 or L=length,I=width,"
+                                                  "S=height");
     }
-    (axis == "L" ? columns.L : axis == "I" ? columns.I : columns.S) = column;
+    *wanted = column;
   }
   return columns;
 }
 
-DimensionTable read_blocks(const ClassifyArgs& args) {
-  if (!is_hdf5(args.input) && !named_as_library(args.input)) {
-    return read_dimension_table(args.input, columns_from(args));
-  }
-  DimensionTable table;
-  const BlockLibrary library = BlockLibrary::read(args.input);
+/// What only a whole surface tells.
+nlohmann::ordered_json surface_json(const Block& block, const Axes& axes, double roundness_edge) {
+  nlohmann::ordered_json json = {{"indices", block_indices(block, axes)},
+                                 {"equilibria", equilibria_json(block)}};
+  if (roundness_edge > 0.0) json["roundness"] = roundness_json(block, roundness_edge);
+  return json;
+}
+
+void add_library(Classification& all, const ClassifyArgs& args, const std::string& path) {
+  all.box = args.box;
+  const BlockLibrary library = BlockLibrary::read(path);
   for (const Block& block : library.blocks()) {
-    table.blocks.push_back({block.id, block.axes()});
-  }
-  return table;
-}
-
-std::string percent(double share) { return with_decimals(100.0 * share, 1); }
-
-void print_tables(const DimensionTable& measured, const std::vector<std::string>& schemes,
-                  const std::vector<Axes>& axes) {
-  TextTable blocks{{"block", "L m", "I m", "S m", "s_c"}, {}};
-  blocks.headings.insert(blocks.headings.end(), schemes.begin(), schemes.end());
-  for (const MeasuredBlock& block : measured.blocks) {
-    blocks.rows.push_back({block.name, rounded(block.axes.L), rounded(block.axes.I),
-                           rounded(block.axes.S), rounded(elongation_s_c(block.axes), 3)});
-    for (const std::string& scheme : schemes) {
-      blocks.rows.back().push_back(shape_class(scheme, block.axes));
-    }
-  }
-  std::cout << blocks.text();
-  for (const std::string& scheme : schemes) {
-    TextTable shares{{scheme, "blocks", "share %", "95 % from", "to"}, {}};
-    for (const ClassShare& share : class_shares(axes, scheme)) {
-      shares.rows.push_back({share.name, std::to_string(share.count), percent(share.share),
-                             percent(share.low), percent(share.high)});
-    }
-    std::cout << "\n" << shares.text();
+    const Vec3 sides = block_box(block, box_convention(args.box)).lengths;
+    const Axes axes = {sides[0], sides[1], sides[2]};
+    // The scan's extents are within twice the deviation of the block's.
+    const double error = args.axis_error >= 0.0 ? args.axis_error : 2.0 * block.deviation.hausdorff;
+    all.blocks.push_back({block.id, axes, block.mass.mass, error,
+                          args.json ? surface_json(block, axes, args.roundness_edge) : nullptr});
   }
 }
 
-void print_json(const DimensionTable& measured, const std::vector<std::string>& schemes,
-                const std::vector<Axes>& axes) {
-  using Json = nlohmann::ordered_json;
-  Json blocks = Json::array();
-  for (const MeasuredBlock& block : measured.blocks) {
-    Json json = {{"id", block.name},
-                 {"box_m", {block.axes.L, block.axes.I, block.axes.S}},
-                 {"s_c", elongation_s_c(block.axes)}};
-    for (const std::string& scheme : schemes) {
-      const std::string key = scheme == "garcia"  ? "shape"
-                              : scheme == "zingg" ? "zingg"
-                                                  : "sneed_folk";
-      json[key] = shape_class(scheme, block.axes);
-    }
-    json["indices"] = form_indices(block.axes);
-    blocks.push_back(json);
+void add_table(Classification& all, const ClassifyArgs& args, const std::string& path) {
+  if (args.box_given) {
+    throw CLI::ValidationError(
+        "--box",
+        path + " is a table: its axes are what was measured, and no box can be put around them");
   }
-  Json population = Json::object();
-  for (const std::string& scheme : schemes) {
-    population[scheme] = Json::array();
-    for (const ClassShare& share : class_shares(axes, scheme)) {
-      population[scheme].push_back({{"class", share.name},
-                                    {"blocks", share.count},
-                                    {"share", share.share},
-                                    {"low", share.low},
-                                    {"high", share.high}});
-    }
+  const DimensionTable table = read_dimension_table(path, columns_from(args));
+  all.notes = table.notes;
+  all.skipped = table.skipped;
+  const double error = args.axis_error >= 0.0 ? args.axis_error : kTapeError;
+  for (const MeasuredBlock& block : table.blocks) {
+    all.blocks.push_back({block.name, block.axes, block.mass, error, nullptr});
   }
-  const Json all = {{"blocks", blocks}, {"population", population}, {"notes", measured.notes}};
-  std::cout << all.dump(2) << "\n";
+}
+
+Classification classification(const ClassifyArgs& args, const std::string& path) {
+  Classification all;
+  all.schemes = schemes_from(args.schemes);
+  all.options = args.options;
+  is_library(path) ? add_library(all, args, path) : add_table(all, args, path);
+  return all;
+}
+
+void say_notes(const std::string& path, const Classification& all) {
+  for (const std::string& note : all.notes) std::cerr << path << ": " << note << "\n";
 }
 
 void classify(const ClassifyArgs& args) {
-  const DimensionTable measured = read_blocks(args);
-  std::vector<Axes> axes;
-  for (const MeasuredBlock& block : measured.blocks) axes.push_back(block.axes);
-  const std::vector<std::string> schemes =
-      args.scheme.empty() ? kSchemes : std::vector<std::string>{args.scheme};
-  for (const std::string& note : measured.notes) std::cerr << args.input << ": " << note << "\n";
-  args.json ? print_json(measured, schemes, axes) : print_tables(measured, schemes, axes);
+  check_usage([&] { args.options.check(); });
+  const Classification all = classification(args, args.input);
+  std::optional<Classification> other;
+  if (!args.other.empty()) {
+    other = classification(args, args.other);
+    if (all.blocks.empty() || other->blocks.empty()) {
+      throw InputError((all.blocks.empty() ? args.input : args.other) +
+                       ": there is no block in it to compare");
+    }
+  }
+  say_notes(args.input, all);
+  if (other) say_notes(args.other, *other);
+  if (args.json) {
+    nlohmann::ordered_json json = classification_json(all);
+    if (other) json["comparison"] = comparison_json(all, *other);
+    std::cout << json.dump(2) << "\n";
+    return;
+  }
+  std::cout << classification_text(all);
+  if (!other) return;
+  std::cout << "\nagainst " << args.other << " (" << other->blocks.size() << " blocks):\n";
+  for (const std::string& line : comparison_lines(all, *other)) std::cout << line << "\n";
 }
 
 }  // namespace
@@ -142,11 +161,47 @@ void add_classify(CLI::App& app) {
                    "Block library, or a text table of tape-measured axes (csv, tsv, txt)")
       ->required()
       ->type_name("LIB|CSV");
-  command->add_option("--scheme", args->scheme, "sneed-folk, zingg or garcia; default: all three")
-      ->check(CLI::IsMember(kSchemes))
-      ->type_name("NAME");
-  command->add_option("--columns", args->columns, "Columns of a table, by name or number from 1")
-      ->type_name("L=..,I=..,S=..")
+  command
+      ->add_option("--scheme", args->schemes,
+                   "One or more of sneed-folk, zingg, garcia, williams, erdogan, blott-pye, "
+                   "en-933-4, flakiness, or all")
+      ->type_name("NAME,..")
+      ->capture_default_str();
+  command
+      ->add_option("--box", args->box,
+                   "Box whose sides are L, I, S of a library's blocks: smallest volume, along the "
+                   "principal axes of inertia, longest Feret as by callipers, or PCA of the hull's "
+                   "corners")
+      ->check(CLI::IsMember({"smallest", "inertia", "feret", "pca"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      ->add_option("--axis-error", args->axis_error,
+                   "What the axes are known to, m; default: 0.05 for a table (tape), twice the "
+                   "deviation from the scan for a library")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("M");
+  command->add_flag("--thirds", args->options.sneed_folk_thirds,
+                    "Limits 1/3 and 2/3 for the second letter of Sneed & Folk, not 0.33 and 0.67");
+  command
+      ->add_option("--erdogan-limit", args->options.erdogan_limit,
+                   "Ratio of axes from which one counts as longer, for the scheme erdogan")
+      ->type_name("RATIO")
+      ->capture_default_str();
+  command
+      ->add_option("--roundness", args->roundness_edge,
+                   "With --json: Wadell roundness of a library's blocks, on their surface cut anew "
+                   "into triangles with edges of so many m")
+      ->check(positive_number())
+      ->type_name("M");
+  command
+      ->add_option("--compare", args->other,
+                   "Another library or table, read the same way: is it the same population?")
+      ->type_name("LIB|CSV");
+  command
+      ->add_option("--columns", args->columns,
+                   "Columns of a table, by name or number from 1; mass in kg")
+      ->type_name("L=..,I=..,S=..,mass=..")
       ->capture_default_str();
   command
       ->add_option("--units", args->units,
@@ -157,8 +212,11 @@ void add_classify(CLI::App& app) {
   command->footer(
       "Shares come with the 95 % interval of Wilson: what a sample of this size says "
       "about the deposit.\nExamples:\n  clast classify blocks.h5\n"
-      "  clast classify talus.csv --columns L=5,I=6,S=7 --units cm --scheme zingg");
-  command->callback([args] { classify(*args); });
+      "  clast classify talus.csv --columns L=5,I=6,S=7,mass=4 --units cm --scheme zingg");
+  command->callback([args, command] {
+    args->box_given = command->count("--box") > 0;
+    classify(*args);
+  });
 }
 
 }  // namespace clast

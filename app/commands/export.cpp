@@ -7,8 +7,11 @@
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
+#include "core/error.hpp"
 #include "library/block_library.hpp"
+#include "shapes/coplanar_faces.hpp"
 #include "shapes/mesh_io.hpp"
+#include "shapes/outer_skin.hpp"
 #include "shapes/shp_file.hpp"
 
 namespace clast {
@@ -23,7 +26,9 @@ struct ExportArgs {
   std::string folder = "export";
   std::string formats = "shp";
   std::string what = "skin";
+  std::string frame = "source";
   std::string up = "z";
+  int segments = 4;
 };
 
 /// z up to y up, the inverse of what `--up y` does on reading.
@@ -39,13 +44,27 @@ ShpShape shp_shape(const Block& block) {
       shape.name.begin(), shape.name.end(), [](char c) { return c == ' '; }, '_');
   shape.source_from_body = block.source_from_body();
   const Pose body_from_source = shape.source_from_body.inverse();
-  shape.body = transformed(block.body, body_from_source);
+  shape.body = transformed(with_merged_faces(block.body, kFlatInFiles), body_from_source);
   shape.volume = block.mass.volume;
   shape.inertia_per_mass = block.principal.moments / block.mass.mass;
   shape.box = block.box;
   shape.box.centre = body_from_source * block.box.centre;
   shape.box.axes = body_from_source.rotation.toRotationMatrix() * block.box.axes;
   return shape;
+}
+
+/// What `--what` names, by what is added to the id for the file's name.
+std::vector<std::pair<std::string, TriangleMesh>> chosen_meshes(const Block& block,
+                                                                const ExportArgs& args) {
+  if (args.what == "surface") return {{"", block.surface}};
+  if (args.what == "skin") return {{"", outer_skin(block.body, args.segments)}};
+  if (block.body.faces.empty()) {
+    throw GeometryError("block " + block.id +
+                        " is a ball or a capsule, whose core is no mesh; use --what skin");
+  }
+  const TriangleMesh core = core_mesh(block.body);
+  if (args.what == "core") return {{"", core}};
+  return {{"", outer_skin(block.body, args.segments)}, {"_core", core}};
 }
 
 void export_blocks(const ExportArgs& args) {
@@ -58,6 +77,9 @@ void export_blocks(const ExportArgs& args) {
     }
   }
   if (formats.empty()) throw CLI::ValidationError("--format", "names no format");
+  if (args.frame == "principal" && args.up == "y") {
+    throw CLI::ValidationError("--up", "y turns the source frame; the principal frame has no up");
+  }
   const BlockLibrary library = BlockLibrary::read(args.library);
   std::vector<const Block*> blocks;
   for (const std::string& id : args.ids) blocks.push_back(&library.block(id));
@@ -67,11 +89,15 @@ void export_blocks(const ExportArgs& args) {
 
   std::size_t written = 0;
   for (const Block* block : blocks) {
-    const auto write = [&](const TriangleMesh& mesh, const std::string& name) {
-      write_mesh(std::filesystem::path(args.folder) / name,
-                 args.up == "y" ? turned_y_up(mesh) : mesh);
-      ++written;
-    };
+    std::vector<std::pair<std::string, TriangleMesh>> meshes;
+    const bool only_shp = formats == std::vector<std::string>{"shp"};
+    if (!only_shp) meshes = chosen_meshes(*block, args);
+    for (auto& [suffix, mesh] : meshes) {
+      if (args.frame == "principal") {
+        mesh = transformed(std::move(mesh), block->source_from_body().inverse());
+      }
+      if (args.up == "y") mesh = turned_y_up(std::move(mesh));
+    }
     for (const std::string& format : formats) {
       if (format == "shp") {
         const ShpShape shape = shp_shape(*block);
@@ -79,9 +105,10 @@ void export_blocks(const ExportArgs& args) {
         ++written;
         continue;
       }
-      if (args.what != "core") write(skin_mesh(block->body), block->id + "." + format);
-      if (args.what == "core") write(core_mesh(block->body), block->id + "." + format);
-      if (args.what == "both") write(core_mesh(block->body), block->id + "_core." + format);
+      for (const auto& [suffix, mesh] : meshes) {
+        write_mesh(std::filesystem::path(args.folder) / (block->id + suffix + "." + format), mesh);
+        ++written;
+      }
     }
   }
   std::cout << args.folder << ": " << counted(written, "file") << " of "
@@ -106,9 +133,23 @@ void add_export(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--what", args->what,
-                   "Surface in mesh files: the rounded skin, the core, or both (a second file "
-                   "ID_core)")
-      ->check(CLI::IsMember({"skin", "core", "both"}))
+                   "What mesh files hold: the rounded skin, the core, both (a second file "
+                   "ID_core), or surface, the thinned scan the block was made from")
+      ->check(CLI::IsMember({"skin", "core", "both", "surface"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      ->add_option("--segments", args->segments,
+                   "Pieces of a quarter turn in the skin, 1 to 64; its volume is short by a share "
+                   "of their square")
+      ->check(number_between(1, 64))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      ->add_option("--frame", args->frame,
+                   "Frame of mesh files: source, that of the scan, or principal, origin at the "
+                   "centre of mass as in shp files")
+      ->check(CLI::IsMember({"source", "principal"}))
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--up", args->up, "Up axis of mesh files: z as stored, or y")
@@ -116,8 +157,9 @@ void add_export(CLI::App& app) {
       ->type_name("AXIS")
       ->capture_default_str();
   command->footer(
-      "Mesh files are in metres, in the frame of the scan. shp files hold core and "
-      "radius in the principal\nframe, origin at the centre of mass.\n"
+      "Mesh files are in metres. shp files hold core and radius in metres in the principal frame, "
+      "origin at\nthe centre of mass, faces in one plane as one polygon, and where the scan had "
+      "that frame.\n"
       "Example:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl");
   command->callback([args] { export_blocks(*args); });
 }

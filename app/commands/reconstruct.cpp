@@ -10,6 +10,7 @@
 #include "app/progress.hpp"
 #include "app/scan_list.hpp"
 #include "app/scan_to_block.hpp"
+#include "app/shape_to_block.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
@@ -27,6 +28,13 @@ struct ReconstructArgs {
   bool json = false;
   ScanToBlockOptions options;
 };
+
+Block block_from(const ScanFile& scan, const ScanToBlockOptions& options,
+                 const std::function<void(const std::string&)>& stage) {
+  if (!scan.is_shp()) return block_from_scan(scan.path, scan.id, options, stage);
+  const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
+  return block_from_shape(shape, scan.path, scan.id, options, stage);
+}
 
 void reconstruct(ReconstructArgs args) {
   ScanToBlockOptions& options = args.options;
@@ -55,8 +63,8 @@ void reconstruct(ReconstructArgs args) {
       throw InputError("block " + scan.id + " is in " + args.library +
                        " already; use --replace to put the new one in its place");
     }
-    Block block = block_from_scan(scan.path, scan.id, options,
-                                  [&](const std::string& what) { progress.update(steps++, what); });
+    Block block =
+        block_from(scan, options, [&](const std::string& what) { progress.update(steps++, what); });
     progress.clear();
     library.add(block, args.replace);
     made.push_back(block_json(block));
@@ -102,7 +110,8 @@ void add_reconstruct(CLI::App& app) {
       app.add_subcommand("reconstruct", "Turn scans (closed meshes) into blocks of a library");
   command
       ->add_option("scans", args->scans,
-                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), or folders of them")
+                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), Rockable or ExaDEM "
+                   "shapes (shp: cores with their radius), or folders of them")
       ->required()
       ->type_name("SCAN");
   command
@@ -169,12 +178,16 @@ void add_reconstruct(CLI::App& app) {
       ->check(number_between(1e-6, 1.0))
       ->type_name("SHARE")
       ->capture_default_str();
+  command->add_flag("--keep-inner-shells", options.scan.keep_inner_shells,
+                    "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
+                    "them. Their number and volume are told either way");
   command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");
   command->add_flag("--json", args->json, "Print the blocks as JSON");
   command->footer(
       "Examples:\n"
       "  clast reconstruct scans/ -o blocks.h5 --units mm --density 2650\n"
-      "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342");
+      "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342\n"
+      "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
   command->callback([args, density, radius, share] {
     args->options.radius_given = radius->count() + share->count() > 0;
     args->options.block.density_given = density->count() > 0;

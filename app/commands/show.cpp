@@ -5,6 +5,7 @@
 #include "app/block_report.hpp"
 #include "app/commands/commands.hpp"
 #include "app/text_table.hpp"
+#include "classify/equilibria.hpp"
 #include "library/block_library.hpp"
 
 namespace clast {
@@ -53,7 +54,12 @@ std::string details(const Block& block) {
   for (int row = 0; row < 3; ++row) {
     line(row == 0 ? "inertia kg m2" : "", vector_text(block.mass.inertia.row(row).transpose()));
   }
-  for (const auto& [name, value] : form_indices(block.axes())) line(name, rounded(value));
+  for (const auto& [name, value] : block_indices(block, block.axes())) {
+    line(name, rounded(value));
+  }
+  const Equilibria sides = static_equilibria(block.body, block.mass.centre);
+  line("equilibria", std::to_string(sides.stable) + " stable, " + std::to_string(sides.unstable) +
+                         " unstable, " + std::to_string(sides.saddle) + " saddles");
   line("mean deviation m", rounded(block.deviation.mean, 3));
   line("volume against scan", rounded(block.deviation.volume_relative, 2));
   const FieldNotes& field = block.field;

@@ -120,10 +120,10 @@ void add_terrain(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "terrain", "Check surveyed ground with its zones and make it ready for simulation");
   command
-      ->add_option(
-          "inputs", args->inputs,
-          "Meshes (stl, obj, ply, ...), one raster (GeoTIFF, asc, ...), clouds as text (xyz, txt, "
-          "csv, pts), or one terrain file (h5)")
+      ->add_option("inputs", args->inputs,
+                   "Meshes (stl, obj, ply, ...), one raster (GeoTIFF, asc, ...), clouds (las, pcd, "
+                   "xyz, txt, "
+                   "csv, pts), or one terrain file (h5)")
       ->required()
       ->type_name("INPUT");
   command->add_option("-o,--output", args->output, "Terrain file")

@@ -8,9 +8,6 @@
 namespace clast {
 namespace {
 
-/// Rods that meet at a smaller angle (its sine) are parallel: their ends carry the contact.
-constexpr double kParallelSine = 1e-6;
-
 /// Where on the rod the point's foot lies, when it lies between the ends.
 std::optional<Vec3> foot_between_ends(const Vec3& start, const Vec3& direction, double length,
                                       const Vec3& point) {
@@ -77,13 +74,10 @@ const std::vector<ContactPoint>& BareContacts::contacts(const Pose& ground_from_
     contact.kind = ContactKind::kEdgeEdge;
     for (std::uint32_t g = 0; g < ground.edges.size(); ++g) {
       const SurfaceEdge& other = ground.edges[g];
-      if (along.cross(other.direction).norm() < kParallelSine) continue;
       const Vec3& base = ground.vertices[other.vertices[0]];
-      const ClosestOnLines closest = closest_on_lines(start, along, base, other.direction);
-      if (closest.first < 0.0 || closest.first > edge.length || closest.second < 0.0 ||
-          closest.second > other.length) {
-        continue;
-      }
+      const ClosestOnSegments closest =
+          closest_on_segments(start, along, edge.length, base, other.direction, other.length);
+      if (!closest.crossing) continue;  // of parallel rods the ends carry the contact
       contact.ground_feature = g;
       touch(contact, base + closest.second * other.direction, start + closest.first * along);
     }

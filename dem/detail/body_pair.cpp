@@ -28,8 +28,8 @@ bool takes_grounds_place(const IndexedSurface& first, double first_radius,
 BodyPair::Near::Near(const IndexedSurface& ground, const IndexedSurface& block, double size,
                      const Rules& rules)
     : search(search_for(ground, block, size)),
-      forces(rules.zones, rules.zone_of_face, block.features, size, rules.stiffness,
-             rules.weights) {}
+      forces(rules.zones, rules.zone_of_face, block.features, size, rules.stiffness, rules.weights,
+             rules.law) {}
 
 BodyPair::BodyPair(const IndexedSurface& ground, const IndexedSurface& block, double block_radius,
                    double size, const Rules& rules)
@@ -61,7 +61,7 @@ const ContactLoad& BodyPair::update(const BodyMotion& ground, const BodyMotion& 
   find_points(ground.world_from_body, pose);
   load_ = near_->forces.update(near_->points, block, ground, duration, ledger_);
   if (near_->forces.empty()) {
-    if (const ContactSearch* search = std::get_if<ContactSearch>(&near_->search)) {
+    if (ContactSearch* search = std::get_if<ContactSearch>(&near_->search)) {
       near_->asleep_until = search->safe_travel();
     } else {
       near_->asleep_until = near_->travel + std::get<BareContacts>(near_->search).clearance();

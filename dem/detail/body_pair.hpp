@@ -19,6 +19,7 @@ class BodyPair {
     std::span<const std::uint16_t> zone_of_face;  ///< of the ground; empty: all are of zone 0
     ContactStiffness stiffness;
     ContactWeights weights = ContactWeights::kPatch;
+    ContactLaw law;
   };
 
   /// @param block_radius  of the rounded block about its origin, m

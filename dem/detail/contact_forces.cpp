@@ -12,6 +12,11 @@ namespace {
 constexpr double kHandOverShare = 0.03;
 /// ... and their normals are within 45 degrees.
 constexpr double kHandOverCosine = 0.7071067811865476;
+/// Normals whose cosine is above this are those of one plane.
+constexpr double kSameNormal = 1.0 - 1e-12;
+/// A new contact's closing speed explains its overlap when it leaves no more than this share of it.
+constexpr double kExplained = 1e-6;
+
 Vec3 turned_into_plane(const Vec3& vector, const Vec3& normal) {
   const double length = vector.norm();
   const Vec3 flat = vector - vector.dot(normal) * normal;
@@ -29,19 +34,67 @@ void limit(Vec3& vector, double largest) {
 ContactForces::ContactForces(std::span<const GroundParameters> zones,
                              std::span<const std::uint16_t> zone_of_face,
                              const SurfaceFeatures& block, double size,
-                             const ContactStiffness& stiffness, ContactWeights weights)
+                             const ContactStiffness& stiffness, ContactWeights weights,
+                             const ContactLaw& law)
     : zones_(zones),
       zone_of_face_(zone_of_face),
       patches_(block, weights),
       stiffness_(stiffness),
-      near_(kHandOverShare * size) {}
+      near_(kHandOverShare * size) {
+  std::visit(
+      [&]<class Law>(const Law&) {
+        ByZone<Law> by_zone;
+        for (const GroundParameters& zone : zones) {
+          by_zone.laws.push_back(Law::of(stiffness.normal, zone));
+        }
+        laws_ = std::move(by_zone);
+      },
+      law);
+}
 
 ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const BodyMotion& block,
                                   const BodyMotion& other, double duration, EnergyLedger& ledger) {
+  if (points.empty() && contacts_.empty()) return {};
+  return std::visit(
+      [&](const auto& by_zone) {
+        return updated(by_zone.laws, points, block, other, duration, ledger);
+      },
+      laws_);
+}
+
+template <class Law>
+ContactLoad ContactForces::updated(const std::vector<Law>& laws,
+                                   const std::vector<ContactPoint>& points, const BodyMotion& block,
+                                   const BodyMotion& other, double duration, EnergyLedger& ledger) {
   ContactLoad load;
-  if (points.empty() && contacts_.empty()) return load;
-  const double k_n = stiffness_.normal, k_t = stiffness_.tangential, k_r = stiffness_.rolling;
+  const double k_t = stiffness_.tangential, k_r = stiffness_.rolling;
   const Vec3 spin = block.angular_velocity - other.angular_velocity;
+  const auto mean_velocity = [&](const Vec3& place) {
+    return Vec3(block.velocity_at(place) - other.velocity_at(place));
+  };
+  const auto mean_velocity_from = [&](const Vec3& place) {
+    return Vec3(block.velocity_from(place) - other.velocity_from(place));
+  };
+  const auto begin_velocity = [&](const Vec3& place) {
+    return Vec3(block.begin_velocity_at(place) - other.begin_velocity_at(place));
+  };
+  const auto take_event = [&](const NormalResponse& response, double weight, const Vec3& normal,
+                              const Vec3& place) {
+    if (response.impulse == 0.0 && response.moment == 0.0) return;
+    if (!load.event) load.event.emplace();
+    EventLoad& event = *load.event;
+    const Vec3 arm = place - block.world_from_body.translation;
+    const Vec3 arm_of_other = place - other.world_from_body.translation;
+    const Vec3 impulse = weight * response.impulse * normal;
+    event.impulse += impulse;
+    event.angular_impulse += arm.cross(impulse);
+    event.angular_impulse_on_other -= arm_of_other.cross(impulse);
+    // Shifting two moving bodies would change their angular momentum about each other.
+    if (other.inverse_mass > 0.0) return;
+    const Vec3 moment = weight * response.moment * normal;
+    event.moment += moment;
+    event.angular_moment += arm.cross(moment);
+  };
 
   match(points);
   const std::span<const double> weights = patches_.share(points, block.world_from_body.rotation);
@@ -50,105 +103,134 @@ ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const
   for (std::size_t i = 0; i < points.size(); ++i) {
     now[i].point = points[i];
     now[i].weight = weights[i];
-    now[i].ground = &zones_[zone_of_face_.empty() ? 0 : zone_of_face_[points[i].ground_face]];
+    now[i].zone = zone_of_face_.empty() ? 0 : zone_of_face_[points[i].ground_face];
+    now[i].place = points[i].point();
   }
+  if constexpr (Law::kNeedsEffectiveMass) find_effective_masses(block, other);
 
   for (std::size_t i = 0; i < now.size(); ++i) {
     Contact& contact = now[i];
+    const Law& law = laws[contact.zone];
+    const GroundParameters& ground = zones_[contact.zone];
     const Vec3& n = contact.point.normal;
     const double overlap = contact.point.overlap;
-    const double restitution = contact.ground->energy_restitution;
     const double w = contact.weight;
-    const Vec3 place = contact.point.point();
-    contact.arm = place - block.world_from_body.translation;
-    contact.other_arm = place - other.world_from_body.translation;
-    const Vec3& arm = contact.arm;
-    const Vec3 moving = block.velocity_at(place) - other.velocity_at(place);
+    const double mass = contact.effective_mass;
+    const Vec3 arm = contact.place - block.world_from_body.translation;
+    const Vec3 moving = mean_velocity(contact.place);
     const double closing = -moving.dot(n);
     const Vec3 sliding = moving + closing * n;
 
-    // Where it was a step ago. A contact without a past has come from as far as its speed allows;
-    // an overlap that this does not explain carries the least that the law allows.
-    double before = std::max(0.0, overlap - std::max(0.0, closing) * duration);
-    double normal_before = k_n * restitution * before;
-    double weight_before = w;
-    double restitution_before = restitution;
+    // Where it was a step ago, what it held then, and the power it took at the begin of the step.
+    OverlapPath path{duration, 0.0, overlap, 0.0};
+    double normal_before = 0.0, stored_before = 0.0, power_before = 0.0;
     Vec3 tangential_before = Vec3::Zero(), rolling_before = Vec3::Zero();
-    // Power of the loads of the step before along the motion of this one, by normal and friction:
-    // they act where the contact was then.
-    double power_normal = -normal_before * closing, power_sliding = 0.0;
+    bool continuous = true;
     if (previous_of_[i] >= 0) {
       const Contact& previous = contacts_[previous_of_[i]];
-      before = previous.point.overlap;
+      path.before = previous.point.overlap;
+      // On another feature it goes on as before only if the surface does too.
+      const bool same = previous.point.kind == contact.point.kind &&
+                        previous.point.block_feature == contact.point.block_feature &&
+                        (previous.point.ground_feature == contact.point.ground_feature ||
+                         previous.point.normal.dot(n) > kSameNormal);
+      path.rate = same ? -begin_velocity(previous.place).dot(previous.point.normal)
+                       : (path.after - path.before) / duration;
       normal_before = previous.normal;
-      weight_before = previous.weight;
-      restitution_before = previous.ground->energy_restitution;
       tangential_before = turned_into_plane(previous.tangential, n);
       rolling_before = previous.rolling;
-      const Vec3 moving_there = relative_velocity(block, other, previous);
-      power_normal = previous.normal * previous.point.normal.dot(moving_there);
-      power_sliding = previous.tangential.dot(moving_there);
+      stored_before =
+          previous.weight * (laws[previous.zone].stored(path.before) + wound_up(previous));
+      const Vec3 force = previous.normal * previous.point.normal + previous.tangential;
+      power_before = -previous.weight *
+                     (force.dot(mean_velocity_from(previous.place)) + previous.rolling.dot(spin));
     } else {
-      ledger.reassigned -= 0.5 * w * k_n * restitution * before * before;
+      // It has come from as far as its speed allows; an overlap that this does not explain begins
+      // as the law lets a contact without a past begin.
+      path.rate = -begin_velocity(contact.place - duration * moving).dot(n);
+      path.before = overlap - closing * duration;
+      continuous = path.before <= kExplained * overlap;
+      if (continuous) path.before = std::min(0.0, path.before);
+      if (!continuous) normal_before = law.first_force(path.before, path.rate, mass);
     }
 
-    const double deeper = overlap - before;
-    contact.normal = deeper > 0.0 ? normal_before + k_n * deeper : k_n * restitution * overlap;
+    NormalResponse response;
+    if (duration > 0.0) {
+      response = law.along(path, normal_before, mass);
+    } else {
+      response.force = law.first_force(overlap, path.rate, mass);
+    }
+    contact.normal = response.force;
     contact.tangential = tangential_before - k_t * duration * sliding;
-    limit(contact.tangential, contact.ground->friction * contact.normal);
-    if (contact.ground->rolling_friction > 0.0) {
+    limit(contact.tangential, ground.friction * contact.normal);
+    if (ground.rolling_friction > 0.0) {
       contact.rolling = rolling_before - k_r * duration * spin;
       const double length = contact.rolling.norm();
       // The arm of Eq. 5 is perpendicular to the axis about which the block rolls.
       const double lever = length > 0.0 ? arm.cross(contact.rolling).norm() / length : 0.0;
-      limit(contact.rolling, contact.ground->rolling_friction * lever * contact.normal);
+      limit(contact.rolling, ground.rolling_friction * lever * contact.normal);
     }
 
     const Vec3 force = w * (contact.normal * n + contact.tangential);
     load.force += force;
     load.torque += arm.cross(force) + w * contact.rolling;
-    load.torque_on_other -= contact.other_arm.cross(force) + w * contact.rolling;
+    load.torque_on_other -=
+        (contact.place - other.world_from_body.translation).cross(force) + w * contact.rolling;
+    if (continuous) take_event(response, w, n, contact.place);
 
-    // Work taken from the block by the mean of the forces at both ends of the step, less what is
-    // stored, is dissipated; a change of weight or zone changes what is stored and is booked apart.
-    const double taken_normal =
-        -0.5 * duration * (weight_before * power_normal - w * contact.normal * closing);
-    ledger.normal +=
-        taken_normal - 0.5 * w * k_n * restitution * (overlap * overlap - before * before);
-    ledger.reassigned -=
-        0.5 * k_n * before * before * (w * restitution - weight_before * restitution_before);
-    const double taken_sliding =
-        -0.5 * duration * (weight_before * power_sliding + w * contact.tangential.dot(sliding));
+    // Each law's own dissipation: its work less what it stores more. What the forces took beyond
+    // that, because weights, zones, normals or the contacts changed, is booked apart.
+    const double law_before = law.stored(std::max(0.0, path.before));
+    const double normal = w * (response.work - law.stored(overlap) + law_before);
     const double tangential_squared = tangential_before.squaredNorm();
-    ledger.friction +=
-        taken_sliding - 0.5 * w / k_t * (contact.tangential.squaredNorm() - tangential_squared);
-    const double taken_rolling =
-        -0.5 * duration * (weight_before * rolling_before + w * contact.rolling).dot(spin);
-    const double rolling_squared = rolling_before.squaredNorm();
-    ledger.rolling +=
-        taken_rolling - 0.5 * w / k_r * (contact.rolling.squaredNorm() - rolling_squared);
-    ledger.reassigned -=
-        0.5 * (w - weight_before) * (tangential_squared / k_t + rolling_squared / k_r);
+    const double friction = -0.5 * w *
+                            (duration * (tangential_before + contact.tangential).dot(sliding) +
+                             (contact.tangential.squaredNorm() - tangential_squared) / k_t);
+    const double rolling = -0.5 * w *
+                           (duration * (rolling_before + contact.rolling).dot(spin) +
+                            (contact.rolling.squaredNorm() - rolling_before.squaredNorm()) / k_r);
+    const double power = -force.dot(moving) - w * contact.rolling.dot(spin);
+    const double stored_more = w * (law.stored(overlap) + wound_up(contact)) - stored_before;
+    ledger.normal += normal;
+    ledger.friction += friction;
+    ledger.rolling += rolling;
+    ledger.reassigned +=
+        0.5 * duration * (power_before + power) - normal - friction - rolling - stored_more;
   }
 
   for (std::size_t j = 0; j < contacts_.size(); ++j) {
     if (carried_on_[j]) continue;
     const Contact& gone = contacts_[j];
-    const Vec3 moving = relative_velocity(block, other, gone);
-    const double given_back =
-        0.5 * duration * gone.weight *
-        ((gone.normal * gone.point.normal + gone.tangential).dot(moving) + gone.rolling.dot(spin));
-    const bool parted = moving.dot(gone.point.normal) > 0.0;
-    (parted ? ledger.normal : ledger.reassigned) += stored(gone) - given_back;
+    const Law& law = laws[gone.zone];
+    const Vec3& n = gone.point.normal;
+    const Vec3 moving = mean_velocity_from(gone.place);
+    const double closing = -moving.dot(n);
+    const double overlap = gone.point.overlap;
+    const double stored = gone.weight * (law.stored(overlap) + wound_up(gone));
+    const double taken = -0.5 * duration * gone.weight *
+                         ((gone.normal * n + gone.tangential).dot(moving) + gone.rolling.dot(spin));
+    const OverlapPath path{duration, overlap, overlap + closing * duration,
+                           -begin_velocity(gone.place).dot(n)};
+    double own = 0.0;
+    if (path.after <= 0.0) {  // parted; else it slid off and its law never came to an end
+      const NormalResponse response = law.along(path, gone.normal, gone.effective_mass);
+      take_event(response, gone.weight, n, gone.place);
+      const double normal = gone.weight * (response.work + law.stored(overlap));
+      const double friction =
+          -0.5 * gone.weight *
+          (duration * gone.tangential.dot(moving) - gone.tangential.squaredNorm() / k_t);
+      const double rolling = -0.5 * gone.weight *
+                             (duration * gone.rolling.dot(spin) - gone.rolling.squaredNorm() / k_r);
+      ledger.normal += normal;
+      ledger.friction += friction;
+      ledger.rolling += rolling;
+      own = normal + friction + rolling;
+    }
+    ledger.reassigned += taken + stored - own;
   }
   std::swap(contacts_, now_);
+  if (load.event && other.inverse_mass == 0.0) shift_overlaps(laws, *load.event, block, ledger);
   return load;
-}
-
-Vec3 ContactForces::relative_velocity(const BodyMotion& block, const BodyMotion& other,
-                                      const Contact& contact) {
-  return block.velocity + block.angular_velocity.cross(contact.arm) - other.velocity -
-         other.angular_velocity.cross(contact.other_arm);
 }
 
 void ContactForces::match(const std::vector<ContactPoint>& points) {
@@ -203,18 +285,58 @@ void ContactForces::match(const std::vector<ContactPoint>& points) {
   });
 }
 
-double ContactForces::stored(const Contact& contact) const {
-  const double overlap = contact.point.overlap;
-  return 0.5 * contact.weight *
-         (stiffness_.normal * contact.ground->energy_restitution * overlap * overlap +
-          contact.tangential.squaredNorm() / stiffness_.tangential +
-          contact.rolling.squaredNorm() / stiffness_.rolling);
+void ContactForces::find_effective_masses(const BodyMotion& block, const BodyMotion& other) {
+  // The unit force of a law acts through all its points: how easily that moves both bodies.
+  law_action_.assign(now_.size(), {});
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    const Contact& contact = now_[i];
+    const std::size_t law = patches_.law_of(i);
+    const Vec3 force = contact.weight * contact.point.normal;
+    LawAction& action = law_action_[law];
+    action.force += force;
+    action.torque += (contact.place - block.world_from_body.translation).cross(force);
+    action.torque_on_other += (contact.place - other.world_from_body.translation).cross(force);
+  }
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    const LawAction& action = law_action_[patches_.law_of(i)];
+    const double mobility = (block.inverse_mass + other.inverse_mass) * action.force.squaredNorm() +
+                            action.torque.dot(block.turned_by(action.torque)) +
+                            action.torque_on_other.dot(other.turned_by(action.torque_on_other));
+    now_[i].effective_mass = mobility > 0.0 ? 1.0 / mobility : 0.0;
+  }
+}
+
+template <class Law>
+void ContactForces::shift_overlaps(const std::vector<Law>& laws, const EventLoad& event,
+                                   const BodyMotion& block, EnergyLedger& ledger) {
+  const Vec3 shift = block.inverse_mass * event.moment;
+  const Vec3 turn = block.turned_by(event.angular_moment);
+  for (Contact& contact : contacts_) {
+    const Vec3 moved = shift + turn.cross(contact.place - block.world_from_body.translation);
+    double& overlap = contact.point.overlap;
+    const double shifted = std::max(0.0, overlap - moved.dot(contact.point.normal));
+    const Law& law = laws[contact.zone];
+    ledger.reassigned -= contact.weight * (law.stored(shifted) - law.stored(overlap));
+    overlap = shifted;
+  }
+}
+
+double ContactForces::wound_up(const Contact& contact) const {
+  return 0.5 * (contact.tangential.squaredNorm() / stiffness_.tangential +
+                contact.rolling.squaredNorm() / stiffness_.rolling);
 }
 
 double ContactForces::stored_energy() const {
-  double sum = 0.0;
-  for (const Contact& contact : contacts_) sum += stored(contact);
-  return sum;
+  return std::visit(
+      [&](const auto& by_zone) {
+        double sum = 0.0;
+        for (const Contact& contact : contacts_) {
+          sum += contact.weight *
+                 (by_zone.laws[contact.zone].stored(contact.point.overlap) + wound_up(contact));
+        }
+        return sum;
+      },
+      laws_);
 }
 
 double ContactForces::max_overlap() const {
@@ -234,12 +356,16 @@ double ContactForces::settled_depth() {
   return depth.empty() ? 0.0 : *std::max_element(depth.begin(), depth.end());
 }
 
-double ContactForces::smallest_restitution() const {
-  double smallest = 1.0;
-  for (const Contact& contact : contacts_) {
-    smallest = std::min(smallest, contact.ground->energy_restitution);
-  }
-  return smallest;
+double ContactForces::rest_stiffness() const {
+  return std::visit(
+      [&](const auto& by_zone) {
+        double smallest = stiffness_.normal;
+        for (const Contact& contact : contacts_) {
+          smallest = std::min(smallest, by_zone.laws[contact.zone].rest_stiffness());
+        }
+        return smallest;
+      },
+      laws_);
 }
 
 }  // namespace clast

@@ -1,6 +1,7 @@
 #pragma once
 /// Forces of the contact points of one pair of bodies, with the history that Eqs. 2-5 of the paper
 /// ask for. @cite garcia2022
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,15 +10,45 @@
 
 namespace clast {
 
-/// How a body moved over a step: its place at the end, and its mean velocities.
+/// How a body moved over a step: its place at the end, its mean velocities, and those it began
+/// with. A body that does not move is the default.
 struct BodyMotion {
   Pose world_from_body;                  ///< origin at the centre of mass
   Vec3 velocity = Vec3::Zero();          ///< of the centre, m/s
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s, world axes
 
+  Vec3 begin_position = Vec3::Zero();  ///< of the centre
+  Vec3 begin_velocity = Vec3::Zero();
+  Vec3 begin_angular_velocity = Vec3::Zero();
+
+  double inverse_mass = 0.0;            ///< 1/kg; 0 for a body that is fixed
+  Vec3 inverse_moments = Vec3::Zero();  ///< along the body axes, 1/(kg m^2)
+
   Vec3 velocity_at(const Vec3& point) const {
     return velocity + angular_velocity.cross(point - world_from_body.translation);
   }
+  /// The mean velocity of what was at `point` when the step began.
+  Vec3 velocity_from(const Vec3& point) const {
+    return velocity + angular_velocity.cross(point - begin_position);
+  }
+  Vec3 begin_velocity_at(const Vec3& point) const {
+    return begin_velocity + begin_angular_velocity.cross(point - begin_position);
+  }
+  /// Inverse inertia times a torque, both in world axes.
+  Vec3 turned_by(const Vec3& torque) const {
+    const Vec3 in_body = world_from_body.rotation.conjugate() * torque;
+    return world_from_body.rotation * Vec3(inverse_moments.cwiseProduct(in_body));
+  }
+};
+
+/// What laws that start, reverse or end inside a step add to it, in world axes.
+struct EventLoad {
+  Vec3 impulse = Vec3::Zero();          ///< on the block, N s
+  Vec3 angular_impulse = Vec3::Zero();  ///< about its centre of mass, N m s
+  Vec3 angular_impulse_on_other = Vec3::Zero();
+  // Only against what does not move; zero between two moving bodies.
+  Vec3 moment = Vec3::Zero();          ///< mass times shift of the centre, N s^2
+  Vec3 angular_moment = Vec3::Zero();  ///< inertia times turn, N m s^2
 };
 
 /// What the contacts of a pair do to its bodies, in world axes. The other body gets -force.
@@ -25,6 +56,8 @@ struct ContactLoad {
   Vec3 force = Vec3::Zero();            ///< on the block
   Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
   Vec3 torque_on_other = Vec3::Zero();  ///< on the other body about its own
+  /// To be given once, at the end of this step (`MovingBody::correct`).
+  std::optional<EventLoad> event;
 };
 
 /// The contacts of a block with the ground, or with another block, over time: matched from step to
@@ -36,7 +69,8 @@ class ContactForces {
   /// @param size          smallest side of the block, m
   ContactForces(std::span<const GroundParameters> zones,
                 std::span<const std::uint16_t> zone_of_face, const SurfaceFeatures& block,
-                double size, const ContactStiffness& stiffness, ContactWeights weights);
+                double size, const ContactStiffness& stiffness, ContactWeights weights,
+                const ContactLaw& law = {});
 
   /// Loads at the present contacts after a step of `duration`. Books every joule of the step in
   /// `ledger`.
@@ -51,31 +85,54 @@ class ContactForces {
   /// Deepest of the laws that carry the block, vertically, m: a wedge between steep walls is tight
   /// but not deep.
   double settled_depth();
-  /// Smallest e_n^2 among the present contacts; 1 without any.
-  double smallest_restitution() const;
+  /// Smallest stiffness with which a present contact carries a body at rest; k_n without any, N/m.
+  double rest_stiffness() const;
 
  private:
   /// A contact point with its loads before weighting.
   struct Contact {
     ContactPoint point;
-    const GroundParameters* ground = nullptr;
+    std::uint16_t zone = 0;
     double weight = 1.0;
     double normal = 0.0;             ///< N
     Vec3 tangential = Vec3::Zero();  ///< N
     Vec3 rolling = Vec3::Zero();     ///< N m
-    Vec3 arm = Vec3::Zero();         ///< from the block's centre of mass, m
-    Vec3 other_arm = Vec3::Zero();   ///< from the other body's
+    Vec3 place = Vec3::Zero();       ///< where the force acts
+    double effective_mass = 0.0;     ///< of its law, kg; only where a law asks for it
+  };
+  /// What the unit force of one law does through all its points.
+  struct LawAction {
+    Vec3 force = Vec3::Zero();
+    Vec3 torque = Vec3::Zero();
+    Vec3 torque_on_other = Vec3::Zero();
   };
 
-  /// Of the two bodies where they touch, the contact's arms as they were when it was loaded.
-  static Vec3 relative_velocity(const BodyMotion& block, const BodyMotion& other,
-                                const Contact& contact);
+  template <class Law>
+  struct ByZone {
+    std::vector<Law> laws;
+  };
+  template <class Choice>
+  struct LawsOf;
+  template <class... Laws>
+  struct LawsOf<std::variant<Laws...>> {
+    using Type = std::variant<ByZone<Laws>...>;
+  };
 
+  template <class Law>
+  ContactLoad updated(const std::vector<Law>& laws, const std::vector<ContactPoint>& points,
+                      const BodyMotion& block, const BodyMotion& other, double duration,
+                      EnergyLedger& ledger);
   void match(const std::vector<ContactPoint>& points);
-  double stored(const Contact& contact) const;
+  void find_effective_masses(const BodyMotion& block, const BodyMotion& other);
+  template <class Law>
+  void shift_overlaps(const std::vector<Law>& laws, const EventLoad& event, const BodyMotion& block,
+                      EnergyLedger& ledger);
+  /// Energy in the springs of friction and rolling, per unit of weight, J.
+  double wound_up(const Contact& contact) const;
 
   std::span<const GroundParameters> zones_;
   std::span<const std::uint16_t> zone_of_face_;
+  LawsOf<ContactLaw>::Type laws_;
   ContactPatches patches_;
   ContactStiffness stiffness_;
   double near_;  ///< contacts closer than this may hand their history on, m
@@ -85,6 +142,7 @@ class ContactForces {
   std::vector<Contact> now_;
   std::vector<int> previous_of_;  ///< contact of the step before, -1 for none
   std::vector<char> carried_on_;  ///< contacts of the step before that live on
+  std::vector<LawAction> law_action_;
 };
 
 }  // namespace clast

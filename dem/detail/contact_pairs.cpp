@@ -8,228 +8,195 @@
 namespace clast {
 namespace {
 
-/// Pairs of edges and faces are gathered for this many margins of travel: gathering is dear, a pair
-/// that sleeps is cheap.
-constexpr double kPairMargins = 2.0;
-/// Distances of block vertices older than this many margins are measured anew when edges are
-/// paired.
-constexpr double kStaleMargins = 3.0;
-/// Lines that meet at a smaller angle (its sine) are parallel: the end vertices carry the contact.
-constexpr double kParallelSine = 1e-6;
+/// Edges and faces may touch deeper than anything touched before by this many margins.
+constexpr double kDeeperMargins = 0.25;
+/// A list of pairs is kept while this share of the movement it allows is left.
+constexpr double kWorthKeeping = 0.3;
 
 }  // namespace
 
-void ContactSearch::refresh_pairs(double travel) {
-  pairs_.clear();
-  // Far from the ground no list is needed at all.
-  const double look = bounding_radius_ + reach_ + 8.0 * margin_;
-  double above = ground_.height_clearance(position_, 2.0 * look);
-  if (above < look) {
-    const std::optional<NearestPoint> nearest = ground_.nearest(position_, 2.0 * look);
-    above = nearest ? nearest->distance : 2.0 * look;
-  }
-  if (above > bounding_radius_ + reach_ + margin_) {
-    pairs_until_ = travel + above - bounding_radius_ - reach_;
-    return;
-  }
-  const double ahead = kPairMargins * margin_;
-  pairs_until_ = travel + ahead;
+bool ContactSearch::meets_edge(std::uint32_t edge, const Vec3& normal) const {
+  return in_arc(block_, block_.edges[edge], -(rotation_.transpose() * normal));
+}
 
-  Bounds box;
-  for (const Vec3& vertex : block_.vertices) box.include(position_ + rotation_ * vertex);
-  std::vector<std::uint32_t> edges, corners;
-  for (const std::uint32_t f : ground_.faces_near(box, reach_ + 2.0 * ahead)) {
-    const SurfaceFace& face = ground_.features.faces[f];
-    for (int k = 0; k < 3; ++k) {
-      const SurfaceEdge& edge = ground_.features.edges[face.edges[k]];
-      if (edge.convex()) edges.push_back(face.edges[k]);
-      if (ground_.features.pointed[face.vertices[k]]) corners.push_back(face.vertices[k]);
-    }
+bool ContactSearch::edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge& of_block,
+                                const Vec3& normal) const {
+  const Vec3 in_body = -(rotation_.transpose() * normal);
+  if (ground_.of_block) {
+    return near_arc(ground_.features, of_ground, normal) && near_arc(block_, of_block, in_body);
   }
-  const auto unique = [](std::vector<std::uint32_t>& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-  };
-  unique(edges);
-  unique(corners);
-  if (edges.empty() && corners.empty()) return;
+  return in_arc(ground_.features, of_ground, normal) && in_arc(block_, of_block, in_body);
+}
 
-  // Lower bounds of how far block vertices are from the ground; what is too vague to rule an edge
-  // out is measured anew.
-  const double worth_measuring = longest_edge_ + reach_ + 4.0 * margin_;
-  std::vector<double> bound(block_.vertices.size());
-  for (std::uint32_t v = 0; v < bound.size(); ++v) {
-    bound[v] = distances_[v] - (travel - seen_at_[v]);
-    if (bound[v] < worth_measuring && travel - seen_at_[v] > kStaleMargins * margin_) {
-      const Vec3 centre = placed(v);
-      double distance = ground_.height_clearance(centre, worth_measuring);
-      if (distance < worth_measuring) {
-        const std::optional<NearestPoint> nearest = ground_.nearest(centre, 2.0 * bounding_radius_);
-        distance = nearest ? nearest->distance : 2.0 * bounding_radius_;
-      }
-      bound[v] = distances_[v] = distance;
-      seen_at_[v] = travel;
-    }
+void ContactSearch::look_at_side(std::uint32_t s, double until, double within) {
+  SideState& state = side_states_[s];
+  if (std::min(state.list_until, state.others_clear_until) <= until && !list_holds(s, until)) {
+    list_pairs(s, within);
   }
-  const double interest = std::max(reach_, deepest_) + 2.0 * ahead;
-  // Enclosing balls in the body frame rule most pairs out.
-  struct Ball {
-    Vec3 centre;
-    double radius;
-  };
-  const auto in_body = [&](const Vec3& p) { return Vec3(rotation_.transpose() * (p - position_)); };
-  std::vector<Ball> edge_balls, corner_balls;
-  for (const std::uint32_t g : edges) {
-    const SurfaceEdge& edge = ground_.features.edges[g];
-    const Vec3 middle = 0.5 * (ground_.features.vertices[edge.vertices[0]] +
-                               ground_.features.vertices[edge.vertices[1]]);
-    edge_balls.push_back({in_body(middle), 0.5 * edge.length});
-  }
-  for (const std::uint32_t g : corners) {
-    corner_balls.push_back({in_body(ground_.features.vertices[g]), 0.0});
-  }
-  const auto consider = [&](ContactKind kind, std::uint32_t of_block, const Ball& ball,
-                            const std::vector<std::uint32_t>& candidates,
-                            const std::vector<Ball>& candidate_balls) {
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const double near = interest + ball.radius + candidate_balls[i].radius;
-      if ((ball.centre - candidate_balls[i].centre).squaredNorm() > near * near) continue;
-      Pair pair{kind, of_block, candidates[i], 0.0};
-      const double apart = distance(pair);
-      if (apart > interest) continue;
-      pair.due = travel + std::max(0.0, apart - std::max(reach_, deepest_ + ahead));
-      pairs_.push_back(pair);
-    }
-  };
-  for (std::uint32_t e = 0; e < block_.edges.size(); ++e) {
-    const SurfaceEdge& edge = block_.edges[e];
-    if (!edge.convex()) continue;
-    const auto [a, b] = edge.vertices;
-    if (0.5 * (bound[a] + bound[b] - edge.length) > interest) continue;
-    const Ball ball{0.5 * (block_.vertices[a] + block_.vertices[b]), 0.5 * edge.length};
-    consider(ContactKind::kEdgeEdge, e, ball, edges, edge_balls);
-    if (reach_ > 0.0) consider(ContactKind::kEdgeVertex, e, ball, corners, corner_balls);
-  }
-  for (std::uint32_t f = 0; f < block_.faces.size(); ++f) {
-    const auto [a, b, c] = block_.faces[f].vertices;
-    const Vec3 middle = (block_.vertices[a] + block_.vertices[b] + block_.vertices[c]) / 3.0;
-    const double radius = std::sqrt(std::max({(block_.vertices[a] - middle).squaredNorm(),
-                                              (block_.vertices[b] - middle).squaredNorm(),
-                                              (block_.vertices[c] - middle).squaredNorm()}));
-    // Every point of the face is within `radius` of its middle, and the middle within it of `a`.
-    if (std::max({bound[a], bound[b], bound[c]}) - 2.0 * radius > interest) continue;
-    consider(ContactKind::kFaceVertex, f, {middle, radius}, corners, corner_balls);
+  double& due = side_due_[s];
+  due = state.list_until;
+  state.clear_until = state.others_clear_until;
+  for (Pair& pair : state.pairs) {
+    if (pair.due <= until) look_at_pair(parts_.sides[s].feature, pair);
+    due = std::min(due, pair.due);
+    state.clear_until = std::min(state.clear_until, pair.clear_until);
   }
 }
 
-double ContactSearch::distance(const Pair& pair) const {
-  const SurfaceFeatures& ground = ground_.features;
-  if (pair.kind == ContactKind::kFaceVertex) {
-    const Vec3 in_body = rotation_.transpose() * (ground.vertices[pair.ground_feature] - position_);
-    return std::abs(nearest_on_face(block_, pair.block_feature, in_body).distance);
-  }
-  const SurfaceEdge& edge = block_.edges[pair.block_feature];
-  const Vec3 start = placed(edge.vertices[0]);
-  const Vec3 along = rotation_ * edge.direction;
-  if (pair.kind == ContactKind::kEdgeVertex) {
-    const Vec3& corner = ground.vertices[pair.ground_feature];
-    const double s = std::clamp(along.dot(corner - start), 0.0, edge.length);
-    return (start + s * along - corner).norm();
-  }
-  const SurfaceEdge& other = ground.edges[pair.ground_feature];
-  return segment_distance(start, along, edge.length, ground.vertices[other.vertices[0]],
-                          other.direction, other.length);
+bool ContactSearch::list_holds(std::uint32_t s, double until) {
+  const BlockSide& side = parts_.sides[s];
+  SideState& state = side_states_[s];
+  const double used =
+      (placed(side.middle) - state.listed).norm() + side.radius * (turned_ - state.listed_turned);
+  const double left = state.list_holds - used;
+  if (!(left > std::max(until - moved_, kWorthKeeping * state.list_holds))) return false;
+  state.list_until = moved_ + left;
+  state.others_clear_until = moved_ + (state.others_clear - used);
+  return true;
 }
 
-void ContactSearch::look_at_pair(Pair& pair, double travel) {
+void ContactSearch::list_pairs(std::uint32_t s, double within) {
+  const BlockSide& side = parts_.sides[s];
+  SideState& state = side_states_[s];
+  const LocalGround& ground = part_states_[state.part].ground;
+  const Vec3 middle = placed(side.middle);
+  state.pairs.clear();
+  const double complete = completeness(part_states_[state.part]);
+  const double by_plane = std::min(ground.plane.clearance(middle) - side.radius, complete);
+  const auto hold = [&](double list_holds, double others_clear) {
+    state.listed = middle;
+    state.listed_turned = turned_;
+    state.list_holds = list_holds;
+    state.others_clear = others_clear;
+    state.list_until = moved_ + list_holds;
+    state.others_clear_until = moved_ + others_clear;
+  };
+  if (by_plane > within) return hold(by_plane - reach_, by_plane - reach_);
+  const double listed = within + side.radius;
+  double others = complete + side.radius;
+  const auto consider = [&](ContactKind kind, std::uint32_t feature, double squared_distance) {
+    if (squared_distance < listed * listed) {
+      state.pairs.push_back({kind, feature, moved_, moved_});
+    } else if (squared_distance < others * others) {
+      others = std::sqrt(squared_distance);
+    }
+  };
+  if (!side.is_face) {
+    for (const LocalGround::Edge& edge : ground.edges) {
+      const Vec3 out = middle - edge.start;
+      const double along = std::clamp(edge.direction.dot(out), 0.0, edge.length);
+      consider(ContactKind::kEdgeEdge, edge.edge, (out - along * edge.direction).squaredNorm());
+    }
+  }
+  if (side.is_face || reach_ > 0.0) {
+    const ContactKind kind = side.is_face ? ContactKind::kFaceVertex : ContactKind::kEdgeVertex;
+    for (const LocalGround::Corner& corner : ground.corners) {
+      consider(kind, corner.vertex, (middle - corner.point).squaredNorm());
+    }
+  }
+  hold(asleep(others - side.radius), others - side.radius - reach_);
+}
+
+double ContactSearch::asleep(double apart) const {
+  // Features that have passed each other inside the ground touch as deep as the block has sunk, so
+  // they must be seen again when the one distance meets the other; and a turn can make a pair touch
+  // that is somewhat deeper.
+  const double deep = deepest_ > 0.0 ? deepest_ + kDeeperMargins * margin_ : 0.0;
+  return std::min(apart - reach_, 0.5 * (apart - deep));
+}
+
+void ContactSearch::sleep(Pair& pair, double apart) const {
+  pair.clear_until = moved_ + (apart - reach_);
+  pair.due = moved_ + asleep(apart);
+}
+
+void ContactSearch::look_at_pair(std::uint32_t block_feature, Pair& pair) {
   switch (pair.kind) {
     case ContactKind::kEdgeEdge:
-      return look_at_edges(pair, travel);
+      look_at_edges(block_feature, pair);
+      break;
     case ContactKind::kEdgeVertex:
-      return look_at_edge_vertex(pair, travel);
+      look_at_edge_vertex(block_feature, pair);
+      break;
     default:
-      return look_at_face_vertex(pair, travel);
+      look_at_face_vertex(block_feature, pair);
   }
 }
 
-void ContactSearch::look_at_edges(Pair& pair, double travel) {
-  const SurfaceEdge& edge = block_.edges[pair.block_feature];
+void ContactSearch::look_at_edges(std::uint32_t block_edge, Pair& pair) {
+  const SurfaceEdge& edge = block_.edges[block_edge];
   const SurfaceEdge& other = ground_.features.edges[pair.ground_feature];
   const Vec3 along = rotation_ * edge.direction;
-  Vec3 normal = along.cross(other.direction);
-  const double sine = normal.norm();
-  if (sine < kParallelSine) return;
-  normal *= (normal.dot(other.normal) >= 0.0 ? 1.0 : -1.0) / sine;
-  const Vec3 start = placed(edge.vertices[0]);
+  const Vec3 start = placed(block_.vertices[edge.vertices[0]]);
   const Vec3& base = ground_.features.vertices[other.vertices[0]];
+  const ClosestOnSegments closest =
+      closest_on_segments(start, along, edge.length, base, other.direction, other.length);
+  sleep(pair, closest.between.norm());
+  if (!closest.crossing) return;
+  Vec3 normal = along.cross(other.direction);
+  normal *= (normal.dot(ground_.features.edge_normal(other)) >= 0.0 ? 1.0 : -1.0) / normal.norm();
   const double gap = normal.dot(start - base);
-  if (gap >= reach_) {
-    pair.due = travel + gap - reach_;  // the lines are that far apart, so the edges are too
-    return;
-  }
-  if (gap < -depth_limit_) return;
-  const ClosestOnLines closest = closest_on_lines(start, along, base, other.direction);
-  if (closest.first < 0.0 || closest.first > edge.length || closest.second < 0.0 ||
-      closest.second > other.length) {
-    return;
-  }
-  if (!near_arc(other, normal) || !near_arc(edge, -(rotation_.transpose() * normal))) return;
+  if (gap >= reach_ || gap < -depth_limit_) return;
+  if (!edges_carry(other, edge, normal)) return;
   ContactPoint contact;
   contact.kind = ContactKind::kEdgeEdge;
-  contact.block_feature = pair.block_feature;
+  contact.block_feature = block_edge;
   contact.ground_feature = pair.ground_feature;
   contact.ground_face = other.faces[0];
   contact.normal = normal;
   contact.overlap = reach_ - gap;
   contact.foot = base + closest.second * other.direction + ground_.radius * normal;
-  add(contact);
+  touch(pair, contact);
 }
 
-void ContactSearch::look_at_edge_vertex(Pair& pair, double travel) {
-  const SurfaceEdge& edge = block_.edges[pair.block_feature];
+void ContactSearch::look_at_edge_vertex(std::uint32_t block_edge, Pair& pair) {
+  const SurfaceEdge& edge = block_.edges[block_edge];
   const Vec3& corner = ground_.features.vertices[pair.ground_feature];
-  const Vec3 start = placed(edge.vertices[0]);
+  const Vec3 start = placed(block_.vertices[edge.vertices[0]]);
   const Vec3 along = rotation_ * edge.direction;
   const double s = along.dot(corner - start);
   const Vec3 out = start + std::clamp(s, 0.0, edge.length) * along - corner;
   const double distance = out.norm();
-  if (distance >= reach_) {
-    pair.due = travel + distance - reach_;
-    return;
-  }
-  if (s <= 0.0 || s >= edge.length || !(distance > 0.0)) return;
+  sleep(pair, distance);
+  if (distance >= reach_ || s <= 0.0 || s >= edge.length || !(distance > 0.0)) return;
   const Vec3 normal = out / distance;
-  if (meets_edge(edge, normal) && in_cone(ground_.features, pair.ground_feature, normal)) {
-    touch_corner(pair, normal, distance);
+  if (meets_edge(block_edge, normal) && in_cone(ground_.features, pair.ground_feature, normal)) {
+    touch_corner(block_edge, pair, normal, distance);
   }
 }
 
-void ContactSearch::look_at_face_vertex(Pair& pair, double travel) {
-  const SurfaceFace& face = block_.faces[pair.block_feature];
+void ContactSearch::look_at_face_vertex(std::uint32_t block_face, Pair& pair) {
+  const SurfaceFace& face = block_.faces[block_face];
   const Vec3& corner = ground_.features.vertices[pair.ground_feature];
   const Vec3 in_body = rotation_.transpose() * (corner - position_);
+  if (!over_face(block_, face, in_body)) {
+    return sleep(pair, std::abs(nearest_on_face(block_, block_face, in_body).distance));
+  }
   const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);
-  if (height >= reach_) {
-    pair.due = travel + height - reach_;
-    return;
-  }
-  if (height < -depth_limit_) return;
-  for (int k = 0; k < 3; ++k) {
-    if (face.inward[k].dot(in_body - block_.vertices[face.vertices[k]]) < 0.0) return;
-  }
+  sleep(pair, std::abs(height));
+  if (height >= reach_ || height < -depth_limit_) return;
   const Vec3 normal = -(rotation_ * face.normal);
-  if (near_cone(ground_.features, pair.ground_feature, normal)) touch_corner(pair, normal, height);
+  const auto carries = ground_.of_block ? near_cone : in_cone;
+  if (carries(ground_.features, pair.ground_feature, normal)) {
+    touch_corner(block_face, pair, normal, height);
+  }
 }
 
-void ContactSearch::touch_corner(const Pair& pair, const Vec3& normal, double distance) {
+void ContactSearch::touch_corner(std::uint32_t block_feature, Pair& pair, const Vec3& normal,
+                                 double distance) {
   ContactPoint contact;
   contact.kind = pair.kind;
-  contact.block_feature = pair.block_feature;
+  contact.block_feature = block_feature;
   contact.ground_feature = pair.ground_feature;
   contact.ground_face = ground_.face_of_vertex[pair.ground_feature];
   contact.normal = normal;
   contact.overlap = reach_ - distance;
   contact.foot = ground_.features.vertices[pair.ground_feature] + ground_.radius * normal;
+  touch(pair, contact);
+}
+
+void ContactSearch::touch(Pair& pair, const ContactPoint& contact) {
+  pair.due = pair.clear_until = moved_;
   add(contact);
 }
 

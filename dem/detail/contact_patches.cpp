@@ -19,6 +19,11 @@ constexpr double kFacingCosine = 0.5;
 std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& points,
                                               const Quat& orientation) {
   const std::size_t count = points.size();
+  if (count == 1) {  // by whatever rule
+    law_.assign(1, 0);
+    share_.assign(1, 1.0);
+    return share_;
+  }
   share_.assign(count, weights_ == ContactWeights::kCount ? 1.0 / static_cast<double>(count) : 1.0);
   law_.assign(count, 0);
   if (weights_ == ContactWeights::kNone) std::iota(law_.begin(), law_.end(), std::size_t{0});
@@ -30,28 +35,65 @@ std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& p
   return share_;
 }
 
-std::size_t ContactPatches::law_of(std::size_t point) {
-  while (law_[point] != point) point = law_[point] = law_[law_[point]];
-  return point;
-}
-
 std::span<const std::uint32_t> ContactPatches::joints_of(
     const ContactPoint& point, std::array<std::uint32_t, 3>& buffer) const {
-  if (point.kind == ContactKind::kVertexGround) return block_.joints_of(point.block_feature);
+  if (point.kind == ContactKind::kVertexGround) return joints_.at(point.block_feature);
   if (point.kind == ContactKind::kFaceVertex) {
-    buffer[0] = block_.faces[point.block_feature].plane;
+    buffer[0] = joints_.plane_of_face[point.block_feature];
     return {buffer.data(), 1};
   }
   const SurfaceEdge& edge = block_.edges[point.block_feature];
   std::size_t count = 0;
-  buffer[count++] = block_.joint_of_line(edge.line);
+  buffer[count++] = joints_.line_of_edge[point.block_feature];
   for (const std::uint32_t face : edge.faces) {
-    if (face != kNoFeature) buffer[count++] = block_.faces[face].plane;
+    if (face != kNoFeature) buffer[count++] = joints_.plane_of_face[face];
   }
   return {buffer.data(), count};
 }
 
+bool ContactPatches::same_features(const std::vector<ContactPoint>& points) const {
+  if (points.size() != features_.size()) return false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (features_[i] != std::pair(points[i].kind, points[i].block_feature)) return false;
+  }
+  return true;
+}
+
+void ContactPatches::link(const std::vector<ContactPoint>& points) {
+  features_.clear();
+  std::vector<std::array<std::uint32_t, 2>> on_joint;  // joint, point
+  std::array<std::uint32_t, 3> buffer;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    features_.emplace_back(points[i].kind, points[i].block_feature);
+    for (const std::uint32_t joint : joints_of(points[i], buffer)) on_joint.push_back({joint, i});
+  }
+  std::sort(on_joint.begin(), on_joint.end());
+  std::vector<std::array<std::uint32_t, 3>> shared;  // point, earlier point, joint
+  for (std::size_t first = 0; first < on_joint.size();) {
+    std::size_t i = first;
+    for (; i < on_joint.size() && on_joint[i][0] == on_joint[first][0]; ++i) {
+      for (std::size_t j = first; j < i; ++j) {
+        shared.push_back({on_joint[i][1], on_joint[j][1], on_joint[i][0]});
+      }
+    }
+    first = i;
+  }
+  std::sort(shared.begin(), shared.end());
+  links_.clear();
+  link_joints_.clear();
+  for (const auto& [point, earlier, joint] : shared) {
+    if (links_.empty() || links_.back().point != point || links_.back().earlier != earlier) {
+      const auto start = static_cast<std::uint32_t>(link_joints_.size());
+      links_.push_back({point, earlier, start, start});
+    }
+    link_joints_.push_back(joint);
+    ++links_.back().end_joint;
+  }
+}
+
 void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& orientation) {
+  std::iota(law_.begin(), law_.end(), std::size_t{0});
+  if (!same_features(points)) link(points);
   // Flat or smoothly convex ground between the two.
   const auto smooth_between = [](const ContactPoint& a, const ContactPoint& b) {
     if (a.normal.dot(b.normal) < kPatchCosine) return false;
@@ -59,29 +101,32 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
     const double rise = kPatchRise * between.norm();
     return a.normal.dot(between) <= rise && b.normal.dot(between) >= -rise;
   };
-  law_.resize(points.size());
-  std::iota(law_.begin(), law_.end(), std::size_t{0});
-  on_joint_.resize(block_.faces.size() + block_.edges.size());
   const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
-  std::array<std::uint32_t, 3> buffer;
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const Vec3 in_body = body_from_world * points[i].normal;
-    for (const std::uint32_t joint : joints_of(points[i], buffer)) {
-      // A side wall joins nothing that stands on the ground: two feet stay two.
-      const bool wall =
-          joint < block_.faces.size() && block_.faces[joint].normal.dot(in_body) > -kFacingCosine;
-      if (wall) continue;
-      if (on_joint_[joint].empty()) joints_used_.push_back(joint);
-      for (const std::uint32_t j : on_joint_[joint]) {
-        const std::size_t a = law_of(i), b = law_of(j);
-        if (a == b || !smooth_between(points[i], points[j])) continue;
-        law_[std::max(a, b)] = std::min(a, b);
-      }
-      on_joint_[joint].push_back(i);
+  normals_in_body_.clear();
+  for (const ContactPoint& point : points)
+    normals_in_body_.push_back(body_from_world * point.normal);
+  // A side wall joins nothing that stands on the ground: two feet stay two.
+  const auto wall = [&](std::uint32_t joint, std::uint32_t point) {
+    return joint < block_.faces.size() &&
+           block_.faces[joint].normal.dot(normals_in_body_[point]) > -kFacingCosine;
+  };
+  const auto name = [&](std::size_t point) {
+    while (law_[point] != point) point = law_[point] = law_[law_[point]];
+    return point;
+  };
+  for (const Link& link : links_) {
+    const std::size_t a = name(link.point), b = name(link.earlier);
+    if (a == b) continue;
+    const bool joined =
+        std::any_of(link_joints_.begin() + link.first_joint, link_joints_.begin() + link.end_joint,
+                    [&](std::uint32_t joint) {
+                      return !wall(joint, link.point) && !wall(joint, link.earlier);
+                    });
+    if (joined && smooth_between(points[link.point], points[link.earlier])) {
+      law_[std::max(a, b)] = std::min(a, b);
     }
   }
-  for (const std::uint32_t joint : joints_used_) on_joint_[joint].clear();
-  joints_used_.clear();
+  for (std::size_t i = 0; i < law_.size(); ++i) law_[i] = law_[law_[i]];
 }
 
 }  // namespace clast

@@ -3,9 +3,11 @@
 /// @cite garcia2022 (Eqs. 6-8)
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "dem/contact_law.hpp"
+#include "dem/detail/block_joints.hpp"
 #include "dem/detail/contact_search.hpp"
 
 namespace clast {
@@ -14,28 +16,40 @@ namespace clast {
 class ContactPatches {
  public:
   ContactPatches(const SurfaceFeatures& block, ContactWeights weights)
-      : block_(block), weights_(weights) {}
+      : block_(block), joints_(block_joints(block)), weights_(weights) {}
 
   /// Weight of every point, valid until the next call. Points that share a law have the same
   /// number in `law_of`.
   std::span<const double> share(const std::vector<ContactPoint>& points, const Quat& orientation);
-  std::size_t law_of(std::size_t point);
+  std::size_t law_of(std::size_t point) const { return law_[point]; }
 
  private:
+  /// Two points that lie on the same planes or lines of the block, which are
+  /// `link_joints_[first_joint ..]`.
+  struct Link {
+    std::uint32_t point = 0, earlier = 0;
+    std::uint32_t first_joint = 0, end_joint = 0;
+  };
+
   void join(const std::vector<ContactPoint>& points, const Quat& orientation);
+  bool same_features(const std::vector<ContactPoint>& points) const;
+  void link(const std::vector<ContactPoint>& points);
   /// Planes and straight edges of the block that a contact point lies on.
   std::span<const std::uint32_t> joints_of(const ContactPoint& point,
                                            std::array<std::uint32_t, 3>& buffer) const;
 
   const SurfaceFeatures& block_;
+  BlockJoints joints_;
   ContactWeights weights_;
 
-  // Scratch of one call, kept to spare the allocations.
+  // Of the last call. The links depend only on the features, which mostly stay from call to call.
   std::vector<double> share_;
-  std::vector<std::size_t> law_;  ///< union-find over the points
+  std::vector<std::size_t> law_;  ///< smallest point of the same law
   std::vector<double> law_overlap_;
-  std::vector<std::vector<std::uint32_t>> on_joint_;  ///< points on each plane and line
-  std::vector<std::uint32_t> joints_used_;
+  std::vector<Vec3> normals_in_body_;
+  std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< of the block, by point
+  std::vector<Link> links_;
+  std::vector<std::uint32_t> link_joints_;
 };
 
 }  // namespace clast

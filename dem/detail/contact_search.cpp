@@ -11,9 +11,25 @@ namespace {
 /// Candidate lists look ahead this share of the block's smallest side: long enough to be rebuilt
 /// rarely, short enough to stay short.
 constexpr double kMarginShare = 0.05;
+/// The ground near a part is gathered for this many margins of movement.
+constexpr double kPartMargins = 4.0;
 /// Edge and face contacts deeper than this share of the smallest side are not trusted: beyond the
 /// middle of the block the opposite side would be nearer.
 constexpr double kDepthShare = 0.5;
+/// A vertex that may have moved all its distance but really moved less than this share of it needs
+/// no new measurement.
+constexpr double kLittleMoved = 0.5;
+/// And one that is known to be this many margins away needs none either.
+constexpr double kEnough = 0.25;
+/// The ground near the whole block is gathered for this many margins of movement more.
+constexpr double kGroundMargins = 8.0;
+/// Pairs are listed when they are this many margins from touching.
+constexpr double kPairMargins = 3.0;
+/// What is due is listed for this many calls like the last, but for this share of a margin at
+/// least.
+constexpr double kListCalls = 16.0, kShortest = 1.0 / 16.0;
+/// Looking for a longer flight starts at the first of these many margins and goes on in strides.
+constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
 
 }  // namespace
 
@@ -21,54 +37,288 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const IndexedSurface&
     : ground_(ground),
       surface_(block),
       block_(block.features),
-      reach_(block.radius + ground.radius) {
+      parts_(block_parts(block.features)),
+      reach_(block.radius + ground.radius),
+      margin_(kMarginShare * size),
+      depth_limit_(kDepthShare * size) {
   for (const Vec3& vertex : block_.vertices) {
     bounding_radius_ = std::max(bounding_radius_, vertex.norm());
   }
-  margin_ = kMarginShare * size;
-  depth_limit_ = kDepthShare * size;
-  for (const SurfaceEdge& edge : block_.edges) longest_edge_ = std::max(longest_edge_, edge.length);
-  const std::size_t count = block_.vertices.size();
-  vertices_.resize(count);
-  due_.assign(count, -1.0);
-  distances_.assign(count, 0.0);
-  seen_at_.assign(count, -1e300);
-  for (std::uint32_t v = 0; v < count; ++v) {
-    if (block_.pointed[v]) pointed_.push_back(v);
+  part_states_.resize(parts_.parts.size());
+  vertex_states_.resize(parts_.vertices.size());
+  side_states_.resize(parts_.sides.size());
+  vertex_due_.assign(parts_.vertices.size(), -1.0);
+  side_due_.assign(parts_.sides.size(), -1.0);
+  for (std::uint32_t p = 0; p < parts_.parts.size(); ++p) {
+    const BlockPart& part = parts_.parts[p];
+    for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) vertex_states_[v].part = p;
+    for (std::uint32_t s = part.first_side; s < part.end_side; ++s) side_states_[s].part = p;
   }
 }
 
 const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from_body,
                                                          double travel) {
-  rotation_ = ground_from_body.rotation.toRotationMatrix();
-  position_ = ground_from_body.translation;
+  move_to(ground_from_body);
+  travel_ = travel;
   contacts_.clear();
-  if (travel > horizon_) {
-    horizon_ = travel + margin_;
-    awake_.clear();
-    for (const std::uint32_t v : pointed_) {
-      if (due_[v] <= horizon_) awake_.push_back(v);
+  if (moved_ >= next_part_ || moved_ > horizon_) wake();
+  for (const std::uint32_t v : awake_vertices_) {
+    if (vertex_due_[v] <= moved_) look_at_vertex(v, moved_);
+  }
+  for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
+  for (const std::uint32_t s : awake_sides_) {
+    if (side_due_[s] <= moved_) {
+      look_at_side(s, moved_, std::max(reach_, deepest_) + kPairMargins * margin_);
     }
   }
-  for (const std::uint32_t v : awake_) {
-    if (due_[v] <= travel) look_at_vertex(v, travel);
-  }
-  for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  if (travel >= pairs_until_) refresh_pairs(travel);
-  for (Pair& pair : pairs_) {
-    if (pair.due <= travel) look_at_pair(pair, travel);
-  }
-  drop_resolved(contacts_, ground_, surface_, ground_from_body);
+  if (ground_.of_block) drop_resolved(contacts_, ground_, surface_, ground_from_body);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
+  if (!contacts_.empty()) {
+    search_at_ = -1.0;
+    if (listed_for_flight_) horizon_ = -1.0;
+  }
   return contacts_;
 }
 
-double ContactSearch::safe_travel() const {
-  double earliest = std::min(pairs_until_, 1e300);
-  for (const std::uint32_t v : pointed_) earliest = std::min(earliest, due_[v]);
-  for (const Pair& pair : pairs_) earliest = std::min(earliest, pair.due);
-  return earliest;
+void ContactSearch::move_to(const Pose& ground_from_body) {
+  const Mat3 rotation = ground_from_body.rotation.toRotationMatrix();
+  const Vec3& position = ground_from_body.translation;
+  if (started_) {
+    // The turn between the two moves a point by at most 2 sin(angle/2) times its arm, and that
+    // factor is the Frobenius norm of the change of the matrix over sqrt(2).
+    const double turn = std::sqrt(0.5 * (rotation - rotation_).squaredNorm());
+    turned_ += turn;
+    last_move_ = (position - position_).norm() + turn * bounding_radius_;
+    moved_ += last_move_;
+  }
+  started_ = true;
+  rotation_ = rotation;
+  position_ = position;
+}
+
+void ContactSearch::wake() {
+  bool relist = moved_ > horizon_;
+  if (moved_ >= next_part_ && !sleep_whole()) {
+    for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
+      PartState& part = part_states_[p];
+      if (part.due > moved_) continue;
+      const bool was_near = part.near;
+      look_at_part(p, moved_);
+      relist = relist || part.near != was_near;
+    }
+  }
+  if (relist)
+    return list_awake(moved_ + std::clamp(kListCalls * last_move_, kShortest * margin_, margin_));
+  survey_parts();
+}
+
+void ContactSearch::survey_parts() {
+  next_part_ = 1e300;
+  for (const PartState& part : part_states_) next_part_ = std::min(next_part_, part.due);
+}
+
+bool ContactSearch::sleep_whole() {
+  for (const PartState& part : part_states_) {
+    if (part.near) return false;
+  }
+  const double look = bounding_radius_ + reach_ + 8.0 * margin_;
+  double above = ground_.height_clearance(position_, 2.0 * look);
+  if (above < look) {
+    const std::optional<NearestPoint> nearest = ground_.nearest(position_, 2.0 * look);
+    above = nearest ? nearest->distance : 2.0 * look;
+  }
+  if (above <= bounding_radius_ + reach_ + margin_) return false;
+  for (PartState& part : part_states_) {
+    part.due = std::max(part.due, moved_ + above - bounding_radius_ - reach_);
+  }
+  return true;
+}
+
+void ContactSearch::take_up_ground(double complete) {
+  if (ground_complete_ - (moved_ - ground_gathered_at_) >= complete) return;
+  ground_complete_ = complete + kGroundMargins * margin_;
+  ground_gathered_at_ = moved_;
+  local_.gather(ground_, position_, bounding_radius_ + ground_complete_);
+  for (PartState& part : part_states_) part.near_face = 0;
+}
+
+void ContactSearch::look_at_part(std::uint32_t p, double until) {
+  const BlockPart& part = parts_.parts[p];
+  PartState& state = part_states_[p];
+  const Vec3 centre = placed(part.centre);
+  const double touching = part.radius + reach_;
+  // Often it is known well enough without measuring: from where it was, or from the plane.
+  take_up_ground(touching + 2.0 * kPartMargins * margin_);
+  const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
+  const double enough = std::max(margin_, until - moved_);
+  double gap = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
+  if (!state.near) {
+    gap = std::max(gap, state.gap - (centre - state.seen).norm() -
+                            part.radius * (turned_ - state.seen_turned));
+  }
+  if (gap <= enough) {
+    double distance = complete;
+    if (state.due < 0.0) {
+      // Nothing is known yet, it may lie deep inside.
+      const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
+      const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
+      distance = nearest ? nearest->distance : far;
+    } else {
+      const LocalGround::Nearest found =
+          local_.nearest(ground_.features, centre, complete, 0.0, state.near_face);
+      state.near_face = found.entry;
+      if (std::abs(found.nearest.distance) < complete) distance = found.nearest.distance;
+    }
+    gap = distance - touching;
+    state.gap = gap;
+    state.seen = centre;
+    state.seen_turned = turned_;
+  }
+  if (gap <= margin_) return gather(p, gap + touching);
+  state.near = false;
+  state.due = moved_ + gap;
+}
+
+void ContactSearch::gather(std::uint32_t p, double distance) {
+  const BlockPart& part = parts_.parts[p];
+  PartState& state = part_states_[p];
+  // How deep a vertex of the part can be inside the ground: unknown at the start, not at all when
+  // the part slept, as last seen when it was near.
+  double deepest = state.due < 0.0 ? part.radius - distance : 0.0;
+  for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
+    VertexState& vertex = vertex_states_[v];
+    if (state.near) {
+      deepest = std::max(deepest, moved_ - vertex.seen_at - vertex.distance);
+    } else {
+      vertex = {.part = p, .distance = reach_, .seen_at = moved_};
+      vertex_due_[v] = moved_;
+    }
+    vertex.near_face = 0;
+  }
+  if (!state.near) {
+    for (std::uint32_t s = part.first_side; s < part.end_side; ++s) {
+      SideState& side = side_states_[s];
+      side_due_[s] = side.clear_until = side.list_until = side.others_clear_until = moved_;
+      side.list_holds = 0.0;
+    }
+  }
+  deepest = std::max(std::min(deepest, part.radius - distance), deepest_);
+  const double ahead = kPartMargins * margin_;
+  state.complete = std::max(reach_, deepest) + 2.0 * ahead;
+  state.gathered_at = moved_;
+  state.due = moved_ + ahead;
+  state.near = true;
+  take_up_ground(state.complete);
+  state.ground.gather(ground_.features, local_, placed(part.centre), part.radius + state.complete);
+}
+
+void ContactSearch::list_awake(double horizon) {
+  horizon_ = horizon;
+  listed_for_flight_ = false;
+  awake_vertices_.clear();
+  awake_sides_.clear();
+  sleepers_clear_until_ = 1e300;
+  for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
+    if (!part_states_[p].near) continue;
+    const BlockPart& part = parts_.parts[p];
+    for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
+      if (vertex_due_[v] <= horizon) {
+        awake_vertices_.push_back(v);
+      } else {
+        sleepers_clear_until_ = std::min(sleepers_clear_until_, vertex_due_[v]);
+      }
+    }
+    for (std::uint32_t s = part.first_side; s < part.end_side; ++s) {
+      if (side_due_[s] <= horizon) {
+        awake_sides_.push_back(s);
+      } else {
+        sleepers_clear_until_ = std::min(sleepers_clear_until_, side_due_[s]);
+      }
+    }
+  }
+  survey_parts();
+}
+
+double ContactSearch::safe_travel() {
+  if (!contacts_.empty()) return travel_;
+  // At a speed of 1 the time is the distance.
+  return travel_ + search_time({.acceleration = 1e300, .top_speed = 1.0}, kFirstLook * margin_);
+}
+
+double ContactSearch::safe_time(const FlightBounds& flight, double worthwhile) {
+  if (!contacts_.empty() || moved_ < search_at_) return 0.0;
+  const double time = search_time(flight, worthwhile);
+  if (time < worthwhile) search_at_ = moved_ + 0.5 * time * flight.top_speed;
+  return time;
+}
+
+double ContactSearch::search_time(const FlightBounds& flight, double first) {
+  // distance = speed t + acceleration t^2/2, in the form that keeps its digits.
+  const auto time_over = [](double distance, double speed, double acceleration) {
+    if (!(distance > 0.0)) return 0.0;
+    return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
+  };
+  const auto moved_in = [](double time, double speed, double acceleration) {
+    return time * (speed + 0.5 * acceleration * time);
+  };
+  // What is known decays with every movement. Measuring what could touch first, and only that,
+  // shows how long the block can really fly; each stride is made only when the one before was
+  // clear.
+  const double spin_rate = flight.spin.norm();
+  double wanted = first;
+  while (true) {
+    const double farthest = moved_in(wanted, flight.top_speed, flight.gravity);
+    const double until = moved_ + farthest;
+    double time = 1e300, others_clear_until = 1e300;
+    // The time that a ball around `arm` needs for its distance, looked at again when that is short.
+    const auto consider = [&](const double& clear_until, const Vec3& in_body, double radius,
+                              const auto& look) {
+      if (clear_until >= until) {
+        others_clear_until = std::min(others_clear_until, clear_until);
+        return;
+      }
+      const Vec3 arm = rotation_ * in_body;
+      const double speed = (flight.velocity + flight.spin.cross(arm)).norm() + radius * spin_rate;
+      const double needed = std::min(farthest, moved_in(wanted, speed, flight.acceleration));
+      if (clear_until < moved_ + needed) look(moved_ + needed);
+      const double distance = clear_until - moved_;
+      if (moved_in(time, speed, flight.acceleration) <= distance ||
+          moved_in(time, flight.top_speed, flight.gravity) <= distance) {
+        return;
+      }
+      time = std::max(time_over(distance, speed, flight.acceleration),
+                      time_over(distance, flight.top_speed, flight.gravity));
+    };
+    bool relist = until > horizon_;
+    for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
+      if (part_states_[p].near) continue;
+      const double others = time;
+      consider(part_states_[p].due, parts_.parts[p].centre, parts_.parts[p].radius,
+               [&](double needed) { look_at_part(p, needed); });
+      if (part_states_[p].near) {
+        time = others;
+        relist = true;
+      }
+    }
+    if (relist) {
+      list_awake(std::max(horizon_, until));
+      listed_for_flight_ = true;
+    }
+    others_clear_until = std::min(others_clear_until, sleepers_clear_until_);
+    for (const std::uint32_t v : awake_vertices_) {
+      consider(vertex_due_[v], block_.vertices[parts_.vertices[v]], 0.0,
+               [&](double needed) { look_at_vertex(v, needed); });
+    }
+    for (const std::uint32_t s : awake_sides_) {
+      const BlockSide& side = parts_.sides[s];
+      consider(side_states_[s].clear_until, side.middle, side.radius,
+               [&](double needed) { look_at_side(s, needed, reach_ + (needed - moved_)); });
+    }
+    time = std::min(time, time_over(others_clear_until - moved_, flight.top_speed, flight.gravity));
+    if (time < wanted || farthest >= kLastLook * margin_) return time;
+    wanted *= kStride;
+  }
 }
 
 void ContactSearch::add(const ContactPoint& contact) {
@@ -91,72 +341,53 @@ bool ContactSearch::meets_vertex(std::uint32_t vertex, const Vec3& normal) const
   return in_cone(block_, vertex, -(rotation_.transpose() * normal));
 }
 
-bool ContactSearch::meets_edge(const SurfaceEdge& edge, const Vec3& normal) const {
-  return in_arc(edge, -(rotation_.transpose() * normal));
+void ContactSearch::look_at_vertex(std::uint32_t v, double until) {
+  VertexState& state = vertex_states_[v];
+  const Vec3 centre = placed(block_.vertices[parts_.vertices[v]]);
+  if (look_at_sure_face(v, centre)) return;
+  // Often it is known well enough without measuring: from where it was, or from the plane.
+  const PartState& part = part_states_[state.part];
+  const double gap = state.distance - reach_;
+  const double by_movement = gap - (centre - state.seen).norm();
+  const double by_plane =
+      std::min(part.ground.plane.clearance(centre), completeness(part)) - reach_;
+  const double known = std::max(by_movement, by_plane);
+  if (known > std::max(until - moved_, std::min(kEnough * margin_, kLittleMoved * gap))) {
+    vertex_due_[v] = moved_ + known;
+    return;
+  }
+  measure_vertex(v, centre);
 }
 
-void ContactSearch::look_at_vertex(std::uint32_t vertex, double travel) {
-  VertexState& state = vertices_[vertex];
-  const Vec3 centre = placed(vertex);
-  const auto sleep = [&](double distance) {
-    distances_[vertex] = distance;
-    seen_at_[vertex] = travel;
-    due_[vertex] = travel + (distance - reach_);
-  };
+void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
+  VertexState& state = vertex_states_[v];
+  const PartState& part = part_states_[state.part];
+  const double complete = completeness(part);
+  // Other faces are measured only as far as it matters that they are farther.
+  const double beyond = state.distance < reach_ + margin_ ? kPartMargins * margin_ : 0.0;
+  const LocalGround::Nearest found =
+      part.ground.nearest(ground_.features, centre, complete, beyond, state.near_face);
+  const NearestPoint& nearest = found.nearest;
+  state.near_face = found.entry;
+  const double depth = std::abs(nearest.distance);
 
-  if (travel > state.list_until) {
-    double deepest = travel - seen_at_[vertex] - distances_[vertex];
-    if (distances_[vertex] > reach_ + margin_ || deepest > margin_) {
-      // Not known well enough to gather a short list: measured anew.
-      const double look = reach_ + 8.0 * margin_;
-      const double above = ground_.height_clearance(centre, look);
-      if (above > reach_ + margin_) return sleep(above);
-      const double far = look + 4.0 * bounding_radius_;
-      const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
-      if (!nearest) return sleep(far);
-      if (nearest->distance > reach_ + margin_) return sleep(nearest->distance);
-      deepest = -nearest->distance;
-    }
-    // Until the list runs out the centre moves by at most one margin and sinks by at most one more.
-    const double radius = std::max(reach_, std::max(0.0, deepest) + margin_) + margin_;
-    Bounds here;
-    here.include(centre);
-    state.faces = ground_.faces_near(here, radius);
-    state.list_until = travel + margin_;
-    state.sure_face = kNoFeature;
+  state.seen_at = moved_;
+  state.seen = centre;
+  state.sure_face = kNoFeature;
+  // Beyond what the list holds nothing is known, not even the side.
+  state.distance = depth < complete ? nearest.distance : complete;
+  vertex_due_[v] = moved_ + (state.distance - reach_);
+  if (depth >= complete) return;
+  const bool backwards =
+      nearest.distance < 0.0 && pushes_backwards(parts_.vertices[v], push_of(nearest, centre));
+  if (nearest.within_face && !backwards) {
+    state.sure_face = nearest.face;
+    state.sure_inside_until = moved_ + 0.5 * (found.second - depth);
+    state.sure_outside_until = moved_ + (found.second - reach_);
   }
-
-  if (look_at_sure_face(vertex, centre, travel)) return;
-  NearestPoint nearest;
-  nearest.distance = 1e300;
-  double second = 1e300;  // a lower bound of how far all other faces are
-  for (const std::uint32_t f : state.faces) {
-    const SurfaceFace& face = ground_.features.faces[f];
-    const double height = face.normal.dot(centre - ground_.features.vertices[face.vertices[0]]);
-    if (std::abs(height) >= std::abs(nearest.distance)) {
-      second = std::min(second, std::abs(height));
-      continue;
-    }
-    const NearestPoint candidate = nearest_on_face(ground_.features, f, centre);
-    const bool nearer = std::abs(candidate.distance) < std::abs(nearest.distance);
-    second = std::min(second, std::abs(nearer ? nearest.distance : candidate.distance));
-    if (nearer) nearest = candidate;
-  }
-  const bool inside = nearest.face != kNoFeature && nearest.distance < 0.0;
-  const bool backwards = inside && pushes_backwards(vertex, push_of(nearest, centre));
-  state.sure_face = nearest.within_face && !backwards ? nearest.face : kNoFeature;
-  state.sure_inside_until =
-      std::min(state.list_until, travel + 0.5 * (second - std::abs(nearest.distance)));
-  state.sure_outside_until = std::min(state.list_until, travel + second - reach_);
-  if (nearest.face == kNoFeature || nearest.distance >= reach_) {
-    // Beyond the list's reach nothing is known.
-    const double known = nearest.face == kNoFeature ? reach_ + margin_ : nearest.distance;
-    return sleep(std::min(known, reach_ + state.list_until - travel));
-  }
-  sleep(nearest.distance);
-  if (nearest.distance >= 0.0) return add_outside_contacts(vertex, centre);
-  if (backwards) nearest = nearest_forwards(vertex, centre, nearest);
-  add_inside_contact(vertex, centre, nearest);
+  if (nearest.distance >= reach_) return;
+  if (nearest.distance >= 0.0) return add_outside_contacts(v, centre);
+  add_inside_contact(v, centre, backwards ? nearest_forwards(v, centre, nearest) : nearest);
 }
 
 Vec3 ContactSearch::push_of(const NearestPoint& nearest, const Vec3& centre) {
@@ -167,17 +398,17 @@ Vec3 ContactSearch::push_of(const NearestPoint& nearest, const Vec3& centre) {
 }
 
 bool ContactSearch::pushes_backwards(std::uint32_t vertex, const Vec3& push) const {
-  return push.dot(rotation_ * block_.vertex_normals[vertex]) > 0.0;
+  return ground_.of_block && push.dot(rotation_ * block_.vertex_normals[vertex]) > 0.0;
 }
 
-NearestPoint ContactSearch::nearest_forwards(std::uint32_t vertex, const Vec3& centre,
+NearestPoint ContactSearch::nearest_forwards(std::uint32_t v, const Vec3& centre,
                                              const NearestPoint& nearest) const {
   NearestPoint best = nearest;
   double distance = 1e300;
-  for (const std::uint32_t f : vertices_[vertex].faces) {
-    const NearestPoint candidate = nearest_on_face(ground_.features, f, centre);
+  for (const LocalGround::Face& face : part_states_[vertex_states_[v].part].ground.faces) {
+    const NearestPoint candidate = nearest_on_face(ground_.features, face.face, centre);
     if (candidate.within_face && candidate.distance < 0.0 && -candidate.distance < distance &&
-        !pushes_backwards(vertex, push_of(candidate, centre))) {
+        !pushes_backwards(parts_.vertices[v], push_of(candidate, centre))) {
       distance = -candidate.distance;
       best = candidate;
     }
@@ -185,26 +416,24 @@ NearestPoint ContactSearch::nearest_forwards(std::uint32_t vertex, const Vec3& c
   return best;
 }
 
-bool ContactSearch::look_at_sure_face(std::uint32_t vertex, const Vec3& centre, double travel) {
-  VertexState& state = vertices_[vertex];
+bool ContactSearch::look_at_sure_face(std::uint32_t v, const Vec3& centre) {
+  VertexState& state = vertex_states_[v];
   if (state.sure_face == kNoFeature) return false;
   const SurfaceFace& face = ground_.features.faces[state.sure_face];
   const double height = face.normal.dot(centre - ground_.features.vertices[face.vertices[0]]);
-  if (travel >= (height < 0.0 ? state.sure_inside_until : state.sure_outside_until)) return false;
-  distances_[vertex] = height;
-  seen_at_[vertex] = travel;
+  if (moved_ >= (height < 0.0 ? state.sure_inside_until : state.sure_outside_until)) return false;
+  if (!over_face(ground_.features, face, centre)) return false;
+  if (height < 0.0 && pushes_backwards(parts_.vertices[v], face.normal)) return false;
+  state.distance = height;
+  state.seen = centre;
+  state.seen_at = moved_;
   if (height >= reach_) {
-    due_[vertex] = std::min(travel + height - reach_, state.sure_outside_until);
+    vertex_due_[v] = std::min(moved_ + height - reach_, state.sure_outside_until);
     return true;
   }
-  for (int k = 0; k < 3; ++k) {
-    if (face.inward[k].dot(centre - ground_.features.vertices[face.vertices[k]]) < 0.0)
-      return false;
-  }
-  if (height < 0.0 && pushes_backwards(vertex, face.normal)) return false;
-  due_[vertex] = travel;
+  vertex_due_[v] = moved_;
   ContactPoint contact;
-  contact.block_feature = vertex;
+  contact.block_feature = parts_.vertices[v];
   contact.ground_feature = contact.ground_face = state.sure_face;
   contact.normal = face.normal;
   contact.overlap = reach_ - height;
@@ -213,10 +442,10 @@ bool ContactSearch::look_at_sure_face(std::uint32_t vertex, const Vec3& centre, 
   return true;
 }
 
-void ContactSearch::add_inside_contact(std::uint32_t vertex, const Vec3& centre,
+void ContactSearch::add_inside_contact(std::uint32_t v, const Vec3& centre,
                                        const NearestPoint& nearest) {
   ContactPoint contact;
-  contact.block_feature = vertex;
+  contact.block_feature = parts_.vertices[v];
   contact.ground_feature = contact.ground_face = nearest.face;
   contact.normal = push_of(nearest, centre);
   contact.overlap = reach_ - nearest.distance;
@@ -224,8 +453,9 @@ void ContactSearch::add_inside_contact(std::uint32_t vertex, const Vec3& centre,
   contacts_.push_back(contact);
 }
 
-void ContactSearch::add_outside_contacts(std::uint32_t vertex, const Vec3& centre) {
+void ContactSearch::add_outside_contacts(std::uint32_t v, const Vec3& centre) {
   const SurfaceFeatures& ground = ground_.features;
+  const std::uint32_t vertex = parts_.vertices[v];
   ContactPoint contact;
   contact.block_feature = vertex;
   const auto touch = [&](std::uint32_t face, const Vec3& on_ground, const Vec3& normal,
@@ -236,15 +466,14 @@ void ContactSearch::add_outside_contacts(std::uint32_t vertex, const Vec3& centr
     contact.foot = on_ground + ground_.radius * normal;
     add(contact);
   };
-  for (const std::uint32_t f : vertices_[vertex].faces) {
+  for (const LocalGround::Face& local : part_states_[vertex_states_[v].part].ground.faces) {
+    const double near = reach_ + local.radius;
+    if ((centre - local.middle).squaredNorm() > near * near) continue;
+    const std::uint32_t f = local.face;
     const SurfaceFace& face = ground.faces[f];
     const double height = face.normal.dot(centre - ground.vertices[face.vertices[0]]);
     if (height < 0.0 || height >= reach_) continue;
-    bool inside = true;
-    for (int k = 0; k < 3; ++k) {
-      inside = inside && face.inward[k].dot(centre - ground.vertices[face.vertices[k]]) >= 0.0;
-    }
-    if (inside) {
+    if (over_face(ground, face, centre)) {
       touch(f, centre - height * face.normal, face.normal, height);
       continue;
     }
@@ -258,7 +487,7 @@ void ContactSearch::add_outside_contacts(std::uint32_t vertex, const Vec3& centr
           const double distance = out.norm();
           if (distance > 0.0 && distance < reach_) {
             const Vec3 normal = out / distance;
-            if (in_arc(edge, normal) && meets_vertex(vertex, normal)) {
+            if (in_arc(ground, edge, normal) && meets_vertex(vertex, normal)) {
               touch(f, on_edge, normal, distance);
             }
           }

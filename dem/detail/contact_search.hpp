@@ -2,13 +2,16 @@
 /// Finds the contact points of one block on the ground, or on another block that takes the ground's
 /// place: everything here is in the frame of the ground.
 ///
-/// Everything is paced by `travel`: a running bound of how far any point of the block has moved
-/// since the start. Whatever is found to be a distance d away sleeps until the travel has grown by
-/// d, so that nothing can touch unseen and most elements cost nothing most of the time.
+/// Everything is paced by how far any point of the block has moved since the start, `moved_`.
+/// Whatever is found to be a distance d away sleeps until it has grown by d, so that nothing can
+/// touch unseen and most of the block costs nothing most of the time. The block is cut into parts
+/// that sleep as one; a part near the ground holds a list of the ground near it.
 #include <cstdint>
 #include <vector>
 
+#include "dem/detail/block_parts.hpp"
 #include "dem/detail/indexed_surface.hpp"
+#include "dem/detail/local_ground.hpp"
 
 namespace clast {
 
@@ -33,6 +36,15 @@ struct ContactPoint {
   Vec3 point() const { return foot - 0.5 * overlap * normal; }
 };
 
+/// How a block flies on from a contact-free place: bounds for every point of its core.
+struct FlightBounds {
+  Vec3 velocity = Vec3::Zero();  ///< of the centre now, m/s
+  Vec3 spin = Vec3::Zero();      ///< now, rad/s
+  double acceleration = 0.0;     ///< no point changes its velocity faster, m/s^2
+  double top_speed = 0.0;        ///< no point gets faster than this, but for gravity, m/s
+  double gravity = 0.0;          ///< m/s^2
+};
+
 class ContactSearch {
  public:
   /// @param block  surface of the block in its body frame; it and the ground must outlive the
@@ -41,31 +53,81 @@ class ContactSearch {
   ContactSearch(const IndexedSurface& ground, const IndexedSurface& block, double size);
 
   /// Brings everything that is due up to date and lists the contacts, in a fixed order.
-  /// @param travel  never smaller than in the call before
+  /// @param travel  a bound of how far any point of the block has moved since the start, never
+  /// smaller than in the call before
   const std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
 
   /// No contact can come before the travel has grown beyond this (valid after `contacts`).
-  double safe_travel() const;
+  double safe_travel();
+  /// No contact can come earlier on such a flight (valid after `contacts`), s. Not worth a search
+  /// for exact distances again and again: 0 when a recent one promised too little.
+  /// @param worthwhile  s: a shorter time is of no use to the caller
+  double safe_time(const FlightBounds& flight, double worthwhile);
 
  private:
+  struct PartState {
+    bool near = false;
+    double due = -1.0;  ///< asleep until, or its list of the ground holds until
+    // What was measured last: the gap, where the centre was, and `turned_`.
+    double gap = 0.0;
+    Vec3 seen = Vec3::Zero();
+    double seen_turned = 0.0;
+    std::uint32_t near_face = 0;  ///< entry of `local_` that was nearest
+    LocalGround ground;
+    double complete = 0.0;     ///< from every point of the part so far the list was complete, m ...
+    double gathered_at = 0.0;  ///< ... when it was gathered
+  };
   struct VertexState {
-    double list_until = -1.0;  ///< travel until which `faces` is complete
-    std::vector<std::uint32_t> faces;
-    // While its foot stays on `sure_face`, no other face matters: inside the ground until the one
-    // travel, outside within reach until the other.
+    std::uint32_t part = 0;
+    double distance = 0.0;        ///< last known, signed, m
+    double seen_at = 0.0;         ///< `moved_` it was known at
+    Vec3 seen = Vec3::Zero();     ///< and where the vertex was
+    std::uint32_t near_face = 0;  ///< entry of the part's list that was nearest
+    // While its foot stays on `sure_face`, no other face matters: inside the ground until the one,
+    // outside within reach until the other.
     std::uint32_t sure_face = kNoFeature;
     double sure_inside_until = -1.0;
     double sure_outside_until = -1.0;
   };
+  /// A side of the block with an edge or vertex of the ground.
   struct Pair {
     ContactKind kind;
-    std::uint32_t block_feature;
     std::uint32_t ground_feature;
-    double due;
+    double due;          ///< look at it again
+    double clear_until;  ///< cannot touch before
+  };
+  struct SideState {
+    std::uint32_t part = 0;
+    double clear_until = -1.0;
+    // Pairs listed, until when the list holds, and until when what is not listed cannot touch.
+    std::vector<Pair> pairs;
+    double list_until = -1.0;
+    double others_clear_until = -1.0;
+    // Both again as movement from where the middle was when listed, and `turned_` then.
+    double list_holds = 0.0, others_clear = 0.0;
+    Vec3 listed = Vec3::Zero();
+    double listed_turned = 0.0;
   };
 
-  void look_at_vertex(std::uint32_t vertex, double travel);
-  bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre, double travel);
+  void move_to(const Pose& ground_from_body);
+  void wake();
+  bool sleep_whole();
+  /// Makes `local_` hold everything that near a block moved no farther than so.
+  void take_up_ground(double complete);
+  /// Until when it must be known whether the part can touch.
+  void look_at_part(std::uint32_t p, double until);
+  void gather(std::uint32_t p, double distance);
+  void survey_parts();
+  void list_awake(double horizon);
+  double search_time(const FlightBounds& flight, double first);
+  double completeness(const PartState& part) const {
+    return part.complete - (moved_ - part.gathered_at);
+  }
+
+  /// Until when it must be known whether the vertex can touch.
+  void look_at_vertex(std::uint32_t vertex, double until);
+  bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre);
+  void measure_vertex(std::uint32_t vertex, const Vec3& centre);
   /// Direction in which a vertex inside the ground is pushed to the surface point.
   static Vec3 push_of(const NearestPoint& nearest, const Vec3& centre);
   /// True when the push would drag the block's vertex out through the block: beside the edge of a
@@ -76,43 +138,63 @@ class ContactSearch {
                                 const NearestPoint& nearest) const;
   void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
   void add_outside_contacts(std::uint32_t vertex, const Vec3& centre);
-  void refresh_pairs(double travel);
-  void look_at_pair(Pair& pair, double travel);
-  void look_at_edges(Pair& pair, double travel);
-  void look_at_edge_vertex(Pair& pair, double travel);
-  void look_at_face_vertex(Pair& pair, double travel);
-  double distance(const Pair& pair) const;
+
+  /// Everything of the side that is due until then; lists pairs within a distance.
+  void look_at_side(std::uint32_t s, double until, double within);
+  bool list_holds(std::uint32_t s, double until);
+  void list_pairs(std::uint32_t s, double within);
+  void look_at_edges(std::uint32_t block_edge, Pair& pair);
+  void look_at_edge_vertex(std::uint32_t block_edge, Pair& pair);
+  void look_at_face_vertex(std::uint32_t block_face, Pair& pair);
+  void look_at_pair(std::uint32_t block_feature, Pair& pair);
+  /// How far the block can move before features this far apart must be looked at again.
+  double asleep(double apart) const;
+  void sleep(Pair& pair, double apart) const;
+  void touch_corner(std::uint32_t block_feature, Pair& pair, const Vec3& normal, double distance);
+  void touch(Pair& pair, const ContactPoint& contact);
+
   void add(const ContactPoint& contact);
-  Vec3 placed(std::uint32_t block_vertex) const {
-    return position_ + rotation_ * block_.vertices[block_vertex];
-  }
-  void touch_corner(const Pair& pair, const Vec3& normal, double distance);
+  Vec3 placed(const Vec3& in_body) const { return position_ + rotation_ * in_body; }
   /// True when the block's own surface falls away from a ground that it touches along `normal`
   /// (out of the ground) with this vertex or edge.
   bool meets_vertex(std::uint32_t vertex, const Vec3& normal) const;
-  bool meets_edge(const SurfaceEdge& edge, const Vec3& normal) const;
+  bool meets_edge(std::uint32_t edge, const Vec3& normal) const;
+  /// True when an edge of the ground and one of the block may carry along `normal`.
+  bool edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge& of_block,
+                   const Vec3& normal) const;
 
   const IndexedSurface& ground_;
   const IndexedSurface& surface_;  ///< of the block
   const SurfaceFeatures& block_;   ///< its features
-  double reach_;                   ///< block radius + skin radius, m
-  double bounding_radius_ = 0.0;   ///< of the core about the centre, m
-  double longest_edge_ = 0.0;      ///< of the block, m
-  double margin_;                  ///< how far lists look ahead, m
-  double depth_limit_;             ///< edge and face contacts deeper than this are not trusted, m
+  BlockParts parts_;
+  double reach_;                  ///< block radius + skin radius, m
+  double bounding_radius_ = 0.0;  ///< of the core about the centre, m
+  double margin_;                 ///< how far lists look ahead, m
+  double depth_limit_;            ///< edge and face contacts deeper than this are not trusted, m
 
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
-  std::vector<std::uint32_t> pointed_;  ///< block vertices that can touch
-  std::vector<VertexState> vertices_;   ///< of every block vertex
-  std::vector<double> due_;             ///< travel at which a vertex must be looked at again
-  std::vector<double> distances_;       ///< last known signed distance of vertex centres, m
-  std::vector<double> seen_at_;         ///< and the travel it was known at
-  std::vector<std::uint32_t> awake_;    ///< pointed vertices due before `horizon_`
-  double horizon_ = -1.0;
-  double deepest_ = 0.0;  ///< largest overlap at the last call, m
-  std::vector<Pair> pairs_;
-  double pairs_until_ = -1.0;
+  bool started_ = false;
+  double travel_ = 0.0;     ///< the caller's
+  double moved_ = 0.0;      ///< since the start, as seen from call to call, m
+  double turned_ = 0.0;     ///< likewise: bounds what turning moves a point at an arm of 1 m, m
+  double last_move_ = 0.0;  ///< growth of `moved_` in the last call, m
+  LocalGround local_;       ///< around the whole block
+  double ground_complete_ =
+      -1.0;  ///< from every point of the block so far `local_` was complete ...
+  double ground_gathered_at_ = 0.0;  ///< ... when it was gathered
+  std::vector<PartState> part_states_;
+  std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
+  std::vector<SideState> side_states_;
+  std::vector<double> vertex_due_, side_due_;  ///< `moved_` at which to look again
+  double next_part_ = -1.0;                    ///< the first part is due then
+  double horizon_ = -1.0;                      ///< everything due before it is listed as awake
+  bool listed_for_flight_ = false;             ///< the list is longer than contact steps need
+  std::vector<std::uint32_t> awake_vertices_, awake_sides_;
+  double sleepers_clear_until_ =
+      -1.0;                  ///< nothing else in the parts near the ground can touch before
+  double search_at_ = -1.0;  ///< no use in searching for a longer flight before
+  double deepest_ = 0.0;     ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };
 

@@ -20,11 +20,13 @@ NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
   const double height = f.normal.dot(query - origin);
   NearestPoint best;
   best.face = face;
-  // Distances of the foot from the three edges; all inside means the face itself is nearest.
+  // On which side of the three edges the foot lies; inside of all means the face itself is nearest.
   std::array<double, 3> depth;
   bool inside = true;
   for (int k = 0; k < 3; ++k) {
-    depth[k] = f.inward[k].dot(query - surface.vertices[f.vertices[k]]);
+    const Vec3& corner = surface.vertices[f.vertices[k]];
+    const Vec3 along = surface.vertices[f.vertices[(k + 1) % 3]] - corner;
+    depth[k] = f.normal.cross(along).dot(query - corner);
     inside = inside && depth[k] >= 0.0;
   }
   if (inside) {
@@ -49,7 +51,7 @@ NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
       normal = surface.vertex_normals[edge.vertices[1]];
     } else {
       point = start + along * edge.direction;
-      normal = edge.normal;
+      normal = surface.edge_normal(edge);
     }
     const double distance = (query - point).norm();
     if (distance < nearest) {
@@ -127,24 +129,32 @@ PlanGrid::Cell PlanGrid::cell(int column, int row) const {
   return {{faces_.data() + offsets_[c], faces_.data() + offsets_[c + 1]}, lows_[c], highs_[c]};
 }
 
-std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double reach) const {
+std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double reach,
+                                                    std::uint32_t guess) const {
   std::optional<NearestPoint> best;
   double limit = reach;
+  const auto measure = [&](std::uint32_t f) {
+    const SurfaceFace& face = features.faces[f];
+    const Vec3& a = features.vertices[face.vertices[0]];
+    if (std::abs(face.normal.dot(query - a)) > limit) return;
+    const Vec3& b = features.vertices[face.vertices[1]];
+    const Vec3& c = features.vertices[face.vertices[2]];
+    const Vec3 below = a.cwiseMin(b).cwiseMin(c) - query, above = query - a.cwiseMax(b).cwiseMax(c);
+    if (below.cwiseMax(above).cwiseMax(0.0).squaredNorm() > limit * limit) return;
+    const NearestPoint candidate = nearest_on_face(features, f, query);
+    const double distance = std::abs(candidate.distance);
+    // Ties go to the smaller face number, so that the order of visits does not matter.
+    if (distance < limit || (distance == limit && (!best || f < best->face))) {
+      limit = distance;
+      best = candidate;
+    }
+  };
   const auto visit = [&](int column, int row) {
     const PlanGrid::Cell cell = grid.cell(column, row);
     if (query.z() - cell.high > limit || cell.low - query.z() > limit) return;
-    for (const std::uint32_t f : cell.faces) {
-      const SurfaceFace& face = features.faces[f];
-      if (std::abs(face.normal.dot(query - features.vertices[face.vertices[0]])) > limit) continue;
-      const NearestPoint candidate = nearest_on_face(features, f, query);
-      const double distance = std::abs(candidate.distance);
-      // Ties go to the smaller face number, so that the order of visits does not matter.
-      if (distance < limit || (distance == limit && (!best || f < best->face))) {
-        limit = distance;
-        best = candidate;
-      }
-    }
+    for (const std::uint32_t f : cell.faces) measure(f);
   };
+  if (guess != kNoFeature) measure(guess);
   // Rings of cells around the query; a ring k cells away is at least k - 1 cells distant.
   const PlanGrid::Range all = grid.range(-1e300, 1e300, -1e300, 1e300);
   const PlanGrid::Range home = grid.range(query.x(), query.x(), query.y(), query.y());
@@ -233,8 +243,11 @@ IndexedSurface indexed_surface(const TriangleMesh& mesh, double radius,
 
 IndexedSurface indexed_surface(const SpheroPolyhedron& body) {
   const bool wire = body.faces.empty();
-  return indexed_surface(core_mesh(body), body.radius,
-                         wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
+  IndexedSurface surface =
+      indexed_surface(core_mesh(body), body.radius,
+                      wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
+  surface.of_block = true;
+  return surface;
 }
 
 }  // namespace clast

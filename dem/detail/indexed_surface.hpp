@@ -60,10 +60,13 @@ struct IndexedSurface {
   std::vector<std::uint32_t> face_of_vertex;  ///< one face at every vertex: tells its zone
   double radius = 0.0;                        ///< the skin is this far outside the features, m
   Bounds extent;                              ///< of the vertices
+  bool of_block = false;                      ///< not of a terrain
   PlanGrid grid;
 
   /// Nearest point of the triangles (not the skin) to `query`, or none farther than `reach`.
-  std::optional<NearestPoint> nearest(const Vec3& query, double reach) const;
+  /// @param guess  a face that may be near: the answer is the same, but sooner found
+  std::optional<NearestPoint> nearest(const Vec3& query, double reach,
+                                      std::uint32_t guess = kNoFeature) const;
   /// A lower bound of the distance from `query` to the triangles, by height ranges alone; 0 when
   /// that can't tell. Cheap, for points well above the ground.
   double height_clearance(const Vec3& query, double reach) const;

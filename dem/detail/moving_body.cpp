@@ -16,7 +16,7 @@ void MovingBody::place(const RigidState& state) {
 
 BodyMotion MovingBody::begin_step(double duration, const Vec3& force, const Vec3& torque,
                                   const Vec3& gravity) {
-  BodyMotion motion;
+  BodyMotion motion = this->motion();
   motion.velocity = state_.velocity + 0.5 * duration * (gravity + force / body_.mass);
   momentum_ += 0.5 * duration * torque;
   const Quat turned = turned_one_step(body_.moments, state_.orientation, momentum_, duration);
@@ -37,8 +37,25 @@ void MovingBody::end_step(double duration, const Vec3& force, const Vec3& torque
   state_.angular_velocity = angular_velocity(body_.moments, state_.orientation, momentum_);
 }
 
+double MovingBody::correct(const Vec3& impulse, const Vec3& angular_impulse, const Vec3& moment,
+                           const Vec3& angular_moment, const Vec3& gravity) {
+  const double before = kinetic_energy();
+  const Vec3 shift = moment / body_.mass;
+  const Vec3 turn = motion().turned_by(angular_moment);
+  state_.velocity += impulse / body_.mass;
+  state_.position += shift;
+  momentum_ += angular_impulse;
+  state_.orientation = (turn_of(turn) * state_.orientation).normalized();
+  state_.angular_velocity = angular_velocity(body_.moments, state_.orientation, momentum_);
+  corrected_by_ = shift.norm() + turn.norm() * radius_;
+  return kinetic_energy() - before - body_.mass * gravity.dot(shift);
+}
+
 BodyMotion MovingBody::motion() const {
-  return {state_.world_from_body(), state_.velocity, state_.angular_velocity};
+  return {state_.world_from_body(), state_.velocity,
+          state_.angular_velocity,  state_.position,
+          state_.velocity,          state_.angular_velocity,
+          1.0 / body_.mass,         body_.moments.cwiseInverse()};
 }
 
 double MovingBody::kinetic_energy() const {

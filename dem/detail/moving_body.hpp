@@ -21,11 +21,18 @@ class MovingBody {
   /// Half a kick by the loads at the new place.
   void end_step(double duration, const Vec3& force, const Vec3& torque, const Vec3& gravity);
 
+  /// Gives what the events inside the step just ended add to it.
+  /// @returns  the energy this gives the body, kinetic and potential, J
+  double correct(const Vec3& impulse, const Vec3& angular_impulse, const Vec3& moment,
+                 const Vec3& angular_moment, const Vec3& gravity);
+
   /// Where it is and how it moves, without a step.
   BodyMotion motion() const;
   double kinetic_energy() const;  ///< J
   /// No point of the rounded body was faster than this in the last step, m/s.
   double top_speed() const { return top_speed_; }
+  /// No point of it was shifted farther by the last `correct`, m.
+  double corrected_by() const { return corrected_by_; }
   bool finite() const;
 
  private:
@@ -35,6 +42,7 @@ class MovingBody {
   double radius_;  ///< of the rounded body about its centre, m
   double smallest_moment_;
   double top_speed_ = 0.0;
+  double corrected_by_ = 0.0;
 };
 
 }  // namespace clast

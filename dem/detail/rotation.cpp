@@ -7,17 +7,7 @@ namespace clast {
 namespace {
 
 /// Rotation per Runge-Kutta step, rad.
-constexpr double kFlightTurn = 0.01;
-
-/// Unit quaternion of the rotation vector.
-Quat exponential(const Vec3& rotation) {
-  const double angle = rotation.norm();
-  const double half = 0.5 * angle;
-  // sin(x)/x to the last bit for small x.
-  const double share = angle > 1e-4 ? std::sin(half) / angle : 0.5 - angle * angle / 48.0;
-  const Vec3 axis = share * rotation;
-  return {std::cos(half), axis.x(), axis.y(), axis.z()};
-}
+constexpr double kFlightTurn = 0.003;
 
 Vec3 body_spin(const Vec3& moments, const Quat& orientation, const Vec3& momentum) {
   const Vec3 in_body = orientation.conjugate() * momentum;
@@ -33,6 +23,15 @@ Eigen::Vector4d rate(const Vec3& moments, const Eigen::Vector4d& coefficients,
 
 }  // namespace
 
+Quat turn_of(const Vec3& rotation) {
+  const double angle = rotation.norm();
+  const double half = 0.5 * angle;
+  // sin(x)/x to the last bit for small x.
+  const double share = angle > 1e-4 ? std::sin(half) / angle : 0.5 - angle * angle / 48.0;
+  const Vec3 axis = share * rotation;
+  return {std::cos(half), axis.x(), axis.y(), axis.z()};
+}
+
 Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity) {
   const Vec3 spin = orientation.conjugate() * angular_velocity;
   return orientation * Vec3(moments.cwiseProduct(spin));
@@ -45,9 +44,9 @@ Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& 
 Quat turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                      double step) {
   const Vec3 first = body_spin(moments, orientation, momentum);
-  const Quat middle = orientation * exponential(0.5 * step * first);
+  const Quat middle = orientation * turn_of(0.5 * step * first);
   const Vec3 spin = body_spin(moments, middle, momentum);
-  return (orientation * exponential(step * spin)).normalized();
+  return (orientation * turn_of(step * spin)).normalized();
 }
 
 Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,

@@ -8,13 +8,16 @@ namespace clast {
 Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity);
 Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
 
+/// The turn by a rotation vector, rad.
+Quat turn_of(const Vec3& rotation);
+
 /// One short step at constant momentum, second order and reversible to third (explicit midpoint on
 /// the rotation group).
 Quat turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                      double step);
 
-/// A long torque-free turn: fourth-order Runge-Kutta in steps of at most 0.01 rad, which keeps the
-/// angle to about 1e-10 rad per revolution.
+/// A torque-free turn by fourth-order Runge-Kutta in steps of at most 0.003 rad, good to about
+/// 1e-12 rad per radian: where `FreeRotation` has no closed form.
 Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                    double duration);
 

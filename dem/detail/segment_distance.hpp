@@ -1,17 +1,19 @@
 #pragma once
-/// Distances between lines and segments.
+/// Where two segments come closest.
 #include "core/types.hpp"
 
 namespace clast {
 
-/// Where two lines come closest, as lengths along their unit directions.
-struct ClosestOnLines {
-  double first = 0.0;
-  double second = 0.0;
+struct ClosestOnSegments {
+  double first = 0.0;           ///< along the first segment, m
+  double second = 0.0;          ///< along the second, m
+  Vec3 between = Vec3::Zero();  ///< from the point on the second to the one on the first
+  bool crossing = false;        ///< both points are inside, where the lines themselves are closest
 };
 
-/// @param a, u  a point and the unit direction of the first line; b, v of the second, not parallel
-ClosestOnLines closest_on_lines(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v);
+/// @param a, u  start and unit direction of the first segment; b, v of the second
+ClosestOnSegments closest_on_segments(const Vec3& a, const Vec3& u, double length_a, const Vec3& b,
+                                      const Vec3& v, double length_b);
 
 /// Distance between the segments from `a` and `b` along their unit directions.
 double segment_distance(const Vec3& a, const Vec3& u, double length_a, const Vec3& b, const Vec3& v,

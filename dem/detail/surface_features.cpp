@@ -24,14 +24,33 @@ double give_of(const Vec3& normal, const Vec3& other) {
   return std::sin(kGiveShare * std::atan2(normal.cross(other).norm(), normal.dot(other)));
 }
 
-struct HalfEdge {
-  std::uint32_t low, high, face, side;
-};
+/// In the plane of the face, perpendicular to its edge, into the face; unit when the edge is.
+Vec3 into_face(const SurfaceFace& face, const Vec3& edge_direction, bool along) {
+  return along ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
+}
+
+bool within_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction,
+                double slack) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (edge.faces[i] == kNoFeature) return true;
+    const SurfaceFace& face = surface.faces[edge.faces[i]];
+    if (direction.dot(into_face(face, edge.direction, edge.along[i])) > slack) return false;
+  }
+  return true;
+}
+
+bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction,
+                 double slack) {
+  for (const std::uint32_t e : surface.edges_at(vertex)) {
+    if (direction.dot(surface.ray(e, vertex)) > slack) return false;
+  }
+  return true;
+}
 
 void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
   surface.faces.reserve(mesh.triangles.size());
   for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-    SurfaceFace face{triangle, {}, {}, Vec3::Zero()};
+    SurfaceFace face{triangle, {}, Vec3::Zero()};
     const Vec3& a = mesh.vertices[triangle[0]];
     const Vec3& b = mesh.vertices[triangle[1]];
     const Vec3& c = mesh.vertices[triangle[2]];
@@ -40,10 +59,6 @@ void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
       throw GeometryError("triangle at " + place(a) + " has no area; remove degenerate triangles");
     }
     face.normal = area.normalized();
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 along = mesh.vertices[triangle[(k + 1) % 3]] - mesh.vertices[triangle[k]];
-      face.inward[k] = face.normal.cross(along).normalized();
-    }
     surface.faces.push_back(face);
   }
 }
@@ -55,55 +70,79 @@ EdgeKind kind_of(const SurfaceFace& first, const SurfaceFace& second, const Vec3
   return EdgeKind::kFlat;
 }
 
-void make_edges(SurfaceFeatures& surface) {
-  std::vector<HalfEdge> halves;
-  halves.reserve(3 * surface.faces.size());
-  for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = surface.faces[f].vertices[k];
-      const std::uint32_t b = surface.faces[f].vertices[(k + 1) % 3];
-      halves.push_back({std::min(a, b), std::max(a, b), f, k});
-    }
+/// One side of a face, filed under the lower of its two vertices.
+struct HalfEdge {
+  std::uint32_t high;
+  std::uint32_t side;  ///< 3 face + k
+
+  std::uint32_t face() const { return side / 3; }
+  auto operator<=>(const HalfEdge&) const = default;
+};
+
+/// Adds the edge that these half edges make.
+void add_edge(SurfaceFeatures& surface, std::uint32_t low, std::span<const HalfEdge> halves) {
+  const std::uint32_t high = halves[0].high;
+  if (halves.size() > 2) {
+    throw GeometryError(std::to_string(halves.size()) + " triangles meet in the edge at " +
+                        place(surface.vertices[low]) + "; the surface must be manifold");
   }
-  std::sort(halves.begin(), halves.end(), [](const HalfEdge& p, const HalfEdge& q) {
-    return std::tie(p.low, p.high, p.face) < std::tie(q.low, q.high, q.face);
+  SurfaceEdge edge;
+  edge.vertices = {low, high};
+  const Vec3 reach = surface.vertices[high] - surface.vertices[low];
+  edge.length = reach.norm();
+  edge.direction = reach / edge.length;
+  edge.faces = {kNoFeature, kNoFeature};
+  edge.kind = EdgeKind::kBorder;
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    SurfaceFace& face = surface.faces[halves[i].face()];
+    const std::uint32_t k = halves[i].side % 3;
+    face.edges[k] = static_cast<std::uint32_t>(surface.edges.size());
+    edge.faces[i] = halves[i].face();
+    edge.along[i] = face.vertices[k] == low;
+  }
+  if (halves.size() == 2) {
+    const SurfaceFace& second = surface.faces[edge.faces[1]];
+    edge.kind = kind_of(surface.faces[edge.faces[0]], second,
+                        into_face(second, edge.direction, edge.along[1]));
+  }
+  surface.edges.push_back(edge);
+}
+
+void make_edges(SurfaceFeatures& surface, std::size_t wires) {
+  std::vector<std::uint32_t> offsets(surface.vertices.size() + 1, 0);
+  const auto each_half = [&](const auto& visit) {
+    for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = surface.faces[f].vertices[k];
+        const std::uint32_t b = surface.faces[f].vertices[(k + 1) % 3];
+        visit(std::min(a, b), HalfEdge{std::max(a, b), 3 * f + k});
+      }
+    }
+  };
+  each_half([&](std::uint32_t low, const HalfEdge&) { ++offsets[low + 1]; });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<HalfEdge> halves(offsets.back());
+  std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
+  each_half([&](std::uint32_t low, const HalfEdge& half) { halves[next[low]++] = half; });
+  next = {};
+
+  std::size_t count = wires;
+  const auto each_edge = [&](const auto& visit) {
+    for (std::uint32_t low = 0; low < surface.vertices.size(); ++low) {
+      for (std::size_t i = offsets[low], end; i < offsets[low + 1]; i = end) {
+        for (end = i + 1; end < offsets[low + 1] && halves[end].high == halves[i].high;) ++end;
+        visit(low, std::span(halves).subspan(i, end - i));
+      }
+    }
+  };
+  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
+    std::sort(halves.begin() + offsets[v], halves.begin() + offsets[v + 1]);
+  }
+  each_edge([&](std::uint32_t, std::span<const HalfEdge>) { ++count; });
+  surface.edges.reserve(count);
+  each_edge([&](std::uint32_t low, std::span<const HalfEdge> of_edge) {
+    add_edge(surface, low, of_edge);
   });
-  for (std::size_t i = 0; i < halves.size();) {
-    std::size_t end = i + 1;
-    while (end < halves.size() && halves[end].low == halves[i].low &&
-           halves[end].high == halves[i].high) {
-      ++end;
-    }
-    const HalfEdge& half = halves[i];
-    if (end - i > 2) {
-      throw GeometryError(std::to_string(end - i) + " triangles meet in the edge at " +
-                          place(surface.vertices[half.low]) + "; the surface must be manifold");
-    }
-    SurfaceEdge edge;
-    edge.vertices = {half.low, half.high};
-    const Vec3 along = surface.vertices[half.high] - surface.vertices[half.low];
-    edge.length = along.norm();
-    edge.direction = along / edge.length;
-    SurfaceFace& first = surface.faces[half.face];
-    first.edges[half.side] = static_cast<std::uint32_t>(surface.edges.size());
-    edge.faces = {half.face, kNoFeature};
-    edge.inward = {first.inward[half.side], Vec3::Zero()};
-    edge.normal = first.normal;
-    edge.kind = EdgeKind::kBorder;
-    if (end - i == 2) {
-      const HalfEdge& other = halves[i + 1];
-      SurfaceFace& second = surface.faces[other.face];
-      second.edges[other.side] = static_cast<std::uint32_t>(surface.edges.size());
-      edge.faces[1] = other.face;
-      edge.inward[1] = second.inward[other.side];
-      edge.kind = kind_of(first, second, edge.inward[1]);
-      const Vec3 sum = first.normal + second.normal;
-      if (sum.norm() > kFlatSine) edge.normal = sum.normalized();
-      if (edge.kind == EdgeKind::kRidge) edge.give = give_of(first.normal, second.normal);
-    }
-    surface.edges.push_back(edge);
-    i = end;
-  }
 }
 
 void add_wires(SurfaceFeatures& surface, std::span<const std::array<std::uint32_t, 2>> wires) {
@@ -111,73 +150,45 @@ void add_wires(SurfaceFeatures& surface, std::span<const std::array<std::uint32_
     SurfaceEdge edge;
     edge.vertices = {a, b};
     edge.faces = {kNoFeature, kNoFeature};
-    const Vec3 along = surface.vertices[b] - surface.vertices[a];
-    edge.length = along.norm();
-    edge.direction = along / edge.length;
-    edge.inward = {Vec3::Zero(), Vec3::Zero()};
-    edge.normal = Vec3::UnitZ();
+    const Vec3 reach = surface.vertices[b] - surface.vertices[a];
+    edge.length = reach.norm();
+    edge.direction = reach / edge.length;
     edge.kind = EdgeKind::kWire;
     surface.edges.push_back(edge);
   }
 }
 
-/// Sets of numbers that are joined pairwise; each is named by its smallest member.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t name(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t a = name(i), b = name(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-void number_planes(SurfaceFeatures& surface) {
-  Joined planes(surface.faces.size());
+void file_edges(SurfaceFeatures& surface) {
+  surface.edge_offsets.assign(surface.vertices.size() + 1, 0);
   for (const SurfaceEdge& edge : surface.edges) {
-    if (edge.kind == EdgeKind::kFlat) planes.join(edge.faces[0], edge.faces[1]);
+    for (const std::uint32_t v : edge.vertices) ++surface.edge_offsets[v + 1];
   }
-  for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
-    surface.faces[f].plane = planes.name(f);
+  std::partial_sum(surface.edge_offsets.begin(), surface.edge_offsets.end(),
+                   surface.edge_offsets.begin());
+  surface.edges_at_vertex.resize(surface.edge_offsets.back());
+  std::vector<std::uint32_t> next(surface.edge_offsets.begin(), surface.edge_offsets.end() - 1);
+  for (std::uint32_t e = 0; e < surface.edges.size(); ++e) {
+    for (const std::uint32_t v : surface.edges[e].vertices) surface.edges_at_vertex[next[v]++] = e;
   }
 }
 
-using Incident = std::vector<std::vector<std::uint32_t>>;
-
-/// Rays, pointedness and the lines of edges that go straight on.
-void describe_vertices(SurfaceFeatures& surface, const Incident& edges_at) {
-  const std::size_t count = surface.vertices.size();
-  surface.ray_offsets.assign(count + 1, 0);
-  surface.pointed.assign(count, 0);
-  Joined lines(surface.edges.size());
-  for (std::size_t v = 0; v < count; ++v) {
-    bool convex = edges_at[v].empty();  // a lone ball
-    std::vector<std::uint32_t> sharp;
-    const auto ray = [&](std::uint32_t e) {
-      const SurfaceEdge& edge = surface.edges[e];
-      return edge.vertices[0] == v ? edge.direction : Vec3(-edge.direction);
-    };
-    for (const std::uint32_t e : edges_at[v]) {
-      surface.rays.push_back(ray(e));
-      if (surface.edges[e].kind != EdgeKind::kFlat) sharp.push_back(e);
+void find_pointed(SurfaceFeatures& surface) {
+  surface.pointed.assign(surface.vertices.size(), 0);
+  for (std::uint32_t v = 0; v < surface.vertices.size(); ++v) {
+    const std::span<const std::uint32_t> edges = surface.edges_at(v);
+    bool convex = edges.empty();  // a lone ball
+    std::array<std::uint32_t, 2> sharp{};
+    std::size_t sharp_count = 0;
+    for (const std::uint32_t e : edges) {
       convex = convex || surface.edges[e].convex();
+      if (surface.edges[e].kind == EdgeKind::kFlat) continue;
+      if (sharp_count < 2) sharp[sharp_count] = e;
+      ++sharp_count;
     }
-    const bool goes_straight_on = sharp.size() == 2 &&
-                                  ray(sharp[0]).cross(ray(sharp[1])).norm() < kFlatSine &&
-                                  ray(sharp[0]).dot(ray(sharp[1])) < 0.0;
-    if (goes_straight_on) lines.join(sharp[0], sharp[1]);
-    surface.pointed[v] = convex && !goes_straight_on;
-    surface.ray_offsets[v + 1] = static_cast<std::uint32_t>(surface.rays.size());
+    const bool goes_on =
+        sharp_count == 2 && straight_on(surface.ray(sharp[0], v), surface.ray(sharp[1], v));
+    surface.pointed[v] = convex && !goes_on;
   }
-  for (std::uint32_t e = 0; e < surface.edges.size(); ++e) surface.edges[e].line = lines.name(e);
 }
 
 void make_vertex_normals(SurfaceFeatures& surface) {
@@ -194,33 +205,6 @@ void make_vertex_normals(SurfaceFeatures& surface) {
   for (Vec3& normal : surface.vertex_normals) {
     if (normal.norm() > 0.0) normal.normalize();
   }
-  surface.give.assign(surface.vertices.size(), 0.0);
-  for (const SurfaceFace& face : surface.faces) {
-    for (const std::uint32_t v : face.vertices) {
-      surface.give[v] =
-          std::max(surface.give[v], 2.0 * give_of(surface.vertex_normals[v], face.normal));
-    }
-  }
-}
-
-void gather_joints(SurfaceFeatures& surface, const Incident& edges_at) {
-  const std::size_t count = surface.vertices.size();
-  Incident joints_at(count);
-  for (const SurfaceFace& face : surface.faces) {
-    for (const std::uint32_t v : face.vertices) joints_at[v].push_back(face.plane);
-  }
-  surface.joint_offsets.assign(count + 1, 0);
-  for (std::size_t v = 0; v < count; ++v) {
-    std::vector<std::uint32_t>& joints = joints_at[v];
-    for (const std::uint32_t e : edges_at[v]) {
-      const SurfaceEdge& edge = surface.edges[e];
-      if (edge.convex()) joints.push_back(surface.joint_of_line(edge.line));
-    }
-    std::sort(joints.begin(), joints.end());
-    joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-    surface.joints.insert(surface.joints.end(), joints.begin(), joints.end());
-    surface.joint_offsets[v + 1] = static_cast<std::uint32_t>(surface.joints.size());
-  }
 }
 
 }  // namespace
@@ -230,49 +214,60 @@ SurfaceFeatures surface_features(const TriangleMesh& mesh,
   SurfaceFeatures surface;
   surface.vertices = mesh.vertices;
   make_faces(surface, mesh);
-  make_edges(surface);
+  make_edges(surface, wires.size());
   add_wires(surface, wires);
-  number_planes(surface);
   make_vertex_normals(surface);
-  Incident edges_at(surface.vertices.size());
-  for (std::uint32_t e = 0; e < surface.edges.size(); ++e) {
-    for (const std::uint32_t v : surface.edges[e].vertices) edges_at[v].push_back(e);
-  }
-  describe_vertices(surface, edges_at);
-  gather_joints(surface, edges_at);
+  file_edges(surface);
+  find_pointed(surface);
   return surface;
 }
 
-namespace {
-
-bool within(const SurfaceEdge& edge, const Vec3& direction, double slack) {
-  return direction.dot(edge.inward[0]) <= slack && direction.dot(edge.inward[1]) <= slack;
+Vec3 SurfaceFeatures::edge_normal(const SurfaceEdge& edge) const {
+  if (edge.faces[0] == kNoFeature) return Vec3::UnitZ();
+  const Vec3& first = faces[edge.faces[0]].normal;
+  if (edge.faces[1] == kNoFeature) return first;
+  const Vec3 sum = first + faces[edge.faces[1]].normal;
+  const double length = sum.norm();
+  return length > kFlatSine ? Vec3(sum / length) : first;
 }
 
-bool within(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction,
-            double slack) {
-  for (const Vec3& ray : surface.rays_of(vertex)) {
-    if (direction.dot(ray) > slack) return false;
+bool over_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point) {
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& corner = surface.vertices[face.vertices[k]];
+    const Vec3 along = surface.vertices[face.vertices[(k + 1) % 3]] - corner;
+    if (face.normal.cross(along).dot(point - corner) < 0.0) return false;
   }
   return true;
 }
 
-}  // namespace
-
-bool in_arc(const SurfaceEdge& edge, const Vec3& direction) {
-  return within(edge, direction, kConeSlack);
+bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+  return within_arc(surface, edge, direction, kConeSlack);
 }
 
-bool near_arc(const SurfaceEdge& edge, const Vec3& direction) {
-  return within(edge, direction, kConeSlack + edge.give);
+bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+  if (edge.kind != EdgeKind::kRidge) return in_arc(surface, edge, direction);
+  const double give =
+      give_of(surface.faces[edge.faces[0]].normal, surface.faces[edge.faces[1]].normal);
+  return within_arc(surface, edge, direction, kConeSlack + give);
 }
 
 bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
-  return within(surface, vertex, direction, kConeSlack);
+  return within_cone(surface, vertex, direction, kConeSlack);
 }
 
 bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
-  return within(surface, vertex, direction, kConeSlack + surface.give[vertex]);
+  double give = 0.0;
+  for (const std::uint32_t e : surface.edges_at(vertex)) {
+    for (const std::uint32_t f : surface.edges[e].faces) {
+      if (f == kNoFeature) continue;
+      give = std::max(give, 2.0 * give_of(surface.vertex_normals[vertex], surface.faces[f].normal));
+    }
+  }
+  return within_cone(surface, vertex, direction, kConeSlack + give);
+}
+
+bool straight_on(const Vec3& first_ray, const Vec3& second_ray) {
+  return first_ray.cross(second_ray).norm() < kFlatSine && first_ray.dot(second_ray) < 0.0;
 }
 
 }  // namespace clast

@@ -22,49 +22,45 @@ enum class EdgeKind : std::uint8_t {
 struct SurfaceFace {
   std::array<std::uint32_t, 3> vertices;
   std::array<std::uint32_t, 3> edges;  ///< edge k runs from vertex k to vertex k + 1
-  std::array<Vec3, 3> inward;          ///< in the plane, perpendicular to edge k, into the face
   Vec3 normal;                         ///< unit, out of the solid
-  std::uint32_t plane = 0;             ///< faces joined over flat edges share this number
 };
 
 struct SurfaceEdge {
   std::array<std::uint32_t, 2> vertices;
   std::array<std::uint32_t, 2> faces;  ///< the second is kNoFeature for a border, both for a wire
-  std::array<Vec3, 2> inward;          ///< into either face, perpendicular to the edge
   Vec3 direction;                      ///< unit, from the first vertex to the second
-  Vec3 normal;                         ///< mean of the face normals, unit
   double length = 0.0;
-  double give = 0.0;  ///< sine of how far beyond its arc flat bodies still rest on it
   EdgeKind kind = EdgeKind::kFlat;
-  std::uint32_t line = 0;  ///< convex edges that go straight on into each other share this number
+  std::array<bool, 2> along = {true, false};  ///< either face runs from the first vertex to the
+                                              ///< second
 
   bool convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kValley; }
 };
 
-/// A whole surface.
+/// A whole surface. What a large terrain would hold in vain is not here: what follows from these
+/// in a few operations is computed when asked for.
 struct SurfaceFeatures {
   std::vector<Vec3> vertices;
   std::vector<SurfaceFace> faces;
   std::vector<SurfaceEdge> edges;
-  std::vector<Vec3> vertex_normals;          ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
-  std::vector<double> give;                  ///< of every vertex, like that of an edge
-  std::vector<std::uint8_t> pointed;         ///< vertices that can be touched: a convex edge ends
-                                             ///< there and does not go straight on
-  std::vector<std::uint32_t> ray_offsets;    ///< edges leaving vertex v: rays[ray_offsets[v] ..]
-  std::vector<Vec3> rays;                    ///< unit directions
-  std::vector<std::uint32_t> joint_offsets;  ///< joints of vertex v: joints[joint_offsets[v] ..]
-  std::vector<std::uint32_t> joints;         ///< planes and lines that meet there, sorted
+  std::vector<Vec3> vertex_normals;   ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
+  std::vector<std::uint8_t> pointed;  ///< vertices that can be touched: a convex edge ends
+                                      ///< there and does not go straight on
+  std::vector<std::uint32_t>
+      edge_offsets;  ///< edges at vertex v: edges_at_vertex[edge_offsets[v] ..]
+  std::vector<std::uint32_t> edges_at_vertex;  ///< sorted
 
-  std::span<const Vec3> rays_of(std::uint32_t vertex) const {
-    return {rays.data() + ray_offsets[vertex], rays.data() + ray_offsets[vertex + 1]};
+  std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const {
+    return {edges_at_vertex.data() + edge_offsets[vertex],
+            edges_at_vertex.data() + edge_offsets[vertex + 1]};
   }
-  std::span<const std::uint32_t> joints_of(std::uint32_t vertex) const {
-    return {joints.data() + joint_offsets[vertex], joints.data() + joint_offsets[vertex + 1]};
+  /// Unit direction in which an edge leaves one of its vertices.
+  Vec3 ray(std::uint32_t edge, std::uint32_t vertex) const {
+    const SurfaceEdge& e = edges[edge];
+    return e.vertices[0] == vertex ? e.direction : Vec3(-e.direction);
   }
-  /// Planes and lines in one numbering: a plane by its number, a line after all faces.
-  std::uint32_t joint_of_line(std::uint32_t line) const {
-    return static_cast<std::uint32_t>(faces.size()) + line;
-  }
+  /// Mean of the normals of the faces at an edge, unit; of a wire any.
+  Vec3 edge_normal(const SurfaceEdge& edge) const;
 };
 
 /// @param wires  edges that belong to no triangle (capsules), as vertex pairs
@@ -72,17 +68,24 @@ struct SurfaceFeatures {
 SurfaceFeatures surface_features(const TriangleMesh& mesh,
                                  std::span<const std::array<std::uint32_t, 2>> wires = {});
 
+/// True when the foot of the point on the face's plane lies in the face.
+bool over_face(const SurfaceFeatures& surface, const SurfaceFace& face, const Vec3& point);
+
 /// True when `direction` points out of the solid at the edge: within the arc between the normals
 /// of its faces (to 1e-9).
-bool in_arc(const SurfaceEdge& edge, const Vec3& direction);
-/// The same with the edge's give: a thirtieth of the angle by which its faces turn, 3 degrees at a
-/// right angle and nothing where they are smooth. Where two flat faces overlap partly, the edges
-/// that bound the overlap then carry their share whichever way the faces are tilted a little.
-bool near_arc(const SurfaceEdge& edge, const Vec3& direction);
+bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
+/// The same, and a thirtieth of the angle by which the edge's faces turn beyond it: 3 degrees at a
+/// right angle and nothing where they are smooth. Where flat faces of two blocks overlap partly,
+/// the edges that bound the overlap then carry their share whichever way the faces are tilted a
+/// little.
+bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
 
 /// True when no edge leaving the vertex rises along `direction`: it lies in the normal cone.
 bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
-/// The same with the vertex's give, from the largest angle between its faces and its normal.
+/// The same with such a slack, from the largest angle between the vertex's faces and its normal.
 bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
+
+/// True when two edges that leave a vertex along these rays go straight on into each other.
+bool straight_on(const Vec3& first_ray, const Vec3& second_ray);
 
 }  // namespace clast

@@ -10,12 +10,14 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
+bool before(const Vec2& a, const Vec2& b) {
+  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+
 }  // namespace
 
 std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
+  std::sort(points.begin(), points.end(), before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   // Monotone chain: the lower outline forward, the upper one back.
@@ -34,8 +36,30 @@ std::vector<Vec2> convex_outline(std::vector<Vec2> points) {
   return outline;
 }
 
+std::vector<Vec2> convex_loop(std::vector<Vec2> loop) {
+  if (loop.size() < 3) return convex_outline(std::move(loop));
+  // From a point that is certainly a corner, so that none before it has to be undone.
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), before), loop.end());
+  const Vec2 start = loop.front();
+  std::size_t size = 1;
+  const auto drop_behind = [&](const Vec2& p) {
+    while (size >= 2 && turn(loop[size - 2], loop[size - 1], p) <= 0.0) --size;
+  };
+  for (std::size_t i = 1; i < loop.size(); ++i) {
+    const Vec2 p = loop[i];
+    drop_behind(p);
+    if (p != loop[size - 1]) loop[size++] = p;
+  }
+  drop_behind(start);
+  loop.resize(size);
+  return loop;
+}
+
 Rectangle smallest_rectangle(std::vector<Vec2> points, double radius) {
-  const std::vector<Vec2> outline = convex_outline(std::move(points));
+  return smallest_rectangle_of_outline(convex_outline(std::move(points)), radius);
+}
+
+Rectangle smallest_rectangle_of_outline(std::span<const Vec2> outline, double radius) {
   const std::size_t count = outline.size();
   Rectangle best;
   best.along = best.across = 2.0 * radius;

@@ -12,6 +12,9 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
+/// Ears thinner than this share of their longest side are cut off last.
+constexpr double kThinEar = 1e-6;
+
 Vec3 normal_of(const TriangleMesh& mesh, const Indices& polygon) {
   const Vec3& origin = mesh.vertices[polygon[0]];
   Vec3 sum = Vec3::Zero();
@@ -38,15 +41,22 @@ void take_better_diagonal(const TriangleMesh& mesh, Indices& quad, const Vec3& n
   }
 }
 
-bool is_ear(const TriangleMesh& mesh, const Indices& p, std::size_t k, const Vec3& normal) {
+/// Convex, empty by a margin, and with a height over its longest side, all more than `thinnest` of
+/// that side.
+bool is_ear(const TriangleMesh& mesh, const Indices& p, std::size_t k, const Vec3& normal,
+            double thinnest) {
   const std::size_t n = p.size();
   const Vec3 &a = mesh.vertices[p[(k + n - 1) % n]], &b = mesh.vertices[p[k]],
              &c = mesh.vertices[p[(k + 1) % n]];
-  if (!(turn(a, b, c, normal) > 0.0)) return false;
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  if (!(turn(a, b, c, normal) > thinnest * longest)) return false;
+  // Nor may a corner lie on the cut, or what is left would touch itself there.
+  const double slack = -thinnest * longest;
   for (std::size_t i = 2; i + 1 < n; ++i) {
     const Vec3& other = mesh.vertices[p[(k + i) % n]];
-    if (turn(a, b, other, normal) >= 0.0 && turn(b, c, other, normal) >= 0.0 &&
-        turn(c, a, other, normal) >= 0.0) {
+    if (turn(a, b, other, normal) >= slack && turn(b, c, other, normal) >= slack &&
+        turn(c, a, other, normal) >= slack) {
       return false;
     }
   }
@@ -69,12 +79,16 @@ void append_polygon(TriangleMesh& mesh, std::span<const std::int64_t> corners) {
     }
     polygon.push_back(static_cast<std::uint32_t>(corner));
   }
-  const Vec3 normal = polygon.size() > 3 ? normal_of(mesh, polygon) : Vec3(Vec3::Zero());
-  // Above this size ear cutting (cubic) would stall on a hostile file; a fan is right when convex.
-  constexpr std::size_t kEarLimit = 1000;
-  while (polygon.size() > 4 && polygon.size() <= kEarLimit) {
+  Vec3 normal = polygon.size() > 3 ? normal_of(mesh, polygon) : Vec3(Vec3::Zero());
+  if (normal.norm() > 0.0) normal.normalize();
+  const auto ear_of = [&](double thinnest) {
     std::size_t ear = 0;
-    while (ear < polygon.size() && !is_ear(mesh, polygon, ear, normal)) ++ear;
+    while (ear < polygon.size() && !is_ear(mesh, polygon, ear, normal, thinnest)) ++ear;
+    return ear;
+  };
+  while (polygon.size() > 4 && polygon.size() <= kMostEars) {
+    std::size_t ear = ear_of(kThinEar);  // corners in a row make slivers when they are cut off
+    if (ear == polygon.size()) ear = ear_of(0.0);
     if (ear == polygon.size()) break;
     const std::size_t n = polygon.size();
     mesh.triangles.push_back({polygon[(ear + n - 1) % n], polygon[ear], polygon[(ear + 1) % n]});

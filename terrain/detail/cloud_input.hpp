@@ -9,14 +9,6 @@
 
 namespace clast::detail {
 
-/// Points of text files (.xyz, .txt, .csv, .pts): the columns named x, y, z in a heading, else the
-/// first three; separated by blanks, commas, semicolons or tabs; lines that start with # or // are
-/// skipped, and so is a first line with nothing but the number of points.
-/// @throws InputError  a line that is not a point, with its number; or no points
-std::vector<Vec3> read_cloud(const std::filesystem::path& path);
-
-bool is_cloud(const std::filesystem::path& path);
-
 /// Mean height per square cell; cells lie on multiples of `cell`.
 HeightGrid binned(std::span<const Vec3> points, double cell, const std::filesystem::path& path);
 

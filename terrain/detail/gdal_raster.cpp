@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "core/text_file.hpp"
 #include "terrain/detail/gdal_session.hpp"
 
 namespace clast::detail {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -57,13 +56,6 @@ std::string place(const Vec3& point) {
   std::snprintf(text.data(), text.size(), "x %.3f, y %.3f, z %.3f", point.x(), point.y(),
                 point.z());
   return text.data();
-}
-
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
 }
 
 }  // namespace clast::detail

@@ -42,7 +42,4 @@ inline Vec3 turned_y_up(const Vec3& p) { return {p.x(), p.z(), -p.y()}; }
 /// "x 652013.25, y 5203000.00" for messages; `point` on the map.
 std::string place(const Vec3& point);
 
-/// Lower-case extension with the dot.
-std::string extension_of(const std::filesystem::path& path);
-
 }  // namespace clast::detail

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/text_file.hpp"
 #include "terrain/detail/gdal_session.hpp"
 #include "terrain/detail/raw_surface.hpp"
 

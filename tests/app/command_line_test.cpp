@@ -125,6 +125,7 @@ TEST_F(WithLibrary, ShowGivesEveryPromisedKey) {
                             "inertia_kg_m2",
                             "principal_moments_kg_m2",
                             "box_m",
+                            "boxes_m",
                             "s_c",
                             "sneed_folk",
                             "zingg",
@@ -140,6 +141,12 @@ TEST_F(WithLibrary, ShowGivesEveryPromisedKey) {
     const double L = block["box_m"][0], I = block["box_m"][1], S = block["box_m"][2];
     EXPECT_TRUE(L >= I && I >= S && S > 0.0);
     EXPECT_NEAR(block["s_c"], L / I - 1.0, 1e-12);
+    EXPECT_EQ(block["boxes_m"]["smallest"], block["box_m"]);
+    for (const char* box : {"inertia", "feret", "pca"}) {
+      const Json& sides = block["boxes_m"][box];
+      EXPECT_GE(double(sides[0]) * double(sides[1]) * double(sides[2]), L * I * S * (1.0 - 1e-9));
+    }
+    EXPECT_GE(block["boxes_m"]["feret"][0], block["boxes_m"]["pca"][0]);
     EXPECT_NEAR(block["mass_kg"], 2650.0 * double(block["volume_m3"]), 1e-6);
     const Json& J = block["principal_moments_kg_m2"];
     EXPECT_TRUE(J[0] <= J[1] && J[1] <= J[2]);
@@ -155,7 +162,7 @@ TEST_F(WithLibrary, ShowPrintsATableAndDetailsOfNamedBlocks) {
   const ProgramRun all = run_clast({"show", "blocks.h5"}, folder.path());
   EXPECT_TRUE(contains(all.out, "flat") && contains(all.out, "mass kg")) << all.out;
   const ProgramRun one = run_clast({"show", "blocks.h5", "long"}, folder.path());
-  EXPECT_TRUE(contains(one.out, "long.obj") && !contains(one.out, "flat")) << one.out;
+  EXPECT_TRUE(contains(one.out, "long.obj") && !contains(one.out, "\nflat ")) << one.out;
   expect_refused(folder, {"show", "blocks.h5", "round"}, 1, "flat, long");
 }
 
@@ -197,6 +204,58 @@ TEST_F(WithLibrary, ClassifyCountsThePopulation) {
   }
   const ProgramRun one = run_clast({"classify", "blocks.h5", "--scheme", "zingg"}, folder.path());
   EXPECT_TRUE(contains(one.out, "rod") && !contains(one.out, "garcia")) << one.out;
+}
+
+TEST_F(WithLibrary, ClassifyGivesEveryClassItsCertaintyAndEveryIndexItsFormula) {
+  const ProgramRun run =
+      run_clast({"classify", "blocks.h5", "--json", "--roundness", "0.08"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  const Json shown_blocks = shown();
+  for (int i = 0; i < 2; ++i) {
+    const Json& block = json["blocks"][i];
+    for (const char* scheme : {"sneed-folk", "zingg", "garcia", "williams", "erdogan", "blott-pye",
+                               "en-933-4", "flakiness"}) {
+      const Json& found = block["classes"][scheme];
+      EXPECT_NEAR(std::abs(double(found["value"]) - double(found["nearest_limit"])),
+                  found["distance"], 1e-12);
+      EXPECT_EQ(found["survives"], found["others"].empty()) << scheme;
+    }
+    EXPECT_EQ(block["classes"]["zingg"]["class"], block["zingg"]);
+    EXPECT_NEAR(block["axis_error_m"], 2.0 * double(shown_blocks[i]["deviation_m"]["hausdorff"]),
+                1e-15);
+    EXPECT_EQ(block["indices"], shown_blocks[i]["indices"]);
+    EXPECT_EQ(block["equilibria"], shown_blocks[i]["equilibria"]);
+    const Json& roundness = block["roundness"];
+    EXPECT_TRUE(0.0 < roundness["wadell_roundness"] && roundness["wadell_roundness"] <= 1.0);
+    EXPECT_NEAR(roundness["edge_length_m"], 0.08, 0.03);
+    EXPECT_LE(2.0 * double(roundness["inscribed_radius_m"]), double(block["box_m"][2]));
+    const double sphericity = block["indices"]["wadell_true_sphericity"];
+    EXPECT_TRUE(0.5 < sphericity && sphericity < 1.0) << sphericity;
+    const double convexity = block["indices"]["convexity"];
+    EXPECT_TRUE(0.5 < convexity && convexity <= 1.0) << convexity;
+    const Json& sides = block["equilibria"];
+    EXPECT_EQ(int(sides["stable"]) + int(sides["unstable"]) - int(sides["saddle"]), 2);
+    for (const auto& [name, value] : block["indices"].items()) {
+      const bool of_surface =
+          name.starts_with("wadell") || name.starts_with("bagi") || name == "convexity";
+      EXPECT_NE(json["formulas"].contains(name), of_surface) << name;
+      EXPECT_NE(name, "compactness");
+    }
+  }
+}
+
+TEST_F(WithLibrary, ClassifyMeasuresOnTheNamedBox) {
+  const Json blocks = shown();
+  for (const std::string box : {"smallest", "inertia", "feret", "pca"}) {
+    const ProgramRun run =
+        run_clast({"classify", "blocks.h5", "--json", "--box", box}, folder.path());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["box"], box);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(json["blocks"][i]["box_m"], blocks[i]["boxes_m"][box]);
+  }
+  expect_refused(folder, {"classify", "blocks.h5", "--box", "best"}, 2, "--box");
 }
 
 TEST_F(WithLibrary, ExportWritesEveryFormatAndTurnsBack) {
@@ -403,6 +462,32 @@ TEST_F(Scans, ASmallHoleIsClosedAndSaid) {
   EXPECT_TRUE(contains(run.out, "note: ") && contains(run.out, "hole")) << run.out;
 }
 
+TEST_F(Scans, InnerShellsAreDroppedOrKeptAndToldOfEitherWay) {
+  TriangleMesh cavity = cuboid(0.3, 0.3, 0.3);
+  for (TriangleMesh::Triangle& t : cavity.triangles) std::swap(t[0], t[1]);
+  write_obj(folder / "hollow.obj", merged(cuboid(1, 0.9, 0.8), cavity));
+  const ProgramRun dropped = run_clast({"reconstruct", "hollow.obj"}, folder.path());
+  ASSERT_EQ(dropped.exit_code, 0) << dropped.err;
+  EXPECT_TRUE(contains(dropped.out, "0.7200 m3"));
+  EXPECT_TRUE(contains(dropped.out, "1 inner shell (bubbles) of 0.027 m3 in all dropped"));
+  const ProgramRun kept =
+      run_clast({"reconstruct", "hollow.obj", "--keep-inner-shells", "-o", "k.h5"}, folder.path());
+  ASSERT_EQ(kept.exit_code, 0) << kept.err;
+  EXPECT_TRUE(contains(kept.out, "0.6930 m3"));
+  EXPECT_TRUE(contains(kept.out, "1 inner shell (bubbles) of 0.027 m3 in all kept as cavities"));
+  const ProgramRun shown = run_clast({"show", "k.h5", "hollow"}, folder.path());
+  EXPECT_TRUE(contains(shown.out, "kept as cavities"));
+  EXPECT_TRUE(contains(shown.out, "inner_shells=kept"));
+}
+
+TEST_F(Scans, NearlyEqualMomentsAreToldOf) {
+  write_obj(folder / "cube.obj", cuboid(1, 1, 1));
+  const ProgramRun made = run_clast({"reconstruct", "cube.obj"}, folder.path());
+  EXPECT_TRUE(contains(made.out, "principal moments are nearly equal")) << made.err;
+  const ProgramRun shown = run_clast({"show", "blocks.h5", "cube"}, folder.path());
+  EXPECT_TRUE(contains(shown.out, "principal moments are nearly equal")) << shown.err;
+}
+
 TEST_F(Scans, AnOutputThatCantBeWrittenIsRefused) {
   write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
   fs::create_directory(folder / "folder.h5");
@@ -502,6 +587,48 @@ TEST(Tables, ClassifyReadsTapedAxesInTheirUnit) {
   EXPECT_EQ(blocks[0]["sneed_folk"], "CB");
   EXPECT_EQ(blocks[1]["sneed_folk"], "VP");
   EXPECT_NEAR(blocks[1]["box_m"][0], 0.46, 1e-12);
+}
+
+TEST(Tables, ClassifyWeighsSizesAndComparesPopulations) {
+  const ScratchFolder folder;
+  std::string talus = "L,I,S,kg\n", rods = "L,I,S\n";
+  for (int i = 0; i < 20; ++i) {
+    const std::string size = std::to_string(1.0 + 0.01 * i);
+    talus += size + ",0.9,0.8," + std::to_string(100 + i) + "\n";
+    rods += std::to_string(3.0 + 0.01 * i) + ",0.9,0.8\n";
+  }
+  write_text_file(folder / "talus.csv", talus + "0,1,1,5\n");
+  write_text_file(folder / "rods.csv", rods);
+  const std::vector<std::string> words = {
+      "classify", "talus.csv", "--columns", "L=L,I=I,S=S,mass=kg", "--scheme", "garcia,zingg"};
+  const ProgramRun text = run_clast(words, folder.path());
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_TRUE(contains(text.out, "mass %") && contains(text.out, "by mass") &&
+              contains(text.out, "1 row skipped"))
+      << text.out;
+  EXPECT_TRUE(contains(text.err, "row 22 skipped")) << text.err;
+
+  const ProgramRun other =
+      run_clast({"classify", "talus.csv", "--scheme", "garcia", "--compare", "rods.csv", "--json"},
+                folder.path());
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  const Json json = Json::parse(other.out);
+  EXPECT_EQ(json["skipped"], 1);
+  EXPECT_EQ(json["comparison"]["s_c"]["statistic"], 1.0);
+  EXPECT_LT(json["comparison"]["classes"]["p_value"], 1e-6);
+  EXPECT_EQ(json["blocks"][0]["axis_error_m"], 0.05);
+  EXPECT_EQ(json["box"], "as measured");
+  EXPECT_GT(json["sizes"]["d90_m"], json["sizes"]["d10_m"]);
+
+  expect_refused(folder, {"classify", "talus.csv", "--erdogan-limit", "0.9"}, 2, "erdogan_limit");
+  expect_refused(folder, {"classify", "talus.csv", "--axis-error", "-1"}, 2, "--axis-error");
+  expect_refused(folder, {"classify", "talus.csv", "--compare", "none.csv"}, 1, "none.csv");
+}
+
+TEST(Tables, ATableOfAxesHasNoBoxToChoose) {
+  const ScratchFolder folder;
+  write_text_file(folder / "talus.csv", "L,I,S\n3,2,1\n");
+  expect_refused(folder, {"classify", "talus.csv", "--box", "feret"}, 2, "talus.csv");
 }
 
 TEST(Tables, TablesThatCantBeReadAreRefused) {

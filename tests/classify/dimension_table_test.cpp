@@ -52,6 +52,21 @@ TEST_F(Tables, EverySeparatorGivesTheSameBlocks) {
   }
 }
 
+TEST_F(Tables, MassesAreReadWhereTheyAreAskedFor) {
+  const char* text = "L,I,S,m_kg\n3,2,1,50\n3,2,1,\n3,2,1,-4\n4,2,1,70\n";
+  const DimensionTable table = read(text, {.mass = "m_kg"});
+  ASSERT_EQ(table.blocks.size(), 2u);
+  EXPECT_EQ(*table.blocks[0].mass, 50.0);
+  EXPECT_EQ(*table.blocks[1].mass, 70.0);
+  EXPECT_EQ(table.skipped, 2u);
+  ASSERT_EQ(table.notes.size(), 2u);
+  EXPECT_EQ(table.notes[0], "row 3 skipped: mass is missing");
+  EXPECT_EQ(table.notes[1], "row 4 skipped: mass = -4 is not a mass");
+  EXPECT_FALSE(read(text).blocks[0].mass.has_value());
+  EXPECT_EQ(read(text).skipped, 0u);
+  EXPECT_NE(refusal(text, {.mass = "weight"}).find("weight"), std::string::npos);
+}
+
 TEST_F(Tables, ColumnNamesIgnoreCaseAndUnits) {
   for (const char* header :
        {"L_m,I_m,S_m", "l (m),i (m),s (m)", "L [m],I [m],S [m]", "L m,I m,S m"}) {

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <vector>
+
 #include "classify/dimension_table.hpp"
 #include "classify/population.hpp"
 #include "tests/support/reference_data.hpp"
@@ -26,6 +29,27 @@ TEST(FieldClasses, AuthumePopulationIsAsPublished) {
   const std::map<std::string, std::size_t> expected = {{"C", 28}, {"CP", 6}, {"CB", 22}, {"CE", 24},
                                                        {"B", 3},  {"E", 5},  {"VE", 1}};
   EXPECT_EQ(counts, expected);
+}
+
+// Two sands of the Sand Atlas: its "flatness" is S/I and its "elongation" I/L.
+TEST(FieldClasses, SandAtlasRatiosAreReproduced) {
+  int grains = 0;
+  for (const char* file :
+       {"meshes/sandatlas_ottawa-0000008.csv", "meshes/sandatlas_hostun-0000005.csv"}) {
+    std::istringstream lines(read_text_file(test_data(file)));
+    std::string line;
+    std::getline(lines, line);  // headings
+    while (std::getline(lines, line)) {
+      std::istringstream cells(line);
+      std::vector<double> values;
+      for (std::string cell; std::getline(cells, cell, ',');) values.push_back(std::stod(cell));
+      const auto indices = form_indices({values.at(3), values.at(4), values.at(5)});
+      EXPECT_NEAR(indices.at("S/I"), values.at(8), 1e-15) << line;
+      EXPECT_NEAR(indices.at("I/L"), values.at(9), 1e-15) << line;
+      ++grains;
+    }
+  }
+  EXPECT_EQ(grains, 175 + 54);
 }
 
 }  // namespace

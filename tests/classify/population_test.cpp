@@ -66,5 +66,36 @@ TEST(ClassShares, UnknownSchemeIsRefused) {
   EXPECT_THROW(class_shares(population(1, 1), "none"), InputError);
 }
 
+TEST(ClassShares, ByMassCountKilograms) {
+  const std::vector<double> masses = {1.0, 2.0, 5.0};
+  const auto shares = class_shares(population(2, 1), "garcia", {}, masses);
+  EXPECT_NEAR(*shares[0].mass_share, 3.0 / 8.0, 1e-15);
+  EXPECT_NEAR(*shares[1].mass_share, 5.0 / 8.0, 1e-15);
+  EXPECT_FALSE(class_shares(population(2, 1), "garcia")[0].mass_share.has_value());
+}
+
+TEST(Population, C40CountsSlabs) {
+  const std::vector<Axes> blocks = {{1, 1, 0.4}, {1, 1, 0.41}, {1.1, 0.6, 0.44}, {1, 0.5, 0.1}};
+  EXPECT_EQ(c40(blocks), 0.75);
+}
+
+TEST(Population, ComparedWithItselfDoesNotDiffer) {
+  const auto blocks = population(20, 15);
+  const PopulationComparison same = compared(blocks, blocks, "sneed-folk");
+  EXPECT_EQ(same.s_c.p_value, 1.0);
+  EXPECT_EQ(same.classes.statistic, 0.0);
+  EXPECT_TRUE(in_words("classes", same.classes).find("can't be told apart") != std::string::npos);
+}
+
+TEST(Population, ComparedWithAnotherDiffersInWords) {
+  const PopulationComparison other = compared(population(40, 5), population(5, 40), "garcia");
+  EXPECT_NEAR(other.s_c.statistic, 35.0 / 45.0, 1e-15);
+  EXPECT_EQ(other.classes.degrees, 1u);
+  EXPECT_LT(other.classes.p_value, 1e-6);
+  EXPECT_EQ(in_words("s_c", other.s_c), "s_c differ (Kolmogorov-Smirnov D = 0.778, p < 0.0001)");
+  // Cubes have no disc-rod index; with none of them on one side nothing is said.
+  EXPECT_EQ(compared(population(5, 0), population(5, 5), "zingg").disc_rod_index.p_value, 1.0);
+}
+
 }  // namespace
 }  // namespace clast

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 
 namespace clast {
 namespace {
@@ -91,8 +93,97 @@ INSTANTIATE_TEST_SUITE_P(Limit, Garcia,
                                          Case{12.999, 10, 5, "compact"}, Case{1, 1, 0.1, "compact"},
                                          Case{2, 1, 1, "elongated"}));
 
+class OtherScheme : public testing::TestWithParam<std::pair<const char*, Case>> {};
+
+TEST_P(OtherScheme, ClassIsThePublishedOne) {
+  const auto& [scheme, c] = GetParam();
+  EXPECT_EQ(shape_class(scheme, {c.L, c.I, c.S}), c.expected);
+  EXPECT_EQ(shape_class(scheme, {c.L / 1000.0, c.I / 1000.0, c.S / 1000.0}), c.expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Williams, OtherScheme,
+                         testing::Values(std::pair{"williams", Case{4, 2, 1, "neither"}},
+                                         std::pair{"williams", Case{4, 2.001, 1, "oblate"}},
+                                         std::pair{"williams", Case{4, 1.999, 1, "prolate"}},
+                                         std::pair{"williams", Case{0.9, 0.3, 0.1, "neither"}},
+                                         std::pair{"williams", Case{3, 3, 3, "neither"}}));
+// At the limit a ratio counts as more than near 1.
+INSTANTIATE_TEST_SUITE_P(Erdogan, OtherScheme,
+                         testing::Values(std::pair{"erdogan", Case{10, 9, 3, "platy"}},
+                                         std::pair{"erdogan", Case{20, 9, 8, "elongated"}},
+                                         std::pair{"erdogan", Case{10, 9, 8, "undetermined"}},
+                                         std::pair{"erdogan", Case{20, 10, 5, "undetermined"}},
+                                         std::pair{"erdogan", Case{13, 10, 9, "elongated"}},
+                                         std::pair{"erdogan", Case{12.999, 10, 9, "undetermined"}},
+                                         std::pair{"erdogan", Case{14, 13, 10, "platy"}},
+                                         std::pair{"erdogan",
+                                                   Case{14, 12.999, 10, "undetermined"}}));
+INSTANTIATE_TEST_SUITE_P(
+    BlottPye, OtherScheme,
+    testing::Values(std::pair{"blott-pye", Case{100, 80, 64, "not elongate, not flat"}},
+                    std::pair{"blott-pye", Case{100, 79.99, 64, "slightly elongate, not flat"}},
+                    std::pair{"blott-pye", Case{100, 80, 63.99, "not elongate, slightly flat"}},
+                    std::pair{"blott-pye", Case{100, 60, 36, "slightly elongate, slightly flat"}},
+                    std::pair{"blott-pye", Case{100, 59.99, 23, "moderately elongate, very flat"}},
+                    std::pair{"blott-pye",
+                              Case{100, 40, 16, "moderately elongate, moderately flat"}},
+                    std::pair{"blott-pye", Case{100, 39.99, 7, "very elongate, extremely flat"}},
+                    std::pair{"blott-pye", Case{100, 20, 4, "very elongate, very flat"}},
+                    std::pair{"blott-pye", Case{100, 19.99, 19, "extremely elongate, not flat"}}));
+INSTANTIATE_TEST_SUITE_P(Aggregates, OtherScheme,
+                         testing::Values(std::pair{"en-933-4", Case{3, 2, 1, "cubical"}},
+                                         std::pair{"en-933-4", Case{0.3, 0.2, 0.1, "cubical"}},
+                                         std::pair{"en-933-4", Case{3.001, 2, 1, "non-cubical"}},
+                                         std::pair{"flakiness", Case{9, 8, 5, "not flaky"}},
+                                         std::pair{"flakiness", Case{9, 8, 4.999, "flaky"}},
+                                         std::pair{"flakiness", Case{9, 8.001, 5, "flaky"}}));
+
+TEST(Schemes, ThirdsMoveTheSecondLetterOfSneedAndFolk) {
+  const SchemeOptions thirds{.sneed_folk_thirds = true};
+  // d = 0.332 and 0.668 on S/L = 0.4.
+  EXPECT_EQ(sneed_folk_class({100, 80.08, 40}), "B");
+  EXPECT_EQ(sneed_folk_class({100, 80.08, 40}, thirds), "P");
+  EXPECT_EQ(sneed_folk_class({100, 59.92, 40}), "B");
+  EXPECT_EQ(sneed_folk_class({100, 59.92, 40}, thirds), "E");
+  EXPECT_EQ(shape_class("sneed-folk", {100, 80, 40}, thirds), "B");  // d = 1/3 itself
+  EXPECT_EQ(shape_class("sneed-folk", {100, 60, 40}, thirds), "B");  // d = 2/3 itself
+}
+
+TEST(Schemes, TheLimitOfErdoganIsTheUsers) {
+  EXPECT_EQ(erdogan_class({12, 10, 9}, {.erdogan_limit = 1.15}), "elongated");
+  EXPECT_THROW(SchemeOptions{.erdogan_limit = 1.0}.check(), InputError);
+  EXPECT_THROW(SchemeOptions{.erdogan_limit = std::nan("")}.check(), InputError);
+  EXPECT_NO_THROW(SchemeOptions{.erdogan_limit = 1.01}.check());
+}
+
+// Whatever the ratio, stepping over a limit next to it is stepping into another class.
+TEST(Schemes, EveryLimitBesideARatioChangesTheClass) {
+  Random random(5);
+  for (int i = 0; i < 300; ++i) {
+    const Axes axes = Axes::sorted(random.uniform(0.05, 1.0), random.uniform(0.05, 1.0), 1.0);
+    for (const std::string& scheme : scheme_names()) {
+      // Along L alone every ratio that holds L moves one way: walk until the class changes.
+      std::vector<SchemeRatio> before = scheme_ratios(scheme, axes);
+      for (double L = axes.L; L < 4.0 * axes.L; L *= 1.01) {
+        const Axes longer{L, axes.I, axes.S};
+        const std::vector<SchemeRatio> now = scheme_ratios(scheme, longer);
+        bool crossed = now.size() != before.size();
+        for (std::size_t r = 0; !crossed && r < now.size(); ++r) {
+          for (const double limit : now[r].limits) {
+            crossed = crossed || (now[r].value < limit) != (before[r].value < limit);
+          }
+        }
+        const Axes shorter{std::max(axes.L, L / 1.01), axes.I, axes.S};
+        EXPECT_EQ(shape_class(scheme, longer) != shape_class(scheme, shorter), crossed)
+            << scheme << " " << L << " " << axes.I << " " << axes.S;
+        before = now;
+      }
+    }
+  }
+}
+
 TEST(Schemes, EveryClassThatIsGivenIsListed) {
-  for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
+  for (const std::string& scheme : scheme_names()) {
     const auto& names = class_names(scheme);
     for (double I = 0.05; I <= 1.0; I += 0.05) {
       for (double S = 0.05; S <= I; S += 0.05) {
@@ -103,6 +194,7 @@ TEST(Schemes, EveryClassThatIsGivenIsListed) {
   EXPECT_EQ(class_names("sneed-folk").size(), 10u);
   EXPECT_EQ(class_names("zingg").size(), 4u);
   EXPECT_EQ(class_names("garcia").size(), 2u);
+  EXPECT_EQ(class_names("blott-pye").size(), 25u);
 }
 
 TEST(Schemes, AnUnknownOneIsRefusedWithTheKnown) {
@@ -111,7 +203,8 @@ TEST(Schemes, AnUnknownOneIsRefusedWithTheKnown) {
     FAIL() << "not refused";
   } catch (const InputError& error) {
     const std::string message = error.what();
-    for (const char* part : {"wentworth", "sneed-folk", "zingg", "garcia"}) {
+    EXPECT_NE(message.find("wentworth"), std::string::npos);
+    for (const std::string& part : scheme_names()) {
       EXPECT_NE(message.find(part), std::string::npos) << part;
     }
   }

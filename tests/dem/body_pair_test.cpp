@@ -83,7 +83,8 @@ TEST_P(Walk, NothingTouchesUnseen) {
   const IndexedSurface block = indexed_surface(block_body.shape);
   const double size = std::min(ground_body.size(), block_body.size());
   const GroundParameters law{0.2, 0.5, 0.1};
-  const BodyPair::Rules rules{std::span(&law, 1), {}, {1e6, 1e6, 1e5, 1e-4}, ContactWeights::kNone};
+  const BodyPair::Rules rules{
+      std::span(&law, 1), {}, {1e6, 1e6, 1e5, 1e-4}, ContactWeights::kNone, {}};
   BodyPair pair(ground, block, block_body.bounding_radius(), size, rules);
   BodyMotion a, b;
   b.world_from_body.translation = {0.9, 0, 0};

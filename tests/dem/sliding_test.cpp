@@ -1,7 +1,9 @@
 // Sliding, rolling and rest against closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "tests/support/test_bodies.hpp"
@@ -55,42 +57,63 @@ TEST(Sliding, StopsOnTheFlat) {
   settings.start_overlap = 1.0;
   RigidState start = resting_start(body, settings, 0.5, 0.0, 0.1);
   start.velocity.x() = 5.0;
-  const ReleaseResult result = simulate_release(
-      terrain, std::vector<GroundParameters>{{0.5, 0.3, 0.0}}, body, start, settings);
+  double stopped = -1.0;
+  const ReleaseResult result =
+      simulate_release(terrain, std::vector<GroundParameters>{{0.5, 0.3, 0.0}}, body, start,
+                       settings, [&](const MotionStep& step) {
+                         if (stopped < 0.0 && step.end.velocity.x() <= 0.0) stopped = step.end_time;
+                       });
   EXPECT_EQ(result.stop_reason, StopReason::kRest);
-  EXPECT_NEAR(result.final_state.position.x(), 4.2474, 0.02);
+  EXPECT_NEAR(result.final_state.position.x(), 4.2474, 0.005 * 4.2474);
+  EXPECT_NEAR(stopped, 1.6989, 0.005 * 1.6989);
   EXPECT_LT(result.energy.error, 0.005);
 }
 
-class StaticLimit : public testing::TestWithParam<double> {};
+struct Hold {
+  double friction;
+  ContactLaw law;
+};
 
+class StaticLimit : public testing::TestWithParam<Hold> {};
+
+// 34.99 degrees for 0.70 and 16.70 for 0.30: no creep for a minute just below, none held above.
 TEST_P(StaticLimit, HoldsBelowAndSlidesAbove) {
-  const double friction = GetParam();
+  const auto& [friction, law] = GetParam();
   const double limit = std::atan(friction);
   for (const double degrees : {-0.3, 0.3}) {
     const double slope = limit + degrees * kPi / 180.0;
     const TerrainSurface terrain = ground(plane_mesh(60.0, 20, slope));
     const RigidBody body = box(1000.0, {1.0, 1.0, 0.2});
     ReleaseSettings settings = stiff_settings(body, 1e8, 20.0);
+    settings.law = law;
     settings.start_overlap = 1.0;
     settings.rest_energy = 1e-300;
-    settings.max_time = 10.0;
-    const RigidState start = resting_start(body, settings, 0.01, slope, 0.1);
-    Vec3 after_one = Vec3::Zero();
-    const ReleaseResult result =
-        simulate_release(terrain, std::vector<GroundParameters>{{0.01, friction, 0.0}}, body, start,
-                         settings, [&](const MotionStep& step) {
-                           if (step.end_time < 1.0) after_one = step.end.position;
-                         });
-    const double moved = (result.final_state.position - after_one).norm();
+    settings.max_time = degrees < 0.0 ? 60.0 : 10.0;
+    const bool dashpot = std::holds_alternative<SpringDashpotLaw>(law);
+    const RigidState start = resting_start(body, settings, dashpot ? 1.0 : 0.01, slope, 0.1);
+    const Vec3 along(std::cos(slope), 0.0, -std::sin(slope));
+    std::optional<Vec3> after_one;
+    double farthest = 0.0;
+    simulate_release(
+        terrain, std::vector<GroundParameters>{{0.01, friction, 0.0}}, body, start, settings,
+        [&](const MotionStep& step) {
+          if (step.end_time < 1.0) return;
+          if (!after_one) after_one = step.end.position;
+          const Vec3 moved = step.end.position - *after_one;
+          farthest = std::max({farthest, std::abs(moved.dot(along)), std::abs(moved.y())});
+        });
     if (degrees < 0) {
-      EXPECT_LT(moved, 1e-3);
+      EXPECT_LT(farthest, 1e-3);
     } else {
-      EXPECT_GT(moved, 0.5);
+      EXPECT_GT(farthest, 0.5);
     }
   }
 }
-INSTANTIATE_TEST_SUITE_P(Frictions, StaticLimit, testing::Values(0.70, 0.30));
+INSTANTIATE_TEST_SUITE_P(Frictions, StaticLimit,
+                         testing::Values(Hold{0.70, EnergyRestitutionLaw()},
+                                         Hold{0.30, EnergyRestitutionLaw()},
+                                         Hold{0.70, SpringDashpotLaw()},
+                                         Hold{0.30, SpringDashpotLaw()}));
 
 TEST(Rolling, SphereOnThirtyDegrees) {
   const double slope = kPi / 6;
@@ -127,6 +150,27 @@ TEST(Rolling, ResistanceStopsASphere) {
   }
 }
 
+// The springs of friction and rolling follow the contact from face to face: a ball held by them on
+// a slope of many faces stops where it stops on two triangles.
+TEST(Rolling, HistoryIsKeptAtInnerEdges) {
+  std::vector<double> stops;
+  for (const int cells : {1, 300}) {
+    const TerrainSurface terrain = ground(plane_mesh(15.0, cells));
+    const RigidBody body = ball(100.0, 0.3);
+    ReleaseSettings settings = stiff_settings(body, 1e8);
+    settings.start_overlap = 1.0;
+    RigidState start = resting_start(body, settings, 0.5, 0.0, 0.3);
+    start.velocity.x() = 3.0;
+    start.angular_velocity.y() = 10.0;
+    const ReleaseResult result = simulate_release(
+        terrain, std::vector<GroundParameters>{{0.5, 0.7, 0.35}}, body, start, settings);
+    EXPECT_EQ(result.stop_reason, StopReason::kRest);
+    stops.push_back(result.final_state.position.x());
+  }
+  EXPECT_GT(stops[0], 1.0);
+  EXPECT_NEAR(stops[1], stops[0], 1e-6);
+}
+
 TEST(Rolling, SlidingLaunchEndsAtFiveSevenths) {
   const TerrainSurface terrain = ground(plane_mesh(20.0, 30));
   const RigidBody body = ball(100.0, 0.3);
@@ -139,33 +183,6 @@ TEST(Rolling, SlidingLaunchEndsAtFiveSevenths) {
                                           body, start, settings)
                              .final_state;
   EXPECT_NEAR(end.velocity.x(), 5.0 / 7.0 * 4.0, 0.01);
-}
-
-TEST(FreeRotation, MiddleAxisFlipKeepsEnergyAndMomentum) {
-  const RigidBody body = box(100.0, {1.0, 0.7, 0.4});
-  RigidState state;
-  state.angular_velocity = {0.01, 2.0 * kPi, 0.02};
-  const double energy = rotational_energy(body, state);
-  const auto momentum = [&](const RigidState& s) {
-    return Vec3(s.orientation *
-                Vec3(body.moments.cwiseProduct(s.orientation.conjugate() * s.angular_velocity)));
-  };
-  const Vec3 before = momentum(state);
-  const RigidState after = free_flight(body, state, 20.0, 0.0);
-  EXPECT_NEAR(rotational_energy(body, after) / energy, 1.0, 1e-9);
-  EXPECT_LT((momentum(after) - before).norm() / before.norm(), 1e-12);
-}
-
-TEST(FreeRotation, OneLongFlightEqualsManyShortOnes) {
-  const RigidBody body = box(100.0, {1.0, 0.7, 0.4});
-  RigidState state;
-  state.velocity = {3.0, 1.0, 5.0};
-  state.angular_velocity = {2.0, 7.0, -1.0};
-  RigidState pieces = state;
-  for (int i = 0; i < 100; ++i) pieces = free_flight(body, pieces, 0.01, kG);
-  const RigidState whole = free_flight(body, state, 1.0, kG);
-  EXPECT_LT((pieces.position - whole.position).norm(), 1e-12);
-  EXPECT_LT(pieces.orientation.angularDistance(whole.orientation), 1e-9);
 }
 
 TEST(Determinism, RepeatedRunsGiveTheSameBits) {

@@ -129,6 +129,32 @@ TEST(AutoStiffness, RestsWithinTwoPercentOfTheShortestSide) {
   EXPECT_TRUE(choice.warnings.empty());
 }
 
+// Its spring alone carries at rest, and an overdamped contact is faster than its spring.
+TEST(AutoStiffness, SpringDashpotRestsOnItsSpring) {
+  const RigidBody body = ball(1000.0, 0.5);
+  const std::vector<GroundParameters> zones = {{0.01, 0.7, 0.0}};
+  StiffnessOptions options;
+  options.law = SpringDashpotLaw();
+  options.rolling = 1.0;
+  const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 1.0, kG, options);
+  EXPECT_NEAR(choice.stiffness.normal, 1000.0 * kG / 0.02, 1.0);
+  const double ratio = damping_ratio(0.01);
+  const double rate = (ratio + std::sqrt(ratio * ratio - 1.0)) *
+                      std::sqrt(choice.stiffness.normal / 1000.0 * (1.0 + 2.5));
+  EXPECT_NEAR(choice.stiffness.time_step, 0.1 / rate, 1e-3 * 0.1 / rate);
+
+  ReleaseSettings settings;
+  settings.stiffness = choice.stiffness;
+  settings.law = options.law;
+  const TerrainSurface terrain = ground(plane_mesh(5.0, 6));
+  RigidState start;
+  start.position.z() = 0.6;
+  const ReleaseResult result = simulate_release(terrain, zones, body, start, settings);
+  EXPECT_EQ(result.stop_reason, StopReason::kRest);
+  EXPECT_NEAR(result.settled_penetration, 0.02, 1e-4);
+  EXPECT_FALSE(result.below_ground);
+}
+
 TEST(AutoStiffness, FastImpactsStayWithinAQuarterOfTheShortestSide) {
   const RigidBody body = box(1000.0, Vec3::Ones());
   const std::vector<GroundParameters> zones = {{1.0, 0.7, 0.0}};

@@ -198,5 +198,29 @@ TEST(BlockLibrary, EveryDatasetHasAUnit) {
   }
 }
 
+TEST(BlockLibraryFile, TellsOtherReadersHowEdgesBendAndKeepsPolygons) {
+  const ScratchFolder folder;
+  const auto path = folder / "blocks.h5";
+  Block block = filled_block("SP1A");
+  // A cube with a roof that is pressed in: floor and walls are quads, eight edges are convex.
+  block.body.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},   {0, 0, 1},
+                         {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {.5, .5, .8}};
+  block.body.faces = {{0, 3, 2, 1}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7},
+                      {4, 5, 8},    {5, 6, 8},    {6, 7, 8},    {7, 4, 8}};
+  block.body.edges = edges_of(block.body.faces);
+  BlockLibrary library;
+  library.add(block);
+  library.write(path);
+  EXPECT_EQ(BlockLibrary::read(path).block("SP1A").body.faces, block.body.faces);
+  const Hdf5Group core =
+      writable_block(Hdf5File::open(path, "clast block library", 1)).group("core");
+  const std::vector<std::uint8_t> bends = core.read<std::uint8_t>("edge_bends");
+  ASSERT_EQ(bends.size(), 16u);
+  for (std::size_t e = 0; e < bends.size(); ++e) {
+    const bool in_roof = block.body.edges[e][1] == 8;
+    EXPECT_EQ(bends[e], in_roof ? 2 : 1) << e;
+  }
+}
+
 }  // namespace
 }  // namespace clast

@@ -91,6 +91,47 @@ TEST(MakeBlock, TheBoxHoldsTheRoundedBody) {
   }
 }
 
+/// A cuboid with a cubic cavity of side `c` in its middle.
+TriangleMesh hollow(const Vec3& sides, double c) {
+  TriangleMesh cavity = cuboid(c, c, c);
+  for (TriangleMesh::Triangle& t : cavity.triangles) std::swap(t[0], t[1]);
+  return merged(cuboid(sides.x(), sides.y(), sides.z()), cavity);
+}
+
+// The core's cavity is wider by r on every side; rounding shrinks it back.
+TEST(MakeBlock, ACavityKeepsItsSizeUnderRounding) {
+  const Vec3 sides(2.0, 1.6, 1.2);
+  const TriangleMesh scan = hollow(sides, 0.5);
+  BlockOptions options;
+  options.radius = 0.05;
+  options.accuracy = 1e-5;
+  const Block block = make_block("hollow", scan, scan, source(), options);
+  const double volume = sides.prod() - 0.125;
+  EXPECT_NEAR(block.mass.volume / volume, 1.0, 2e-5);
+  EXPECT_LE(block.mass.relative_error, 1e-5);
+  Bounds cavity;
+  for (std::size_t v = 8; v < 16; ++v) cavity.include(block.body.vertices[v]);
+  EXPECT_NEAR((cavity.high - cavity.low).minCoeff(), 0.6, 1e-3);
+  EXPECT_NEAR((cavity.high - cavity.low).maxCoeff(), 0.6, 1e-3);
+  const PrincipalFrame exact = principal_frame(solid_mass_properties(scan, block.density));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(block.principal.moments[i] / exact.moments[i], 1.0, 5e-3);
+  }
+  // A corner of the cavity is sharp in the block too; those outside are rounded.
+  EXPECT_LT(block.deviation.hausdorff, 0.05);
+}
+
+TEST(MakeBlock, AWallThinnerThanTwoRadiiIsRefusedWithARadiusThatWorks) {
+  const TriangleMesh scan = hollow({2.0, 1.6, 1.2}, 1.1);  // walls of 0.05 m
+  BlockOptions options;
+  options.radius = 0.04;
+  const std::string message =
+      refusal<GeometryError>([&] { make_block("shell", scan, scan, source(), options); });
+  EXPECT_TRUE(contains(message, "block shell"));
+  EXPECT_TRUE(contains(message, "0.04 m is too large"));
+  EXPECT_TRUE(contains(message, " m works"));
+}
+
 TEST(MakeBlock, MassAloneSetsTheDensity) {
   BlockOptions options;
   options.core = true;

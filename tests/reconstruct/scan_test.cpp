@@ -139,6 +139,42 @@ TEST(Scan, InnerShellsAreDroppedAndTheirVolumeTold) {
   }
 }
 
+TEST(Scan, InnerShellsAreKeptAsCavitiesOnRequest) {
+  const TriangleMesh rock = random_rock(4);
+  const TriangleMesh first = at(scaled(random_rock(5), 0.2), {0.25, 0, 0});
+  const TriangleMesh second = at(scaled(random_rock(7), 0.15), {-0.25, 0, 0});
+  const double bubbles = enclosed_volume(first) + enclosed_volume(second);
+  // Whatever way the shells face, and the rock too.
+  for (int faces = 0; faces < 8; ++faces) {
+    SCOPED_TRACE(faces);
+    const auto facing = [&](const TriangleMesh& mesh, int bit) {
+      return faces & bit ? inverted(mesh) : mesh;
+    };
+    const TriangleMesh all = merged(merged(facing(first, 1), facing(rock, 2)), facing(second, 4));
+    const Scan scan = cleaned_scan(all, "B017", {.unit = 2.0, .keep_inner_shells = true});
+    const MeshReport report = inspect(scan.mesh);
+    EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+    EXPECT_EQ(report.components, 3u);
+    EXPECT_EQ(scan.inner_shells, 2u);
+    EXPECT_NEAR(scan.inner_shell_volume, 8.0 * bubbles, 1e-12);
+    EXPECT_NEAR(enclosed_volume(scan.mesh), 8.0 * (enclosed_volume(rock) - bubbles), 1e-12);
+    EXPECT_HAS(all_notes(scan), "2 inner shells (bubbles) of ");
+    EXPECT_HAS(all_notes(scan), "kept as cavities");
+    EXPECT_EQ(all_notes(scan).find("tunnel"), std::string::npos) << all_notes(scan);
+  }
+}
+
+TEST(Scan, ALooseStoneInABubbleIsDropped) {
+  const TriangleMesh rock = random_rock(4);
+  const TriangleMesh bubble = scaled(random_rock(5), 0.4);
+  const TriangleMesh stone = scaled(random_rock(6), 0.1);
+  const TriangleMesh all = merged(merged(rock, stone), bubble);
+  const Scan scan = cleaned_scan(all, "B017", {.keep_inner_shells = true});
+  EXPECT_EQ(scan.inner_shells, 1u);
+  EXPECT_NEAR(enclosed_volume(scan.mesh), enclosed_volume(rock) - enclosed_volume(bubble), 1e-12);
+  EXPECT_HAS(all_notes(scan), "1 loose scrap dropped");
+}
+
 TEST(Scan, LooseScrapsAreDroppedWithANote) {
   TriangleMesh scrap = scaled(tetrahedron(), 0.03);
   scrap.triangles.pop_back();

@@ -66,6 +66,61 @@ inline TriangleMesh tetrahedron() {
   return mesh;
 }
 
+/// The prism of height 1 over an outline that turns counter-clockwise and that `ends` cuts into
+/// triangles.
+inline TriangleMesh prism(const std::vector<Vec2>& outline,
+                          const std::vector<TriangleMesh::Triangle>& ends) {
+  TriangleMesh mesh;
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  for (const double z : {0.0, 1.0}) {
+    for (const Vec2& p : outline) mesh.vertices.push_back({p.x(), p.y(), z});
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    mesh.triangles.push_back({i, j, j + n});
+    mesh.triangles.push_back({i, j + n, i + n});
+  }
+  for (const auto& [a, b, c] : ends) {
+    mesh.triangles.push_back({a, c, b});
+    mesh.triangles.push_back({a + n, b + n, c + n});
+  }
+  return mesh;
+}
+
+/// The 2 x 2 x 1 block with one quarter missing: one reflex edge.
+inline TriangleMesh l_block() {
+  return prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},
+               {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
+}
+
+/// Volume of the L-block with radius r <= 1.
+inline double l_block_volume(double r) {
+  return 3.0 + 14.0 * r + (21.0 * kPi / 4.0 - 1.0) * r * r +
+         4.0 / 3.0 * (5.0 * kPi / 4.0 - 1.0) * r * r * r;
+}
+
+/// A block of 3 x 3 x 1 with a square hole through its middle.
+inline TriangleMesh frame() {
+  TriangleMesh mesh;
+  const std::vector<Vec2> corners = {{0, 0}, {3, 0}, {3, 3}, {0, 3},
+                                     {1, 1}, {2, 1}, {2, 2}, {1, 2}};
+  for (const double z : {0.0, 1.0}) {
+    for (const Vec2& p : corners) mesh.vertices.push_back({p.x(), p.y(), z});
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t j = (i + 1) % 4;
+    const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+    };
+    quad(i, j, j + 8, i + 8);            // outside
+    quad(j + 4, i + 4, i + 12, j + 12);  // wall of the hole
+    quad(i + 8, j + 8, j + 12, i + 12);  // top
+    quad(j, i, i + 4, j + 4);            // bottom
+  }
+  return mesh;
+}
+
 /// Octahedron split `levels` times and pushed out to radius 1 + `noise` x (-1..1), star-shaped
 /// about the origin. 4^levels x 8 triangles.
 inline TriangleMesh random_rock(std::uint64_t seed, int levels = 3, double noise = 0.1) {

@@ -3,31 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "shapes/convex_hull.hpp"
+#include "shapes/coplanar_faces.hpp"
+#include "shapes/detail/triangle_tree.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {
 namespace {
-
-/// The 2 x 2 x 1 block with one quarter missing: one reflex edge.
-TriangleMesh l_block() {
-  TriangleMesh mesh;
-  const std::vector<Vec2> outline = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-  for (const double z : {0.0, 1.0}) {
-    for (const Vec2& p : outline) mesh.vertices.push_back({p.x(), p.y(), z});
-  }
-  for (std::uint32_t i = 0; i < 6; ++i) {
-    const std::uint32_t j = (i + 1) % 6;
-    mesh.triangles.push_back({i, j, j + 6});
-    mesh.triangles.push_back({i, j + 6, i + 6});
-  }
-  for (const TriangleMesh::Triangle& t :
-       {TriangleMesh::Triangle{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
-    mesh.triangles.push_back({t[0], t[2], t[1]});
-    mesh.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
-  }
-  return mesh;
-}
 
 TEST(SpheroPolyhedron, EdgesAreUniqueSortedAndSmallestIndexFirst) {
   const SpheroPolyhedron cube = sphero_polyhedron(box_mesh({1, 1, 1}), 0.1);
@@ -52,12 +35,20 @@ TEST(SpheroPolyhedron, BadRadiusAndEmptyCoreAreRefused) {
   EXPECT_THROW(sphero_polyhedron({}, 0.1), GeometryError);
 }
 
-TEST(SpheroPolyhedron, PolygonsAreCutIntoFans) {
-  SpheroPolyhedron prism;
-  prism.vertices.assign(5, Vec3::Zero());
-  prism.faces = {{0, 1, 2, 3, 4}};
-  const std::vector<TriangleMesh::Triangle> expected = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
-  EXPECT_EQ(core_mesh(prism).triangles, expected);
+TEST(SpheroPolyhedron, ConcavePolygonsWithCornersInARowAreCutInsideThemselves) {
+  SpheroPolyhedron shape;  // an L of area 3 with corners in the middle of its sides
+  shape.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0},   {1, 1, 0},
+                    {1, 2, 0}, {0, 2, 0}, {0, 1, 0}, {0, 0.5, 0}, {0, 0.25, 0}};
+  shape.faces = {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
+  const TriangleMesh cut = core_mesh(shape);
+  ASSERT_EQ(cut.triangles.size(), 8u);
+  double area = 0.0;
+  for (const auto& [a, b, c] : cut.triangles) {
+    const Vec3 ab = cut.vertices[b] - cut.vertices[a], ac = cut.vertices[c] - cut.vertices[a];
+    EXPECT_GT(ab.cross(ac).z(), 0.0);
+    area += 0.5 * ab.cross(ac).z();
+  }
+  EXPECT_DOUBLE_EQ(area, 3.0);
 }
 
 TEST(SpheroPolyhedron, ScalingScalesTheRadiusToo) {
@@ -94,6 +85,48 @@ TEST(Skin, OfACubeIsClosedAndItsVolumeTendsToTheFormula) {
   EXPECT_LT(error_before, 1e-4);
 }
 
+/// Volume of a convex core swept by a ball, after Steiner.
+double steiner_volume(const TriangleMesh& hull, double r) {
+  const SpheroPolyhedron shape = sphero_polyhedron(hull, r);
+  double mean_curvature = 0.0;
+  for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+    for (std::size_t g = f + 1; g < shape.faces.size(); ++g) {
+      std::vector<Vec3> shared;
+      for (const std::uint32_t v : shape.faces[f]) {
+        const auto& other = shape.faces[g];
+        if (std::find(other.begin(), other.end(), v) != other.end()) {
+          shared.push_back(shape.vertices[v]);
+        }
+      }
+      if (shared.size() != 2) continue;
+      const double turn = std::acos(std::min(
+          1.0, face_normal(shape, shape.faces[f]).dot(face_normal(shape, shape.faces[g]))));
+      mean_curvature += 0.5 * (shared[1] - shared[0]).norm() * turn;
+    }
+  }
+  return enclosed_volume(hull) + surface_area(hull) * r + mean_curvature * r * r +
+         4.0 / 3.0 * kPi * r * r * r;
+}
+
+TEST(Skin, OfConvexHullsIsASphereWhoseVolumeTendsToSteinersFormula) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const TriangleMesh hull = convex_hull(random_rock(seed, 2, 0.3).vertices);
+    const double r = 0.2, exact = steiner_volume(hull, r);
+    double error_before = 0.0;
+    for (const int segments : {8, 16, 32}) {
+      const TriangleMesh skin = skin_mesh(sphero_polyhedron(hull, r), segments);
+      EXPECT_TRUE(inspect(skin).closed() && inspect(skin).oriented());
+      EXPECT_EQ(inspect(skin).euler_characteristic, 2);
+      const double error = 1.0 - enclosed_volume(skin) / exact;
+      EXPECT_GT(error, 0.0);
+      const double step = 0.5 * kPi / segments;
+      EXPECT_LT(error, step * step * r) << segments;
+      EXPECT_TRUE(error_before == 0.0 || error < error_before) << segments;
+      error_before = error;
+    }
+  }
+}
+
 TEST(Skin, OfABallAndACapsuleIsClosed) {
   SpheroPolyhedron ball;
   ball.vertices = {{1, 2, 3}};
@@ -116,6 +149,59 @@ TEST(Skin, OfABallAndACapsuleIsClosed) {
 TEST(Skin, OfANonConvexCoreIsClosed) {
   const TriangleMesh skin = skin_mesh(sphero_polyhedron(l_block(), 0.1));
   EXPECT_TRUE(inspect(skin).closed() && inspect(skin).oriented()) << inspect(skin).summary();
+}
+
+/// How often the closed surface goes round the point.
+int winding_number(const TriangleMesh& mesh, const Vec3& point) {
+  double angle = 0.0;  // solid angles by Van Oosterom and Strackee
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vec3 a = mesh.vertices[i] - point, b = mesh.vertices[j] - point,
+               c = mesh.vertices[k] - point;
+    angle +=
+        2.0 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                                b.dot(c) * a.norm() + c.dot(a) * b.norm());
+  }
+  return static_cast<int>(std::lround(angle / (4.0 * kPi)));
+}
+
+TEST(Skin, OfANonConvexCoreGoesRoundTheBodyAndNothingElse) {
+  std::vector<TriangleMesh> cores = {l_block(), frame()};
+  for (std::uint64_t seed = 0; seed < 3; ++seed) cores.push_back(random_rock(seed, 2, 0.2));
+  constexpr int kSegments = 4;
+  const double sagitta = 1.0 - std::cos(0.25 * kPi / kSegments);  // what chords cut off, times r
+  for (const TriangleMesh& core : cores) {
+    const double r = 0.05;
+    const SpheroPolyhedron shape = sphero_polyhedron(core, r);
+    const TriangleMesh skin = skin_mesh(shape, kSegments);
+    const detail::TriangleTree tree(core);
+    Bounds box = bounds(skin);
+    Random random(5);
+    int inside = 0, outside = 0;
+    for (int i = 0; i < 600; ++i) {
+      const Vec3 at(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+      const Vec3 point = box.low + at.cwiseProduct(box.high - box.low);
+      const double height = tree.signed_distance(point);
+      if (height < (1.0 - 3.0 * sagitta) * r) {
+        EXPECT_GT(winding_number(skin, point), 0) << height;
+        ++inside;
+      } else if (height > r) {
+        EXPECT_EQ(winding_number(skin, point), 0) << height;
+        ++outside;
+      }
+    }
+    EXPECT_GT(inside, 50);
+    EXPECT_GT(outside, 50);
+  }
+}
+
+TEST(Skin, OfPolygonsIsThatOfTheirTriangles) {
+  for (const TriangleMesh& core : {box_mesh({1, 1, 1}, 3), l_block()}) {
+    const SpheroPolyhedron shape = sphero_polyhedron(core, 0.1);
+    const TriangleMesh plain = skin_mesh(shape), merged = skin_mesh(with_merged_faces(shape));
+    EXPECT_TRUE(inspect(merged).closed() && inspect(merged).oriented());
+    EXPECT_NEAR(enclosed_volume(merged), enclosed_volume(plain), 1e-12);
+    EXPECT_NEAR(surface_area(merged), surface_area(plain), 1e-11);
+  }
 }
 
 TEST(Skin, WithoutRadiusIsTheCore) {

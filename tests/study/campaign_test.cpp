@@ -48,7 +48,7 @@ angular_velocity_rad_s = [0, 0, 2]
 seed = 12
 
 [contact]
-law = "energy-restitution"
+law = "spring-dashpot"
 weights = "overlap"
 stiffness_n_m = 1e8
 time_step_s = 2e-5
@@ -130,6 +130,7 @@ TEST_F(CampaignFile, EveryKeyArrives) {
   EXPECT_FALSE(campaign.release.in_principal_frame);
   EXPECT_EQ(campaign.release.files.size(), 2u);
   EXPECT_EQ(campaign.weights, ContactWeights::kOverlap);
+  EXPECT_EQ(name_of(campaign.stiffness.law), "spring-dashpot");
   EXPECT_EQ(campaign.stiffness.normal, 1e8);
   EXPECT_FALSE(campaign.stiffness.tangential);
   EXPECT_EQ(campaign.stiffness.time_step, 2e-5);
@@ -182,6 +183,7 @@ orientations = "grid-45"
   EXPECT_TRUE(campaign.release.in_principal_frame);
   EXPECT_EQ(campaign.release.orientations.size(), 64u);
   EXPECT_EQ(campaign.weights, ContactWeights::kPatch);
+  EXPECT_EQ(name_of(campaign.stiffness.law), "energy-restitution");
   EXPECT_FALSE(campaign.stiffness.normal);
   EXPECT_EQ(campaign.max_time, 60.0);
   EXPECT_EQ(campaign.rest_energy, 2e-4);
@@ -390,8 +392,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"weights = \"overlap\"", "weights = \"equal\"",
                 "campaign.toml:30: [contact] weights = \"equal\": must be \"patch\", \"overlap\", "
                 "\"count\" or \"none\""},
-        Refused{"law = \"energy-restitution\"", "law = \"hertz\"",
-                "campaign.toml:29: [contact] law = \"hertz\": must be \"energy-restitution\""},
+        Refused{"law = \"spring-dashpot\"", "law = \"hertz\"",
+                "campaign.toml:29: [contact] law = \"hertz\": must be \"energy-restitution\" or "
+                "\"spring-dashpot\""},
         Refused{"stiffness_n_m = 1e8", "stiffness = 1e8",
                 "campaign.toml:31: [contact] stiffness = 1e8: must be \"auto\"; a value is "
                 "written stiffness_n_m"}));

@@ -35,6 +35,7 @@ CampaignResults sample_header() {
   header.zone_names = {"blue", "gray"};
   header.ground = {{0.01, 0.7, 0.35}, {0.04, 0.3, 0.0}};
   header.stiffness = {1e8, 2e8, 3e7, 2e-5};
+  header.law = SpringDashpotLaw{};
   header.weights = ContactWeights::kOverlap;
   header.warnings = {"mind the gap"};
   header.downslope = Vec2(1.0, 0.25);
@@ -169,6 +170,7 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.stiffness.rolling, 3e7);
   EXPECT_EQ(results.stiffness.time_step, 2e-5);
   EXPECT_EQ(results.weights, ContactWeights::kOverlap);
+  EXPECT_EQ(name_of(results.law), "spring-dashpot");
   EXPECT_EQ(results.warnings, header.warnings);
   EXPECT_EQ(results.frame.origin, header.frame.origin);
   EXPECT_EQ(results.frame.crs, "EPSG:2154");

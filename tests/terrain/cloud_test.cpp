@@ -1,6 +1,8 @@
 // Point clouds as ground, and one plane in three forms.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include <cmath>
 #include <sstream>
 
@@ -109,7 +111,7 @@ TEST_F(CloudGround, TextInManyLayoutsIsRead) {
   const std::string heads[] = {"",    "X;Y;Z\n",   "# by hand\n\n", "\xEF\xBB\xBFx,y,z,red\n",
                                "4\n", "// x y z\n"};
   for (const std::string& head : heads) {
-    const auto path = cloud(head + "0.5;0.5;1;255\r\n+1.5, 0.5\t2 7\n0.5 1.5 3\n1.5e0 1.5 4");
+    const auto path = cloud(head + "0.5;0.5;1;255\r\n+1.5; 0.5;\t2;7\n0.5;1.5;3\n1.5e0;1.5;4");
     const Terrain terrain = read_terrain({.surface = {path}, .resolution = 1.0});
     ASSERT_EQ(terrain.surface.vertices.size(), 4u) << head;
     EXPECT_EQ(bounds(terrain.surface).high, Vec3(1.5, 1.5, 4)) << head;
@@ -143,11 +145,47 @@ TEST_F(CloudGround, YUpCloudIsTurned) {
   EXPECT_EQ(bounds(terrain.surface).high, Vec3(1.5, 1.5, 4));
 }
 
+TEST_F(CloudGround, PointsWithoutHeightAreLeftOutAndCounted) {
+  const auto path = cloud("0.5 0.5 1\n1.5 0.5 2\n0.5 1.5 3\n1.5 1.5 4\n0.5 0.5 nan\n");
+  const Terrain terrain = read_terrain({.surface = {path}, .resolution = 1.0});
+  EXPECT_EQ(bounds(terrain.surface).low.z(), 1.0);
+  EXPECT_TRUE(contains(terrain.report.notes.front(), "1 points without finite coordinates"));
+}
+
+// Version 1.2, format 0, steps of a centimetre: four ground points and one of a tree over them.
+TEST_F(CloudGround, OnlyGroundPointsOfClassifiedLidarCount) {
+  std::string las(227, '\0');
+  const auto put = [&](std::size_t offset, auto value) {
+    if (las.size() < offset + sizeof value) las.resize(offset + sizeof value, '\0');
+    std::memcpy(las.data() + offset, &value, sizeof value);
+  };
+  las.replace(0, 4, "LASF");
+  put(24, std::uint8_t{1});
+  put(25, std::uint8_t{2});
+  put(94, std::uint16_t{227});
+  put(96, std::uint32_t{227});
+  put(105, std::uint16_t{20});
+  put(107, std::uint32_t{5});
+  for (std::size_t k = 0; k < 3; ++k) put(131 + 8 * k, 0.01);
+  const std::int32_t points[5][4] = {
+      {50, 50, 100, 2}, {150, 50, 200, 2}, {50, 150, 300, 2}, {150, 150, 400, 2}, {50, 50, 900, 5}};
+  for (std::size_t i = 0; i < 5; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) put(227 + 20 * i + 4 * k, points[i][k]);
+    put(227 + 20 * i + 12, std::uint32_t{0});
+    put(227 + 20 * i + 15, static_cast<std::uint8_t>(points[i][3]));
+    put(227 + 20 * i + 16, std::uint32_t{0});
+  }
+  write_text_file(folder_ / "slope.las", las);
+  const Terrain terrain = read_terrain({.surface = {folder_ / "slope.las"}, .resolution = 1.0});
+  ASSERT_EQ(terrain.surface.vertices.size(), 4u);
+  EXPECT_NEAR(bounds(terrain.surface).low.z(), 1.0, 1e-12);
+  EXPECT_NEAR(bounds(terrain.surface).high.z(), 4.0, 1e-12);
+  EXPECT_TRUE(contains(terrain.report.notes.front(), "1 points not classed as ground"));
+}
+
 TEST_F(CloudGround, LinesThatAreNoPointsAreRefusedWithTheirNumber) {
-  EXPECT_TRUE(contains(refused("0 0 0\n1 2\n"), "cloud.xyz:2: fewer than three numbers"));
-  EXPECT_TRUE(contains(refused("0 0 0\n1 2 wet\n"), "cloud.xyz:2: \"wet\""));
-  EXPECT_TRUE(contains(refused("0 0 0\n1 nan 2\n"), "stands where y is needed"));
-  EXPECT_TRUE(contains(refused("0 0 0\n1 2 inf\n"), "stands where z is needed"));
+  EXPECT_TRUE(contains(refused("0 0 0\n1 2\n"), "cloud.xyz: line 2: fewer than three numbers"));
+  EXPECT_TRUE(contains(refused("0 0 0\n1 2 wet\n"), "cloud.xyz: line 2: \"wet\""));
   EXPECT_TRUE(contains(refused(""), "holds no points"));
   EXPECT_TRUE(contains(refused("x y z\n"), "holds no points"));
   EXPECT_TRUE(contains(refused("0 0 0\n0.5 0 0\n"), "a surface needs at least four"));

@@ -184,8 +184,8 @@ TEST_F(MeshGround, WhatIsNoGroundIsRefused) {
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_.path()}}), "is a folder"));
   write_text_file(folder_ / "a.doc", "x");
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "a.doc"}}), "\".doc\""));
-  write_text_file(folder_ / "a.laz", "LASF");
-  EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "a.laz"}}), "pdal translate"));
+  write_text_file(folder_ / "a.las", "LASF");
+  EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "a.las"}}), "LAS header"));
   write_text_file(folder_ / "a.stl", "");
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "a.stl"}}), "a.stl"));
   EXPECT_TRUE(contains(refused({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}), "no ground"));

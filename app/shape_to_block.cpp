@@ -1,0 +1,134 @@
+#include "app/shape_to_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/digest.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "shapes/coplanar_faces.hpp"
+
+namespace clast {
+
+namespace {
+
+/// Radii that differ by less are the same number written twice.
+constexpr double kSameRadius = 1e-6;
+/// Standard errors that a sampled number may be off.
+constexpr double kStandardErrors = 2.0;
+/// Relative difference below which nothing is said however many points were sampled.
+constexpr double kRounding = 1e-5;
+
+std::string number(double value) { return with_digits(value, 5); }
+
+double radius_of(const ShpShape& shape, const ScanToBlockOptions& options) {
+  const double radius = shape.body.radius * options.scan.unit;
+  const std::optional<double>& asked = options.block.radius;
+  if (asked && std::abs(*asked - radius) > kSameRadius * std::max(*asked, radius)) {
+    throw InputError("--radius " + number(*asked) + " m contradicts the radius of the shape, " +
+                     number(radius) + " m; leave --radius out");
+  }
+  return radius;
+}
+
+/// Relative standard errors of volume and moments counted from n random points in a box of which
+/// the body fills a share f: (1 - f) / (f n) is the variance of the volume; that of a moment over
+/// that volume is larger by that of the arms squared, whose mean square is at most about twice
+/// their mean squared in compact bodies. The box was along the axes of some scan and not the
+/// smallest; half the share of the smallest is taken.
+std::pair<double, double> sampling_errors(const Block& block, double points) {
+  const double f = 0.5 * std::min(1.0, block.mass.volume / block.box.volume());
+  return {std::sqrt((1.0 - f) / (f * points)), std::sqrt((3.0 - 2.0 * f) / (f * points))};
+}
+
+void warn_of_gap(Block& block, const std::string& what, double gap, double error) {
+  if (gap <= std::max(kStandardErrors * error, kRounding)) return;
+  block.warnings.push_back("the .shp file gives " + what + ": " + with_digits(100.0 * gap, 3) +
+                           " % apart, sampling explains " +
+                           with_digits(100.0 * kStandardErrors * error, 2) +
+                           " %; the shape's own is used");
+}
+
+std::string numbers(const Vec3& v) {
+  return number(v.x()) + " " + number(v.y()) + " " + number(v.z());
+}
+
+void compare_with_file(Block& block, const ShpShape& shape, double unit) {
+  const auto [volume_error, moment_error] = sampling_errors(block, shape.sampled_points);
+  if (shape.volume != 0.0) {
+    const double file = shape.volume * unit * unit * unit;
+    warn_of_gap(block,
+                "a volume of " + number(file) + " m3, its shape has " + number(block.mass.volume),
+                std::abs(file / block.mass.volume - 1.0), volume_error);
+  }
+  if (shape.inertia_per_mass.isZero()) return;
+  Vec3 file = shape.inertia_per_mass * unit * unit;
+  std::sort(file.data(), file.data() + 3);
+  const Vec3 ours = block.principal.moments / block.mass.mass;
+  warn_of_gap(block, "I/m of " + numbers(file) + " m2, its shape has " + numbers(ours),
+              (file - ours).cwiseQuotient(ours).cwiseAbs().maxCoeff(), moment_error);
+}
+
+/// A ball or a capsule: nothing to mend.
+Block block_from_skeleton(const ShpShape& shape, double radius, const std::string& id,
+                          BlockSource source, const ScanToBlockOptions& options) {
+  SpheroPolyhedron body = shape.body;
+  body.radius = radius;
+  for (Vec3& vertex : body.vertices) {
+    vertex *= options.scan.unit;
+    if (options.scan.up == "y") vertex = Vec3(vertex.x(), -vertex.z(), vertex.y());
+  }
+  const bool capsule = body.vertices.size() == 2 && body.edges.size() == 1;
+  if (body.vertices.size() != 1 && !capsule) {
+    throw GeometryError("a shape of " + std::to_string(body.vertices.size()) + " vertices, " +
+                        std::to_string(body.edges.size()) +
+                        " edges and no faces; without faces clast takes one vertex (a ball) or "
+                        "two and their edge (a capsule)");
+  }
+  return make_block(id, body, std::move(source), options.block);
+}
+
+}  // namespace
+
+Block block_from_shape(const ShpShape& shape, const std::filesystem::path& path,
+                       const std::string& id, const ScanToBlockOptions& options,
+                       const std::function<void(const std::string&)>& stage) {
+  const std::string where = path.string() + ": shape " + shape.name;
+  try {
+    if (shape.is_surface) {
+      throw InputError(
+          "is a surface (isSurface) and no block; a ground goes to clast terrain as "
+          "a mesh");
+    }
+    if (stage) stage("measuring " + id);
+    ScanToBlockOptions taken = options;
+    taken.block.core = true;
+    taken.block.radius = radius_of(shape, options);
+    BlockSource source{
+        path.string(), sha256_of_file(path),
+        "units=" + options.unit_name + " up=" + options.scan.up + " shape=" + shape.name, ""};
+    Block block;
+    if (shape.body.faces.empty()) {
+      block = block_from_skeleton(shape, *taken.block.radius, id, std::move(source), taken);
+    } else {
+      const Scan scan = cleaned_scan(core_mesh(shape.body), where, taken.scan);
+      const SpheroPolyhedron body = sphero_polyhedron(scan.mesh, *taken.block.radius);
+      block = make_block(id, with_merged_faces(body, kFlatInFiles), std::move(source), taken.block);
+      warn_of_crossings(block, scan.mesh);
+      block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
+    }
+    check_size(bounds(block.surface), id, options);
+    block.warnings.insert(block.warnings.begin(), shape.notes.begin(), shape.notes.end());
+    compare_with_file(block, shape, options.scan.unit);
+    return block;
+  } catch (const GeometryError& error) {
+    const std::string reason = error.what();
+    if (reason.find(path.string()) != std::string::npos) throw;
+    throw GeometryError(where + ": " + reason);
+  } catch (const InputError& error) {
+    throw InputError(where + ": " + error.what());
+  }
+}
+
+}  // namespace clast

@@ -1,0 +1,92 @@
+#include "classify/surface_indices.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/error.hpp"
+#include "massprops/sphero.hpp"
+#include "shapes/convex_hull.hpp"
+#include "shapes/mesh_topology.hpp"
+
+namespace clast {
+namespace {
+
+/// Integral of n n^T per length and radius over the cylinder between two face normals.
+Mat3 wedge(const Vec3& n1, const Vec3& n2, double bend) {
+  const Vec3 w = (n1 + n2).normalized();
+  const Vec3 across = (n2 - n1);
+  const double length = across.norm();
+  // Flat: the wedge has no width.
+  if (!(length > 0.0)) return Mat3::Zero();
+  const Vec3 y = across / length;
+  return 0.5 * (bend + std::sin(bend)) * w * w.transpose() +
+         0.5 * (bend - std::sin(bend)) * y * y.transpose();
+}
+
+/// Integral of n n^T over the core's faces, and what rounding adds along the edges.
+Mat3 orientation_integral(const TriangleMesh& core, double radius) {
+  std::vector<Vec3> normals;
+  std::vector<std::array<std::uint32_t, 4>> sides;  // smaller vertex, larger, backwards?, triangle
+  Mat3 sum = Mat3::Zero();
+  for (std::size_t t = 0; t < core.triangles.size(); ++t) {
+    const auto& [a, b, c] = core.triangles[t];
+    const Vec3 cross =
+        (core.vertices[b] - core.vertices[a]).cross(core.vertices[c] - core.vertices[a]);
+    normals.push_back(cross.normalized());
+    if (cross.squaredNorm() > 0.0) sum += 0.5 * cross * normals.back().transpose();
+    for (const auto& [from, to] : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) {
+      sides.push_back({std::min(from, to), std::max(from, to), from > to ? 1u : 0u,
+                       static_cast<std::uint32_t>(t)});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
+    const Vec3 edge = core.vertices[sides[i][1]] - core.vertices[sides[i][0]];
+    const Vec3& n1 = normals[sides[i][3]];
+    const Vec3& n2 = normals[sides[i + 1][3]];
+    const double length = edge.norm();
+    const double bend = std::atan2(edge.dot(n1.cross(n2)) / length, n1.dot(n2));
+    if (bend > 0.0) {
+      sum += radius * length * wedge(n1, n2, bend);
+    } else if (bend < 0.0) {
+      // The strips of the two faces end where they meet.
+      const double width = radius * std::tan(-0.5 * bend);
+      sum -= length * width * (n1 * n1.transpose() + n2 * n2.transpose());
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+double true_sphericity(double volume, double area) {
+  return std::cbrt(kPi) * std::pow(6.0 * volume, 2.0 / 3.0) / area;
+}
+
+double convexity(const SpheroPolyhedron& body, double volume) {
+  const SpheroPolyhedron hull = sphero_polyhedron(convex_hull(body.vertices), body.radius);
+  return volume / convex_sphero_mass_properties(hull, 1.0).volume;
+}
+
+SurfaceOrientation surface_orientation(const SpheroPolyhedron& body) {
+  const double r = body.radius;
+  Mat3 integral = 4.0 * kPi / 3.0 * r * r * Mat3::Identity();
+  if (!body.faces.empty()) {
+    const TriangleMesh core = core_mesh(body);
+    const MeshReport report = inspect(core);
+    if (!report.closed() || !report.oriented()) {
+      throw GeometryError("surface orientation: the core is not a closed surface: " +
+                          report.summary());
+    }
+    integral += orientation_integral(core, r);
+  }
+  const double area = integral.trace();
+  if (!(area > 0.0)) throw GeometryError("surface orientation: the body has no surface");
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(integral / area, Eigen::EigenvaluesOnly);
+  return {eigen.eigenvalues().reverse()};
+}
+
+}  // namespace clast

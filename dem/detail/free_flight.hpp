@@ -1,0 +1,33 @@
+#pragma once
+/// Motion without contact in closed form.
+#include <optional>
+
+#include "dem/detail/free_rotation.hpp"
+#include "dem/rigid_body.hpp"
+
+namespace clast {
+
+/// A flight from one instant on: ballistic centre, torque-free rotation. Any instant of it costs
+/// the same. The body must outlive it.
+class FreeFlight {
+ public:
+  FreeFlight(const RigidBody& body, const RigidState& begin, double gravity);
+
+  /// The state at a time since the begin, s. Cheapest beside the instant asked for last.
+  RigidState after(double duration);
+  const RigidState& begin() const { return begin_; }
+  /// The spin never exceeds this, rad/s: the energy, all in the smallest moment.
+  double top_spin() const { return top_spin_; }
+
+ private:
+  const RigidBody& body_;
+  RigidState begin_;
+  double gravity_;
+  Vec3 momentum_;
+  double top_spin_;
+  double last_time_ = 0.0;
+  Quat last_orientation_;
+  std::optional<FreeRotation> rotation_;  ///< set up when the first turn asks for it
+};
+
+}  // namespace clast

@@ -1,0 +1,111 @@
+#include "dem/detail/local_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clast {
+
+void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, double reach) {
+  const SurfaceFeatures& features = ground.features;
+  faces.clear();
+  edges.clear();
+  corners.clear();
+  Bounds box;
+  box.include(centre);
+  std::vector<std::uint32_t> edges_met, corners_met;
+  for (const std::uint32_t f : ground.faces_near(box, reach)) {
+    const SurfaceFace& face = features.faces[f];
+    const Vec3& a = features.vertices[face.vertices[0]];
+    const Vec3& b = features.vertices[face.vertices[1]];
+    const Vec3& c = features.vertices[face.vertices[2]];
+    const Vec3 middle = (a + b + c) / 3.0;
+    const double radius = std::sqrt(std::max(
+        {(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
+    if ((centre - middle).norm() > reach + radius) continue;
+    faces.push_back({face.normal, face.normal.dot(a), middle, radius, f});
+    for (int k = 0; k < 3; ++k) {
+      if (features.edges[face.edges[k]].convex()) edges_met.push_back(face.edges[k]);
+      if (features.pointed[face.vertices[k]]) corners_met.push_back(face.vertices[k]);
+    }
+  }
+  const auto each_once = [](std::vector<std::uint32_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  };
+  each_once(edges_met);
+  each_once(corners_met);
+  for (const std::uint32_t e : edges_met) {
+    const SurfaceEdge& edge = features.edges[e];
+    edges.push_back({features.vertices[edge.vertices[0]], edge.direction, edge.length, e});
+  }
+  for (const std::uint32_t v : corners_met) corners.push_back({features.vertices[v], v});
+  lay_plane(features);
+}
+
+void LocalGround::gather(const SurfaceFeatures& features, const LocalGround& from,
+                         const Vec3& centre, double reach) {
+  faces.clear();
+  edges.clear();
+  corners.clear();
+  const auto within = [](const Vec3& out, double distance) {
+    return out.squaredNorm() <= distance * distance;
+  };
+  for (const Face& face : from.faces) {
+    if (within(centre - face.middle, reach + face.radius)) faces.push_back(face);
+  }
+  for (const Edge& edge : from.edges) {
+    const Vec3 out = centre - edge.start;
+    const double along = std::clamp(edge.direction.dot(out), 0.0, edge.length);
+    if (within(out - along * edge.direction, reach)) edges.push_back(edge);
+  }
+  for (const Corner& corner : from.corners) {
+    if (within(centre - corner.point, reach)) corners.push_back(corner);
+  }
+  lay_plane(features);
+}
+
+void LocalGround::lay_plane(const SurfaceFeatures& features) {
+  Vec3 sum = Vec3::Zero();
+  for (const Face& face : faces) sum += face.normal;
+  const double length = sum.norm();
+  plane.normal = length > 0.0 ? Vec3(sum / length) : Vec3(Vec3::UnitZ());
+  plane.top = -1e300;
+  for (const Face& face : faces) {
+    for (const std::uint32_t v : features.faces[face.face].vertices) {
+      plane.top = std::max(plane.top, plane.normal.dot(features.vertices[v]));
+    }
+  }
+}
+
+LocalGround::Nearest LocalGround::nearest(const SurfaceFeatures& features, const Vec3& query,
+                                          double limit, double beyond, std::uint32_t guess) const {
+  Nearest found;
+  found.nearest.distance = 1e300;
+  found.second = limit;
+  const auto measure = [&](std::uint32_t i) {
+    const Face& face = faces[i];
+    const double best = std::abs(found.nearest.distance);
+    const double told_apart = std::min(best, limit) + beyond;
+    if (std::abs(face.normal.dot(query) - face.offset) > told_apart) return;
+    const double near = told_apart + face.radius;
+    if ((query - face.middle).squaredNorm() > near * near) return;
+    const NearestPoint candidate = nearest_on_face(features, face.face, query);
+    const double distance = std::abs(candidate.distance);
+    // Ties go to the smaller face number, so that the order of looking does not matter.
+    const bool nearer =
+        distance < best || (distance == best && candidate.face < found.nearest.face);
+    found.second = std::min(found.second, nearer ? best : distance);
+    if (nearer) {
+      found.nearest = candidate;
+      found.entry = i;
+    }
+  };
+  if (guess < faces.size()) measure(guess);
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    if (i != guess) measure(i);
+  }
+  found.second = std::min(found.second, std::abs(found.nearest.distance) + beyond);
+  return found;
+}
+
+}  // namespace clast

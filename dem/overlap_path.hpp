@@ -1,0 +1,83 @@
+#pragma once
+/// The overlap of a contact over one time step, and what a law makes of it.
+#include <algorithm>
+#include <cmath>
+
+namespace clast {
+
+/// Overlap as a parabola in time: the place a velocity Verlet step gives it is one. Negative: not
+/// touching.
+struct OverlapPath {
+  double duration = 0.0;  ///< s
+  double before = 0.0;    ///< overlap at the begin, m
+  double after = 0.0;     ///< at the end, m
+  double rate = 0.0;      ///< at the begin, m/s; positive: getting deeper
+
+  double bend() const {
+    return duration > 0.0 ? (after - before - rate * duration) / (duration * duration) : 0.0;
+  }
+  double at(double time) const { return before + time * (rate + time * bend()); }
+  double rate_at(double time) const { return rate + 2.0 * time * bend(); }
+  /// When the overlap turns from growing to shrinking or back; the end when it does not.
+  double turn() const {
+    const double twice = 2.0 * bend();
+    const double time = twice != 0.0 ? -rate / twice : duration;
+    return time > 0.0 && time < duration ? time : duration;
+  }
+  /// When the overlap is zero, between two times of a monotonic piece that straddles it.
+  double zero_between(double from, double to) const {
+    const double b = bend();
+    const double root = std::sqrt(std::max(0.0, rate * rate - 4.0 * b * before));
+    const double q = -0.5 * (rate + (rate >= 0.0 ? root : -root));
+    const double one = q != 0.0 ? before / q : from;
+    const double other = b != 0.0 ? q / b : one;
+    const double middle = 0.5 * (from + to);
+    const double nearer = std::abs(one - middle) <= std::abs(other - middle) ? one : other;
+    return std::clamp(nearer, from, to);
+  }
+};
+
+/// What a law answers to a path, per unit of weight.
+///
+/// A Verlet step takes the force at its begin as constant for the place, and the mean of the forces
+/// at both ends for the speed. Where a law starts, reverses or ends inside the step that is wrong
+/// to first order; `impulse` and `moment` are what is missing then (docs/theory.md), else zero.
+struct NormalResponse {
+  double force = 0.0;    ///< at the end, N, never negative
+  double work = 0.0;     ///< taken from the bodies along the path, J
+  double impulse = 0.0;  ///< integral of the force, less the mean of both ends times the step, N s
+  double moment = 0.0;   ///< integral of force times time left, less that of the first force, N s^2
+};
+
+/// Integrals of a force along a path, piece by piece.
+class PathIntegral {
+ public:
+  PathIntegral(const OverlapPath& path, double first_force)
+      : path_(path), first_force_(first_force) {}
+
+  /// Adds a piece on which `force(time)` is at most quadratic: two Gauss points are exact.
+  template <class Force>
+  void add(double from, double to, const Force& force) {
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+    for (const double place : {-0.5773502691896257, 0.5773502691896257}) {
+      const double time = middle + place * half;
+      const double share = half * force(time);
+      impulse_ += share;
+      moment_ += share * (path_.duration - time);
+      work_ += share * path_.rate_at(time);
+    }
+  }
+  /// The answer when the path ends with this force.
+  NormalResponse ending_with(double force) const {
+    const double step = path_.duration;
+    return {force, work_, impulse_ - 0.5 * step * (first_force_ + force),
+            moment_ - 0.5 * step * step * first_force_};
+  }
+
+ private:
+  const OverlapPath& path_;
+  double first_force_;
+  double impulse_ = 0.0, moment_ = 0.0, work_ = 0.0;
+};
+
+}  // namespace clast

@@ -1,0 +1,82 @@
+#pragma once
+/// What vertical lines cut out of a core and its skin.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "massprops/skin.hpp"
+
+namespace clast {
+
+/// Of numbers; empty when low >= high.
+struct Interval {
+  double low = 0.0, high = 0.0;
+};
+
+/// A plane as a height: x_slope x + y_slope y + height.
+struct Slope {
+  double x_slope = 0.0, y_slope = 0.0, height = 0.0;
+  double at(double x, double y) const { return x_slope * x + y_slope * y + height; }
+};
+
+/// Convex pieces made ready for vertical lines; sorted by their lowest y and packed, since rows of
+/// lines meet neighbours one after the other.
+class LinePieces {
+ public:
+  LinePieces(const std::vector<SkinPiece>& pieces, double radius);
+
+  std::size_t size() const { return pieces_.size(); }
+  /// Lowest and highest y of a piece; the lowest ascend.
+  Interval rows(std::size_t piece) const { return pieces_[piece].rows; }
+  /// The x between which lines at `y` can meet the piece.
+  Interval reach(std::size_t piece, double y) const;
+  /// The part of the line at (x, y) inside the piece, x within its reach.
+  Interval cut(std::size_t piece, double x, double y) const;
+
+ private:
+  struct Piece {
+    Interval rows, columns, heights;
+    SkinPiece::Round round;
+    Vec3 centre, axis;  ///< no axis for a ball: the cylinder's formulas then give the ball's chord
+    /// In `slopes_`: lower bounds, upper bounds, and sides of the shadow that the planes cast along
+    /// z, where slope and height are those of at(x, y) <= 0.
+    std::uint32_t lower, upper, sides, end;
+  };
+
+  Interval round_cut(const Piece& piece, double x, double y) const;
+  std::span<const Slope> slopes(std::uint32_t begin, std::uint32_t end) const {
+    return {slopes_.data() + begin, slopes_.data() + end};
+  }
+
+  double radius_squared_;
+  std::vector<Piece> pieces_;
+  std::vector<Slope> slopes_;
+};
+
+/// The core's triangles made ready for vertical lines, sorted by their lowest y.
+class LineTriangles {
+ public:
+  explicit LineTriangles(const TriangleMesh& core);
+
+  std::size_t size() const { return triangles_.size(); }
+  Interval rows(std::size_t triangle) const;
+  Interval reach(std::size_t triangle, double y) const;
+
+  /// +1 where a line that rises at (x, y) leaves through the triangle, -1 where it enters, 0 beside
+  /// it. Each edge is judged from its smaller vertex index, so both its triangles agree to the bit
+  /// and no line slips between them or hits both.
+  int crossing(std::size_t triangle, double x, double y) const;
+  /// Height at which it crosses there.
+  double height(std::size_t triangle, double x, double y) const;
+
+ private:
+  struct Triangle {
+    std::array<Vec3, 3> corner;
+    std::array<bool, 3> turned;  ///< edge i runs from the larger to the smaller vertex index
+    Slope plane;
+    Bounds box;
+  };
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace clast

@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "shapes/detail/cloud_readers.hpp"
+
+namespace clast::detail {
+namespace {
+
+/// A line longer than this is no line of points.
+constexpr std::size_t kLongestLine = 1 << 20;
+constexpr std::size_t kBlock = 1 << 20;
+
+/// Lines of a stream, read in blocks.
+class Lines {
+ public:
+  explicit Lines(std::istream& stream) : stream_(stream) {}
+
+  /// The next line without its end (LF or CR LF); false at the end of the file.
+  bool next(std::string_view& line) {
+    while (true) {
+      const std::size_t end = text_.find('\n', begin_);
+      if (end != std::string::npos) {
+        line = std::string_view(text_).substr(begin_, end - begin_);
+        begin_ = end + 1;
+        break;
+      }
+      if (at_end_) {
+        if (begin_ >= text_.size()) return false;
+        line = std::string_view(text_).substr(begin_);
+        begin_ = text_.size();
+        break;
+      }
+      if (text_.size() - begin_ > kLongestLine) {
+        throw InputError("line " + std::to_string(number_ + 1) +
+                         ": has no end within a megabyte; this is not a text of points");
+      }
+      refill();
+    }
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    ++number_;
+    return true;
+  }
+  std::size_t number() const { return number_; }
+
+ private:
+  void refill() {
+    text_.erase(0, begin_);
+    begin_ = 0;
+    const std::size_t kept = text_.size();
+    text_.resize(kept + kBlock);
+    stream_.read(text_.data() + kept, static_cast<std::streamsize>(kBlock));
+    text_.resize(kept + static_cast<std::size_t>(stream_.gcount()));
+    at_end_ = !stream_;
+  }
+
+  std::istream& stream_;
+  std::string text_;
+  std::size_t begin_ = 0;
+  std::size_t number_ = 0;
+  bool at_end_ = false;
+};
+
+/// How the words of a line are told apart.
+struct Separation {
+  std::string_view separators;
+  bool decimal_comma = false;
+
+  /// Takes the next word off `line`; empty at its end.
+  std::string_view word(std::string_view& line) const {
+    const std::size_t begin = line.find_first_not_of(separators);
+    if (begin == std::string_view::npos) return line = {};
+    line.remove_prefix(begin);
+    const std::string_view found = line.substr(0, line.find_first_of(separators));
+    line.remove_prefix(found.size());
+    return found;
+  }
+
+  std::optional<double> number(std::string_view word) const {
+    if (!decimal_comma || word.find(',') == std::string_view::npos) return number_in(word);
+    std::string text(word);
+    std::replace(text.begin(), text.end(), ',', '.');
+    return number_in(text);
+  }
+};
+
+/// A comma between digits is a decimal comma when something else separates at least three words.
+Separation separation_of(std::string_view line) {
+  const bool comma = line.find(',') != std::string_view::npos;
+  if (line.find(';') != std::string_view::npos) return {" \t;", comma};
+  if (!comma) return {" \t", false};
+  constexpr Separation kBlanks{" \t", true};
+  std::string_view rest = line;
+  std::size_t words = 0;
+  bool decimals = true;
+  for (std::string_view word = kBlanks.word(rest); !word.empty(); word = kBlanks.word(rest)) {
+    ++words;
+    decimals = decimals && kBlanks.number(word).has_value();
+  }
+  return words >= 3 && decimals ? kBlanks : Separation{" \t,", false};
+}
+
+/// Columns of x, y and z in a heading; the first three when it does not name them.
+std::array<std::size_t, 3> columns_in(std::string_view heading) {
+  constexpr Separation kAny{" \t,;", false};
+  std::array<std::size_t, 3> columns = {0, 1, 2};
+  std::array<bool, 3> found{};
+  std::size_t column = 0;
+  for (std::string_view word = kAny.word(heading); !word.empty(); word = kAny.word(heading)) {
+    std::string name;  // without quotes and unit: "X", x_m, x[m]
+    for (const char c : word) {
+      if (c == '_' || c == '[' || c == '(') break;
+      if (c != '"') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (found[axis] || name != std::string(1, "xyz"[axis])) continue;
+      columns[axis] = column;
+      found[axis] = true;
+    }
+    ++column;
+  }
+  return found[0] && found[1] && found[2] ? columns : std::array<std::size_t, 3>{0, 1, 2};
+}
+
+class LinesOfPoints {
+ public:
+  explicit LinesOfPoints(PointSink& sink) : sink_(sink) {}
+
+  void read(std::string_view line, std::size_t number) {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return;
+    const std::string_view text = line.substr(begin);
+    if (text.starts_with('#') || text.starts_with("//")) return;
+    if (!separation_known_) {
+      if (is_heading(text)) return;
+      separation_ = separation_of(text);
+      separation_known_ = true;
+    }
+    sink_.add(point_in(text, number));
+  }
+
+ private:
+  /// The lines before the first point: a heading, or the number of points.
+  bool is_heading(std::string_view text) {
+    constexpr Separation kAny{" \t,;", false};
+    std::string_view rest = text;
+    const bool starts_with_number = number_in(kAny.word(rest)).has_value();
+    const bool alone = kAny.word(rest).empty();
+    if (lines_before_ >= 2 || (starts_with_number && !alone)) return false;
+    ++lines_before_;
+    if (!starts_with_number) columns_ = columns_in(text);
+    return true;
+  }
+
+  Vec3 point_in(std::string_view line, std::size_t number) const {
+    Vec3 point = Vec3::Zero();
+    std::size_t left = 3;
+    for (std::size_t column = 0; left > 0; ++column) {
+      const std::string_view word = separation_.word(line);
+      if (word.empty()) break;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (columns_[axis] != column) continue;
+        const std::optional<double> value = separation_.number(word);
+        if (!value) {
+          throw InputError("line " + std::to_string(number) + ": \"" +
+                           std::string(word.substr(0, 40)) + "\" stands where " + "xyz"[axis] +
+                           " is needed; a line must be x y z");
+        }
+        point[static_cast<Eigen::Index>(axis)] = *value;
+        --left;
+      }
+    }
+    if (left > 0) {
+      throw InputError("line " + std::to_string(number) +
+                       ": fewer than three numbers; a line must be x y z");
+    }
+    return point;
+  }
+
+  PointSink& sink_;
+  Separation separation_{" \t,;", false};
+  bool separation_known_ = false;
+  std::size_t lines_before_ = 0;
+  std::array<std::size_t, 3> columns_ = {0, 1, 2};
+};
+
+}  // namespace
+
+CloudSummary read_text_cloud(std::istream& stream, PointSink& sink) {
+  Lines lines(stream);
+  LinesOfPoints points(sink);
+  std::string_view line;
+  while (lines.next(line)) {
+    if (lines.number() == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    points.read(line, lines.number());
+  }
+  return sink.finish({});
+}
+
+}  // namespace clast::detail

@@ -1,0 +1,303 @@
+#include "shapes/point_cloud.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/random.hpp"
+#include "core/text_file.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+template <class T>
+void put(std::string& bytes, std::size_t offset, T value) {
+  if (bytes.size() < offset + sizeof(T)) bytes.resize(offset + sizeof(T), '\0');
+  std::memcpy(bytes.data() + offset, &value, sizeof(T));
+}
+
+struct LasPoint {
+  std::array<std::int32_t, 3> steps;
+  std::uint8_t asprs_class = 2;
+  bool withheld = false;
+};
+
+/// A LAS file as the ASPRS specification lays it out, with one GeoTIFF key: EPSG 25832.
+std::string las_file(int minor, std::uint8_t format, std::size_t record_size,
+                     const std::vector<LasPoint>& points, const Vec3& scale, const Vec3& offset) {
+  const std::uint16_t header_size = minor >= 4 ? 375 : minor == 3 ? 235 : 227;
+  std::string bytes(header_size, '\0');
+  bytes.replace(0, 4, "LASF");
+  put<std::uint8_t>(bytes, 24, 1);
+  put<std::uint8_t>(bytes, 25, static_cast<std::uint8_t>(minor));
+  put<std::uint16_t>(bytes, 94, header_size);
+  const std::size_t keys = 54 + 16;
+  put<std::uint32_t>(bytes, 96, static_cast<std::uint32_t>(header_size + keys));
+  put<std::uint32_t>(bytes, 100, 1);
+  put<std::uint8_t>(bytes, 104, format);
+  put<std::uint16_t>(bytes, 105, static_cast<std::uint16_t>(record_size));
+  const auto count = static_cast<std::uint32_t>(points.size());
+  put<std::uint32_t>(bytes, 107, minor >= 4 ? 0 : count);
+  for (std::size_t k = 0; k < 3; ++k) {
+    put<double>(bytes, 131 + 8 * k, scale[static_cast<Eigen::Index>(k)]);
+    put<double>(bytes, 155 + 8 * k, offset[static_cast<Eigen::Index>(k)]);
+  }
+  if (minor >= 4) put<std::uint64_t>(bytes, 247, count);
+  std::string record(keys, '\0');
+  record.replace(2, 15, "LASF_Projection");
+  put<std::uint16_t>(record, 18, 34735);
+  put<std::uint16_t>(record, 20, 16);
+  const std::array<std::uint16_t, 8> directory = {1, 1, 0, 1, 3072, 0, 1, 25832};
+  std::memcpy(record.data() + 54, directory.data(), sizeof directory);
+  bytes += record;
+  for (const LasPoint& point : points) {
+    std::string one(record_size, '\0');
+    for (std::size_t k = 0; k < 3; ++k) put<std::int32_t>(one, 4 * k, point.steps[k]);
+    if (format < 6) {
+      put<std::uint8_t>(one, 15,
+                        static_cast<std::uint8_t>(point.asprs_class | (point.withheld ? 0x80 : 0)));
+    } else {
+      put<std::uint8_t>(one, 15, point.withheld ? 0x04 : 0);
+      put<std::uint8_t>(one, 16, point.asprs_class);
+    }
+    bytes += one;
+  }
+  return bytes;
+}
+
+class Clouds : public testing::Test {
+ protected:
+  std::vector<Vec3> read(const std::string& name, const std::string& content) {
+    write_text_file(folder / name, content);
+    return read_cloud(folder / name);
+  }
+  std::string refused(const std::string& name, const std::string& content) {
+    write_text_file(folder / name, content);
+    return refusal([&] { read_cloud(folder / name); });
+  }
+  void expect_points(const std::string& name, const std::string& content,
+                     const std::vector<Vec3>& expected) {
+    const std::vector<Vec3> points = read(name, content);
+    ASSERT_EQ(points.size(), expected.size()) << content;
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(points[i], expected[i]) << content;
+  }
+  ScratchFolder folder;
+};
+
+TEST_F(Clouds, TextIsReadHoweverItIsSeparated) {
+  const std::vector<Vec3> two = {{1.5, 2.5, 3.5}, {-4, 5e6, 0.25}};
+  expect_points("a.xyz", "1.5 2.5 3.5\n-4 5e6 0.25\n", two);
+  expect_points("a.txt", "1.5\t2.5\t3.5\t99\r\n-4\t5e6\t0.25\t99", two);
+  expect_points("a.csv", "1.5,2.5,3.5,a\n-4, 5e6, 0.25, b\n", two);
+  expect_points("b.csv", "1.5;2.5;3.5\n\n-4;5e6;0.25\n", two);
+  expect_points("c.csv", "1,5;2,5;3,5\n-4;5e6;0,25\n", two);
+  expect_points("d.txt", "1,5 2,5 3,5\n-4 5000000 0,25\n", two);
+  expect_points("a.pts", "2\n1.5 2.5 3.5 -120 10 20 30\n-4 5e6 0.25 -80 1 2 3\n", two);
+}
+
+TEST_F(Clouds, HeadingsAndRemarksAreUnderstood) {
+  const std::vector<Vec3> one = {{1, 2, 3}};
+  expect_points("a.csv", "\xEF\xBB\xBF\"Z\",\"X\",\"Y\"\n3,1,2\n", one);
+  expect_points("b.csv", "id;x_m;y_m;z [m]\n7;1;2;3\n", one);
+  expect_points("c.xyz", "//X Y Z R G B\n# a remark\n1 2 3 255 255 255\n", one);
+  expect_points("d.txt", "easting northing height\n1 2 3\n", one);
+}
+
+TEST_F(Clouds, TextLongerThanAReadingBlockLosesNothing) {
+  std::string text;
+  std::vector<Vec3> expected;
+  Random random(1);
+  for (int i = 0; i < 100000; ++i) {
+    expected.emplace_back(random.uniform(-1e4, 1e4), i, -i);
+    text += std::to_string(expected.back().x());
+    expected.back().x() = std::stod(text.substr(text.rfind('\n') + 1));
+    text += ' ' + std::to_string(i) + ' ' + std::to_string(-i) + '\n';
+  }
+  const std::vector<Vec3> points = read("long.xyz", text);
+  EXPECT_EQ(points, expected);
+}
+
+TEST_F(Clouds, BadTextIsRefusedByLine) {
+  EXPECT_TRUE(contains(refused("a.xyz", "1 2 3\n1 2\n"), "a.xyz: line 2: fewer than three"));
+  EXPECT_TRUE(contains(refused("b.xyz", "1 2 3\n\n1 x 3\n"), "line 3: \"x\" stands where y"));
+  EXPECT_TRUE(contains(refused("c.xyz", ""), "c.xyz: holds no points"));
+  EXPECT_TRUE(contains(refused("d.xyz", "# nothing\n"), "holds no points"));
+  EXPECT_TRUE(contains(refused("e.xyz", "1 2 3\n1 2 1,5\n"), "line 2: \"1,5\""));
+  EXPECT_TRUE(contains(refused("f.xyz", std::string(3 << 20, 'x')), "line 1: has no end"));
+  EXPECT_TRUE(contains(refusal([&] { read_cloud(folder / "none.xyz"); }), "no such file"));
+  EXPECT_TRUE(contains(refusal([&] { read_cloud(folder.path()); }), "folder"));
+}
+
+TEST_F(Clouds, PointsWithoutPlaceAreCounted) {
+  write_text_file(folder / "nan.xyz", "1 2 3\nnan nan nan\n4 5 6\n1 inf 3\n");
+  const CloudSummary summary = stream_cloud(folder / "nan.xyz", [](const PointBatch&) {});
+  EXPECT_EQ(summary.points, 2u);
+  EXPECT_EQ(summary.without_place, 2u);
+}
+
+class LasVersions : public testing::TestWithParam<std::array<int, 3>> {};
+
+TEST_P(LasVersions, GivePointsClassesAndSystem) {
+  const auto [minor, format, size] = GetParam();
+  ScratchFolder folder;
+  const Vec3 scale(0.001, 0.01, 0.001), offset(652000, 5203000, 0);
+  // One more byte per record than the format needs: extra bytes are allowed.
+  write_text_file(
+      folder / "a.las",
+      las_file(minor, static_cast<std::uint8_t>(format), static_cast<std::size_t>(size) + 1,
+               {{{1250, -75, 789123}, 2}, {{0, 0, 1}, 5}, {{1, 1, 1}, 7}, {{2, 2, 2}, 2, true}},
+               scale, offset));
+  std::vector<Vec3> points;
+  std::vector<std::uint8_t> classes;
+  const CloudSummary summary = stream_cloud(folder / "a.las", [&](const PointBatch& batch) {
+    points.insert(points.end(), batch.points.begin(), batch.points.end());
+    classes.insert(classes.end(), batch.classes.begin(), batch.classes.end());
+  });
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_LT((points[0] - Vec3(652001.25, 5202999.25, 789.123)).norm(), 1e-8);
+  EXPECT_LT((points[1] - Vec3(652000, 5203000, 0.001)).norm(), 1e-8);
+  EXPECT_EQ(classes, (std::vector<std::uint8_t>{2, 5}));
+  EXPECT_EQ(summary.points, 2u);
+  EXPECT_EQ(summary.withheld, 2u);  // one flagged, one of class noise
+  EXPECT_EQ(summary.crs, "EPSG:25832");
+}
+INSTANTIATE_TEST_SUITE_P(Formats, LasVersions,
+                         testing::Values(std::array{0, 0, 20}, std::array{1, 1, 28},
+                                         std::array{2, 2, 26}, std::array{2, 3, 34},
+                                         std::array{3, 5, 63}, std::array{4, 6, 30},
+                                         std::array{4, 7, 36}, std::array{4, 10, 67}));
+
+TEST_F(Clouds, DamagedLasIsRefused) {
+  const std::string good =
+      las_file(2, 0, 20, {{{1, 2, 3}}, {{4, 5, 6}}}, Vec3::Ones(), Vec3::Zero());
+  ASSERT_EQ(read("good.las", good).size(), 2u);
+  EXPECT_TRUE(contains(refused("cut.las", good.substr(0, good.size() - 1)),
+                       "cut.las: its header says 2 points, the file has 1"));
+  EXPECT_TRUE(contains(refused("short.las", good.substr(0, 100)), "ends within"));
+  EXPECT_TRUE(contains(refused("other.las", "ply\n"), "does not start with LASF"));
+  std::string bad = good;
+  put<double>(bad, 131, 0.0);
+  EXPECT_TRUE(contains(refused("scale.las", bad), "scale"));
+  bad = good;
+  put<std::uint8_t>(bad, 104, 11);
+  EXPECT_TRUE(contains(refused("format.las", bad), "point format 11"));
+  bad = good;
+  put<std::uint16_t>(bad, 105, 12);
+  EXPECT_TRUE(contains(refused("record.las", bad), "12 bytes"));
+  bad = good;
+  put<std::uint32_t>(bad, 96, 4000000000u);
+  EXPECT_TRUE(contains(refused("offset.las", bad), "outside the file"));
+  bad = good;
+  put<std::uint8_t>(bad, 104, 0x80);
+  EXPECT_TRUE(contains(refused("packed.laz", bad), "laszip"));
+}
+
+const std::string kPcdHeader =
+    "# .PCD v.7\nVERSION .7\nFIELDS x y z rgb\nSIZE 4 4 8 4\nTYPE F F F U\nCOUNT 1 1 1 1\n"
+    "WIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\n";
+
+/// Three points, the last without a place, point by point or field by field.
+std::string pcd_points(bool by_field) {
+  std::string bytes;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::array<float, 3> x = {1, 4, nan}, y = {2, 5, nan};
+  const std::array<double, 3> z = {3.1, 6, 0};
+  const auto add = [&](auto value) { put(bytes, bytes.size(), value); };
+  if (by_field) {
+    for (const float v : x) add(v);
+    for (const float v : y) add(v);
+    for (const double v : z) add(v);
+    for (int i = 0; i < 3; ++i) add(std::uint32_t{7});
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) {
+      add(x[i]);
+      add(y[i]);
+      add(z[i]);
+      add(std::uint32_t{7});
+    }
+  }
+  return bytes;
+}
+
+TEST_F(Clouds, PcdInItsThreeForms) {
+  const std::vector<Vec3> two = {{1, 2, 3.1}, {4, 5, 6}};
+  expect_points("a.pcd", kPcdHeader + "DATA ascii\n1 2 3.1 7\n4 5 6 7\nnan nan 0 7\n", two);
+  expect_points("b.pcd", kPcdHeader + "DATA binary\n" + pcd_points(false), two);
+
+  // Compressed: literal runs for the first 56 bytes, then a copy of four bytes from four back.
+  const std::string plain = pcd_points(true);
+  ASSERT_EQ(plain.size(), 60u);
+  std::string packed;
+  packed += static_cast<char>(31);
+  packed += plain.substr(0, 32);
+  packed += static_cast<char>(23);
+  packed += plain.substr(32, 24);
+  packed += static_cast<char>(2 << 5);  // length 4, the bytes that end four back
+  packed += static_cast<char>(3);
+  std::string file = kPcdHeader + "DATA binary_compressed\n";
+  put(file, file.size(), static_cast<std::uint32_t>(packed.size()));
+  put(file, file.size(), static_cast<std::uint32_t>(plain.size()));
+  expect_points("c.pcd", file + packed, two);
+}
+
+TEST_F(Clouds, DamagedPcdIsRefused) {
+  EXPECT_TRUE(contains(refused("a.pcd", kPcdHeader), "no DATA line"));
+  EXPECT_TRUE(contains(refused("b.pcd", kPcdHeader + "DATA ascii\n1 2 3 7\n"), "2 are missing"));
+  EXPECT_TRUE(contains(refused("c.pcd", kPcdHeader + "DATA ascii\n1 2 x 7\n"), "number is needed"));
+  EXPECT_TRUE(
+      contains(refused("d.pcd", kPcdHeader + "DATA ascii\n1 2 3\n4 5 6\n"), "fewer values"));
+  EXPECT_TRUE(contains(refused("e.pcd", kPcdHeader + "DATA binary\n" + std::string(40, 'x')),
+                       "the file has 2"));
+  EXPECT_TRUE(contains(refused("f.pcd", kPcdHeader + "DATA zip\n"), "\"zip\""));
+  EXPECT_TRUE(contains(refused("g.pcd",
+                               "FIELDS x y\nSIZE 4 4\nTYPE F F\nCOUNT 1 1\nPOINTS 1\n"
+                               "DATA ascii\n1 2\n"),
+                       "has no field z"));
+  EXPECT_TRUE(contains(refused("h.pcd", "FIELDS x y z\nPOINTS -4\nDATA ascii\n"), "can't be"));
+  std::string file = kPcdHeader + "DATA binary_compressed\n";
+  put(file, file.size(), std::uint32_t{3});
+  put(file, file.size(), std::uint32_t{60});
+  EXPECT_TRUE(contains(refused("i.pcd", file + "\x60\x05\x05"), "corrupt"));
+}
+
+TEST_F(Clouds, VerticesOfAMeshArePoints) {
+  expect_points("a.ply",
+                "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+                "property double z\nproperty uchar red\nend_header\n1 2 3 9\n4 5 6 9\n",
+                {{1, 2, 3}, {4, 5, 6}});
+}
+
+TEST_F(Clouds, MutatedFilesNeverCrash) {
+  const std::vector<std::pair<std::string, std::string>> seeds = {
+      {"f.las", las_file(4, 6, 30, {{{1, 2, 3}}, {{4, 5, 6}}}, Vec3::Ones(), Vec3::Zero())},
+      {"f.pcd", kPcdHeader + "DATA binary\n" + pcd_points(false)},
+      {"f.xyz", "x y z\n1.5 2.5 3.5\n4 5 6\n"}};
+  Random random(5);
+  int refused_count = 0;
+  for (const auto& [name, good] : seeds) {
+    for (int i = 0; i < 100; ++i) {
+      std::string bad = good;
+      for (int k = 0; k < 3; ++k) {
+        bad[static_cast<std::size_t>(random.uniform(0.0, 0.999) *
+                                     static_cast<double>(bad.size()))] =
+            static_cast<char>(random.uniform(0.0, 255.9));
+      }
+      if (i % 3 == 0)
+        bad.resize(
+            static_cast<std::size_t>(random.uniform(0.0, 1.0) * static_cast<double>(bad.size())));
+      write_text_file(folder / name, bad);
+      try {
+        read_cloud(folder / name);
+      } catch (const InputError& error) {
+        ++refused_count;
+        EXPECT_TRUE(contains(error.what(), name));
+      }
+    }
+  }
+  EXPECT_GT(refused_count, 100);
+}
+
+}  // namespace
+}  // namespace clast
