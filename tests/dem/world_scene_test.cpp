@@ -188,7 +188,6 @@ TEST(OneBody, FallsAsAReleaseDoes) {
   RigidState start = at({-1.0, 0.3, 1.2}, {0.5, 0.0, 0.0});
   start.orientation = Random(3).rotation();
   start.angular_velocity = {0.5, 1.0, 0.0};
-  std::vector<double> apart;
   for (const double shortening : {4.0, 16.0}) {
     ReleaseSettings release;
     release.stiffness = choose_stiffness(std::span(&body, 1), zones, 5.0, 9.81).stiffness;
@@ -201,13 +200,11 @@ TEST(OneBody, FallsAsAReleaseDoes) {
     EXPECT_EQ(world.run_until(release.max_time), StopReason::kMaxTime);
     const ReleaseResult result = simulate_release(terrain, zones, body, start, release);
     EXPECT_GT(result.impacts, 0u);
-    apart.push_back((world.state(0).position - result.final_state.position).norm());
+    EXPECT_LT((world.state(0).position - result.final_state.position).norm(), 1e-4);
     EXPECT_LT(world.energy().error, 0.005);
     EXPECT_NEAR(world.energy().dissipated(), result.energy.dissipated(),
                 0.01 * result.energy.dissipated());
   }
-  EXPECT_LT(apart[0], 2e-3);
-  EXPECT_LT(apart[1], 0.5 * apart[0]);
 }
 
 TEST(LeavingTheTerrain, EndsTheRunOfABodyAlone) {

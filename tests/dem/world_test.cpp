@@ -79,10 +79,12 @@ TEST_P(Spheres, Oblique) {
     EXPECT_NEAR(second.velocity.x(), impulse / second_mass, 0.01 * impulse / second_mass);
     EXPECT_NEAR(second.velocity.y(), friction * impulse / second_mass,
                 0.01 * impulse / second_mass);
-    EXPECT_NEAR(0.4 * 0.1 * first.angular_velocity.z(), -friction * impulse,
-                0.01 * friction * impulse + 1e-12);
+    // What ends a contact acts where it was when the step began: a lever of a step's movement on
+    // a small part of the impulse.
+    const double angular_slack = 0.01 * friction * impulse + 1e-9 * impulse;
+    EXPECT_NEAR(0.4 * 0.1 * first.angular_velocity.z(), -friction * impulse, angular_slack);
     EXPECT_NEAR(0.4 * 0.15 * second_mass * second.angular_velocity.z(), -friction * impulse,
-                0.01 * friction * impulse + 1e-12);
+                angular_slack);
   }
 }
 INSTANTIATE_TEST_SUITE_P(Pairs, Spheres,
