@@ -2,6 +2,7 @@
 /// Parallel loops whose result can't depend on the number of threads.
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace clast {
 
@@ -15,5 +16,21 @@ void parallel_for(std::size_t count, unsigned threads,
 
 /// The number of threads that `threads` stands for: itself, or one per core when 0.
 unsigned thread_count(unsigned threads);
+
+/// Threads that wait for the next loop: for loops so short that starting threads would cost more
+/// than it saves. One loop at a time.
+class ThreadTeam {
+ public:
+  /// @param threads  counts the caller, who works too; 0: one per core
+  explicit ThreadTeam(unsigned threads);
+  ~ThreadTeam();
+
+  /// Like `parallel_for`, with `chunk` neighbouring items handed out at a time.
+  void run(std::size_t count, std::size_t chunk, const std::function<void(std::size_t)>& body);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace clast

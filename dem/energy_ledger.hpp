@@ -1,5 +1,7 @@
 #pragma once
 /// The energy balance of a run.
+#include <algorithm>
+#include <cmath>
 
 namespace clast {
 
@@ -13,6 +15,22 @@ struct EnergyLedger {
   double reassigned = 0.0;  ///< lost (or gained, < 0) when contacts or their weights change
 
   double dissipated() const { return normal + friction + rolling + reassigned; }
+  /// Adds what another part of the run dissipated.
+  EnergyLedger& operator+=(const EnergyLedger& part) {
+    normal += part.normal;
+    friction += part.friction;
+    rolling += part.rolling;
+    reassigned += part.reassigned;
+    return *this;
+  }
+  /// Closes the balance. `drop`: what was there at the start, above the potential at the end, J.
+  void close(double at_end, double drop) {
+    final = at_end;
+    const double lost = dissipated();
+    error = std::abs(initial - final - lost) /
+            std::max({std::abs(lost), 1e-3 * std::abs(drop), 1e-300});
+  }
+
   /// |initial - final - dissipated| / max(dissipated, 1e-3 |kinetic + drop|)
   double error = 0.0;
 };

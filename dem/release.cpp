@@ -238,12 +238,8 @@ class Release {
     const Vec3& place = moving_.state().position;
     result_.settled_penetration = forces_.max_overlap();
     EnergyLedger& ledger = result_.energy;
-    ledger.final = energy();
     // The potential counts from the end height, so that the scale does not depend on the datum.
-    const double scale = std::abs(ledger.initial - body_.mass * settings_.gravity * place.z());
-    const double lost = ledger.dissipated();
-    ledger.error = std::abs(ledger.initial - ledger.final - lost) /
-                   std::max({std::abs(lost), 1e-3 * scale, 1e-300});
+    ledger.close(energy(), ledger.initial - body_.mass * settings_.gravity * place.z());
     const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
     const double rest_depth = body_.mass * settings_.gravity / forces_.rest_stiffness();
     result_.below_ground =
@@ -269,14 +265,6 @@ class Release {
   bool left_ = false;
   ReleaseResult result_;
 };
-
-void check_body(const RigidBody& body) {
-  if (!(body.mass > 0.0) || !(body.moments.minCoeff() > 0.0) || body.shape.vertices.empty()) {
-    throw SimulationError(
-        "block: mass and principal moments must be positive and the shape must "
-        "have a vertex");
-  }
-}
 
 }  // namespace
 
@@ -333,7 +321,7 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
                                const RigidState& start, const ReleaseSettings& settings,
                                const MotionObserver& observe) {
   settings.check();
-  check_body(body);
+  body.check("block");
   if (zones.size() < terrain.zone_count()) {
     throw SimulationError("terrain has " + std::to_string(terrain.zone_count()) +
                           " ground zones but parameters are given for " +

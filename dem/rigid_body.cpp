@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "dem/detail/free_flight.hpp"
 
 namespace clast {
@@ -15,6 +16,14 @@ double RigidBody::bounding_radius() const {
 
 double RigidBody::size() const {
   return smallest_side > 0.0 ? smallest_side : 2.0 * bounding_radius();
+}
+
+void RigidBody::check(const std::string& name) const {
+  if (!(mass > 0.0) || !(moments.minCoeff() > 0.0) || shape.vertices.empty()) {
+    throw SimulationError(name +
+                          ": mass and principal moments must be positive and the shape must have a "
+                          "vertex");
+  }
 }
 
 double translational_energy(const RigidBody& body, const RigidState& state) {

@@ -1,6 +1,7 @@
 #pragma once
 /// A rigid block: contact shape, inertia, state.
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "massprops/mass_properties.hpp"
@@ -28,6 +29,9 @@ struct RigidBody {
 
   double bounding_radius() const;  ///< of the rounded body about the centre, m
   double size() const;             ///< `smallest_side`, or the diameter where that is not set, m
+  /// @param name  of the body, for the message
+  /// @throws SimulationError  mass or moments not positive, or a shape without vertices
+  void check(const std::string& name) const;
 };
 
 /// Kinetic energies, J.

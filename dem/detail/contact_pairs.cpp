@@ -20,6 +20,15 @@ bool ContactSearch::meets_edge(std::uint32_t edge, const Vec3& normal) const {
   return in_arc(block_, block_.edges[edge], -(rotation_.transpose() * normal));
 }
 
+bool ContactSearch::edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge& of_block,
+                                const Vec3& normal) const {
+  const Vec3 in_body = -(rotation_.transpose() * normal);
+  if (ground_.of_block) {
+    return near_arc(ground_.features, of_ground, normal) && near_arc(block_, of_block, in_body);
+  }
+  return in_arc(ground_.features, of_ground, normal) && in_arc(block_, of_block, in_body);
+}
+
 void ContactSearch::look_at_side(std::uint32_t s, double until, double within) {
   SideState& state = side_states_[s];
   if (std::min(state.list_until, state.others_clear_until) <= until && !list_holds(s, until)) {
@@ -131,7 +140,7 @@ void ContactSearch::look_at_edges(std::uint32_t block_edge, Pair& pair) {
   normal *= (normal.dot(ground_.features.edge_normal(other)) >= 0.0 ? 1.0 : -1.0) / normal.norm();
   const double gap = normal.dot(start - base);
   if (gap >= reach_ || gap < -depth_limit_) return;
-  if (!in_arc(ground_.features, other, normal) || !meets_edge(block_edge, normal)) return;
+  if (!edges_carry(other, edge, normal)) return;
   ContactPoint contact;
   contact.kind = ContactKind::kEdgeEdge;
   contact.block_feature = block_edge;
@@ -154,7 +163,9 @@ void ContactSearch::look_at_edge_vertex(std::uint32_t block_edge, Pair& pair) {
   sleep(pair, distance);
   if (distance >= reach_ || s <= 0.0 || s >= edge.length || !(distance > 0.0)) return;
   const Vec3 normal = out / distance;
-  if (meets_edge(block_edge, normal)) touch_corner(block_edge, pair, normal, distance);
+  if (meets_edge(block_edge, normal) && in_cone(ground_.features, pair.ground_feature, normal)) {
+    touch_corner(block_edge, pair, normal, distance);
+  }
 }
 
 void ContactSearch::look_at_face_vertex(std::uint32_t block_face, Pair& pair) {
@@ -167,12 +178,15 @@ void ContactSearch::look_at_face_vertex(std::uint32_t block_face, Pair& pair) {
   const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);
   sleep(pair, std::abs(height));
   if (height >= reach_ || height < -depth_limit_) return;
-  touch_corner(block_face, pair, -(rotation_ * face.normal), height);
+  const Vec3 normal = -(rotation_ * face.normal);
+  const auto carries = ground_.of_block ? near_cone : in_cone;
+  if (carries(ground_.features, pair.ground_feature, normal)) {
+    touch_corner(block_face, pair, normal, height);
+  }
 }
 
 void ContactSearch::touch_corner(std::uint32_t block_feature, Pair& pair, const Vec3& normal,
                                  double distance) {
-  if (!in_cone(ground_.features, pair.ground_feature, normal)) return;
   ContactPoint contact;
   contact.kind = pair.kind;
   contact.block_feature = block_feature;

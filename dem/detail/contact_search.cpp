@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/detail/deep_contacts.hpp"
+
 namespace clast {
 namespace {
 
@@ -28,6 +30,7 @@ constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
 
 ContactSearch::ContactSearch(const IndexedSurface& ground, const IndexedSurface& block, double size)
     : ground_(ground),
+      surface_(block),
       block_(block.features),
       parts_(block_parts(block.features)),
       reach_(block.radius + ground.radius),
@@ -63,6 +66,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
       look_at_side(s, moved_, std::max(reach_, deepest_pair()) + kPairMargins * margin_);
     }
   }
+  if (ground_.of_block) drop_resolved(contacts_, ground_, surface_, ground_from_body);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   if (!contacts_.empty()) {

@@ -131,6 +131,14 @@ class ContactSearch {
   void look_at_vertex(std::uint32_t vertex, double until);
   bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre);
   void measure_vertex(std::uint32_t vertex, const Vec3& centre);
+  /// Direction in which a vertex inside the ground is pushed to the surface point.
+  static Vec3 push_of(const NearestPoint& nearest, const Vec3& centre);
+  /// True when the push would drag the block's vertex out through the block: beside the edge of a
+  /// ground that ends where the block does, the nearest way out may be the ground's wall.
+  bool pushes_backwards(std::uint32_t vertex, const Vec3& push) const;
+  /// The nearest face below which it lies that does not, or `nearest` where there is none.
+  NearestPoint nearest_forwards(std::uint32_t vertex, const Vec3& centre,
+                                const NearestPoint& nearest) const;
   void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
   void add_outside_contacts(std::uint32_t vertex, const Vec3& centre);
 
@@ -156,9 +164,13 @@ class ContactSearch {
   /// (out of the ground) with this vertex or edge.
   bool meets_vertex(std::uint32_t vertex, const Vec3& normal) const;
   bool meets_edge(std::uint32_t edge, const Vec3& normal) const;
+  /// True when an edge of the ground and one of the block may carry along `normal`.
+  bool edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge& of_block,
+                   const Vec3& normal) const;
 
   const IndexedSurface& ground_;
-  const SurfaceFeatures& block_;
+  const IndexedSurface& surface_;  ///< of the block
+  const SurfaceFeatures& block_;   ///< its features
   BlockParts parts_;
   double reach_;                  ///< block radius + skin radius, m
   double bounding_radius_ = 0.0;  ///< of the core about the centre, m

@@ -58,7 +58,9 @@ void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
   state.distance = depth < complete ? nearest.distance : complete;
   vertex_due_[v] = moved_ + (state.distance - reach_);
   if (depth >= complete) return;
-  if (nearest.within_face) {
+  const bool backwards =
+      nearest.distance < 0.0 && pushes_backwards(parts_.vertices[v], push_of(nearest, centre));
+  if (nearest.within_face && !backwards) {
     state.sure_face = nearest.face;
     state.sure_foot_until = moved_;
     state.sure_inside_until = moved_ + 0.5 * (found.second - depth);
@@ -66,7 +68,33 @@ void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
   }
   if (nearest.distance >= reach_) return;
   if (nearest.distance >= 0.0) return add_outside_contacts(v, centre);
-  add_inside_contact(v, centre, nearest);
+  add_inside_contact(v, centre, backwards ? nearest_forwards(v, centre, nearest) : nearest);
+}
+
+Vec3 ContactSearch::push_of(const NearestPoint& nearest, const Vec3& centre) {
+  // On the surface itself, and above a face, the direction to it is its normal.
+  return nearest.within_face || nearest.distance > -1e-9
+             ? nearest.normal
+             : Vec3((nearest.point - centre) / -nearest.distance);
+}
+
+bool ContactSearch::pushes_backwards(std::uint32_t vertex, const Vec3& push) const {
+  return ground_.of_block && push.dot(rotation_ * block_.vertex_normals[vertex]) > 0.0;
+}
+
+NearestPoint ContactSearch::nearest_forwards(std::uint32_t v, const Vec3& centre,
+                                             const NearestPoint& nearest) const {
+  NearestPoint best = nearest;
+  double distance = 1e300;
+  for (const LocalGround::Face& face : part_states_[vertex_states_[v].part].ground.faces) {
+    const NearestPoint candidate = nearest_on_face(ground_.features, face.face, centre);
+    if (candidate.within_face && candidate.distance < 0.0 && -candidate.distance < distance &&
+        !pushes_backwards(parts_.vertices[v], push_of(candidate, centre))) {
+      distance = -candidate.distance;
+      best = candidate;
+    }
+  }
+  return best;
 }
 
 bool ContactSearch::look_at_sure_face(std::uint32_t v, const Vec3& centre) {
@@ -80,6 +108,7 @@ bool ContactSearch::look_at_sure_face(std::uint32_t v, const Vec3& centre) {
     if (inside < 0.0) return false;
     state.sure_foot_until = moved_ + inside;
   }
+  if (height < 0.0 && pushes_backwards(parts_.vertices[v], face.normal)) return false;
   state.distance = height;
   state.seen = centre;
   state.seen_at = moved_;
@@ -103,11 +132,8 @@ void ContactSearch::add_inside_contact(std::uint32_t v, const Vec3& centre,
   ContactPoint contact;
   contact.block_feature = parts_.vertices[v];
   contact.ground_feature = contact.ground_face = nearest.face;
-  const double depth = -nearest.distance;
-  // On the surface itself, and above a face, the direction to it is its normal.
-  contact.normal =
-      nearest.within_face || depth < 1e-9 ? nearest.normal : Vec3((nearest.point - centre) / depth);
-  contact.overlap = reach_ + depth;
+  contact.normal = push_of(nearest, centre);
+  contact.overlap = reach_ - nearest.distance;
   contact.foot = nearest.point + ground_.radius * contact.normal;
   contacts_.push_back(contact);
 }

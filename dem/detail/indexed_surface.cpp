@@ -240,8 +240,11 @@ IndexedSurface indexed_surface(const TriangleMesh& mesh, double radius,
 
 IndexedSurface indexed_surface(const SpheroPolyhedron& body) {
   const bool wire = body.faces.empty();
-  return indexed_surface(core_mesh(body), body.radius,
-                         wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
+  IndexedSurface surface =
+      indexed_surface(core_mesh(body), body.radius,
+                      wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
+  surface.of_block = true;
+  return surface;
 }
 
 }  // namespace clast

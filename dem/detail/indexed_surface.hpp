@@ -60,6 +60,7 @@ struct IndexedSurface {
   std::vector<std::uint32_t> face_of_vertex;  ///< one face at every vertex: tells its zone
   double radius = 0.0;                        ///< the skin is this far outside the features, m
   Bounds extent;                              ///< of the vertices
+  bool of_block = false;                      ///< not of a terrain
   PlanGrid grid;
 
   /// Nearest point of the triangles (not the skin) to `query`, or none farther than `reach`.

@@ -16,10 +16,35 @@ namespace {
 constexpr double kFlatSine = 1e-7;
 /// Slack of the arc and cone tests, a sine.
 constexpr double kConeSlack = 1e-9;
+/// Share of the turn at an edge or vertex that its arc or cone gives: 3 degrees at a right angle,
+/// as much as a block of the settled depth tilts.
+constexpr double kGiveShare = 1.0 / 30.0;
+
+double give_of(const Vec3& normal, const Vec3& other) {
+  return std::sin(kGiveShare * std::atan2(normal.cross(other).norm(), normal.dot(other)));
+}
 
 /// In the plane of the face, perpendicular to its edge, into the face; unit when the edge is.
 Vec3 into_face(const SurfaceFace& face, const Vec3& edge_direction, bool along) {
   return along ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
+}
+
+bool within_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction,
+                double slack) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (edge.faces[i] == kNoFeature) return true;
+    const SurfaceFace& face = surface.faces[edge.faces[i]];
+    if (direction.dot(into_face(face, edge.direction, edge.along[i])) > slack) return false;
+  }
+  return true;
+}
+
+bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction,
+                 double slack) {
+  for (const std::uint32_t e : surface.edges_at(vertex)) {
+    if (direction.dot(surface.ray(e, vertex)) > slack) return false;
+  }
+  return true;
 }
 
 void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
@@ -219,19 +244,29 @@ double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, co
 }
 
 bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (edge.faces[i] == kNoFeature) return true;
-    const SurfaceFace& face = surface.faces[edge.faces[i]];
-    if (direction.dot(into_face(face, edge.direction, edge.along[i])) > kConeSlack) return false;
-  }
-  return true;
+  return within_arc(surface, edge, direction, kConeSlack);
+}
+
+bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
+  if (edge.kind != EdgeKind::kRidge) return in_arc(surface, edge, direction);
+  const double give =
+      give_of(surface.faces[edge.faces[0]].normal, surface.faces[edge.faces[1]].normal);
+  return within_arc(surface, edge, direction, kConeSlack + give);
 }
 
 bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  return within_cone(surface, vertex, direction, kConeSlack);
+}
+
+bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  double give = 0.0;
   for (const std::uint32_t e : surface.edges_at(vertex)) {
-    if (direction.dot(surface.ray(e, vertex)) > kConeSlack) return false;
+    for (const std::uint32_t f : surface.edges[e].faces) {
+      if (f == kNoFeature) continue;
+      give = std::max(give, 2.0 * give_of(surface.vertex_normals[vertex], surface.faces[f].normal));
+    }
   }
-  return true;
+  return within_cone(surface, vertex, direction, kConeSlack + give);
 }
 
 bool straight_on(const Vec3& first_ray, const Vec3& second_ray) {

@@ -74,9 +74,16 @@ double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, co
 /// True when `direction` points out of the solid at the edge: within the arc between the normals
 /// of its faces (to 1e-9).
 bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
+/// The same, and a thirtieth of the angle by which the edge's faces turn beyond it: 3 degrees at a
+/// right angle and nothing where they are smooth. Where flat faces of two blocks overlap partly,
+/// the edges that bound the overlap then carry their share whichever way the faces are tilted a
+/// little.
+bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
 
 /// True when no edge leaving the vertex rises along `direction`: it lies in the normal cone.
 bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
+/// The same with such a slack, from the largest angle between the vertex's faces and its normal.
+bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
 
 /// True when two edges that leave a vertex along these rays go straight on into each other.
 bool straight_on(const Vec3& first_ray, const Vec3& second_ray);

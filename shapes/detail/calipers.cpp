@@ -10,6 +10,34 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
+/// Corners closer than this share of the outline's size are one: the direction between them is
+/// rounding.
+constexpr double kOneCorner = 1e-12;
+/// A step of the calipers loses this share of the size by rounding alone.
+constexpr double kRounding = 1e-14;
+
+/// The outline with corners that are one but for rounding taken once.
+std::vector<Vec2> distinct(std::span<const Vec2> outline, double size) {
+  std::vector<Vec2> corners;
+  const auto apart = [&](const Vec2& a, const Vec2& b) {
+    return (a - b).cwiseAbs().maxCoeff() > kOneCorner * size;
+  };
+  for (const Vec2& corner : outline) {
+    if (corners.empty() || apart(corner, corners.back())) corners.push_back(corner);
+  }
+  while (corners.size() > 1 && !apart(corners.front(), corners.back())) corners.pop_back();
+  return corners;
+}
+
+double size_of(std::span<const Vec2> outline) {
+  Vec2 low = Vec2::Constant(1e300), high = -low;
+  for (const Vec2& corner : outline) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  return outline.empty() ? 0.0 : (high - low).maxCoeff();
+}
+
 bool before(const Vec2& a, const Vec2& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
@@ -59,7 +87,9 @@ Rectangle smallest_rectangle(std::vector<Vec2> points, double radius) {
   return smallest_rectangle_of_outline(convex_outline(std::move(points)), radius);
 }
 
-Rectangle smallest_rectangle_of_outline(std::span<const Vec2> outline, double radius) {
+Rectangle smallest_rectangle_of_outline(std::span<const Vec2> corners, double radius) {
+  const double size = size_of(corners);
+  const std::vector<Vec2> outline = distinct(corners, size);
   const std::size_t count = outline.size();
   Rectangle best;
   best.along = best.across = 2.0 * radius;
@@ -71,7 +101,7 @@ Rectangle smallest_rectangle_of_outline(std::span<const Vec2> outline, double ra
   std::size_t ahead = 0, behind = 0, across = 0;
   const auto advance = [&](std::size_t& i, const Vec2& direction) {
     for (std::size_t steps = 0; steps < count; ++steps) {
-      if (direction.dot(outline[next(i)] - outline[i]) < 0.0) break;
+      if (direction.dot(outline[next(i)] - outline[i]) < -kRounding * size) break;
       i = next(i);
     }
   };

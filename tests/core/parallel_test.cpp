@@ -32,5 +32,28 @@ TEST(ParallelFor, NoItemsIsNothingToDo) {
   parallel_for(0, 2, [](std::size_t) { FAIL(); });
 }
 
+TEST(ThreadTeam, RunsLoopAfterLoop) {
+  for (const unsigned threads : {1u, 2u, 5u}) {
+    ThreadTeam team(threads);
+    std::vector<int> visits(100, 0);
+    for (int loop = 0; loop < 500; ++loop) {
+      team.run(visits.size(), 7, [&](std::size_t i) { ++visits[i]; });
+    }
+    EXPECT_EQ(visits, std::vector<int>(100, 500));
+  }
+}
+
+TEST(ThreadTeam, WorksOnAfterAFailure) {
+  ThreadTeam team(3);
+  EXPECT_THROW(team.run(50, 4,
+                        [](std::size_t i) {
+                          if (i == 20) throw std::runtime_error("20");
+                        }),
+               std::runtime_error);
+  std::vector<int> visits(50, 0);
+  team.run(visits.size(), 4, [&](std::size_t i) { ++visits[i]; });
+  EXPECT_EQ(visits, std::vector<int>(50, 1));
+}
+
 }  // namespace
 }  // namespace clast

@@ -1,0 +1,63 @@
+// Many blocks falling into a pile: rocks dropped in a column into a bowl. A thousand steps are
+// measured after 1.2 simulated seconds, when most of them touch. Real time is what threads shorten,
+// processor time what they must not lengthen.
+// Counters: steps per second, time per touching pair and step, pairs that are listed, that keep a
+// search, and that touch, and a digest of the final states, which tells whether two builds or
+// thread counts computed the same.
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+
+#include "tests/support/test_worlds.hpp"
+
+namespace clast {
+namespace {
+
+/// First four bytes of an FNV-1a digest, so that it fits a counter exactly.
+double digest(const World& world) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (std::size_t i = 0; i < world.body_count(); ++i) {
+    unsigned char bytes[3 * sizeof(double)];
+    std::memcpy(bytes, world.state(i).position.data(), sizeof bytes);
+    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 1099511628211ULL;
+  }
+  return static_cast<double>(hash >> 32);
+}
+
+/// Arguments: blocks, cuts per edge of the icosahedron a rock is made from (10 n^2 + 2 vertices),
+/// threads.
+void blocks_falling_into_a_pile(benchmark::State& state) {
+  const TerrainSurface terrain = ground(bowl());
+  World world =
+      falling_pile(terrain, static_cast<std::size_t>(state.range(0)),
+                   static_cast<int>(state.range(1)), static_cast<unsigned>(state.range(2)));
+  world.run_until(1.2);
+  const WorldStatistics before = world.statistics();
+  for (auto _ : state) {
+    for (int i = 0; i < 50; ++i) world.step();
+  }
+  const WorldStatistics after = world.statistics();
+  const auto steps = static_cast<double>(after.steps - before.steps);
+  const auto pair_steps = static_cast<double>(after.pair_steps - before.pair_steps);
+  state.counters["steps_per_s"] = benchmark::Counter(steps, benchmark::Counter::kIsRate);
+  state.counters["s_per_touching_pair"] =
+      benchmark::Counter(pair_steps, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["touching_pairs"] = pair_steps / steps;
+  state.counters["near_pairs"] = static_cast<double>(after.near_pairs);
+  state.counters["searched_pairs"] = static_cast<double>(after.searched_pairs);
+  state.counters["energy_error"] = world.energy().error;
+  state.counters["digest"] = digest(world);
+}
+BENCHMARK(blocks_falling_into_a_pile)
+    ->ArgNames({"blocks", "cuts", "threads"})
+    ->Args({500, 2, 1})
+    ->Args({500, 2, 2})
+    ->Args({500, 5, 1})
+    ->Args({500, 5, 2})
+    ->Iterations(20)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace clast

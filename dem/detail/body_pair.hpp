@@ -1,0 +1,74 @@
+#pragma once
+/// The contacts of two bodies, or of a body and the terrain, while they are near each other.
+#include <optional>
+#include <variant>
+
+#include "dem/detail/bare_contacts.hpp"
+#include "dem/detail/contact_forces.hpp"
+
+namespace clast {
+
+/// One of the two takes the ground's place: everything is searched in its frame. The pair counts
+/// how far they move against each other from the poses themselves, sleeps while that can't bring
+/// them together, and holds what the search needs only while they are near.
+class BodyPair {
+ public:
+  /// What all pairs of a kind share. Everything referred to must outlive the pair.
+  struct Rules {
+    std::span<const GroundParameters> zones;
+    std::span<const std::uint16_t> zone_of_face;  ///< of the ground; empty: all are of zone 0
+    ContactStiffness stiffness;
+    ContactWeights weights = ContactWeights::kPatch;
+    ContactLaw law;
+  };
+
+  /// @param block_radius  of the rounded block about its origin, m
+  /// @param size          smallest side of the smaller body, m
+  BodyPair(const IndexedSurface& ground, const IndexedSurface& block, double block_radius,
+           double size, const Rules& rules);
+
+  /// Loads at the present places after a step of `duration`; every joule goes to `ledger()`.
+  const ContactLoad& update(const BodyMotion& ground, const BodyMotion& block, double duration);
+  /// Ends all contacts, as when a body is taken away; what they stored goes to the ledger.
+  void part(const BodyMotion& ground, const BodyMotion& block);
+
+  const ContactLoad& load() const { return load_; }
+  bool touching() const { return near_ && !near_->forces.empty(); }
+  bool near() const { return near_.has_value(); }
+  std::size_t contact_count() const { return touching() ? near_->points.size() : 0; }
+  double stored_energy() const { return near_ ? near_->forces.stored_energy() : 0.0; }
+  double max_overlap() const { return near_ ? near_->forces.max_overlap() : 0.0; }
+  const EnergyLedger& ledger() const { return ledger_; }
+
+ private:
+  /// What is known while the two are near.
+  struct Near {
+    Near(const IndexedSurface& ground, const IndexedSurface& block, double size,
+         const Rules& rules);
+    std::variant<ContactSearch, BareContacts> search;
+    ContactForces forces;
+    std::vector<ContactPoint> points;  ///< in world axes
+    Pose pose;                         ///< ground_from_block of the last step
+    double travel = 0.0;               ///< no point of the block moved farther since the start, m
+    double asleep_until = -1.0;        ///< travel before which nothing can touch
+  };
+
+  double gap_of_bounds(const Vec3& block_centre) const;
+  void find_points(const Pose& world_from_ground, const Pose& ground_from_block);
+
+  const IndexedSurface& ground_;
+  const IndexedSurface& block_;
+  double block_radius_;
+  double size_;
+  const Rules& rules_;
+  std::optional<Near> near_;
+  ContactLoad load_;
+  EnergyLedger ledger_;
+};
+
+/// True when the first of two bodies takes the ground's place: a body with faces before one
+/// without, then the larger, then the first.
+bool takes_grounds_place(const IndexedSurface& first, double first_radius,
+                         const IndexedSurface& second, double second_radius);
+
+}  // namespace clast

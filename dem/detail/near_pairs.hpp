@@ -1,0 +1,36 @@
+#pragma once
+/// Which bodies are near each other: bounding spheres that overlap, or soon might.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace clast {
+
+/// A body as the broad phase sees it.
+struct BoundingSphere {
+  Vec3 centre = Vec3::Zero();
+  double radius = 0.0;
+  bool fixed = false;  ///< two fixed bodies are no pair
+};
+
+class NearPairs {
+ public:
+  using Pair = std::array<std::uint32_t, 2>;  ///< smaller number first
+
+  /// Makes the list anew when a body has moved half the slack since it was made, or the number of
+  /// bodies has changed. Until it says true the list held every pair of spheres that overlapped.
+  /// @param slack  how far spheres may be apart to be listed, m; above 0
+  bool refresh(std::span<const BoundingSphere> spheres, double slack);
+
+  /// Sorted; holds at least every pair of spheres that overlaps at the last `refresh`.
+  const std::vector<Pair>& pairs() const { return pairs_; }
+
+ private:
+  std::vector<Vec3> centres_;  ///< when the list was made
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace clast

@@ -1,0 +1,95 @@
+#pragma once
+/// Many blocks on one terrain, or without one, that hit each other.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dem/release.hpp"
+
+namespace clast {
+
+/// Everything about a world that is not bodies or terrain.
+struct WorldSettings {
+  ContactStiffness stiffness;  ///< of all contacts
+  ContactLaw law;              ///< likewise
+  ContactWeights weights = ContactWeights::kPatch;
+  GroundParameters between_bodies;  ///< what two bodies do to each other
+  double gravity = 9.81;            ///< m/s^2, along -z
+  double rest_energy = 2e-4;        ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
+  double rest_duration = 0.5;       ///< ... for so long, s, with a contact throughout, is rest
+  double start_overlap = 1e-3;      ///< largest overlap that a body may start with, share of its S
+  unsigned threads = 1;             ///< 0: one per core; changes no bit of the result
+
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
+/// What is known of the contacts, now and over the run.
+struct WorldStatistics {
+  std::uint64_t steps = 0;
+  std::uint64_t lists_made = 0;    ///< how often near bodies were searched for anew
+  std::uint64_t pair_steps = 0;    ///< touching pairs, summed over the steps
+  std::size_t near_pairs = 0;      ///< now: bounding spheres overlap, or soon might
+  std::size_t searched_pairs = 0;  ///< now: near enough to keep a contact search
+  std::size_t touching_pairs = 0;  ///< now
+  std::size_t contact_points = 0;  ///< now
+  double max_overlap = 0.0;        ///< now, m
+};
+
+/// Bodies in motion. Every body has a shape out of a common list, a state, and may be fixed: then
+/// nothing moves it. Bodies and terrain meet by the same contact search and the same law.
+///
+/// Invariant: states, contacts and energies always belong to one instant, `time()`.
+class World {
+ public:
+  /// @param shapes  the bodies' shapes and masses; many bodies may share one
+  /// @throws InputError       settings out of range; SimulationError  a shape without mass
+  World(std::vector<RigidBody> shapes, const WorldSettings& settings);
+  /// @param terrain  must outlive the world
+  /// @param zones    parameters of each of its ground zones, by zone number
+  World(std::vector<RigidBody> shapes, const WorldSettings& settings, const TerrainSurface& terrain,
+        std::vector<GroundParameters> zones);
+  ~World();
+  World(World&&) noexcept;
+
+  /// Numbers bodies from 0 in the order they come.
+  /// @throws SimulationError  no such shape, a state that is not finite, or a start off the terrain
+  std::size_t add_body(std::size_t shape, const RigidState& state, bool fixed = false);
+
+  /// One step of `stiffness.time_step`, or less.
+  /// @throws SimulationError  a body starts inside another or inside the ground deeper than
+  ///                          allowed, or its motion is not finite any more; names the body
+  void step();
+  /// Steps until every body rests or has left the terrain (kRest; kLeftTerrain when all that could
+  /// move have left), or `time` is reached (kMaxTime).
+  StopReason run_until(double time);
+
+  double time() const;  ///< s
+  std::size_t body_count() const;
+  const RigidState& state(std::size_t body) const;
+  const RigidBody& shape_of(std::size_t body) const;
+  bool fixed(std::size_t body) const;
+  /// At rest as `rest_energy` and `rest_duration` define it. A fixed body is.
+  bool resting(std::size_t body) const;
+  /// Its centre passed the border of the terrain: it stays there, out of the run.
+  bool left_terrain(std::size_t body) const;
+  /// Force of all contacts on the body, N, and their torque about its centre, N m; world axes.
+  Vec3 contact_force(std::size_t body) const;
+  Vec3 contact_torque(std::size_t body) const;
+  /// Largest overlap of the two bodies now, m; 0 when they don't touch.
+  double overlap(std::size_t body, std::size_t other) const;
+
+  /// Sums of m v and of x cross m v + J w over the bodies that move, about the origin.
+  Vec3 linear_momentum() const;
+  Vec3 angular_momentum() const;
+  /// Balance since the first body came. A body added later brings its energy to `initial`.
+  EnergyLedger energy() const;
+  WorldStatistics statistics() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace clast

@@ -1,0 +1,287 @@
+// Scenes of several bodies: what must hold whatever they do.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dem/stiffness.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/test_worlds.hpp"
+
+namespace clast {
+namespace {
+
+/// Rocks, boxes, balls and rods of all sizes, two of which are thrown at each other.
+std::vector<RigidBody> zoo() {
+  return {ball(1.0, 0.1),
+          capsule(1.5, 0.3, 0.06),
+          box(2.0, {0.3, 0.2, 0.25}, 0.02),
+          box(3.0, {0.35, 0.2, 0.15}, 0.0, 2),
+          rock(3, {0.2, 0.15, 0.12}, 0.01, 100.0, 3),
+          rock(4, {0.16, 0.17, 0.12}, 0.0, 300.0, 5)};
+}
+
+struct Throw {
+  std::size_t shapes[2];
+  RigidState states[2];
+};
+
+Throw random_throw(std::uint64_t seed) {
+  Random random(seed);
+  Throw thrown;
+  const Vec3 line = random.direction();
+  for (const int i : {0, 1}) {
+    thrown.shapes[i] = random.below(6);
+    RigidState& state = thrown.states[i];
+    state.orientation = random.rotation();
+    state.position = (i == 0 ? 0.25 : -0.25) * line + 0.03 * random.direction();
+    state.velocity = (i == 0 ? -2.0 : 2.0) * line + 0.3 * random.direction();
+    state.angular_velocity = 4.0 * random.direction();
+  }
+  return thrown;
+}
+
+class Collisions : public testing::TestWithParam<ContactWeights> {};
+
+TEST_P(Collisions, KeepMomentumAndAccountForEnergy) {
+  const std::vector<RigidBody> shapes = zoo();
+  int touched = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Throw thrown = random_throw(seed);
+    WorldSettings settings = stiff_world(shapes[0], 1e6, 40.0);
+    settings.weights = GetParam();
+    settings.between_bodies = {0.1, 0.6, 0.3};
+    World world(shapes, settings);
+    double linear = 0.0;
+    for (const int i : {0, 1}) {
+      world.add_body(thrown.shapes[i], thrown.states[i]);
+      linear += shapes[thrown.shapes[i]].mass * thrown.states[i].velocity.norm();
+    }
+    const Vec3 momentum = world.linear_momentum(), spin = world.angular_momentum();
+    bool apart = true;
+    while (world.time() < 0.15) {
+      world.step();
+      apart = apart && world.statistics().touching_pairs == 0;
+      ASSERT_LT((world.linear_momentum() - momentum).norm(), 1e-12 * linear) << seed;
+      ASSERT_LT((world.angular_momentum() - spin).norm(), 1e-12 * linear) << seed;
+    }
+    if (apart) continue;
+    ++touched;
+    EXPECT_LT(world.energy().error, 0.005) << seed;
+  }
+  EXPECT_GT(touched, 40);
+}
+INSTANTIATE_TEST_SUITE_P(Weights, Collisions,
+                         testing::Values(ContactWeights::kPatch, ContactWeights::kOverlap,
+                                         ContactWeights::kCount, ContactWeights::kNone),
+                         [](const auto& test) { return name_of(test.param); });
+
+// Which of two bodies takes the ground's place is told by their shapes, not by their order.
+TEST(Order, OfBodiesChangesNothing) {
+  const std::vector<RigidBody> shapes = zoo();
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Throw thrown = random_throw(seed);
+    if (thrown.shapes[0] == thrown.shapes[1]) continue;
+    WorldSettings settings = stiff_world(shapes[0], 1e6, 40.0);
+    settings.between_bodies = {0.1, 0.6, 0.3};
+    World world(shapes, settings), swapped(shapes, settings);
+    for (const int i : {0, 1}) {
+      world.add_body(thrown.shapes[i], thrown.states[i]);
+      swapped.add_body(thrown.shapes[1 - i], thrown.states[1 - i]);
+    }
+    world.run_until(0.15);
+    swapped.run_until(0.15);
+    for (const std::size_t i : {0u, 1u}) {
+      EXPECT_LT((world.state(i).position - swapped.state(1 - i).position).norm(), 1e-12) << seed;
+      EXPECT_LT((world.state(i).velocity - swapped.state(1 - i).velocity).norm(), 1e-10) << seed;
+    }
+  }
+}
+
+/// Three rocks dropped onto each other.
+World small_pile(const TerrainSurface& terrain, unsigned threads = 1) {
+  std::vector<RigidBody> shapes = {rock(3, {0.5, 0.42, 0.3}, 0.02, 2650.0, 4),
+                                   box(250.0, {0.5, 0.45, 0.35}, 0.02)};
+  const std::vector<GroundParameters> zones = {{0.05, 0.7, 0.3}};
+  WorldSettings settings;
+  settings.stiffness = choose_stiffness(shapes, zones, 5.0, 9.81).stiffness;
+  settings.between_bodies = zones[0];
+  settings.threads = threads;
+  World world(shapes, settings, terrain, zones);
+  RigidState state = at({0.0, 0.0, 0.6});
+  world.add_body(0, state);
+  state = at({0.08, 0.05, 1.4});
+  state.orientation = Quat(Eigen::AngleAxisd(0.2, Vec3(1, 2, 0.5).normalized()));
+  world.add_body(1, state);
+  state = at({-0.05, 0.1, 2.2});
+  state.orientation = Quat(Eigen::AngleAxisd(0.4, Vec3(0, 1, 0.5).normalized()));
+  world.add_body(0, state);
+  return world;
+}
+
+TEST(Pile, OfThreeComesToRestAndDoesNotCreep) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  World world = small_pile(terrain);
+  EXPECT_EQ(world.run_until(30.0), StopReason::kRest);
+  EXPECT_LT(world.energy().error, 0.005);
+  double lowest = 1e300, highest = 0.0;
+  std::vector<RigidState> rested;
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(world.resting(i));
+    rested.push_back(world.state(i));
+    lowest = std::min(lowest, world.state(i).position.z());
+    highest = std::max(highest, world.state(i).position.z());
+  }
+  const double until = world.time() + 5.0;
+  while (world.time() < until) world.step();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 moved = world.state(i).position - rested[i].position;
+    EXPECT_LT(moved.head<2>().norm(), 2e-3) << i;
+    EXPECT_LT(world.state(i).orientation.angularDistance(rested[i].orientation), 5e-3) << i;
+    EXPECT_TRUE(world.resting(i));
+  }
+  EXPECT_LT(world.energy().error, 0.005);
+}
+
+class Threads : public testing::TestWithParam<unsigned> {};
+
+TEST_P(Threads, ChangeNoBit) {
+  const TerrainSurface terrain = ground(rough_slope(20, 0.5, 0.2, 0.05));
+  const auto run = [&](unsigned threads) {
+    std::vector<RigidBody> shapes = {rock(2, {0.25, 0.2, 0.15}, 0.01, 2650.0, 4),
+                                     box(30.0, {0.25, 0.2, 0.2}, 0.01), ball(20.0, 0.12)};
+    const std::vector<GroundParameters> zones = {{0.05, 0.7, 0.3}};
+    WorldSettings settings;
+    settings.stiffness = choose_stiffness(shapes, zones, 8.0, 9.81).stiffness;
+    settings.between_bodies = {0.1, 0.5, 0.2};
+    settings.threads = threads;
+    World world(shapes, settings, terrain, zones);
+    Random random(7);
+    for (std::size_t i = 0; i < 36; ++i) {
+      RigidState state = at({0.5 * static_cast<double>(i % 3), 0.5 * static_cast<double>(i / 3 % 3),
+                             0.8 + 0.55 * static_cast<double>(i / 9)});
+      state.orientation = random.rotation();
+      state.velocity = random.direction();
+      world.add_body(i % 3, state);
+    }
+    world.run_until(0.7);
+    EXPECT_GT(world.statistics().pair_steps, 1000u);
+    return world;
+  };
+  const World once = run(1), again = run(GetParam());
+  for (std::size_t i = 0; i < once.body_count(); ++i) {
+    EXPECT_EQ(once.state(i).position, again.state(i).position);
+    EXPECT_EQ(once.state(i).orientation.coeffs(), again.state(i).orientation.coeffs());
+    EXPECT_EQ(once.state(i).velocity, again.state(i).velocity);
+    EXPECT_EQ(once.state(i).angular_velocity, again.state(i).angular_velocity);
+  }
+  EXPECT_EQ(once.energy().final, again.energy().final);
+  EXPECT_EQ(once.energy().dissipated(), again.energy().dissipated());
+  EXPECT_LT(once.energy().error, 0.005);
+}
+INSTANTIATE_TEST_SUITE_P(Counts, Threads, testing::Values(1u, 2u, 5u));
+
+// The same contacts as a release: only the flights differ, which a release does not step.
+TEST(OneBody, FallsAsAReleaseDoes) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 9, 0.2));
+  const RigidBody body = rock(3, {0.5, 0.42, 0.3}, 0.02, 2650.0, 4);
+  const std::vector<GroundParameters> zones = {{0.05, 0.7, 0.3}};
+  RigidState start = at({-1.0, 0.3, 1.2}, {0.5, 0.0, 0.0});
+  start.orientation = Random(3).rotation();
+  start.angular_velocity = {0.5, 1.0, 0.0};
+  for (const double shortening : {4.0, 16.0}) {
+    ReleaseSettings release;
+    release.stiffness = choose_stiffness(std::span(&body, 1), zones, 5.0, 9.81).stiffness;
+    release.stiffness.time_step /= shortening;
+    release.max_time = 0.6;
+    WorldSettings settings;
+    settings.stiffness = release.stiffness;
+    World world({body}, settings, terrain, zones);
+    world.add_body(0, start);
+    EXPECT_EQ(world.run_until(release.max_time), StopReason::kMaxTime);
+    const ReleaseResult result = simulate_release(terrain, zones, body, start, release);
+    EXPECT_GT(result.impacts, 0u);
+    EXPECT_LT((world.state(0).position - result.final_state.position).norm(), 1e-4);
+    EXPECT_LT(world.energy().error, 0.005);
+    EXPECT_NEAR(world.energy().dissipated(), result.energy.dissipated(),
+                0.01 * result.energy.dissipated());
+  }
+}
+
+TEST(LeavingTheTerrain, EndsTheRunOfABodyAlone) {
+  const TerrainSurface terrain = ground(plane_mesh(2.0, 4));
+  const RigidBody body = ball(10.0, 0.2);
+  WorldSettings settings = stiff_world(body, 1e6);
+  settings.gravity = 9.81;
+  World world({body}, settings, terrain, {{0.2, 0.5, 0.3}});
+  world.add_body(0, at({1.0, 0, 0.3}, {6.0, 0, 0}));
+  world.add_body(0, at({-1.0, 0, 0.3}));
+  EXPECT_EQ(world.run_until(20.0), StopReason::kRest);
+  EXPECT_TRUE(world.left_terrain(0));
+  EXPECT_FALSE(world.left_terrain(1));
+  EXPECT_NEAR(world.state(0).position.x(), 2.0, 0.01);
+  EXPECT_LT(world.energy().error, 0.005);
+}
+
+TEST(Newcomers, BringTheirEnergy) {
+  const RigidBody body = ball(10.0, 0.2);
+  WorldSettings settings = stiff_world(body, 1e6);
+  settings.gravity = 9.81;
+  const TerrainSurface terrain = ground(plane_mesh(2.0, 4));
+  World world({body}, settings, terrain, {{0.2, 0.5, 0.3}});
+  world.add_body(0, at({0, 0, 0.5}));
+  world.run_until(1.0);
+  const Vec3 force = world.contact_force(0);
+  const double before = world.energy().initial;
+  world.add_body(0, at({0.5, 0, 1.0}, {0, 1.0, 0}));
+  EXPECT_NEAR(world.energy().initial - before, 10.0 * (9.81 + 0.5), 1e-9);
+  world.run_until(world.time() + 1e-9);
+  EXPECT_LT((world.contact_force(0) - force).norm(), 1e-3 * force.norm());
+  world.run_until(3.0);
+  EXPECT_LT(world.energy().error, 0.005);
+}
+
+TEST(Refusals, SayWhichBodyAndWhy) {
+  const std::vector<RigidBody> shapes = {ball(1.0, 0.1)};
+  const WorldSettings good = stiff_world(shapes[0], 1e6);
+  WorldSettings bad = good;
+  bad.between_bodies.energy_restitution = 0.0;
+  EXPECT_TRUE(contains(refusal([&] { World(shapes, bad); }), "between bodies"));
+  bad = good;
+  bad.stiffness.time_step = 0.0;
+  EXPECT_TRUE(contains(refusal([&] { World(shapes, bad); }), "time step"));
+  bad = good;
+  bad.start_overlap = -1.0;
+  EXPECT_TRUE(contains(refusal([&] { World(shapes, bad); }), "start_overlap"));
+  std::vector<RigidBody> massless = {ball(1.0, 0.1), ball(0.0, 0.1)};
+  EXPECT_TRUE(contains(refusal<SimulationError>([&] { World(massless, good); }), "shape 1"));
+  const TerrainSurface terrain = ground(plane_mesh(2.0, 4));
+  EXPECT_TRUE(
+      contains(refusal<SimulationError>([&] { World(shapes, good, terrain, {}); }), "zones"));
+
+  World world(shapes, good, terrain, {{0.2, 0.5, 0.0}});
+  const auto adding = [&](std::size_t shape, const RigidState& state) {
+    return refusal<SimulationError>([&] { world.add_body(shape, state); });
+  };
+  EXPECT_TRUE(contains(adding(1, at({0, 0, 1})), "body 0 has shape 1"));
+  EXPECT_TRUE(contains(adding(0, at({0, 0, NAN})), "finite"));
+  EXPECT_TRUE(contains(adding(0, at({5, 0, 1})), "not on the terrain"));
+  EXPECT_TRUE(contains(adding(0, at({0, 0, -1})), "below the ground"));
+  RigidState stretched = at({0, 0, 1});
+  stretched.orientation.coeffs() *= 1.1;
+  EXPECT_TRUE(contains(adding(0, stretched), "unit quaternion"));
+  world.add_body(0, at({0, 0, 1}));
+  world.add_body(0, at({0.15, 0, 1}));
+  EXPECT_TRUE(contains(refusal<SimulationError>([&] { world.step(); }), "body 1 starts inside"));
+}
+
+TEST(Blowup, IsNamedWithItsBody) {
+  const std::vector<RigidBody> shapes = {ball(1.0, 0.1)};
+  WorldSettings settings = stiff_world(shapes[0], 1e6);
+  settings.stiffness.time_step = 1e150;
+  World world(shapes, settings);
+  world.add_body(0, at({0, 0, 0}, {1e200, 0, 0}));
+  EXPECT_TRUE(contains(refusal<SimulationError>([&] { world.step(); }), "body 0"));
+}
+
+}  // namespace
+}  // namespace clast
