@@ -22,6 +22,8 @@ constexpr std::size_t kRefined = 48;
 constexpr double kMargin = 1.02;
 // Volumes closer than this are equal; area and length decide.
 constexpr double kTie = 1e-11;
+// Sine of the angle within which a face counts as seen on edge.
+constexpr double kOnEdge = 1e-11;
 // An extent below this share of the largest is rounding.
 constexpr double kFlat = 1e-12;
 constexpr int kFirstGoldenSteps = 12, kGoldenSteps = 28;
@@ -137,7 +139,10 @@ class Hull {
   /// runs around the shadow.
   void trace_outline(const Mat3& frame) {
     for (std::size_t f = 0; f < up_.size(); ++f) {
-      up_[f] = slopes_[static_cast<Eigen::Index>(f)] >= 0.0;
+      const auto i = static_cast<Eigen::Index>(f);
+      // Faces on edge look up, all of them: told by rounding, the loop would run to and fro on
+      // them.
+      up_[f] = slopes_[i] >= -kOnEdge * areas_[i];
     }
     std::size_t count = 0;
     std::uint32_t start = 0;

@@ -10,32 +10,23 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// Corners closer than this share of the outline's size are one: the direction between them is
-/// rounding.
-constexpr double kOneCorner = 1e-12;
-/// A step of the calipers loses this share of the size by rounding alone.
-constexpr double kRounding = 1e-14;
+/// Extents that calipers and all points together give may differ by this share through rounding.
+constexpr double kRounding = 1e-12;
 
-/// The outline with corners that are one but for rounding taken once.
-std::vector<Vec2> distinct(std::span<const Vec2> outline, double size) {
-  std::vector<Vec2> corners;
-  const auto apart = [&](const Vec2& a, const Vec2& b) {
-    return (a - b).cwiseAbs().maxCoeff() > kOneCorner * size;
-  };
-  for (const Vec2& corner : outline) {
-    if (corners.empty() || apart(corner, corners.back())) corners.push_back(corner);
-  }
-  while (corners.size() > 1 && !apart(corners.front(), corners.back())) corners.pop_back();
-  return corners;
-}
-
-double size_of(std::span<const Vec2> outline) {
+/// The rectangle around all points with a side along `direction`.
+Rectangle rectangle_along(std::span<const Vec2> points, const Vec2& direction, double radius) {
+  const Vec2 inward(-direction.y(), direction.x());
   Vec2 low = Vec2::Constant(1e300), high = -low;
-  for (const Vec2& corner : outline) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
+  for (const Vec2& point : points) {
+    const Vec2 turned(direction.dot(point), inward.dot(point));
+    low = low.cwiseMin(turned);
+    high = high.cwiseMax(turned);
   }
-  return outline.empty() ? 0.0 : (high - low).maxCoeff();
+  Rectangle rectangle;
+  rectangle.direction = direction;
+  rectangle.along = high.x() - low.x() + 2.0 * radius;
+  rectangle.across = high.y() - low.y() + 2.0 * radius;
+  return rectangle;
 }
 
 bool before(const Vec2& a, const Vec2& b) {
@@ -87,9 +78,7 @@ Rectangle smallest_rectangle(std::vector<Vec2> points, double radius) {
   return smallest_rectangle_of_outline(convex_outline(std::move(points)), radius);
 }
 
-Rectangle smallest_rectangle_of_outline(std::span<const Vec2> corners, double radius) {
-  const double size = size_of(corners);
-  const std::vector<Vec2> outline = distinct(corners, size);
+Rectangle smallest_rectangle_of_outline(std::span<const Vec2> outline, double radius) {
   const std::size_t count = outline.size();
   Rectangle best;
   best.along = best.across = 2.0 * radius;
@@ -101,7 +90,7 @@ Rectangle smallest_rectangle_of_outline(std::span<const Vec2> corners, double ra
   std::size_t ahead = 0, behind = 0, across = 0;
   const auto advance = [&](std::size_t& i, const Vec2& direction) {
     for (std::size_t steps = 0; steps < count; ++steps) {
-      if (direction.dot(outline[next(i)] - outline[i]) < -kRounding * size) break;
+      if (direction.dot(outline[next(i)] - outline[i]) < 0.0) break;
       i = next(i);
     }
   };
@@ -125,6 +114,17 @@ Rectangle smallest_rectangle_of_outline(std::span<const Vec2> corners, double ra
     candidate.across = inward.dot(outline[across] - outline[edge]) + 2.0 * radius;
     if (first || candidate.area() < best.area()) best = candidate;
     first = false;
+  }
+  // Calipers that a zigzag of corners in one line has held back measure too little, never too much:
+  // if the best is true, so is that no other is smaller.
+  const Rectangle measured = rectangle_along(outline, best.direction, radius);
+  if (measured.area() <= (1.0 + kRounding) * best.area()) return measured;
+  best = measured;
+  for (std::size_t edge = 0; edge < count; ++edge) {
+    const Vec2 side = outline[next(edge)] - outline[edge];
+    if (!(side.norm() > 0.0)) continue;
+    const Rectangle candidate = rectangle_along(outline, side.normalized(), radius);
+    if (candidate.area() < best.area()) best = candidate;
   }
   return best;
 }
