@@ -19,7 +19,8 @@ namespace {
 constexpr double kLargestBlock = 50.0;   ///< m; longer than any block that was ever scanned whole
 constexpr double kSmallestBlock = 1e-3;  ///< m; below it lies sand
 
-/// More vertices than the last make a simulation slow for little. Trials start at the middle number.
+/// More vertices than the last make a simulation slow for little. Trials start at the middle
+/// number.
 constexpr std::size_t kFewestVertices = 8, kFirstVertices = 120, kMostVertices = 2000;
 /// The search ends when a tenth fewer vertices are known not to do.
 constexpr double kRefinement = 1.1;
@@ -136,9 +137,7 @@ class LightestBlock {
 };
 
 /// The lightest block within the tolerance with the largest radius that allows one.
-Block lightest_block(const std::string& id, const ScanSurface& scan, const BlockSource& source,
-                     const ScanToBlockOptions& options) {
-  LightestBlock search(id, scan, source);
+Block lightest_block(LightestBlock search, const ScanToBlockOptions& options) {
   BlockOptions trial = options.block;
   for (int halving = 0; halving <= kRadiusHalvings; ++halving) {
     std::optional<Block> block = search.within_tolerance_of(trial);
@@ -160,8 +159,8 @@ Block lightest_block(const std::string& id, const ScanSurface& scan, const Block
 /// The hull in place of the scan, and what that adds to the rock.
 TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& notes) {
   TriangleMesh hull = convex_hull(scan.vertices);
-  const double added = solid_mass_properties(hull, 1.0).volume /
-                           solid_mass_properties(scan, 1.0).volume - 1.0;
+  const double added =
+      solid_mass_properties(hull, 1.0).volume / solid_mass_properties(scan, 1.0).volume - 1.0;
   const Deviation gap = surface_deviation(scan, sphero_polyhedron(hull, 0.0));
   notes.push_back("the convex hull was taken, as asked: it has " + rounded(100.0 * added, 3) +
                   " % more volume than the scan and lies up to " + rounded(gap.hausdorff, 3) +
@@ -213,7 +212,9 @@ Block block_from_scan(const std::filesystem::path& path, const std::string& id,
     block = make_block(id, thin, surface, std::move(source), options.block);
   } else {
     begin("thinning");
-    block = lightest_block(id, surface, source, options);
+    LightestBlock search(id, surface, source);
+    begin("fitting");
+    block = lightest_block(std::move(search), options);
   }
   if (!options.block.convex) warn_of_crossings(block, scan.mesh);
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());

@@ -255,8 +255,7 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
     block.deviation.scan_to_body = read_scalar(group, "deviation_scan_to_body_m", 0.0, where);
     block.deviation.body_to_scan = read_scalar(group, "deviation_body_to_scan_m", 0.0, where);
     block.deviation.area_relative = read_scalar(group, "deviation_area_relative", -1.0, where);
-    block.deviation.moments_relative =
-        read_scalar(group, "deviation_moments_relative", 0.0, where);
+    block.deviation.moments_relative = read_scalar(group, "deviation_moments_relative", 0.0, where);
   }
   block.warnings = group.read<std::string>("warnings");
   block.field = read_field_notes(group.group("field"), where);

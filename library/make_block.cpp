@@ -26,8 +26,8 @@ constexpr double kFitShare = 0.93;
 /// Shares of the radius by which the scan is moved in where walls are too thin for the whole; the
 /// fit does the rest.
 constexpr double kShallower[] = {0.7, 0.5, 0.35};
-/// Largest relative difference of the volume before scaling. A radius too large for the block swells
-/// it by more.
+/// Largest relative difference of the volume before scaling. A radius too large for the block
+/// swells it by more.
 constexpr double kLargestVolumeGap = 0.03;
 
 std::string number(double value) { return with_digits(value, 4); }
@@ -115,8 +115,9 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
       std::abs(sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0) > kLargestVolumeGap) {
     // Says what is wrong in nearly all cases; else the surface is not the scan's.
     rounded_core(surface, radius);
-    throw GeometryError("the volume of the rounded body is more than 3 % off the scan's; give a "
-                        "smaller radius or more --vertices");
+    throw GeometryError(
+        "the volume of the rounded body is more than 3 % off the scan's; give a "
+        "smaller radius or more --vertices");
   }
   return body;
 }
@@ -145,9 +146,9 @@ void add_warnings(Block& block, const BlockOptions& options) {
   }
   if (!block.from_core) warn_of_thin_walls(block);
   if (block.deviation.moments_relative > kMomentsTolerance) {
-    block.warnings.push_back("a principal moment differs by " +
-                             number(100.0 * block.deviation.moments_relative) +
-                             " % from the scan's; give more --vertices or a smaller --radius-share");
+    block.warnings.push_back(
+        "a principal moment differs by " + number(100.0 * block.deviation.moments_relative) +
+        " % from the scan's; give more --vertices or a smaller --radius-share");
   }
   if (!near_enough(block, options)) {
     block.warnings.push_back("the block lies up to " + number(block.deviation.hausdorff) +

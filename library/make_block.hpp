@@ -29,9 +29,9 @@ constexpr double kMomentsTolerance = 5e-3;
 /// Is the block as near to its scan as asked, and are its moments? Always true of a core.
 bool within_tolerance(const Block& block, const BlockOptions& options);
 
-/// A core is taken as it is. Else the core is `surface` moved in by the radius, fitted to `scan` until
-/// the block is within the tolerance or gets no nearer, then scaled about its own centre by the little
-/// that gives the rounded body the volume of `scan`.
+/// A core is taken as it is. Else the core is `surface` moved in by the radius, fitted to `scan`
+/// until the block is within the tolerance or gets no nearer, then scaled about its own centre by
+/// the little that gives the rounded body the volume of `scan`.
 ///
 /// @param surface  closed, outward, simplified; the outer surface of the rock, or its core
 /// @param scan     the full-resolution closed scan `surface` was thinned from: the deviation and

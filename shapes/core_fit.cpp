@@ -22,10 +22,14 @@ namespace {
 using Mat9 = Eigen::Matrix<double, 9, 9>;
 using Vec9 = Eigen::Matrix<double, 9, 1>;
 
-constexpr std::size_t kScanPoints = 12000, kBodyPoints = 12000;
+/// Points on either surface: so many for each core vertex, within limits.
+constexpr std::size_t kPointsPerVertex = 60, kFewestPoints = 3000, kMostPoints = 12000;
 constexpr int kSkinSegments = 4;  ///< pieces per quarter turn of the skin that is sampled
 /// Tips stick out farthest, and spread points miss them: this many scan vertices are looked at too.
 constexpr std::size_t kScanVertices = 25000;
+/// A fit that didn't get this much nearer in so many rounds has ended.
+constexpr double kProgress = 0.99;
+constexpr int kRoundsWithoutProgress = 8;
 constexpr double kLargestPower = 8.0, kPowerPerRound = 0.5;
 /// Of the mean diagonal: keeps what no point sees where it is, and neighbours moving together.
 constexpr double kDamping = 1e-3, kSmoothing = 1e-2;
@@ -70,7 +74,8 @@ class Fit {
         radius_(start.radius),
         size_(bounds(scan.mesh()).diagonal()),
         options_(options),
-        points_(detail::spread_points(scan.mesh(), kScanPoints)),
+        count_(std::clamp(kPointsPerVertex * start.vertices.size(), kFewestPoints, kMostPoints)),
+        points_(detail::spread_points(scan.mesh(), count_)),
         core_(core_mesh(start)) {
     const std::vector<Vec3>& vertices = scan.mesh().vertices;
     const std::size_t stride = (vertices.size() + kScanVertices - 1) / kScanVertices;
@@ -80,7 +85,8 @@ class Fit {
   TriangleMesh best() {
     TriangleMesh best = core_;
     Pulls best_pulls;
-    double least = 1e300, share = 1.0;
+    double least = 1e300, milestone = 1e300, share = 1.0;
+    int since_milestone = 0;
     for (int round = 0; round <= options_.rounds; ++round) {
       Pulls pulls = measured();
       if (pulls.largest < least) {
@@ -88,6 +94,12 @@ class Fit {
         best = core_;
         best_pulls = pulls;
       }
+      ++since_milestone;
+      if (least <= kProgress * milestone) {
+        milestone = least;
+        since_milestone = 0;
+      }
+      if (since_milestone == kRoundsWithoutProgress) break;
       if (least <= options_.good_enough || round == options_.rounds) break;
       if (round >= kRoundsOfHope && least > kHope * options_.hopeless) break;
       if (pulls.largest > kWorse * least) {
@@ -115,12 +127,12 @@ class Fit {
       hint = near.triangle;
       double gap = near.distance - radius_;
       // Under a crease of the skin the next bare place is farther than the skin that is buried.
-      if (gap < -kDeep * pulls.largest) gap = -skin_distance(point);
+      if (gap < -kDeep * pulls.largest) gap = skin_distance(point);
       pulls.add(near, near.outward, gap);
     }
 
     const TriangleMesh skin = skin_mesh(sphero_polyhedron(core_, radius_), kSkinSegments);
-    std::vector<Vec3> on_skin = detail::spread_points(skin, kBodyPoints);
+    std::vector<Vec3> on_skin = detail::spread_points(skin, count_);
     on_skin.insert(on_skin.end(), skin.vertices.begin(), skin.vertices.end());
     std::uint32_t scan_hint = 0;
     for (const Vec3& near_skin : on_skin) {
@@ -201,7 +213,8 @@ class Fit {
       if (!(before.dot(after) > kTurn)) bad.push_back(t);
     }
     if (!bad.empty()) return bad;
-    for (const auto& pair : crossing_triangles(moved)) bad.insert(bad.end(), pair.begin(), pair.end());
+    for (const auto& pair : crossing_triangles(moved))
+      bad.insert(bad.end(), pair.begin(), pair.end());
     std::sort(bad.begin(), bad.end());
     bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
     return bad;
@@ -225,8 +238,8 @@ class Fit {
         core_ = std::move(moved);
         return true;
       }
-      if (attempt == kShorterTries && may_collapse_ && round + kRoundsAfterCollapse < options_.rounds &&
-          collapse(bad)) {
+      if (attempt == kShorterTries && may_collapse_ &&
+          round + kRoundsAfterCollapse < options_.rounds && collapse(bad)) {
         return true;
       }
       std::vector<bool> held(step.size(), false);
@@ -249,6 +262,7 @@ class Fit {
   const ScanSurface& scan_;
   double radius_, size_;
   CoreFitOptions options_;
+  std::size_t count_;
   std::vector<Vec3> points_;  ///< on the scan
   TriangleMesh core_;
   bool may_collapse_ = true;  ///< until a core had to be given up

@@ -22,8 +22,10 @@ using detail::TriangleTree;
 /// The search for the largest distance ends when no patch can hold one larger than the largest met
 /// by more than this share of the scan's diagonal.
 constexpr double kGap = 2e-4;
+/// Nor where the bound is below this share of the diagonal: no scanner is that good.
+constexpr double kFine = 2e-3;
 /// Patches looked at before the search ends with the bound it has.
-constexpr std::size_t kMostPatches = 2'000'000;
+constexpr std::size_t kMostPatches = 1'000'000;
 /// Share of the radius by which a point may lie inside the body and still count as on its skin.
 constexpr double kOnSkin = 1e-9, kNearSkin = 1e-6;
 
@@ -82,9 +84,14 @@ struct Bounded {
   bool counts = true;      ///< the centre belongs to the surface
 };
 
+/// When bounds are near enough, m.
+struct Gap {
+  double width, fine;
+};
+
 /// Branch and bound: an upper bound of the largest distance over all patches.
 template <typename Bound>
-double largest_over(std::vector<Patch> patches, double known, double gap, const Bound& bound) {
+double largest_over(std::vector<Patch> patches, double known, const Gap& gap, const Bound& bound) {
   struct Open {
     double most;
     std::size_t index;
@@ -102,7 +109,8 @@ double largest_over(std::vector<Patch> patches, double known, double gap, const 
     }
   };
   look();
-  while (!open.empty() && open.top().most > known + gap && patches.size() < kMostPatches) {
+  while (!open.empty() && open.top().most > std::max(known + gap.width, gap.fine) &&
+         patches.size() < kMostPatches) {
     const std::array<Patch, 4> quarters = patches[open.top().index].quarters();
     open.pop();
     patches.insert(patches.end(), quarters.begin(), quarters.end());
@@ -130,8 +138,7 @@ std::vector<Patch> skin_patches(const TriangleMesh& core, double radius) {
     const Vec3 n = detail::unit_normal(core, t);
     normals.push_back(n);
     if (n.isZero()) continue;
-    patches.push_back(
-        {{core.vertices[t[0]], core.vertices[t[1]], core.vertices[t[2]]}, {n, n, n}});
+    patches.push_back({{core.vertices[t[0]], core.vertices[t[1]], core.vertices[t[2]]}, {n, n, n}});
   }
   if (radius == 0.0) return patches;
 
@@ -178,7 +185,7 @@ std::vector<std::vector<Vec3>> edge_directions(const TriangleMesh& core) {
 }
 
 double skin_to_scan(const ScanSurface& scan, const TriangleMesh& core, const TriangleTree& tree,
-                    double radius, double gap) {
+                    double radius, const Gap& gap) {
   const std::vector<std::vector<Vec3>> edges = edge_directions(core);
   return largest_over(skin_patches(core, radius), 0.0, gap, [&](Patch& patch, double known) {
     const Bounded none{0.0, -1.0, false};
@@ -215,7 +222,7 @@ Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& bod
   const TriangleMesh core = core_mesh(body);
   const TriangleTree tree(core);
   Bounds both = bounds(scan.mesh());
-  const double gap = kGap * both.diagonal();
+  const Gap gap{kGap * both.diagonal(), kFine * both.diagonal()};
   for (const Vec3& vertex : core.vertices) both.include(vertex);
   const detail::SkinDistance skin(tree, body.radius, both.diagonal() + body.radius);
 
@@ -225,17 +232,24 @@ Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& bod
   const std::vector<Vec3> on_scan =
       detail::spread_points(scan.mesh(), std::max<std::size_t>(samples, 1));
   for (const Vec3& point : on_scan) {
-    const double distance = skin(point, hint);
+    const double distance = std::abs(skin(point, hint));
     sum += distance;
     known = std::max(known, distance);
   }
   result.mean = sum / static_cast<double>(on_scan.size());
   // Corners stick out farthest: knowing them first leaves little to search.
-  for (const Vec3& vertex : scan.mesh().vertices) known = std::max(known, skin(vertex, hint));
+  for (const Vec3& vertex : scan.mesh().vertices) {
+    known = std::max(known, std::abs(skin(vertex, hint)));
+  }
   result.scan_to_body =
       largest_over(patches_of(scan.mesh()), known, gap, [&](Patch& patch, double) {
         const double distance = skin(patch.foot(), patch.near);
-        return Bounded{distance, distance + patch.reach(0.0)};
+        const double reach = patch.reach(0.0);
+        double most = std::abs(distance) + reach;
+        if (distance >= reach || body.radius == 0.0) {  // nowhere under the skin
+          most = std::min(most, patch.farthest_from(tree, patch.near, 0.0) - body.radius);
+        }
+        return Bounded{std::abs(distance), most};
       });
   result.body_to_scan = skin_to_scan(scan, core, tree, body.radius, gap);
   result.hausdorff = std::max(result.scan_to_body, result.body_to_scan);

@@ -153,8 +153,9 @@ void add_reconstruct(CLI::App& app) {
       ->add_flag("--core", options.block.core,
                  "The mesh is the core that the sphere is swept over, not the rock's surface")
       ->needs(radius);
-  command->add_flag("--convex", options.block.convex,
-                    "Take the convex hull of each scan, for example to compare with simpler models")
+  command
+      ->add_flag("--convex", options.block.convex,
+                 "Take the convex hull of each scan, for example to compare with simpler models")
       ->excludes("--core");
   CLI::Option* density = command->add_option("--density", options.block.density, "Density, kg/m3")
                              ->check(positive_number())

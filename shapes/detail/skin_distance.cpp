@@ -18,13 +18,13 @@ double SkinDistance::operator()(const Vec3& point, std::uint32_t& hint) const {
   const TriangleTree::Signed near = core_.signed_closest(point, hint);
   hint = near.triangle;
   if (near.distance >= radius_) return near.distance - radius_;
-  if (radius_ == 0.0) return -near.distance;
+  if (radius_ == 0.0) return near.distance;
   TriangleTree::Signed at = near;
   for (int i = 0; i < kProjections; ++i) {
     const Vec3 skin = at.foot + radius_ * at.outward;
     at = core_.signed_closest(skin, at.triangle);
     if (at.distance >= (1.0 - (i == 0 ? kOnSkin : kNearSkin)) * radius_) {
-      return i == 0 ? radius_ - near.distance : (skin - point).norm() + kNearSkin * radius_;
+      return i == 0 ? near.distance - radius_ : -((skin - point).norm() + kNearSkin * radius_);
     }
   }
   double shortest = way_out(point, near.outward, farthest_, hint);
@@ -36,7 +36,7 @@ double SkinDistance::operator()(const Vec3& point, std::uint32_t& hint) const {
       }
     }
   }
-  return shortest;
+  return -shortest;
 }
 
 /// Length of a ray that ends outside the body, at most `longest`. A ball about a point at distance

@@ -11,8 +11,9 @@ class SkinDistance {
   SkinDistance(const TriangleTree& core, double radius, double farthest)
       : core_(core), radius_(radius), farthest_(farthest) {}
 
-  /// Exact outside the body, and inside wherever the skin over the closest core point is bare;
-  /// where it is buried, as under creases, the distance to a bare point near it: never too small.
+  /// Negative inside the body. Exact outside, and inside wherever the skin over the closest core
+  /// point is bare; where it is buried, as under creases, the distance to a bare point near it:
+  /// never too small.
   /// @param hint  a core triangle that is likely near; becomes the closest
   double operator()(const Vec3& point, std::uint32_t& hint) const;
   double operator()(const Vec3& point) const {

@@ -198,8 +198,7 @@ TriangleTree::Signed TriangleTree::signed_closest(const Vec3& point, std::uint32
   return result;
 }
 
-std::optional<TriangleTree::Hit> TriangleTree::first_exit(const Vec3& origin,
-                                                          const Vec3& direction,
+std::optional<TriangleTree::Hit> TriangleTree::first_exit(const Vec3& origin, const Vec3& direction,
                                                           std::uint32_t except) const {
   std::optional<Hit> best;
   double nearest = std::numeric_limits<double>::infinity();
