@@ -35,6 +35,7 @@ TEST(RealBlocksTable, BlocksKeepTheVolumeTheMomentsAndTheSurface) {
   std::printf(
       "| stone | r/S | vertices | volume | moments | scan to body | body to scan | mean | CPU s |\n"
       "|---|---|---|---|---|---|---|---|---|\n");
+  std::fflush(stdout);  // or the child process prints it again
   int stones = 0;
   for (const ReferenceRow& row : mesh_reference()) {
     if (row.at("kind") != "mesh" || row.at("trimesh_watertight") != "True") continue;
