@@ -105,7 +105,11 @@ Json block_json(const Block& block) {
   json["equilibria"] = equilibria_json(block);
   json["deviation_m"] = {{"hausdorff", block.deviation.hausdorff},
                          {"mean", block.deviation.mean},
-                         {"volume_relative", block.deviation.volume_relative}};
+                         {"volume_relative", block.deviation.volume_relative},
+                         {"scan_to_body", block.deviation.scan_to_body},
+                         {"body_to_scan", block.deviation.body_to_scan},
+                         {"area_relative", block.deviation.area_relative},
+                         {"moments_relative", block.deviation.moments_relative}};
   json["warnings"] = block.warnings;
   const Json field = field_json(block.field);
   if (!field.empty()) json["field"] = field;

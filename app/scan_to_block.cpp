@@ -1,12 +1,15 @@
 #include "app/scan_to_block.hpp"
 
+#include <algorithm>
 #include <array>
-#include <iterator>
+#include <cmath>
 #include <utility>
 
 #include "app/text_table.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "massprops/solid.hpp"
+#include "shapes/convex_hull.hpp"
 #include "shapes/self_intersection.hpp"
 
 namespace clast {
@@ -16,8 +19,12 @@ namespace {
 constexpr double kLargestBlock = 50.0;   ///< m; longer than any block that was ever scanned whole
 constexpr double kSmallestBlock = 1e-3;  ///< m; below it lies sand
 
-/// Tried in turn. More vertices than the last make a simulation slow for little.
-constexpr std::array<std::size_t, 7> kVertexCounts = {250, 350, 500, 700, 1000, 1400, 2000};
+/// More vertices than the last make a simulation slow for little. Trials start at the middle
+/// number.
+constexpr std::size_t kFewestVertices = 8, kFirstVertices = 120, kMostVertices = 2000;
+/// The search ends when a tenth fewer vertices are known not to do.
+constexpr double kRefinement = 1.1;
+constexpr double kLargestLeap = 2.5;  ///< from one number of vertices to the next
 /// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
 constexpr int kRadiusHalvings = 3;
 
@@ -38,44 +45,117 @@ std::string likely_unit(double raw) {
 /// can't be thinned to that one may still lose its flaws on the way to a smaller one.
 TriangleMesh thinned_for_trials(const TriangleMesh& scan) {
   try {
-    return simplified(scan, {.target_vertices = std::end(kVertexCounts)[-1]});
+    return simplified(scan, {.target_vertices = kMostVertices});
   } catch (const GeometryError&) {
     return scan;
   }
 }
 
-/// The block within the tolerance that has the fewest vertices and, for these, the largest radius;
-/// where there is none, the first that could be made.
-Block lightest_block(const std::string& id, const TriangleMesh& fine, const TriangleMesh& scan,
-                     const BlockSource& source, const ScanToBlockOptions& options) {
-  const double tolerance = options.block.tolerance * smallest_box(scan.vertices).lengths[0];
-  std::optional<Block> first;
-  std::string refusal;
-  for (const std::size_t count : kVertexCounts) {
-    try {
-      const TriangleMesh surface = simplified(fine, {.target_vertices = count});
-      BlockSource counted = source;
-      counted.options += " vertices=" + std::to_string(count);
-      const bool near =
-          surface_deviation(scan, sphero_polyhedron(surface, 0.0)).hausdorff <= tolerance;
-      BlockOptions trial = options.block;
-      for (int halving = 0; near || !first; ++halving) {
-        Block block = make_block(id, surface, scan, counted, trial);
-        if (within_tolerance(block, trial)) return block;
-        if (!first) first = std::move(block);
-        if (!near || options.radius_given || halving == kRadiusHalvings) break;
-        trial.radius_share /= 2.0;
+/// Looks for the fewest vertices with which a block is within the tolerance.
+class LightestBlock {
+ public:
+  LightestBlock(const std::string& id, const ScanSurface& scan, const BlockSource& source)
+      : id_(id), scan_(scan), source_(source), fine_(thinned_for_trials(scan.mesh())) {}
+
+  /// None: no number of vertices will do.
+  std::optional<Block> within_tolerance_of(const BlockOptions& options) {
+    std::optional<Block> lightest;
+    const std::size_t most = std::min(kMostVertices, fine_.vertices.size());
+    std::size_t enough = most + 1, too_few = std::min(kFewestVertices, most) - 1;
+    std::size_t count = std::min(kFirstVertices, most);
+    while (too_few < count && count < enough) {
+      std::optional<Block> block = trial(count, options);
+      double ratio = kLargestLeap;  // how much too far, as well as it is known
+      if (block) ratio = distance_ratio(*block, options);
+      if (block && within_tolerance(*block, options)) {
+        enough = count;
+        lightest = std::move(block);
+      } else {
+        too_few = count;
+        if (block) keep(std::move(*block));
       }
-    } catch (const GeometryError& error) {
-      if (refusal.empty()) refusal = error.what();
+      const auto low = static_cast<double>(too_few), high = static_cast<double>(enough);
+      if (enough > most) {  // distances fall about as 1 over the number of vertices
+        const double leap = std::clamp(ratio, 1.0 + kRefinement / 4.0, kLargestLeap);
+        count = std::max(count + 1, std::min(most, static_cast<std::size_t>(low * leap)));
+      } else if (too_few < kFewestVertices) {
+        count = std::max(kFewestVertices, static_cast<std::size_t>(high / 2.0));
+        if (count == enough) break;
+      } else {
+        if (high <= kRefinement * low) break;
+        count = static_cast<std::size_t>(std::sqrt(low * high));
+      }
     }
-    if (fine.vertices.size() <= count) break;  // more would change nothing
+    return lightest;
   }
-  if (!first) throw GeometryError(refusal);
-  first->warnings.push_back("no block of up to " + std::to_string(std::end(kVertexCounts)[-1]) +
-                            " vertices is nearer than the tolerance to this scan; this is the "
-                            "lightest");
-  return std::move(*first);
+
+  /// The block that came nearest, or, where none could be made, the reason.
+  Block nearest() {
+    if (!nearest_) throw GeometryError(refusal_);
+    return std::move(*nearest_);
+  }
+
+ private:
+  static double distance_ratio(const Block& block, const BlockOptions& options) {
+    return std::max(block.deviation.hausdorff / (options.tolerance * block.box.lengths[0]),
+                    block.deviation.moments_relative / kMomentsTolerance);
+  }
+
+  std::optional<Block> trial(std::size_t count, const BlockOptions& options) {
+    try {
+      BlockSource source = source_;
+      source.options += " vertices=" + std::to_string(count);
+      return make_block(id_, simplified(fine_, {.target_vertices = count}), scan_,
+                        std::move(source), options);
+    } catch (const GeometryError& error) {
+      if (refusal_.empty()) refusal_ = error.what();
+      return std::nullopt;
+    }
+  }
+
+  void keep(Block block) {
+    if (nearest_ && nearest_->deviation.hausdorff <= block.deviation.hausdorff) return;
+    nearest_ = std::move(block);
+  }
+
+  const std::string& id_;
+  const ScanSurface& scan_;
+  const BlockSource& source_;
+  TriangleMesh fine_;
+  std::optional<Block> nearest_;
+  std::string refusal_;
+};
+
+/// The lightest block within the tolerance with the largest radius that allows one.
+Block lightest_block(LightestBlock search, const ScanToBlockOptions& options) {
+  BlockOptions trial = options.block;
+  for (int halving = 0; halving <= kRadiusHalvings; ++halving) {
+    std::optional<Block> block = search.within_tolerance_of(trial);
+    if (block && halving > 0) {
+      block->warnings.push_back("the radius is " + rounded(100.0 * trial.radius_share, 3) +
+                                " % of S: with " + rounded(200.0 * trial.radius_share, 3) +
+                                " % no block was within the tolerance");
+    }
+    if (block) return std::move(*block);
+    if (options.radius_given) break;
+    trial.radius_share /= 2.0;
+  }
+  Block nearest = search.nearest();
+  nearest.warnings.push_back("no block of up to " + std::to_string(kMostVertices) +
+                             " vertices is within the tolerance of this scan; this is the nearest");
+  return nearest;
+}
+
+/// The hull in place of the scan, and what that adds to the rock.
+TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& notes) {
+  TriangleMesh hull = convex_hull(scan.vertices);
+  const double added =
+      solid_mass_properties(hull, 1.0).volume / solid_mass_properties(scan, 1.0).volume - 1.0;
+  const Deviation gap = surface_deviation(scan, sphero_polyhedron(hull, 0.0));
+  notes.push_back("the convex hull was taken, as asked: it has " + rounded(100.0 * added, 3) +
+                  " % more volume than the scan and lies up to " + rounded(gap.hausdorff, 3) +
+                  " m off it; distances and moments below are against the hull");
+  return hull;
 }
 
 }  // namespace
@@ -110,30 +190,32 @@ Block block_from_scan(const std::filesystem::path& path, const std::string& id,
     if (stage) stage(what + " " + id);
   };
   begin("reading");
-  const Scan scan = read_scan(path, options.scan);
+  Scan scan = read_scan(path, options.scan);
   check_size(bounds(scan.mesh), id, options);
   BlockSource source{path.string(), sha256_of_file(path),
                      "units=" + options.unit_name + " up=" + options.scan.up, ""};
   if (options.scan.keep_inner_shells) source.options += " inner_shells=kept";
+  if (options.block.convex) scan.mesh = hull_instead(scan.mesh, scan.notes);
+  const ScanSurface surface(scan.mesh);
   Block block;
   if (options.block.core) {
     begin("measuring");
-    block = make_block(id, scan.mesh, scan.mesh, std::move(source), options.block);
+    block = make_block(id, scan.mesh, surface, std::move(source), options.block);
   } else if (options.vertices) {
     begin("thinning");
-    const TriangleMesh surface = simplified(scan.mesh, {.target_vertices = *options.vertices});
+    const TriangleMesh thin = simplified(scan.mesh, {.target_vertices = *options.vertices});
     begin("measuring");
     source.options += " vertices=" + std::to_string(*options.vertices);
-    block = make_block(id, surface, scan.mesh, std::move(source), options.block);
+    block = make_block(id, thin, surface, std::move(source), options.block);
   } else {
     begin("thinning");
-    const TriangleMesh fine = thinned_for_trials(scan.mesh);
-    begin("measuring");
-    block = lightest_block(id, fine, scan.mesh, source, options);
+    LightestBlock search(id, surface, source);
+    begin("fitting");
+    block = lightest_block(std::move(search), options);
   }
   // Thinning leaves no crossings, but a mesh that is taken as it is may have them.
   const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
-  if (as_it_is) warn_of_crossings(block, scan.mesh);
+  if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
   return block;
 }

@@ -15,8 +15,8 @@ namespace clast {
 struct ScanToBlockOptions {
   ScanOptions scan;
   std::string unit_name = "m";  ///< as the user wrote it, for messages and the record
-  /// Vertices a block has at most, not used for a core. None: the fewest of 250 to 2000 with which
-  /// the block is within the tolerance, and the radius is halved where rounding alone goes beyond.
+  /// Vertices a block has at most, not used for a core. None: the fewest of 8 to 2000, to about a
+  /// tenth, with which the block is within the tolerance; the radius is halved where none will do.
   std::optional<std::size_t> vertices;
   BlockOptions block;
   bool radius_given = false;  ///< the radius, or its share of S, is the user's and stays

@@ -210,6 +210,10 @@ void write_block(Hdf5Group group, const Block& block) {
   group.set_attribute("deviation_hausdorff_m", block.deviation.hausdorff);
   group.set_attribute("deviation_mean_m", block.deviation.mean);
   group.set_attribute("deviation_volume_relative", block.deviation.volume_relative);
+  group.set_attribute("deviation_scan_to_body_m", block.deviation.scan_to_body);
+  group.set_attribute("deviation_body_to_scan_m", block.deviation.body_to_scan);
+  group.set_attribute("deviation_area_relative", block.deviation.area_relative);
+  group.set_attribute("deviation_moments_relative", block.deviation.moments_relative);
   group.write<std::string>("warnings", block.warnings);
   group.set_unit("warnings", "1");
   write_field_notes(group.create_group("field"), block.field);
@@ -252,6 +256,12 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.deviation.hausdorff = read_scalar(group, "deviation_hausdorff_m", 0.0, where);
   block.deviation.mean = read_scalar(group, "deviation_mean_m", 0.0, where);
   block.deviation.volume_relative = read_scalar(group, "deviation_volume_relative", -1.0, where);
+  if (group.has_attribute("deviation_moments_relative")) {  // not in the first libraries
+    block.deviation.scan_to_body = read_scalar(group, "deviation_scan_to_body_m", 0.0, where);
+    block.deviation.body_to_scan = read_scalar(group, "deviation_body_to_scan_m", 0.0, where);
+    block.deviation.area_relative = read_scalar(group, "deviation_area_relative", -1.0, where);
+    block.deviation.moments_relative = read_scalar(group, "deviation_moments_relative", 0.0, where);
+  }
   block.warnings = group.read<std::string>("warnings");
   block.field = read_field_notes(group.group("field"), where);
   return block;

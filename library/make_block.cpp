@@ -9,7 +9,10 @@
 #include "core/version.hpp"
 #include "massprops/solid.hpp"
 #include "massprops/sphero.hpp"
+#include "shapes/convex_hull.hpp"
 #include "shapes/coplanar_faces.hpp"
+#include "shapes/core_fit.hpp"
+#include "shapes/wall_thickness.hpp"
 
 namespace clast {
 
@@ -19,8 +22,20 @@ constexpr double kLargestRadiusShare =
     0.25;                                 ///< of S; beyond it rounding, not the rock, is the shape
 constexpr double kLargestMassGap = 0.05;  ///< relative; scales and densities are not that far off
 constexpr int kVolumeSteps = 4;           ///< the volume is close to a cubic; two or three do
+/// Share of the tolerance at which a fit ends: the scaling to the volume takes the rest.
+constexpr double kFitShare = 0.93;
+/// Shares of the radius by which the scan is moved in where walls are too thin for the whole; the
+/// fit does the rest.
+constexpr double kShallower[] = {0.7, 0.5, 0.35};
+/// Largest relative difference of the volume before scaling. A radius too large for the block
+/// swells it by more.
+constexpr double kLargestVolumeGap = 0.03;
 
 std::string number(double value) { return with_digits(value, 4); }
+
+bool near_enough(const Block& block, const BlockOptions& options) {
+  return block.deviation.hausdorff <= options.tolerance * block.box.lengths[0];
+}
 
 void check_positive(double value, const char* name, const char* unit) {
   if (!(value > 0.0) || !std::isfinite(value)) {
@@ -68,6 +83,55 @@ MeasuredBody with_volume(const SpheroPolyhedron& body, double target, double acc
   return best;
 }
 
+/// The largest relative difference of a principal moment.
+double moments_gap(const MassProperties& body, const MassProperties& scan) {
+  const Vec3 ours = principal_frame(body).moments, theirs = principal_frame(scan).moments;
+  return (ours.cwiseQuotient(theirs) - Vec3::Ones()).cwiseAbs().maxCoeff();
+}
+
+/// A core to start the fit from.
+SpheroPolyhedron first_core(const TriangleMesh& surface, double radius) {
+  try {
+    return rounded_core(surface, radius);
+  } catch (const GeometryError&) {
+    for (const double share : kShallower) {
+      try {
+        SpheroPolyhedron body = rounded_core(surface, share * radius);
+        body.radius = radius;
+        return body;
+      } catch (const GeometryError&) {  // the next is shallower
+      }
+    }
+    throw;
+  }
+}
+
+SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double volume,
+                             double radius, double largest_distance, bool convex) {
+  SpheroPolyhedron body =
+      fitted_core(scan, first_core(surface, radius),
+                  {.good_enough = kFitShare * largest_distance, .hopeless = largest_distance});
+  if (convex) body = sphero_polyhedron(convex_hull(body.vertices), radius);
+  if (radius > 0.0 &&
+      std::abs(sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0) > kLargestVolumeGap) {
+    // Says what is wrong in nearly all cases; else the surface is not the scan's.
+    rounded_core(surface, radius);
+    throw GeometryError(
+        "the volume of the rounded body is more than 3 % off the scan's; give a "
+        "smaller radius or more --vertices");
+  }
+  return body;
+}
+
+void warn_of_thin_walls(Block& block) {
+  const std::optional<ThinPlace> wall = thinnest_wall(block.surface);
+  if (!wall || block.body.radius <= 0.5 * wall->thickness) return;
+  block.warnings.push_back("the radius " + number(block.body.radius) +
+                           " m is more than half the thinnest wall, " + number(wall->thickness) +
+                           " m near " + place(wall->place) +
+                           ": the block is thicker there than the rock");
+}
+
 void add_warnings(Block& block, const BlockOptions& options) {
   const double L = block.box.lengths[0];
   const double S = block.box.lengths[2];
@@ -87,7 +151,13 @@ void add_warnings(Block& block, const BlockOptions& options) {
                              " m is more than a quarter of S (" + number(S) +
                              " m): corners and edges are mostly rounding");
   }
-  if (!within_tolerance(block, options)) {
+  if (!block.from_core) warn_of_thin_walls(block);
+  if (block.deviation.moments_relative > kMomentsTolerance) {
+    block.warnings.push_back(
+        "a principal moment differs by " + number(100.0 * block.deviation.moments_relative) +
+        " % from the scan's; give more --vertices or a smaller --radius-share");
+  }
+  if (!near_enough(block, options)) {
     block.warnings.push_back("the block lies up to " + number(block.deviation.hausdorff) +
                              " m off the scan, " + number(100.0 * block.deviation.hausdorff / L) +
                              " % of L; give more --vertices or a smaller --radius-share");
@@ -110,6 +180,7 @@ std::string described(const BlockOptions& options, const Block& block) {
   text += " density_kg_m3=" + number(block.density);
   if (options.mass) text += " mass_kg=" + number(*options.mass);
   if (!options.core) text += " tolerance=" + number(options.tolerance);
+  if (options.convex) text += " convex=yes";
   return text + " accuracy=" + number(options.accuracy);
 }
 
@@ -144,7 +215,7 @@ Block block_of_body(Block block, const SpheroPolyhedron& body, BlockSource sourc
   return finished(std::move(block), std::move(measured), std::move(source), options);
 }
 
-Block checked_block(Block block, const TriangleMesh& surface, const TriangleMesh& scan,
+Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface& scan,
                     BlockSource source, const BlockOptions& options) {
   options.check();
   block.surface = surface;
@@ -152,14 +223,18 @@ Block checked_block(Block block, const TriangleMesh& surface, const TriangleMesh
     const SpheroPolyhedron body = sphero_polyhedron(surface, *options.radius);
     return block_of_body(std::move(block), body, std::move(source), options);
   }
-  const double radius = options.radius
-                            ? *options.radius
-                            : options.radius_share * smallest_box(surface.vertices).lengths[2];
-  const double target = solid_mass_properties(scan, 1.0).volume;
-  MeasuredBody measured = with_volume(rounded_core(surface, radius), target, options.accuracy);
+  const Vec3 lengths = smallest_box(surface.vertices).lengths;
+  const double radius = options.radius ? *options.radius : options.radius_share * lengths[2];
+  const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
+  MeasuredBody measured = with_volume(fitted_body(surface, scan, target.volume, radius,
+                                                  options.tolerance * lengths[0], options.convex),
+                                      target.volume, options.accuracy);
   block.deviation = surface_deviation(scan, measured.body);
-  block.deviation.volume_relative = measured.unit.volume / target - 1.0;
-  return finished(std::move(block), std::move(measured), std::move(source), options);
+  block.deviation.volume_relative = measured.unit.volume / target.volume - 1.0;
+  block.deviation.moments_relative = moments_gap(measured.unit, target);
+  block = finished(std::move(block), std::move(measured), std::move(source), options);
+  block.deviation.area_relative = block.area / surface_area(scan.mesh()) - 1.0;
+  return block;
 }
 
 /// Runs `make` with an empty block of that id, and puts the id before what it refuses.
@@ -201,10 +276,10 @@ void BlockOptions::check() const {
 }
 
 bool within_tolerance(const Block& block, const BlockOptions& options) {
-  return block.deviation.hausdorff <= options.tolerance * block.box.lengths[0];
+  return near_enough(block, options) && block.deviation.moments_relative <= kMomentsTolerance;
 }
 
-Block make_block(const std::string& id, const TriangleMesh& surface, const TriangleMesh& scan,
+Block make_block(const std::string& id, const TriangleMesh& surface, const ScanSurface& scan,
                  BlockSource source, const BlockOptions& options) {
   return named_block(id, [&](Block block) {
     return checked_block(std::move(block), surface, scan, std::move(source), options);

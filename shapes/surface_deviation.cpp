@@ -1,10 +1,15 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/random.hpp"
+#include "shapes/detail/edge_collapse.hpp"
+#include "shapes/detail/half_edges.hpp"
+#include "shapes/detail/skin_distance.hpp"
+#include "shapes/detail/surface_samples.hpp"
 #include "shapes/detail/triangle_tree.hpp"
 #include "shapes/rounding.hpp"
 
@@ -12,89 +17,242 @@ namespace clast {
 
 namespace {
 
-constexpr std::uint64_t kSeed = 20220906;  ///< any fixed number: same shapes, same samples
-/// Share of the radius by which a sample may lie inside the body and still count as on its skin.
-constexpr double kOnSkin = 1e-9;
+using detail::TriangleTree;
 
-/// Points spread evenly over the area: one per equal share of it, at a random place there.
-std::vector<Vec3> spread_points(const TriangleMesh& mesh, std::size_t count) {
-  std::vector<double> doubled_areas;
-  double total = 0.0;
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    doubled_areas.push_back((mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                                .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
-                                .norm());
-    total += doubled_areas.back();
+/// The search for the largest distance ends when no patch can hold one larger than the largest met
+/// by more than this share of the scan's diagonal.
+constexpr double kGap = 2e-4;
+/// Nor where the bound is below this share of the diagonal: no scanner is that good.
+constexpr double kFine = 2e-3;
+/// Patches looked at before the search ends with the bound it has.
+constexpr std::size_t kMostPatches = 1'000'000;
+/// Share of the radius by which a point may lie inside the body and still count as on its skin.
+constexpr double kOnSkin = 1e-9, kNearSkin = 1e-6;
+
+/// A triangle of a surface on which the distance to another is to be bounded: corners on a core,
+/// each carried `radius` along its unit direction. A flat triangle has radius 0.
+struct Patch {
+  std::array<Vec3, 3> points, directions;
+  std::uint32_t vertex = kNoVertex;  ///< of the core, for patches of the ball about it
+  std::uint32_t near = 0;            ///< a triangle of the other surface that was closest
+
+  static constexpr std::uint32_t kNoVertex = 0xffffffffu;
+
+  Vec3 foot() const { return (points[0] + points[1] + points[2]) / 3.0; }
+  Vec3 direction() const { return (directions[0] + directions[1] + directions[2]).normalized(); }
+  double spread_of_directions() const {
+    const Vec3 middle = direction();
+    double result = 0.0;
+    for (const Vec3& d : directions) result = std::max(result, (d - middle).norm());
+    return result;
   }
-  Random random(kSeed);
-  std::vector<Vec3> points;
-  double passed = 0.0;
-  std::size_t triangle = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double wanted =
-        total * (static_cast<double>(i) + random.uniform()) / static_cast<double>(count);
-    while (triangle + 1 < doubled_areas.size() && passed + doubled_areas[triangle] < wanted) {
-      passed += doubled_areas[triangle++];
+  /// No point of the patch is farther from its centre.
+  double reach(double radius) const {
+    const Vec3 middle = foot();
+    double result = 0.0;
+    for (const Vec3& p : points) result = std::max(result, (p - middle).norm());
+    return radius > 0.0 ? result + radius * spread_of_directions() : result;
+  }
+  /// No point of the patch is farther from triangle `t` of `tree`: a distance to something convex
+  /// is largest at a corner of the flat triangle, which the patch leaves by at most its sagitta.
+  double farthest_from(const TriangleTree& tree, std::uint32_t t, double radius) const {
+    double result = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      result = std::max(result, tree.distance_to(t, points[k] + radius * directions[k]));
     }
-    const double root = std::sqrt(random.uniform()), along = random.uniform();
-    const TriangleMesh::Triangle& t = mesh.triangles[triangle];
-    points.push_back((1.0 - root) * mesh.vertices[t[0]] +
-                     root * (1.0 - along) * mesh.vertices[t[1]] +
-                     root * along * mesh.vertices[t[2]]);
+    if (radius == 0.0) return result;
+    const double spread = spread_of_directions();
+    return result + 0.5 * radius * spread * spread;
   }
-  return points;
+  std::array<Patch, 4> quarters() const {
+    std::array<Vec3, 3> p, d;  // middle of the side from corner k to k + 1
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = 0.5 * (points[k] + points[(k + 1) % 3]);
+      d[k] = (directions[k] + directions[(k + 1) % 3]).normalized();
+    }
+    return {{{{points[0], p[0], p[2]}, {directions[0], d[0], d[2]}, vertex, near},
+             {{points[1], p[1], p[0]}, {directions[1], d[1], d[0]}, vertex, near},
+             {{points[2], p[2], p[1]}, {directions[2], d[2], d[1]}, vertex, near},
+             {{p[0], p[1], p[2]}, {d[0], d[1], d[2]}, vertex, near}}};
+  }
+};
+
+/// What is known of one patch.
+struct Bounded {
+  double at_centre = 0.0;  ///< distance there, where `counts`
+  double most = 0.0;       ///< no point of the patch has a larger one; negative: it has none at all
+  bool counts = true;      ///< the centre belongs to the surface
+};
+
+/// When bounds are near enough, m.
+struct Gap {
+  double width, fine;
+};
+
+/// Branch and bound: an upper bound of the largest distance over all patches.
+template <typename Bound>
+double largest_over(std::vector<Patch> patches, double known, const Gap& gap, const Bound& bound) {
+  struct Open {
+    double most;
+    std::size_t index;
+    bool operator<(const Open& other) const {
+      return most < other.most || (most == other.most && index > other.index);
+    }
+  };
+  std::priority_queue<Open> open;
+  std::size_t first = 0;
+  const auto look = [&] {
+    for (; first < patches.size(); ++first) {
+      const Bounded found = bound(patches[first], known);
+      if (found.counts) known = std::max(known, found.at_centre);
+      if (found.most > known) open.push({found.most, first});
+    }
+  };
+  look();
+  while (!open.empty() && open.top().most > std::max(known + gap.width, gap.fine) &&
+         patches.size() < kMostPatches) {
+    const std::array<Patch, 4> quarters = patches[open.top().index].quarters();
+    open.pop();
+    patches.insert(patches.end(), quarters.begin(), quarters.end());
+    look();
+  }
+  return open.empty() ? known : std::max(known, open.top().most);
 }
 
-/// Points on the outer surface of the body: those of its skin mesh brought to the exact distance
-/// from the core; what lies inside the body, as where pieces cross at reflex edges, is left out.
-std::vector<Vec3> points_on_body(const SpheroPolyhedron& body, const detail::TriangleTree& core,
-                                 std::size_t count) {
-  const TriangleMesh skin = skin_mesh(body);
-  std::vector<Vec3> candidates = spread_points(skin, count);
-  candidates.insert(candidates.end(), skin.vertices.begin(), skin.vertices.end());
-  if (body.radius == 0.0) return candidates;
-  std::vector<Vec3> points;
-  for (const Vec3& candidate : candidates) {
-    const Vec3 foot = core.closest(candidate).point;
-    const Vec3 away = candidate - foot;
-    if (!(away.norm() > 0.0)) continue;
-    const Vec3 point = foot + body.radius / away.norm() * away;
-    if (core.signed_distance(point) >= (1.0 - kOnSkin) * body.radius) points.push_back(point);
+std::vector<Patch> patches_of(const TriangleMesh& mesh) {
+  std::vector<Patch> patches;
+  patches.reserve(mesh.triangles.size());
+  const Vec3 none = Vec3::UnitX();
+  for (const auto& [a, b, c] : mesh.triangles) {
+    patches.push_back({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, {none, none, none}});
   }
-  return points;
+  return patches;
+}
+
+/// Patches that hold the skin of a body: faces moved out, strips over edges, balls over vertices.
+/// What of them is buried in the body is left to the search.
+std::vector<Patch> skin_patches(const TriangleMesh& core, double radius) {
+  std::vector<Patch> patches;
+  std::vector<Vec3> normals;
+  for (const TriangleMesh::Triangle& t : core.triangles) {
+    const Vec3 n = detail::unit_normal(core, t);
+    normals.push_back(n);
+    if (n.isZero()) continue;
+    patches.push_back({{core.vertices[t[0]], core.vertices[t[1]], core.vertices[t[2]]}, {n, n, n}});
+  }
+  if (radius == 0.0) return patches;
+
+  const auto strip = [&](const Vec3& p, const Vec3& q, const Vec3& n1, const Vec3& n2) {
+    patches.push_back({{p, q, q}, {n1, n1, n2}});
+    patches.push_back({{p, q, p}, {n1, n2, n2}});
+  };
+  const std::vector<detail::HalfEdge> sorted = detail::sorted_half_edges(core);
+  detail::for_each_edge(sorted, [&](std::span<const detail::HalfEdge> sides) {
+    if (sides.size() != 2) return;
+    const Vec3& p = core.vertices[sides[0].from()];
+    const Vec3& q = core.vertices[sides[1].from()];
+    const Vec3& n1 = normals[sides[0].triangle];
+    const Vec3& n2 = normals[sides[1].triangle];
+    const Vec3 along = (q - p).normalized();
+    if (n1.isZero() || n2.isZero() || along.dot(n1.cross(n2)) < 0.0) return;  // reflex
+    const Vec3 middle = (n1 + n2 + 1e-6 * along.cross(n1)).normalized();
+    strip(p, q, n1, middle);
+    strip(p, q, middle, n2);
+  });
+
+  for (std::uint32_t v = 0; v < core.vertices.size(); ++v) {
+    const Vec3& p = core.vertices[v];
+    for (int octant = 0; octant < 8; ++octant) {
+      const Vec3 x = (octant & 1 ? -1.0 : 1.0) * Vec3::UnitX();
+      const Vec3 y = (octant & 2 ? -1.0 : 1.0) * Vec3::UnitY();
+      const Vec3 z = (octant & 4 ? -1.0 : 1.0) * Vec3::UnitZ();
+      patches.push_back({{p, p, p}, {x, y, z}, v});
+    }
+  }
+  return patches;
+}
+
+/// Unit directions of the edges that leave each vertex.
+std::vector<std::vector<Vec3>> edge_directions(const TriangleMesh& core) {
+  std::vector<std::vector<Vec3>> result(core.vertices.size());
+  for (const TriangleMesh::Triangle& t : core.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 edge = core.vertices[t[(k + 1) % 3]] - core.vertices[t[k]];
+      if (edge.squaredNorm() > 0.0) result[t[k]].push_back(edge.normalized());
+    }
+  }
+  return result;
+}
+
+double skin_to_scan(const ScanSurface& scan, const TriangleMesh& core, const TriangleTree& tree,
+                    double radius, const Gap& gap) {
+  const std::vector<std::vector<Vec3>> edges = edge_directions(core);
+  return largest_over(skin_patches(core, radius), 0.0, gap, [&](Patch& patch, double known) {
+    const Bounded none{0.0, -1.0, false};
+    if (patch.vertex != Patch::kNoVertex) {
+      // The vertex is the closest core point only in directions that lead away from all its edges.
+      const Vec3 direction = patch.direction();
+      const double spread = patch.spread_of_directions();
+      for (const Vec3& edge : edges[patch.vertex]) {
+        if (direction.dot(edge) > spread) return none;
+      }
+    }
+    const Vec3 centre = patch.foot() + radius * patch.direction();
+    const double reach = patch.reach(radius);
+    const TriangleTree::Closest on_scan = scan.tree().closest(centre, patch.near);
+    patch.near = on_scan.triangle;
+    const double distance = std::sqrt(on_scan.squared_distance);
+    double most = distance + reach;
+    if (most <= known) return none;
+    most = std::min(most, patch.farthest_from(scan.tree(), patch.near, radius));
+    if (most <= known || radius == 0.0) return Bounded{distance, most};
+    const double from_core = tree.signed_distance(centre);
+    if (from_core + reach < (1.0 - kOnSkin) * radius) return none;
+    return Bounded{distance, most, from_core >= (1.0 - kNearSkin) * radius};
+  });
 }
 
 }  // namespace
 
-Deviation surface_deviation(const TriangleMesh& scan, const SpheroPolyhedron& body,
+Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
                             std::size_t samples) {
-  if (scan.triangles.empty() || body.faces.empty()) {
-    throw GeometryError("a deviation needs two surfaces; the " +
-                        std::string(scan.triangles.empty() ? "scan" : "body") + " has none");
+  if (body.faces.empty()) {
+    throw GeometryError("a deviation needs two surfaces; the body has none");
   }
   const TriangleMesh core = core_mesh(body);
-  const detail::TriangleTree scan_tree(scan), core_tree(core);
-  const auto to_body = [&](const Vec3& point) {
-    return std::abs(core_tree.signed_distance(point) - body.radius);
-  };
+  const TriangleTree tree(core);
+  Bounds both = bounds(scan.mesh());
+  const Gap gap{kGap * both.diagonal(), kFine * both.diagonal()};
+  for (const Vec3& vertex : core.vertices) both.include(vertex);
+  const detail::SkinDistance skin(tree, body.radius, both.diagonal() + body.radius);
 
   Deviation result;
-  const std::vector<Vec3> on_scan = spread_points(scan, std::max<std::size_t>(samples, 1));
-  double sum = 0.0;
+  double sum = 0.0, known = 0.0;
+  std::uint32_t hint = 0;  // neighbours in the list are mostly neighbours in space
+  const std::vector<Vec3> on_scan =
+      detail::spread_points(scan.mesh(), std::max<std::size_t>(samples, 1));
   for (const Vec3& point : on_scan) {
-    const double distance = to_body(point);
+    const double distance = std::abs(skin(point, hint));
     sum += distance;
-    result.hausdorff = std::max(result.hausdorff, distance);
+    known = std::max(known, distance);
   }
   result.mean = sum / static_cast<double>(on_scan.size());
-  // Corners stick out farthest.
-  for (const Vec3& vertex : scan.vertices) {
-    result.hausdorff = std::max(result.hausdorff, to_body(vertex));
+  // Corners stick out farthest: knowing them first leaves little to search.
+  for (const Vec3& vertex : scan.mesh().vertices) {
+    known = std::max(known, std::abs(skin(vertex, hint)));
   }
-  for (const Vec3& point : points_on_body(body, core_tree, std::max<std::size_t>(samples, 1))) {
-    result.hausdorff =
-        std::max(result.hausdorff, std::sqrt(scan_tree.closest(point).squared_distance));
-  }
+  result.scan_to_body =
+      largest_over(patches_of(scan.mesh()), known, gap, [&](Patch& patch, double) {
+        const double distance = skin(patch.foot(), patch.near);
+        const double reach = patch.reach(0.0);
+        double most = std::abs(distance) + reach;
+        if (distance >= reach || body.radius == 0.0) {  // nowhere under the skin
+          most = std::min(most, patch.farthest_from(tree, patch.near, 0.0) - body.radius);
+        }
+        return Bounded{std::abs(distance), most};
+      });
+  result.body_to_scan = skin_to_scan(scan, core, tree, body.radius, gap);
+  result.hausdorff = std::max(result.scan_to_body, result.body_to_scan);
   return result;
 }
 

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -57,6 +58,9 @@ void reconstruct(ReconstructArgs args) {
   nlohmann::ordered_json made = nlohmann::ordered_json::array();
   nlohmann::ordered_json failed = nlohmann::ordered_json::array();
   std::string last_failure;
+  // A batch that is killed loses little; a write for every block would copy the library every time.
+  constexpr std::chrono::seconds kBetweenWrites(60);
+  auto written = std::chrono::steady_clock::now();
   const auto reconstruct_one = [&](const ScanFile& scan) {
     check_block_id(scan.id);
     if (library.has(scan.id) && !args.replace) {
@@ -67,6 +71,10 @@ void reconstruct(ReconstructArgs args) {
         block_from(scan, options, [&](const std::string& what) { progress.update(steps++, what); });
     progress.clear();
     library.add(block, args.replace);
+    if (std::chrono::steady_clock::now() - written > kBetweenWrites) {
+      library.write(args.library);
+      written = std::chrono::steady_clock::now();
+    }
     made.push_back(block_json(block));
     if (!args.json) std::cout << block_line(block) << "\n";
     for (const std::string& warning : block.warnings) {
@@ -132,8 +140,8 @@ void add_reconstruct(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--vertices", options.vertices,
-                   "Vertices a block has at most, 4 or more; default: 250, and more up to 2000 "
-                   "where the tolerance needs them")
+                   "Vertices a block has at most, 4 or more; default: the fewest up to 2000 with "
+                   "which it is within the tolerance")
       ->check(number_between(4, 1e6))
       ->type_name("N");
   CLI::Option* radius =
@@ -154,6 +162,10 @@ void add_reconstruct(CLI::App& app) {
       ->add_flag("--core", options.block.core,
                  "The mesh is the core that the sphere is swept over, not the rock's surface")
       ->needs(radius);
+  command
+      ->add_flag("--convex", options.block.convex,
+                 "Take the convex hull of each scan, for example to compare with simpler models")
+      ->excludes("--core");
   CLI::Option* density = command->add_option("--density", options.block.density, "Density, kg/m3")
                              ->check(positive_number())
                              ->type_name("KG/M3")

@@ -61,7 +61,11 @@ std::string details(const Block& block) {
   line("equilibria", std::to_string(sides.stable) + " stable, " + std::to_string(sides.unstable) +
                          " unstable, " + std::to_string(sides.saddle) + " saddles");
   line("mean deviation m", rounded(block.deviation.mean, 3));
+  line("scan to body at most m", rounded(block.deviation.scan_to_body, 3));
+  line("body to scan at most m", rounded(block.deviation.body_to_scan, 3));
   line("volume against scan", rounded(block.deviation.volume_relative, 2));
+  line("area against scan", rounded(block.deviation.area_relative, 2));
+  line("moments against scan", rounded(block.deviation.moments_relative, 2));
   const FieldNotes& field = block.field;
   if (!field.site.empty()) line("site", field.site);
   if (field.taped) {

@@ -12,6 +12,8 @@ namespace clast::detail {
 namespace {
 
 constexpr std::uint32_t kLeaf = 4;  ///< triangles in a leaf
+/// Share of a mesh's coordinates below which a distance is rounding.
+constexpr double kOnSurface = 1e-13;
 
 double squared_distance(const Bounds& box, const Vec3& p) {
   const Vec3 outside = (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0);
@@ -111,9 +113,17 @@ void TriangleTree::prepare_normals() {
   });
 }
 
-TriangleTree::Closest TriangleTree::closest(const Vec3& point) const {
+double TriangleTree::distance_to(std::uint32_t triangle, const Vec3& point) const {
+  const TriangleMesh::Triangle& t = mesh_.triangles[triangle];
+  const Vec3& a = mesh_.vertices[t[0]];
+  return (closest_on(a, mesh_.vertices[t[1]], mesh_.vertices[t[2]], point).point - point).norm();
+}
+
+TriangleTree::Closest TriangleTree::closest(const Vec3& point, std::uint32_t hint) const {
   Closest best;
-  best.squared_distance = std::numeric_limits<double>::infinity();
+  // A hair above the hint's distance, so that of equally near triangles the same one is found.
+  const double known = distance_to(hint, point) * (1.0 + 1e-9);
+  best.squared_distance = std::nextafter(known * known, std::numeric_limits<double>::infinity());
   struct Visit {
     std::uint32_t node;
     double squared_distance;
@@ -146,16 +156,99 @@ TriangleTree::Closest TriangleTree::closest(const Vec3& point) const {
   return best;
 }
 
-double TriangleTree::signed_distance(const Vec3& point) const {
-  const Closest found = closest(point);
+const Vec3& TriangleTree::feature_normal(const Closest& found) const {
   const TriangleMesh::Triangle& t = mesh_.triangles[found.triangle];
-  const Vec3& normal =
-      found.feature == 0 ? face_normals_[found.triangle]
-      : found.feature <= 3
-          ? vertex_normals_[t[static_cast<std::size_t>(found.feature - 1)]]
-          : side_normals_[found.triangle][static_cast<std::size_t>(found.feature - 4)];
+  if (found.feature == 0) return face_normals_[found.triangle];
+  if (found.feature <= 3) return vertex_normals_[t[static_cast<std::size_t>(found.feature - 1)]];
+  return side_normals_[found.triangle][static_cast<std::size_t>(found.feature - 4)];
+}
+
+double TriangleTree::signed_distance(const Vec3& point, std::uint32_t hint) const {
+  const Closest found = closest(point, hint);
   const double distance = std::sqrt(found.squared_distance);
-  return normal.dot(point - found.point) < 0.0 ? -distance : distance;
+  return feature_normal(found).dot(point - found.point) < 0.0 ? -distance : distance;
+}
+
+TriangleTree::Signed TriangleTree::signed_closest(const Vec3& point, std::uint32_t hint) const {
+  const Closest found = closest(point, hint);
+  const TriangleMesh::Triangle& t = mesh_.triangles[found.triangle];
+  const Vec3& a = mesh_.vertices[t[0]];
+  const Vec3& b = mesh_.vertices[t[1]];
+  const Vec3& c = mesh_.vertices[t[2]];
+  const Vec3& normal = feature_normal(found);
+  const Vec3 away = point - found.point;
+  const double distance = std::sqrt(found.squared_distance);
+  Signed result;
+  result.foot = found.point;
+  result.triangle = found.triangle;
+  result.distance = normal.dot(away) < 0.0 ? -distance : distance;
+  // On the surface itself the way from the foot has no direction left.
+  const double size = a.cwiseAbs().maxCoeff() + (b - a).norm();
+  const bool on_surface = distance <= kOnSurface * size;
+  result.outward = on_surface ? Vec3(normal.normalized()) : Vec3(away / result.distance);
+  const Vec3 area = (b - a).cross(c - a);
+  const double square = area.squaredNorm();
+  if (square > 0.0) {
+    result.weights[0] = area.dot((c - b).cross(found.point - b)) / square;
+    result.weights[1] = area.dot((a - c).cross(found.point - c)) / square;
+    result.weights[2] = 1.0 - result.weights[0] - result.weights[1];
+  } else {
+    result.weights[0] = 1.0;
+  }
+  return result;
+}
+
+std::optional<TriangleTree::Hit> TriangleTree::first_exit(const Vec3& origin, const Vec3& direction,
+                                                          std::uint32_t except) const {
+  std::optional<Hit> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto entry = [&](const Bounds& box) {
+    double from = 0.0, to = nearest;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = box.low[axis] - origin[axis], high = box.high[axis] - origin[axis];
+      if (direction[axis] == 0.0) {
+        if (low > 0.0 || high < 0.0) return std::numeric_limits<double>::infinity();
+        continue;
+      }
+      const double first = low / direction[axis], second = high / direction[axis];
+      from = std::max(from, std::min(first, second));
+      to = std::min(to, std::max(first, second));
+    }
+    return from <= to ? from : std::numeric_limits<double>::infinity();
+  };
+  std::array<std::uint32_t, 64> open;  // the tree is balanced: depth under 32
+  std::size_t size = 0;
+  open[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t index = open[--size];
+    const Node& node = nodes_[index];
+    if (!(entry(node.box) < nearest)) continue;
+    if (node.count == 0) {
+      const bool left_first = entry(nodes_[index + 1].box) <= entry(nodes_[node.right].box);
+      open[size++] = left_first ? node.right : index + 1;
+      open[size++] = left_first ? index + 1 : node.right;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const std::uint32_t triangle = order_[i];
+      const Vec3& normal = face_normals_[triangle];
+      const double along = normal.dot(direction);
+      if (triangle == except || !(along > 0.0)) continue;
+      const TriangleMesh::Triangle& t = mesh_.triangles[triangle];
+      const double distance = normal.dot(mesh_.vertices[t[0]] - origin) / along;
+      if (!(distance >= 0.0 && distance < nearest)) continue;
+      const Vec3 point = origin + distance * direction;
+      bool inside = true;
+      for (std::size_t k = 0; k < 3 && inside; ++k) {
+        const Vec3& from = mesh_.vertices[t[k]];
+        inside = normal.dot((mesh_.vertices[t[(k + 1) % 3]] - from).cross(point - from)) >= 0.0;
+      }
+      if (!inside) continue;
+      nearest = distance;
+      best = Hit{distance, triangle};
+    }
+  }
+  return best;
 }
 
 }  // namespace clast::detail

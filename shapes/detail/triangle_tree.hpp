@@ -1,7 +1,8 @@
 #pragma once
-/// Closest points on a triangle mesh, through a tree of boxes.
+/// Closest points on a triangle mesh, and what a ray meets, through a tree of boxes.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "shapes/triangle_mesh.hpp"
@@ -20,14 +21,37 @@ class TriangleTree {
     std::uint32_t triangle = 0;
     int feature = 0;  ///< 0: inside the triangle, 1..3: at corner k - 1, 4..6: on side k - 4
   };
-  Closest closest(const Vec3& point) const;
+  /// @param hint  a triangle that is likely near; makes the search shorter and changes nothing else
+  Closest closest(const Vec3& point, std::uint32_t hint = 0) const;
+
+  double distance_to(std::uint32_t triangle, const Vec3& point) const;
 
   /// Distance to the surface, negative inside: the side is told by the angle-weighted normal of
   /// the face, edge or vertex that is closest.
   /// @cite baerentzen2005
-  double signed_distance(const Vec3& point) const;
+  double signed_distance(const Vec3& point, std::uint32_t hint = 0) const;
+
+  struct Signed {
+    Vec3 foot = Vec3::Zero();      ///< closest point of the surface
+    double distance = 0.0;         ///< negative inside
+    Vec3 outward = Vec3::UnitX();  ///< unit gradient of the distance
+    std::uint32_t triangle = 0;
+    Vec3 weights = Vec3::Zero();  ///< of the triangle's corners, that make `foot`
+  };
+  /// All about the closest point.
+  Signed signed_closest(const Vec3& point, std::uint32_t hint = 0) const;
+
+  struct Hit {
+    double distance;
+    std::uint32_t triangle;
+  };
+  /// First triangle that the ray from `origin` along `direction` (unit) meets from inside, that is
+  /// one that faces along the ray, other than `except`.
+  std::optional<Hit> first_exit(const Vec3& origin, const Vec3& direction,
+                                std::uint32_t except) const;
 
  private:
+  const Vec3& feature_normal(const Closest& found) const;
   struct Node {
     Bounds box;
     std::uint32_t first = 0, count = 0;  ///< leaf: triangles; inner: count 0

@@ -54,6 +54,10 @@ TEST(BlockLibrary, EveryMemberOfABlockComesBack) {
   EXPECT_EQ(is.deviation.hausdorff, was.deviation.hausdorff);
   EXPECT_EQ(is.deviation.mean, was.deviation.mean);
   EXPECT_EQ(is.deviation.volume_relative, was.deviation.volume_relative);
+  EXPECT_EQ(is.deviation.scan_to_body, was.deviation.scan_to_body);
+  EXPECT_EQ(is.deviation.body_to_scan, was.deviation.body_to_scan);
+  EXPECT_EQ(is.deviation.area_relative, was.deviation.area_relative);
+  EXPECT_EQ(is.deviation.moments_relative, was.deviation.moments_relative);
   EXPECT_EQ(is.from_core, was.from_core);
   EXPECT_EQ(is.warnings, was.warnings);
   EXPECT_EQ(is.field.site, was.field.site);

@@ -34,7 +34,13 @@ inline Block filled_block(const std::string& id) {
   block.box.centre = {0.01, 0.02, 0.03};
   block.box.axes = Eigen::AngleAxisd(0.3, Vec3::UnitZ()).toRotationMatrix();
   block.box.lengths = {3.0, 2.0, 1.0};
-  block.deviation = {0.01, 0.002, -1e-4};
+  block.deviation = {.hausdorff = 0.01,
+                     .scan_to_body = 0.009,
+                     .body_to_scan = 0.01,
+                     .mean = 0.002,
+                     .volume_relative = -1e-4,
+                     .area_relative = -2e-3,
+                     .moments_relative = 3e-3};
   block.from_core = true;
   block.warnings = {"first", "second, with é"};
   block.field = {"Authume", "north face", Axes{2.9, 2.1, 1.1}, 14900.0};
