@@ -60,6 +60,7 @@ std::map<std::string, double> block_indices(const Block& block, const Axes& axes
 }
 
 Json equilibria_json(const Block& block) {
+  if (block.body.faces.empty()) return nullptr;  // a ball or a capsule rests on every side
   const Equilibria found = static_equilibria(block.body, block.mass.centre);
   return {{"stable", found.stable}, {"unstable", found.unstable}, {"saddle", found.saddle}};
 }

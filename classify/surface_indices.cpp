@@ -67,6 +67,7 @@ double true_sphericity(double volume, double area) {
 }
 
 double convexity(const SpheroPolyhedron& body, double volume) {
+  if (body.faces.empty()) return 1.0;  // a ball or a capsule
   const SpheroPolyhedron hull = sphero_polyhedron(convex_hull(body.vertices), body.radius);
   return volume / convex_sphero_mass_properties(hull, 1.0).volume;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -12,6 +13,7 @@
 #include "shapes/convex_hull.hpp"
 #include "shapes/coplanar_faces.hpp"
 #include "shapes/core_fit.hpp"
+#include "shapes/mesh_topology.hpp"
 #include "shapes/wall_thickness.hpp"
 
 namespace clast {
@@ -108,9 +110,13 @@ SpheroPolyhedron first_core(const TriangleMesh& surface, double radius) {
 
 SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double volume,
                              double radius, double largest_distance, bool convex) {
-  SpheroPolyhedron body =
-      fitted_core(scan, first_core(surface, radius),
-                  {.good_enough = kFitShare * largest_distance, .hopeless = largest_distance});
+  SpheroPolyhedron body = first_core(surface, radius);
+  // The fit knows one skin: walls of cavities stay where the inset put them.
+  const std::vector<std::uint32_t> shell_of = triangle_components(surface);
+  if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
+    body = fitted_core(scan, std::move(body),
+                       {.good_enough = kFitShare * largest_distance, .hopeless = largest_distance});
+  }
   if (convex) body = sphero_polyhedron(convex_hull(body.vertices), radius);
   if (radius > 0.0 &&
       std::abs(sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0) > kLargestVolumeGap) {

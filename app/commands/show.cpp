@@ -57,9 +57,11 @@ std::string details(const Block& block) {
   for (const auto& [name, value] : block_indices(block, block.axes())) {
     line(name, rounded(value));
   }
-  const Equilibria sides = static_equilibria(block.body, block.mass.centre);
-  line("equilibria", std::to_string(sides.stable) + " stable, " + std::to_string(sides.unstable) +
-                         " unstable, " + std::to_string(sides.saddle) + " saddles");
+  if (!block.body.faces.empty()) {  // a ball or a capsule rests on every side
+    const Equilibria sides = static_equilibria(block.body, block.mass.centre);
+    line("equilibria", std::to_string(sides.stable) + " stable, " + std::to_string(sides.unstable) +
+                           " unstable, " + std::to_string(sides.saddle) + " saddles");
+  }
   line("mean deviation m", rounded(block.deviation.mean, 3));
   line("scan to body at most m", rounded(block.deviation.scan_to_body, 3));
   line("body to scan at most m", rounded(block.deviation.body_to_scan, 3));
