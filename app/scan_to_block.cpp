@@ -59,6 +59,33 @@ class LightestBlock {
 
   /// None: no number of vertices will do.
   std::optional<Block> within_tolerance_of(const BlockOptions& options) {
+    std::optional<Block> block = found(options);
+    return block ? std::optional(accurate(std::move(*block), options)) : std::nullopt;
+  }
+
+  /// The block that came nearest, or, where none could be made, the reason.
+  Block nearest(const BlockOptions& options) {
+    if (!nearest_) throw GeometryError(refusal_);
+    BlockOptions as_tried = options;
+    as_tried.radius = nearest_->body.radius;
+    return accurate(std::move(*nearest_), as_tried);
+  }
+
+ private:
+  /// The same block, its mass as accurate as asked.
+  Block accurate(Block block, const BlockOptions& options) const {
+    if (options.accuracy >= BlockOptions().accuracy) return block;
+    return make_block(id_, block.surface, scan_, with_vertices(block.surface.vertices.size()),
+                      options);
+  }
+
+  BlockSource with_vertices(std::size_t count) const {
+    BlockSource source = source_;
+    source.options += " vertices=" + std::to_string(count);
+    return source;
+  }
+
+  std::optional<Block> found(const BlockOptions& options) {
     std::optional<Block> lightest;
     const std::size_t most = std::min(kMostVertices, fine_.vertices.size());
     std::size_t enough = most + 1, too_few = std::min(kFewestVertices, most) - 1;
@@ -89,13 +116,6 @@ class LightestBlock {
     return lightest;
   }
 
-  /// The block that came nearest, or, where none could be made, the reason.
-  Block nearest() {
-    if (!nearest_) throw GeometryError(refusal_);
-    return std::move(*nearest_);
-  }
-
- private:
   static double distance_ratio(const Block& block, const BlockOptions& options) {
     return std::max(block.deviation.hausdorff / (options.tolerance * block.box.lengths[0]),
                     block.deviation.moments_relative / kMomentsTolerance);
@@ -103,10 +123,11 @@ class LightestBlock {
 
   std::optional<Block> trial(std::size_t count, const BlockOptions& options) {
     try {
-      BlockSource source = source_;
-      source.options += " vertices=" + std::to_string(count);
+      // Volumes to a millionth take longer than a fit, and are wanted once.
+      BlockOptions quick = options;
+      quick.accuracy = std::max(options.accuracy, BlockOptions().accuracy);
       return make_block(id_, simplified(fine_, {.target_vertices = count}), scan_,
-                        std::move(source), options);
+                        with_vertices(count), quick);
     } catch (const GeometryError& error) {
       if (refusal_.empty()) refusal_ = error.what();
       return std::nullopt;
@@ -140,7 +161,7 @@ Block lightest_block(LightestBlock search, const ScanToBlockOptions& options) {
     if (options.radius_given) break;
     trial.radius_share /= 2.0;
   }
-  Block nearest = search.nearest();
+  Block nearest = search.nearest(options.block);
   nearest.warnings.push_back("no block of up to " + std::to_string(kMostVertices) +
                              " vertices is within the tolerance of this scan; this is the nearest");
   return nearest;

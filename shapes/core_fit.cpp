@@ -29,10 +29,10 @@ constexpr int kSkinSegments = 4;  ///< pieces per quarter turn of the skin that 
 constexpr std::size_t kScanVertices = 25000;
 /// A fit that didn't get this much nearer in so many rounds has ended.
 constexpr double kProgress = 0.99;
-constexpr int kRoundsWithoutProgress = 8;
+constexpr int kRoundsWithoutProgress = 12;
 constexpr double kLargestPower = 8.0, kPowerPerRound = 0.5;
 /// Of the mean diagonal: keeps what no point sees where it is, and neighbours moving together.
-constexpr double kDamping = 1e-3, kSmoothing = 1e-2;
+constexpr double kDamping = 1e-3, kSmoothing = 0.3;
 /// A core this many times worse than the best is given up, and the step from the best cut.
 constexpr double kWorse = 1.1;
 constexpr double kLongestStep = 2.0;  ///< in largest distances
