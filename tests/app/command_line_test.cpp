@@ -89,7 +89,8 @@ class WithLibrary : public testing::Test {
   void SetUp() override {
     write_obj(folder / "flat.obj", noisy_ellipsoid(1, {0.5, 0.45, 0.15}));
     write_obj(folder / "long.obj", noisy_ellipsoid(2, {0.9, 0.3, 0.28}));
-    const ProgramRun run = run_clast({"reconstruct", "flat.obj", "long.obj", "--vertices", "60"}, folder.path());
+    const ProgramRun run =
+        run_clast({"reconstruct", "flat.obj", "long.obj", "--vertices", "60"}, folder.path());
     ASSERT_EQ(run.exit_code, 0) << run.err;
     made = run.out;
   }
