@@ -6,6 +6,7 @@
 #include "classify/equilibria.hpp"
 #include "classify/roundness.hpp"
 #include "classify/surface_indices.hpp"
+#include "core/error.hpp"
 #include "shapes/edge_bend.hpp"
 #include "shapes/remeshing.hpp"
 
@@ -52,10 +53,14 @@ std::map<std::string, double> block_indices(const Block& block, const Axes& axes
   std::map<std::string, double> indices = form_indices(axes);
   indices["wadell_true_sphericity"] = true_sphericity(block.mass.volume, block.area);
   indices["convexity"] = convexity(block.body, block.mass.volume);
-  const SurfaceOrientation orientation = surface_orientation(block.body);
-  indices["bagi_orosz_compactness"] = orientation.compactness();
-  indices["bagi_orosz_flakiness"] = orientation.flakiness();
-  indices["bagi_orosz_rodness"] = orientation.rodness();
+  try {
+    const SurfaceOrientation orientation = surface_orientation(block.body);
+    indices["bagi_orosz_compactness"] = orientation.compactness();
+    indices["bagi_orosz_flakiness"] = orientation.flakiness();
+    indices["bagi_orosz_rodness"] = orientation.rodness();
+  } catch (const GeometryError&) {
+    // Tunnels narrower than the rounding leave the integral without a meaning: these are absent.
+  }
   return indices;
 }
 
