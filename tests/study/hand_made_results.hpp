@@ -2,6 +2,7 @@
 /// A small campaign written by hand: two blocks of different class on a slope with two zones.
 #include <string>
 
+#include "study/comparison.hpp"
 #include "study/results.hpp"
 
 namespace clast {
@@ -87,6 +88,20 @@ inline CampaignResults hand_made_results() {
                        hand_made_crossing(5, 0, 1.1, 3.0)};
   results.crossings[1].forward = false;
   return results;
+}
+
+inline Comparison compared(CampaignResults results) {
+  std::vector<CampaignResults> all;
+  all.push_back(std::move(results));
+  return compare(std::move(all));
+}
+
+inline Comparison compared(CampaignResults first, CampaignResults second) {
+  std::vector<CampaignResults> all;
+  all.push_back(std::move(first));
+  second.campaign_sha256 = std::string(64, 'd');
+  all.push_back(std::move(second));
+  return compare(std::move(all));
 }
 
 }  // namespace clast

@@ -28,12 +28,6 @@ struct DatasetCloser {
 };
 using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
 
-Comparison compared(CampaignResults results) {
-  std::vector<CampaignResults> all;
-  all.push_back(std::move(results));
-  return compare(std::move(all));
-}
-
 TEST(HtmlReport, TagsAreBalanced) {
   EXPECT_EQ(unbalanced(html_report(compared(hand_made_results()))), "");
   EXPECT_NE(unbalanced("<p><b>x</p></b>"), "");

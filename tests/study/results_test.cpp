@@ -7,13 +7,10 @@
 
 #include <fstream>
 
-#include "core/error.hpp"
 #include "core/hdf5_file.hpp"
-#include "core/random.hpp"
 #include "core/text_file.hpp"
-#include "core/version.hpp"
 #include "study/results_journal.hpp"
-#include "tests/study/results_equal.hpp"
+#include "tests/study/sample_results.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -21,112 +18,6 @@ namespace clast {
 namespace {
 
 namespace fs = std::filesystem;
-
-CampaignResults sample_header() {
-  CampaignResults header;
-  header.campaign_text = "[blocks]\nlibrary = \"b.h5\"\n";
-  header.campaign_sha256 = std::string(64, 'a');
-  header.inputs = {"some folder/b.h5 " + std::string(64, 'b'), "t.stl " + std::string(64, 'c')};
-  header.program_version = version();
-  header.blocks = {{"B1", 343.68, {1.1, 0.9, 0.5}, "compact", "CB", "blade"},
-                   {"B2", 514.14, {2.1, 0.9, 0.5}, "elongated", "E", "rod"}};
-  header.barriers = {{"EC11", {25, -400}, {25, -340}}, {"EC12", {36, -400}, {36, -340}}};
-  header.release_points = {{1, 2, 3}, {4, 5, 6}};
-  header.zone_names = {"blue", "gray"};
-  header.ground = {{0.01, 0.7, 0.35}, {0.04, 0.3, 0.0}};
-  header.stiffness = {1e8, 2e8, 3e7, 2e-5};
-  header.law = SpringDashpotLaw{};
-  header.weights = ContactWeights::kOverlap;
-  header.warnings = {"mind the gap"};
-  header.downslope = Vec2(1.0, 0.25);
-  header.terrain.surface.vertices = {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0.25}, {0, 1, 0}};
-  header.terrain.surface.triangles = {{0, 1, 2}, {0, 2, 3}};
-  header.terrain.zone = {1, 0};
-  header.terrain.zone_names = header.zone_names;
-  header.terrain.report.notes = {"2 triangles turned"};
-  header.terrain.sources = {"t.stl " + std::string(64, 'c')};
-  header.terrain.frame = {Vec3(888600, 6671300, 0), "EPSG:2154"};
-  header.frame = header.terrain.frame;
-  header.planned_runs = 8;
-  return header;
-}
-
-RigidState random_state(Random& random) {
-  const auto vector = [&] { return Vec3(random.normal(), random.normal(), random.normal()); };
-  RigidState state;
-  state.position = vector();
-  state.orientation = random.rotation();
-  state.velocity = vector();
-  state.angular_velocity = vector();
-  return state;
-}
-
-// A run with a value of its own in every field.
-StoredRun sample_run(std::uint32_t number) {
-  Random random(number);
-  StoredRun run;
-  run.record.run = number;
-  run.record.block = number % 2;
-  run.record.point = number / 4;
-  run.record.orientation = number % 4;
-  run.record.start = random_state(random);
-  ReleaseResult& result = run.record.result;
-  result.stop_reason = static_cast<StopReason>(number % 4);
-  result.message = result.stop_reason == StopReason::kError ? "the sky fell (Gallien, -335)" : "";
-  result.final_state = random_state(random);
-  for (double* value :
-       {&result.duration, &result.path_length, &result.max_speed, &result.max_penetration,
-        &result.settled_penetration, &result.energy.initial, &result.energy.final,
-        &result.energy.normal, &result.energy.friction, &result.energy.rolling,
-        &result.energy.reassigned, &result.energy.error}) {
-    *value = random.normal();
-  }
-  result.below_ground = number % 3 == 0;
-  result.contact_steps = 5'000'000'000ULL + number;
-  result.impacts = number;
-  for (std::uint32_t i = 0; i < number % 3; ++i) {
-    Crossing crossing;
-    crossing.run = number;
-    crossing.barrier = i;
-    crossing.forward = i == 0;
-    const RigidState state = random_state(random);
-    crossing.position = state.position;
-    crossing.velocity = state.velocity;
-    crossing.angular_velocity = state.angular_velocity;
-    for (double* value : {&crossing.time, &crossing.height, &crossing.clearance,
-                          &crossing.translational_energy, &crossing.rotational_energy}) {
-      *value = random.uniform();
-    }
-    run.crossings.push_back(crossing);
-  }
-  for (std::uint32_t i = 0; i < 50 + number; ++i) {
-    run.trajectory.time.push_back(0.1 * i);
-    run.trajectory.states.push_back(random_state(random));
-  }
-  return run;
-}
-
-void add_run(ResultsWriter& writer, std::uint32_t number) {
-  const StoredRun run = sample_run(number);
-  writer.add(run.record, run.crossings, run.trajectory);
-}
-
-// That the file holds the sample runs `numbers` (sorted), whole.
-void expect_runs(const fs::path& file, const std::vector<std::uint32_t>& numbers) {
-  const CampaignResults results = read_results(file);
-  ASSERT_EQ(results.runs.size(), numbers.size());
-  std::size_t crossing = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const StoredRun run = sample_run(numbers[i]);
-    expect_equal(results.runs[i], run.record);
-    for (const Crossing& expected : run.crossings) {
-      ASSERT_LT(crossing, results.crossings.size());
-      expect_equal(results.crossings[crossing++], expected);
-    }
-    expect_equal(read_trajectory(file, numbers[i]), run.trajectory);
-  }
-  EXPECT_EQ(crossing, results.crossings.size());
-}
 
 TEST(Results, EverythingComesBackInRunOrder) {
   const ScratchFolder folder;
@@ -338,94 +229,6 @@ TEST(Results, AnotherCampaignIsNotResumed) {
   other = sample_header();
   other.inputs[0] = "elsewhere/b.h5 " + std::string(64, 'b');
   EXPECT_EQ(refused(other), "");
-}
-
-TEST(Results, WhatIsNotAResultsFileIsRefused) {
-  const ScratchFolder folder;
-  const auto refused = [&](const std::string& name) {
-    return refusal([&] { read_results(folder / name); });
-  };
-  EXPECT_TRUE(contains(refused("none.h5"), "none.h5: no such file"));
-  write_text_file(folder / "unfinished.h5.part", "clast results journal 1\n");
-  EXPECT_TRUE(contains(refused("unfinished.h5.part"), "not finished; go on with it first"));
-  write_text_file(folder / "empty.h5", "");
-  EXPECT_TRUE(contains(refused("empty.h5"), "empty.h5: is empty"));
-  write_text_file(folder / "text.h5", "no HDF5 at all");
-  EXPECT_TRUE(contains(refused("text.h5"), "text.h5: is not an HDF5 file"));
-  Hdf5File::create(folder / "blocks.h5", "clast block library", 1);
-  EXPECT_TRUE(contains(refused("blocks.h5"), "blocks.h5: is a \"clast block library\" file"));
-  Hdf5File::create(folder / "newer.h5", "clast results", 2);
-  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 2"));
-  Hdf5File::create(folder / "bare.h5", "clast results", 1);
-  EXPECT_TRUE(contains(refused("bare.h5"), "campaign_sha256 is missing"));
-}
-
-TEST(Results, DamageIsNamed) {
-  const ScratchFolder folder;
-  const fs::path good = folder / "good.h5";
-  {
-    ResultsWriter writer = ResultsWriter::create(good, sample_header());
-    for (const std::uint32_t run : {0u, 1u, 2u}) add_run(writer, run);
-    writer.finish();
-  }
-  const fs::path bad = folder / "bad.h5";
-  const auto after = [&](const auto& change) {
-    fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
-    {
-      Hdf5File file = Hdf5File::open(bad, "clast results", 1, true);
-      Hdf5Group root = file.root();
-      change(root);
-      file.flush();
-    }
-    return refusal([&] { read_results(bad); });
-  };
-  const auto replaced = [&](const std::string& group, const std::string& name, auto values,
-                            const std::vector<std::size_t>& shape = {}) {
-    return after([&](Hdf5Group& root) {
-      Hdf5Group parent = root.group(group);
-      parent.remove(name);
-      parent.write<typename decltype(values)::value_type>(name, values, shape);
-    });
-  };
-  EXPECT_EQ(after([](Hdf5Group&) {}), "");
-  EXPECT_TRUE(contains(after([](Hdf5Group& root) { root.group("runs").remove("stop_x_m"); }),
-                       "bad.h5: /runs/stop_x_m is missing"));
-  EXPECT_TRUE(contains(after([](Hdf5Group& root) { root.remove("terrain"); }),
-                       "bad.h5: /terrain is missing"));
-  EXPECT_TRUE(contains(replaced("runs", "duration_s", std::vector<double>{1.0, 2.0}),
-                       "bad.h5: /runs/duration_s has 2 values where 3 belong"));
-  EXPECT_TRUE(contains(replaced("runs", "block", std::vector<std::uint32_t>{0, 1, 2}),
-                       "bad.h5: /runs/block holds 2, which must be below 2"));
-  EXPECT_TRUE(contains(replaced("runs", "run", std::vector<std::uint32_t>{0, 1, 1}),
-                       "bad.h5: /runs/run holds 1 after 1"));
-  EXPECT_TRUE(contains(replaced("runs", "stop_reason", std::vector<std::uint8_t>{0, 1, 9}),
-                       "bad.h5: /runs/stop_reason holds 9"));
-  EXPECT_TRUE(contains(replaced("crossings", "run", std::vector<std::uint32_t>{1, 2, 5}),
-                       "bad.h5: /crossings/run holds run 5, which is not stored"));
-  EXPECT_TRUE(contains(replaced("crossings", "barrier", std::vector<std::uint32_t>{0, 0, 7}),
-                       "bad.h5: /crossings/barrier holds 7, which must be below 2"));
-  EXPECT_TRUE(contains(replaced("terrain", "triangles", std::vector<std::uint32_t>{0, 1, 4}),
-                       "bad.h5: /terrain/triangles holds 4, which must be below 4"));
-  EXPECT_TRUE(contains(replaced("blocks", "mass_kg", std::vector<double>{1.0}),
-                       "bad.h5: /blocks/mass_kg has 1 values where 2 belong"));
-  EXPECT_TRUE(contains(replaced("barriers", "to_m", std::vector<double>{1.0, 2.0}, {1, 2}),
-                       "bad.h5: /barriers/from_m and to_m do not have one row per name"));
-}
-
-TEST(Results, TruncatedFileIsRefusedAtAnyLength) {
-  const ScratchFolder folder;
-  const fs::path good = folder / "good.h5";
-  {
-    ResultsWriter writer = ResultsWriter::create(good, sample_header());
-    add_run(writer, 2);
-    writer.finish();
-  }
-  const std::string bytes = read_text_file(good);
-  for (int part = 1; part < 20; ++part) {
-    write_text_file(folder / "cut.h5", bytes.substr(0, bytes.size() * part / 20));
-    const std::string message = refusal([&] { read_results(folder / "cut.h5"); });
-    EXPECT_TRUE(contains(message, "cut.h5")) << part << ": " << message;
-  }
 }
 
 }  // namespace
