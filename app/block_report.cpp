@@ -51,16 +51,7 @@ OrientedBox block_box(const Block& block, BoxConvention convention) {
 
 std::map<std::string, double> block_indices(const Block& block, const Axes& axes) {
   std::map<std::string, double> indices = form_indices(axes);
-  indices["wadell_true_sphericity"] = true_sphericity(block.mass.volume, block.area);
-  indices["convexity"] = convexity(block.body, block.mass.volume);
-  try {
-    const SurfaceOrientation orientation = surface_orientation(block.body);
-    indices["bagi_orosz_compactness"] = orientation.compactness();
-    indices["bagi_orosz_flakiness"] = orientation.flakiness();
-    indices["bagi_orosz_rodness"] = orientation.rodness();
-  } catch (const GeometryError&) {
-    // Tunnels narrower than the rounding leave the integral without a meaning: these are absent.
-  }
+  indices.merge(surface_indices(block.body, block.mass.volume, block.area));
   return indices;
 }
 

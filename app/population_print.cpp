@@ -1,7 +1,9 @@
 #include "app/population_print.hpp"
 
 #include "app/text_table.hpp"
+#include "classify/box_convention.hpp"
 #include "classify/certainty.hpp"
+#include "classify/surface_indices.hpp"
 
 namespace clast {
 namespace {
@@ -118,6 +120,10 @@ Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits
                {"zingg", zingg_class(block.as_written)},
                {"shape", garcia_class(block.as_written)}};
   if (block.mass) json["mass_kg"] = *block.mass;
+  for (std::size_t i = 0; i < block.by_box.size(); ++i) {
+    const Axes& axes = block.by_box[i];
+    json["boxes_m"][name_of(kBoxConventions[i])] = {axes.L, axes.I, axes.S};
+  }
   for (const std::string& scheme : scheme_names()) {
     json["classes"][scheme] =
         certainty_json(class_certainty(scheme, block.axes, block.axis_error, limits));
@@ -129,6 +135,9 @@ Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits
 Json formulas_json() {
   Json json;
   for (const FormIndex& index : form_index_list()) {
+    json[index.name] = {{"formula", index.formula}, {"source", index.source}};
+  }
+  for (const SurfaceIndex& index : surface_index_list()) {
     json[index.name] = {{"formula", index.formula}, {"source", index.source}};
   }
   return json;

@@ -2,6 +2,7 @@
 /// A block as far as classes and populations need it.
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "classify/form.hpp"
 
@@ -14,12 +15,13 @@ struct MeasuredBlock {
                     ///< unit
   std::optional<double> mass;  ///< kg
   double axis_error = 0.0;     ///< m; each axis may be off by so much
+  std::vector<Axes> by_box;    ///< m; by each of `kBoxConventions`; empty for axes taken by tape
 };
 
 /// Axes that were in metres from the start.
 inline MeasuredBlock measured_block(std::string name, const Axes& axes,
                                     std::optional<double> mass = std::nullopt) {
-  return {std::move(name), axes, axes, mass, 0.0};
+  return {std::move(name), axes, axes, mass, 0.0, {}};
 }
 
 }  // namespace clast

@@ -90,4 +90,30 @@ SurfaceOrientation surface_orientation(const SpheroPolyhedron& body) {
   return {eigen.eigenvalues().reverse()};
 }
 
+std::span<const SurfaceIndex> surface_index_list() {
+  static constexpr std::array<SurfaceIndex, 5> list = {
+      {{"wadell_true_sphericity", "pi^(1/3) (6 V)^(2/3)/A", "wadell1932"},
+       {"convexity", "V/V_hull, both rounded", ""},
+       {"bagi_orosz_compactness", "f3/f1, surface orientation", "bagi2020"},
+       {"bagi_orosz_flakiness", "(f1 - f2)/f1, surface orientation", "bagi2020"},
+       {"bagi_orosz_rodness", "(f2 - f3)/f1, surface orientation", "bagi2020"}}};
+  return list;
+}
+
+std::map<std::string, double> surface_indices(const SpheroPolyhedron& body, double volume,
+                                              double area) {
+  std::map<std::string, double> indices = {
+      {"wadell_true_sphericity", true_sphericity(volume, area)},
+      {"convexity", convexity(body, volume)}};
+  try {
+    const SurfaceOrientation orientation = surface_orientation(body);
+    indices["bagi_orosz_compactness"] = orientation.compactness();
+    indices["bagi_orosz_flakiness"] = orientation.flakiness();
+    indices["bagi_orosz_rodness"] = orientation.rodness();
+  } catch (const GeometryError&) {
+    // A narrow tunnel says nothing against the other indices.
+  }
+  return indices;
+}
+
 }  // namespace clast

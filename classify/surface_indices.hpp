@@ -1,5 +1,9 @@
 #pragma once
 /// Indices of the whole surface of a block, not of three axes.
+#include <map>
+#include <span>
+#include <string>
+
 #include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
@@ -28,5 +32,22 @@ struct SurfaceOrientation {
 /// parts, whose normals cover the sphere once. Exact for a convex core.
 /// @throws GeometryError  core open or inconsistently oriented (a lone vertex is a ball and fine)
 SurfaceOrientation surface_orientation(const SpheroPolyhedron& body);
+
+/// One index of a block's surface.
+struct SurfaceIndex {
+  const char* name;     ///< as in tables and JSON
+  const char* formula;  ///< V volume, A area, f1 >= f2 >= f3 of the orientation
+  const char* source;   ///< key in docs/references.bib; empty for a plain ratio
+};
+
+/// Every index of this file, in the order it is listed in docs/theory.md.
+std::span<const SurfaceIndex> surface_index_list();
+
+/// The values of all by name. Those of the orientation are absent where tunnels narrower than the
+/// rounding leave it without a meaning.
+/// @param volume  of the rounded body, m^3; area in m^2
+/// @throws GeometryError  what `convexity` throws
+std::map<std::string, double> surface_indices(const SpheroPolyhedron& body, double volume,
+                                              double area);
 
 }  // namespace clast

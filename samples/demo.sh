@@ -14,7 +14,7 @@ clast() {
 mkdir -p out
 clast reconstruct samples/blocks/B*.ply -o out/blocks.h5 --replace
 clast show out/blocks.h5
-clast classify out/blocks.h5
+clast classify samples/talus.csv --against out/blocks.h5 -o out/classes
 # A demo that was interrupted left runs behind, which simulate keeps until it is told what to do.
 rm -f out/results.h5.part*
 clast simulate samples/campaign.toml -o out/results.h5

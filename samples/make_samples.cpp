@@ -1,5 +1,5 @@
-/// make_samples FOLDER: writes the sample scans, the quarry and its release points, the same bytes
-/// every time.
+/// make_samples FOLDER: writes the sample scans, the quarry and its release points, and a table of
+/// taped blocks, the same bytes every time.
 #include <filesystem>
 #include <iostream>
 
@@ -9,6 +9,7 @@
 #include "samples/float_ply.hpp"
 #include "samples/quarry.hpp"
 #include "samples/rock_shapes.hpp"
+#include "samples/talus.hpp"
 
 namespace {
 
@@ -31,6 +32,7 @@ void write_samples(const std::filesystem::path& folder) {
   for (const QuarryLane& lane : quarry_lanes()) {
     write_text_file(folder / "terrain" / ("positions_" + lane.name + ".xyz"), release_points(lane));
   }
+  write_text_file(folder / "talus.csv", talus_table());
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
 /// Pictures as SVG by the names of their files.
 using Diagrams = std::map<std::string, std::string>;
 /// "sneed_folk", "zingg", "size" (with "_1" and "_2" for two populations), "s_c", and "shares_"
-/// with the class column of each scheme.
+/// with the class column of each scheme; "sizes" for two populations over each other.
 Diagrams population_diagrams(const PopulationReport& report);
 
 /// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, the diagrams as .svg and

@@ -112,9 +112,14 @@ Json surface_json(const Block& block, const Axes& axes, double roundness_edge) {
 void add_library(Source& source, const ClassifyArgs& args, const std::string& path) {
   const BlockLibrary library = BlockLibrary::read(path);
   for (const Block& block : library.blocks()) {
-    const Vec3 sides = block_box(block, box_convention(args.box)).lengths;
-    const Axes axes = {sides[0], sides[1], sides[2]};
+    std::vector<Axes> by_box;
+    for (const BoxConvention convention : kBoxConventions) {
+      const Vec3 sides = block_box(block, convention).lengths;
+      by_box.push_back({sides[0], sides[1], sides[2]});
+    }
+    const Axes axes = by_box[static_cast<std::size_t>(box_convention(args.box))];
     MeasuredBlock measured = measured_block(block.id, axes, block.mass.mass);
+    measured.by_box = std::move(by_box);
     // The scan's extents are within twice the deviation of the block's.
     measured.axis_error =
         args.axis_error >= 0.0 ? args.axis_error : 2.0 * block.deviation.hausdorff;

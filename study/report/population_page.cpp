@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "classify/box_effect.hpp"
 #include "classify/certainty.hpp"
 #include "core/version.hpp"
 #include "study/report/form_diagram.hpp"
@@ -49,6 +50,18 @@ Series size_series(const ReportedPopulation& reported, std::size_t number, bool 
     series.blocks.push_back(block_key(number, i));
   }
   return series;
+}
+
+/// The curves of two populations over each other, by number.
+std::string sizes_chart(const PopulationReport& report) {
+  std::vector<Series> all;
+  for (std::size_t i = 0; i < report.populations.size(); ++i) {
+    all.push_back(size_series(report.populations[i], i, false));
+    all.back().name = report.populations[i].population.name;
+    all.back().colour = data_colour(i);
+  }
+  const std::string measure = name_of(report.populations[0].summary.size.measure);
+  return cumulative_chart({"Sizes by number", "size " + measure + ", m", true}, all);
 }
 
 /// A fitted law from far below the smallest size to far above the largest.
@@ -255,6 +268,15 @@ void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& c
 
 std::string size_section(const PopulationReport& report, const Diagrams& diagrams) {
   std::string html;
+  if (report.populations.size() > 1) {
+    std::string medians;
+    for (const ReportedPopulation& reported : report.populations) {
+      medians += paragraph("Half of the blocks of " + reported.population.name + " are below " +
+                           significant(reported.summary.size.by_number.d50, 3) + " m.");
+    }
+    html += "<div class=\"charts\">" + figure(diagrams.at("sizes")) + "<div>" + medians +
+            "</div></div>\n";
+  }
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     const SizeDistribution& size = reported.summary.size;
@@ -269,14 +291,14 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
     law_rows(laws, "by number", size.by_number);
     if (size.by_mass) law_rows(laws, "by mass", *size.by_mass);
     html += "<div class=\"charts\">" + figure(diagrams.at("size" + suffix(report, i))) + "<div>" +
-            percentiles.html();
+            percentiles.html() + "</div></div>\n";
     html += size.by_number.laws.empty() ? paragraph("All blocks are of one size: no law is fitted.")
                                         : laws.html();
     if (size.step > 0.0) {
       html += paragraph("Sizes were read in steps of " + significant(size.step, 2) +
                         " m; fits are judged with samples read in the same steps.");
     }
-    html += "</div></div>\n<ul>\n";
+    html += "<ul>\n";
     for (const SizeShape& one : reported.summary.size_and_shape) {
       html += "<li>" + escaped(size_shape_words(one, size.measure)) + "</li>\n";
     }
@@ -294,6 +316,40 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
           "a large one does not prove it. By mass there is no p, since the kilograms of one "
           "block are not independent of each other.") +
           html);
+}
+
+/// What the choice of box decides; nothing for axes taken by tape.
+std::string boxes_section(const PopulationReport& report) {
+  std::string html;
+  for (const ReportedPopulation& reported : report.populations) {
+    const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
+    std::string words;
+    for (const BoxEffect& effect :
+         box_effects(blocks, report.options.schemes, report.options.limits)) {
+      words += "<li>" + escaped(box_effect_words(effect)) + "</li>\n";
+    }
+    if (words.empty()) continue;
+    if (report.populations.size() > 1) html += paragraph(reported.population.name);
+    html += "<ul>\n" + words + "</ul>\n";
+    if (blocks.size() > kMostRows) continue;
+    std::vector<std::string> heads = {reported.population.name};
+    for (const BoxConvention box : kBoxConventions) heads.push_back("s_c, " + name_of(box));
+    for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
+    HtmlTable table(heads, 1);
+    for (const MeasuredBlock& block : blocks) {
+      if (block.by_box.empty()) continue;
+      std::vector<std::string> cells = {block.name};
+      for (const Axes& axes : block.by_box) cells.push_back(fixed(elongation_s_c(axes), 3));
+      for (const Axes& axes : block.by_box) cells.push_back(fixed(axes.S / axes.L, 3));
+      table.row(std::move(cells));
+    }
+    html += table.html();
+  }
+  if (html.empty()) return {};
+  return section("Boxes", paragraph("L, I and S are sides of a box, and the convention for the box "
+                                    "decides the class of blocks near a limit. Compare only what "
+                                    "was measured on the same box.") +
+                              html);
 }
 
 std::string blocks_section(const PopulationReport& report) {
@@ -358,6 +414,7 @@ Diagrams population_diagrams(const PopulationReport& report) {
     diagrams["zingg" + suffix(report, i)] = zingg_diagram(reported.population, i, report.options);
     diagrams["size" + suffix(report, i)] = size_chart(reported, i);
   }
+  if (report.populations.size() > 1) diagrams["sizes"] = sizes_chart(report);
   diagrams["s_c"] = s_c_chart(report);
   for (std::size_t i = 0; i < report.populations.front().summary.schemes.size(); ++i) {
     diagrams[shares_name(report, i)] = shares_chart(report, i);
@@ -372,7 +429,7 @@ std::string population_page(const PopulationReport& report, const Diagrams& diag
   }
   return page(title, head(report) + comparison_section(report) + classes_section(report, diagrams) +
                          diagrams_section(report, diagrams) + size_section(report, diagrams) +
-                         blocks_section(report) + sources_section(report));
+                         blocks_section(report) + boxes_section(report) + sources_section(report));
 }
 
 }  // namespace clast

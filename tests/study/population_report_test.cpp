@@ -152,8 +152,22 @@ TEST(PopulationPage, TwoPopulationsAreComparedInWords) {
   std::set<std::string> names;
   for (const auto& [name, svg] : population_diagrams(report)) names.insert(name);
   EXPECT_EQ(names, (std::set<std::string>{"sneed_folk_1", "sneed_folk_2", "zingg_1", "zingg_2",
-                                          "size_1", "size_2", "s_c", "shares_sneed_folk",
+                                          "size_1", "size_2", "sizes", "s_c", "shares_sneed_folk",
                                           "shares_zingg", "shares_shape"}));
+}
+
+TEST(PopulationPage, BlocksWithBoxesSayWhatTheConventionDecides) {
+  Population population = blocks("scans", 5);
+  for (MeasuredBlock& block : population.blocks) block.by_box = {4, block.axes};
+  population.blocks[0].axes = population.blocks[0].as_written = {1.2, 1.0, 0.9};
+  population.blocks[0].by_box = {
+      {1.2, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}};
+  const std::string html = page_of(report_of({population}));
+  EXPECT_EQ(unbalanced(html), "");
+  EXPECT_TRUE(contains(html, "<h2>Boxes</h2>"));
+  EXPECT_TRUE(contains(html, "By the inertia box 1 of 5 blocks has another class of garcia."));
+  EXPECT_TRUE(contains(html, "By the pca box none of 5 blocks has another class of zingg."));
+  EXPECT_EQ(page_of(report_of({blocks("talus", 5)})).find("<h2>Boxes</h2>"), std::string::npos);
 }
 
 TEST(PopulationPage, NotesAreReadFirst) {

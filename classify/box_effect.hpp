@@ -1,0 +1,31 @@
+#pragma once
+/// How much of a population's classes is owed to the box that L, I and S were taken from.
+#include <span>
+#include <string>
+#include <vector>
+
+#include "classify/box_convention.hpp"
+#include "classify/measured_block.hpp"
+#include "classify/schemes.hpp"
+
+namespace clast {
+
+/// Blocks whose class by one convention is not the class by the axes in use.
+struct BoxEffect {
+  BoxConvention convention = BoxConvention::kSmallest;
+  std::string scheme;
+  std::size_t blocks = 0;  ///< with boxes by all conventions
+  std::size_t differ = 0;
+};
+
+/// Conventions within schemes, schemes in the order given; without the convention whose axes are in
+/// use. Blocks without `by_box` (rows of tape tables) are left out; empty where all are.
+/// @throws InputError  unknown scheme
+std::vector<BoxEffect> box_effects(std::span<const MeasuredBlock> blocks,
+                                   std::span<const std::string> schemes,
+                                   const SchemeOptions& limits = {});
+
+/// "By the inertia box 2 of 7 blocks have another class of sneed-folk."
+std::string box_effect_words(const BoxEffect& effect);
+
+}  // namespace clast
