@@ -118,5 +118,70 @@ TEST_F(Talus, WhatCantBeUsedIsRefused) {
   expect_refused(folder, {"classify", "east.csv", "-o", "west.csv"}, 1, "west.csv");
 }
 
+TEST(Tables, ClassifyReadsTapedAxesInTheirUnit) {
+  const ScratchFolder folder;
+  // The two blocks of a teaching sheet: CB and VP after Sneed & Folk.
+  write_text_file(folder / "talus.csv", "name,litho,a,b,c\none,x,56,49.5,39\ntwo,y,46,36,13\n");
+  const ProgramRun run =
+      run_clast({"classify", "talus.csv", "--columns", "L=3,I=4,S=5", "--units", "cm", "--json"},
+                folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json blocks = Json::parse(run.out)["blocks"];
+  EXPECT_EQ(blocks[0]["sneed_folk"], "CB");
+  EXPECT_EQ(blocks[1]["sneed_folk"], "VP");
+  EXPECT_NEAR(blocks[1]["box_m"][0], 0.46, 1e-12);
+}
+
+TEST(Tables, ClassifyWeighsSizesAndComparesPopulations) {
+  const ScratchFolder folder;
+  std::string talus = "L,I,S,kg\n", rods = "L,I,S\n";
+  for (int i = 0; i < 20; ++i) {
+    const std::string size = std::to_string(1.0 + 0.01 * i);
+    talus += size + ",0.9,0.8," + std::to_string(100 + i) + "\n";
+    rods += std::to_string(3.0 + 0.01 * i) + ",0.9,0.8\n";
+  }
+  write_text_file(folder / "talus.csv", talus + "0,1,1,5\n");
+  write_text_file(folder / "rods.csv", rods);
+  const std::vector<std::string> words = {
+      "classify", "talus.csv", "--columns", "L=L,I=I,S=S,mass=kg", "--scheme", "garcia,zingg"};
+  const ProgramRun text = run_clast(words, folder.path());
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_TRUE(contains(text.out, "by mass") && contains(text.out, "1 row skipped"));
+  EXPECT_TRUE(contains(text.err, "row 22 skipped")) << text.err;
+
+  const ProgramRun other =
+      run_clast({"classify", "talus.csv", "--scheme", "garcia", "--against", "rods.csv", "--json"},
+                folder.path());
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  const Json json = Json::parse(other.out);
+  EXPECT_EQ(json["skipped"], 1);
+  EXPECT_EQ(json["comparison"]["measures"][0]["ks_distance"], 1.0);
+  EXPECT_LT(json["comparison"]["schemes"][0]["p_value"], 1e-6);
+  EXPECT_EQ(json["blocks"][0]["axis_error_m"], 0.05);
+  EXPECT_EQ(json["box"], "as measured");
+  EXPECT_EQ(json["size"]["by_number"]["d50_m"], 0.9);
+
+  expect_refused(folder, {"classify", "talus.csv", "--erdogan-limit", "0.9"}, 2, "erdogan_limit");
+  expect_refused(folder, {"classify", "talus.csv", "--axis-error", "-1"}, 2, "--axis-error");
+  expect_refused(folder, {"classify", "talus.csv", "--against", "none.csv"}, 1, "none.csv");
+}
+
+TEST(Tables, ATableOfAxesHasNoBoxToChoose) {
+  const ScratchFolder folder;
+  write_text_file(folder / "talus.csv", "L,I,S\n3,2,1\n");
+  expect_refused(folder, {"classify", "talus.csv", "--box", "feret"}, 2, "talus.csv");
+}
+
+TEST(Tables, TablesThatCantBeReadAreRefused) {
+  const ScratchFolder folder;
+  write_text_file(folder / "empty.csv", "");
+  write_text_file(folder / "other.csv", "name,weight\none,5\n");
+  write_text_file(folder / "bad.csv", "L,I,S\nlong,wide,high\n");
+  expect_refused(folder, {"classify", "none.csv"}, 1, "none.csv");
+  expect_refused(folder, {"classify", "empty.csv"}, 1, "empty.csv");
+  expect_refused(folder, {"classify", "other.csv"}, 1, "weight");
+  expect_refused(folder, {"classify", "bad.csv"}, 1, "bad.csv");
+}
+
 }  // namespace
 }  // namespace clast
