@@ -60,7 +60,8 @@ BlockSummary summary_of(const Block& block) {
           axes,
           shape_class("garcia", axes),
           shape_class("sneed-folk", axes),
-          shape_class("zingg", axes)};
+          shape_class("zingg", axes),
+          rigid_body(block).shape};
 }
 
 // Parameters in the order of the terrain's zones; every zone has some and all are used.

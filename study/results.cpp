@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
 #include "core/output_file.hpp"
+#include "library/body_record.hpp"
 #include "study/results_journal.hpp"
 #include "study/results_layout.hpp"
 
@@ -90,6 +91,13 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   write_column(blocks, "garcia", "", list, [](const BlockSummary& b) { return b.garcia; });
   write_column(blocks, "sneed_folk", "", list, [](const BlockSummary& b) { return b.sneed_folk; });
   write_column(blocks, "zingg", "", list, [](const BlockSummary& b) { return b.zingg; });
+
+  Hdf5Group bodies = blocks.create_group(kBodies);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!list[i].body.vertices.empty()) {
+      write_body(bodies.create_group(std::to_string(i)), list[i].body);
+    }
+  }
 
   Hdf5Group barriers = root.create_group("barriers");
   std::vector<Vec2> from, to;

@@ -9,6 +9,7 @@
 
 #include "classify/form.hpp"
 #include "dem/release.hpp"
+#include "shapes/sphero_polyhedron.hpp"
 #include "study/barrier.hpp"
 #include "terrain/terrain.hpp"
 
@@ -32,6 +33,7 @@ struct BlockSummary {
   std::string garcia;  ///< compact or elongated
   std::string sneed_folk;
   std::string zingg;
+  SpheroPolyhedron body;  ///< body frame; without vertices in files of older versions
 };
 
 /// The state of one run over time, at the asked interval.

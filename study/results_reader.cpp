@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
+#include "library/body_record.hpp"
 #include "study/results.hpp"
 #include "study/results_layout.hpp"
 
@@ -85,7 +86,16 @@ void read_blocks(const Reader& reader, CampaignResults& results) {
                               {longest[i], middle[i], shortest[i]},
                               garcia[i],
                               sneed_folk[i],
-                              zingg[i]});
+                              zingg[i],
+                              {}});
+  }
+  if (!reader.group.has(kBodies)) return;  // written by an older version
+  const Reader bodies = reader.into(kBodies);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::string name = std::to_string(i);
+    if (!bodies.group.has(name)) continue;
+    results.blocks[i].body =
+        read_body(bodies.group.group(name), bodies.file + ": " + bodies.path + "/" + name);
   }
 }
 

@@ -46,6 +46,13 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.blocks[1].garcia, "elongated");
   EXPECT_EQ(results.blocks[1].sneed_folk, "E");
   EXPECT_EQ(results.blocks[1].zingg, "rod");
+  for (std::size_t i = 0; i < 2; ++i) {
+    const SpheroPolyhedron &is = results.blocks[i].body, was = sample_header().blocks[i].body;
+    EXPECT_EQ(is.vertices, was.vertices);
+    EXPECT_EQ(is.edges, was.edges);
+    EXPECT_EQ(is.faces, was.faces);
+    EXPECT_EQ(is.radius, was.radius);
+  }
   ASSERT_EQ(results.barriers.size(), 2u);
   EXPECT_EQ(results.barriers[1].name, "EC12");
   EXPECT_EQ(results.barriers[1].from, Vec2(36, -400));

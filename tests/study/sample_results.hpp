@@ -8,6 +8,7 @@
 #include "core/version.hpp"
 #include "study/results.hpp"
 #include "study/results_journal.hpp"
+#include "tests/shapes/shape_samples.hpp"
 #include "tests/study/results_equal.hpp"
 
 namespace clast {
@@ -18,8 +19,17 @@ inline CampaignResults sample_header() {
   header.campaign_sha256 = std::string(64, 'a');
   header.inputs = {"some folder/b.h5 " + std::string(64, 'b'), "t.stl " + std::string(64, 'c')};
   header.program_version = version();
-  header.blocks = {{"B1", 343.68, {1.1, 0.9, 0.5}, "compact", "CB", "blade"},
-                   {"B2", 514.14, {2.1, 0.9, 0.5}, "elongated", "E", "rod"}};
+  header.blocks = {{"B1",
+                    343.68,
+                    {1.1, 0.9, 0.5},
+                    "compact",
+                    "CB",
+                    "blade",
+                    sphero_polyhedron(box_mesh({1.1, 0.9, 0.5}), 0.01)},
+                   {"B2", 514.14, {2.1, 0.9, 0.5}, "elongated", "E", "rod", {}}};
+  header.blocks[1].body.vertices = {{-0.6, 0, 0}, {0.6, 0, 0}};  // a capsule
+  header.blocks[1].body.edges = {{0, 1}};
+  header.blocks[1].body.radius = 0.45;
   header.barriers = {{"EC11", {25, -400}, {25, -340}}, {"EC12", {36, -400}, {36, -340}}};
   header.release_points = {{1, 2, 3}, {4, 5, 6}};
   header.zone_names = {"blue", "gray"};
