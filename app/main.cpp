@@ -2,6 +2,7 @@
 // 0 done, 1 something failed, 2 misused.
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -85,6 +86,9 @@ int main(int argc, char** argv) {
     std::cerr << "clast: " << error.what() << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << "clast: not enough memory; close other programs or use a smaller input\n";
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << "clast: " << error.path1().string() << ": " << error.code().message()
+              << "; check the path and its permissions\n";
   } catch (const std::exception& error) {
     std::cerr << "clast: unexpected failure, please report it with the command you gave: "
               << error.what() << "\n";

@@ -44,6 +44,19 @@ void check_usable(const TriangleMesh& mesh) {
                    "Poisson reconstruction in CloudCompare or MeshLab");
 }
 
+/// Floats are good to this share of the coordinate.
+constexpr double kFloatDigits = 6e-8;
+/// Rounding of a mesh, as a share of its diagonal, that does no harm yet.
+constexpr double kHarmless = 1e-5;
+
+/// Whole metres near a mesh that floats would spoil where it is; zero for all others.
+Vec3 origin_for_floats(const TriangleMesh& mesh) {
+  const Bounds box = bounds(mesh);
+  const double farthest = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
+  if (kFloatDigits * farthest <= kHarmless * box.diagonal()) return Vec3::Zero();
+  return (0.5 * (box.low + box.high)).array().round();
+}
+
 }  // namespace
 
 const std::vector<std::string>& readable_mesh_extensions() {
@@ -70,9 +83,19 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   }
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
+Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
   const std::string extension = extension_of(path);
   if (mesh.triangles.empty()) throw GeometryError(path.string() + ": a mesh without triangles");
+  const bool floats = extension == ".stl" || extension == ".glb";
+  const Vec3 origin = floats ? origin_for_floats(mesh) : Vec3(Vec3::Zero());
+  if (!origin.isZero(0.0)) {
+    TriangleMesh local = mesh;
+    for (Vec3& vertex : local.vertices) vertex -= origin;
+    write_mesh(path, local);
+    write_text_file(path.string() + ".origin.txt",
+                    "coordinates = coordinates here + origin, m\norigin " + place(origin) + "\n");
+    return origin;
+  }
   std::string content;
   if (extension == ".stl") {
     content = detail::stl_content(mesh);
@@ -88,6 +111,7 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
     throw InputError(path.string() + ": meshes are written as .stl, .obj, .ply, .glb or .vtp");
   }
   write_text_file(path, content);
+  return origin;
 }
 
 }  // namespace clast

@@ -159,9 +159,12 @@ void add_reconstruct(CLI::App& app) {
           ->type_name("SHARE")
           ->capture_default_str();
   command
-      ->add_flag("--core", options.block.core,
-                 "The mesh is the core that the sphere is swept over, not the rock's surface")
-      ->needs(radius);
+      ->add_flag(
+          "--core", options.block.core,
+          "The mesh is the core that the sphere is swept over, not the rock's surface; it is "
+          "taken as it is")
+      ->needs(radius)
+      ->excludes("--vertices");
   command
       ->add_flag("--convex", options.block.convex,
                  "Take the convex hull of each scan, for example to compare with simpler models")
@@ -190,9 +193,11 @@ void add_reconstruct(CLI::App& app) {
       ->check(number_between(1e-6, 1.0))
       ->type_name("SHARE")
       ->capture_default_str();
-  command->add_flag("--keep-inner-shells", options.scan.keep_inner_shells,
-                    "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
-                    "them. Their number and volume are told either way");
+  command
+      ->add_flag("--keep-inner-shells", options.scan.keep_inner_shells,
+                 "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
+                 "them. Their number and volume are told either way")
+      ->excludes("--convex");
   command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");
   command->add_flag("--json", args->json, "Print the blocks as JSON");
   command->footer(
