@@ -71,6 +71,24 @@ CampaignResults read_results(const std::filesystem::path& path);
 /// @throws InputError  no such run, or trajectories were not stored
 Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run);
 
+/// Trajectories of one file, which is opened once.
+class TrajectoryReader {
+ public:
+  /// @throws InputError  missing, not clast results, damaged, or of a newer schema
+  explicit TrajectoryReader(const std::filesystem::path& path);
+  ~TrajectoryReader();
+  TrajectoryReader(TrajectoryReader&&) noexcept;
+
+  /// How many states are stored of a run; 0 for none.
+  std::size_t frames(std::uint32_t run) const;
+  /// @throws InputError  as `read_trajectory`
+  Trajectory read(std::uint32_t run) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 /// Where runs are kept until all are done: target + ".part", a journal, not HDF5.
 std::filesystem::path partial_results(const std::filesystem::path& target);
 

@@ -271,32 +271,54 @@ CampaignResults read_results(const fs::path& path) {
   return results;
 }
 
-Trajectory read_trajectory(const fs::path& path, std::uint32_t run) {
-  const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
-  const Reader reader{path.string(), "/trajectories", file.root().group("trajectories")};
+struct TrajectoryReader::Impl {
+  explicit Impl(const fs::path& path)
+      : file(Hdf5File::open(path, kFormat, kSchemaVersion)),
+        reader{path.string(), "/trajectories", file.root().group("trajectories")} {}
+  Hdf5File file;
+  Reader reader;
+};
+
+TrajectoryReader::TrajectoryReader(const fs::path& path) : impl_(std::make_unique<Impl>(path)) {}
+TrajectoryReader::~TrajectoryReader() = default;
+TrajectoryReader::TrajectoryReader(TrajectoryReader&&) noexcept = default;
+
+std::size_t TrajectoryReader::frames(std::uint32_t run) const {
+  const Reader& reader = impl_->reader;
   const std::string name = trajectory_name(run);
-  if (!reader.group.has(name)) {
-    const bool any = !reader.group.names().empty();
-    throw InputError(path.string() + ": no trajectory of run " + std::to_string(run) + "; " +
-                     (any ? "there is no such run"
-                          : "none were stored, set [run] trajectory_interval_s above zero"));
-  }
-  const std::vector<double> rows = reader.group.read<double>(name);
+  if (!reader.group.has(name)) return 0;
   const std::vector<std::size_t> shape = reader.group.shape(name);
   if (shape.size() != 2 || shape[0] != kTrajectoryRows) {
     reader.damaged(name, "is not a table of " + std::to_string(kTrajectoryRows) + " rows");
   }
-  const std::size_t frames = shape[1];
+  return shape[1];
+}
+
+Trajectory TrajectoryReader::read(std::uint32_t run) const {
+  const Reader& reader = impl_->reader;
+  const std::string name = trajectory_name(run);
+  const std::size_t count = frames(run);
+  if (!reader.group.has(name)) {
+    const bool any = !reader.group.names().empty();
+    throw InputError(reader.file + ": no trajectory of run " + std::to_string(run) + "; " +
+                     (any ? "there is no such run"
+                          : "none were stored, set [run] trajectory_interval_s above zero"));
+  }
+  const std::vector<double> rows = reader.group.read<double>(name);
   Trajectory trajectory;
-  trajectory.time.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(frames));
-  for (std::size_t i = 0; i < frames; ++i) {
+  trajectory.time.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count));
+  for (std::size_t i = 0; i < count; ++i) {
     RigidState state;
     for (std::size_t k = 1; k < kTrajectoryRows; ++k) {
-      kStateValues[k - 1].field(state) = rows[k * frames + i];
+      kStateValues[k - 1].field(state) = rows[k * count + i];
     }
     trajectory.states.push_back(state);
   }
   return trajectory;
+}
+
+Trajectory read_trajectory(const fs::path& path, std::uint32_t run) {
+  return TrajectoryReader(path).read(run);
 }
 
 }  // namespace clast

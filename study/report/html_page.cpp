@@ -43,6 +43,10 @@ svg{display:block;width:100%;height:auto;font-family:inherit}
 figure{margin:0}
 figcaption{font-size:13.5px;color:var(--soft);margin-top:4px}
 .key{cursor:pointer}
+#scene .view{min-height:320px;background:var(--band);line-height:0}
+#scene .bar{display:flex;flex-wrap:wrap;gap:6px 16px;align-items:center;padding:7px 0;font-size:14px}
+#scene input[type=range]{flex:1;min-width:160px}
+#scene output{min-width:6ch;text-align:right;font-variant-numeric:tabular-nums}
 .key.off{opacity:.35}
 .hidden{display:none}
 .stop:hover,.block:hover,.lit{stroke:#000;stroke-width:2}

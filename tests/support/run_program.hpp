@@ -1,5 +1,5 @@
 #pragma once
-/// The clast program run as a process, with what it printed.
+/// Programs run as processes, with what they printed.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,14 +19,13 @@ struct ProgramRun {
   std::string err;
 };
 
-/// Runs `clast` with the arguments in `folder`; output goes through files, so that any amount fits.
-inline ProgramRun run_clast(const std::vector<std::string>& arguments,
-                            const std::filesystem::path& folder = ".") {
+/// Runs `words[0]` (a path, or a name that is looked up in PATH) with the other words in `folder`;
+/// output goes through files, so that any amount fits.
+inline ProgramRun run_program(std::vector<std::string> words,
+                              const std::filesystem::path& folder = ".") {
   const ScratchFolder captured;
   const std::string out = captured / "out";
   const std::string err = captured / "err";
-  std::vector<std::string> words = {CLAST_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -36,13 +35,20 @@ inline ProgramRun run_clast(const std::vector<std::string>& arguments,
     const bool ready = ::chdir(folder.c_str()) == 0 && std::freopen("/dev/null", "r", stdin) &&
                        std::freopen(out.c_str(), "w", stdout) &&
                        std::freopen(err.c_str(), "w", stderr);
-    if (ready) ::execv(argv[0], argv.data());
+    if (ready) ::execvp(argv[0], argv.data());
     ::_exit(126);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, read_text_file(out), read_text_file(err)};
+}
+
+inline ProgramRun run_clast(const std::vector<std::string>& arguments,
+                            const std::filesystem::path& folder = ".") {
+  std::vector<std::string> words = {CLAST_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_program(std::move(words), folder);
 }
 
 }  // namespace clast
