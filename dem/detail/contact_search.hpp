@@ -131,8 +131,9 @@ class ContactSearch {
   void look_at_vertex(std::uint32_t vertex, double until);
   bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre);
   void measure_vertex(std::uint32_t vertex, const Vec3& centre);
-  /// Direction in which a vertex inside the ground is pushed to the surface point.
-  static Vec3 push_of(const NearestPoint& nearest, const Vec3& centre);
+  /// Direction in which a vertex inside the ground is pushed: to the surface point, or up to the
+  /// plane in which a ground that ends there goes on.
+  Vec3 push_of(const NearestPoint& nearest, const Vec3& centre) const;
   /// True when the push would drag the block's vertex out through the block: beside the edge of a
   /// ground that ends where the block does, the nearest way out may be the ground's wall.
   bool pushes_backwards(std::uint32_t vertex, const Vec3& push) const;

@@ -17,8 +17,13 @@ struct NearestPoint {
   Vec3 normal = Vec3::UnitZ();  ///< out of the solid: of the face, edge or vertex hit
   double distance = 0.0;        ///< signed: negative inside the solid
   std::uint32_t face = kNoFeature;
-  bool within_face = false;  ///< the foot of the query lies on the face, not on its border
+  bool within_face = false;           ///< the foot of the query lies on the face, not on its border
+  std::uint32_t edge = kNoFeature;    ///< else it lies on this edge of the face ...
+  std::uint32_t vertex = kNoFeature;  ///< ... or on this vertex
 };
+
+/// True when the point nearest to a query lies where an open surface ends.
+bool on_border(const SurfaceFeatures& surface, const NearestPoint& nearest);
 
 /// Nearest point of one face to `query`; `distance` is signed by the normal of the feature hit.
 NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);

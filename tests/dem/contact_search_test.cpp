@@ -214,6 +214,44 @@ TEST(Contacts, FourKindsAreFound) {
   EXPECT_NEAR(contacts[0].overlap, 0.01, 1e-12);
 }
 
+// Where the survey ends the ground goes on as the plane of its last faces: what hangs over the
+// border is carried as it was before, and not drawn down to a border that lies lower.
+TEST(Contacts, BeyondTheBorderAreThoseOfThePlane) {
+  const double slope = 0.6, half = 2.0;
+  const TerrainSurface falling = ground(plane_mesh(half, 4, slope));
+  const Vec3 normal(std::sin(slope), 0.0, std::cos(slope));
+  const RigidBody body = ball(1.0, 0.25);
+  for (const double uphill : {-1.0, 1.0}) {
+    for (const double beyond : {-0.01, 0.001, 0.05, 0.3}) {
+      for (const double across : {0.3, half + 0.2}) {  // over a side, and over a corner
+        const double x = uphill * (half + beyond), depth = 0.1;
+        const Vec3 on_plane(x, across, -std::tan(slope) * x);
+        const Pose pose{on_plane - depth * normal, Quat::Identity()};
+        const std::vector<ContactPoint> contacts = from_scratch(falling, body, pose);
+        ASSERT_EQ(contacts.size(), 1u) << x;
+        EXPECT_LT((contacts[0].normal - normal).norm(), 1e-9);
+        EXPECT_NEAR(contacts[0].overlap, depth + 0.25, 1e-9);
+        EXPECT_LT((contacts[0].foot - on_plane).norm(), 1e-9);
+      }
+    }
+  }
+}
+
+// All edges rise from the bottom of a pit, so the vertex there owns no direction, neither up into
+// the air nor down into the solid.
+TEST(NormalCone, OfAPitIsEmpty) {
+  TriangleMesh pit;
+  pit.vertices = {{-1, -1, 1}, {0, -1, 1.5}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {0, 0, 0}};
+  pit.triangles = {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 0, 5}};
+  const SurfaceFeatures surface = surface_features(pit);
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(in_cone(surface, 5, random.direction()));
+  EXPECT_FALSE(in_cone(surface, 5, -Vec3::UnitZ()));
+  EXPECT_FALSE(near_cone(surface, 5, -Vec3::UnitZ()));
+  for (Vec3& vertex : pit.vertices) vertex.z() = -vertex.z();
+  EXPECT_TRUE(in_cone(surface_features(pit), 5, Vec3::UnitZ()));
+}
+
 TEST(GroundGap, CubeOverAPlaneAndARidge) {
   const RigidBody cube = box(1.0, Vec3::Ones(), 0.05);
   RigidState state;
