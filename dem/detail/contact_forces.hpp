@@ -99,6 +99,7 @@ class ContactForces {
     Vec3 rolling = Vec3::Zero();     ///< N m
     Vec3 place = Vec3::Zero();       ///< where the force acts
     double effective_mass = 0.0;     ///< of its law, kg; only where a law asks for it
+    double stored = 0.0;             ///< with its weight, J
   };
   /// What the unit force of one law does through all its points.
   struct LawAction {
@@ -127,14 +128,16 @@ class ContactForces {
   template <class Law>
   void shift_overlaps(const std::vector<Law>& laws, const EventLoad& event, const BodyMotion& block,
                       EnergyLedger& ledger);
-  /// Energy in the springs of friction and rolling, per unit of weight, J.
-  double wound_up(const Contact& contact) const;
+  /// Energy in all springs of the contact, with its weight, J.
+  template <class Law>
+  double stored_in(const Contact& contact, const Law& law) const;
 
   std::span<const GroundParameters> zones_;
   std::span<const std::uint16_t> zone_of_face_;
   LawsOf<ContactLaw>::Type laws_;
   ContactPatches patches_;
   ContactStiffness stiffness_;
+  double tangential_give_, rolling_give_;  ///< 1/k_t, 1/k_r
   double near_;  ///< contacts closer than this may hand their history on, m
   std::vector<Contact> contacts_;
 

@@ -103,9 +103,12 @@ void ContactSearch::wake() {
       relist = relist || part.near != was_near;
     }
   }
-  if (relist)
-    return list_awake(moved_ + std::clamp(kListCalls * last_move_, kShortest * margin_, margin_));
+  if (relist) return list_awake(moved_ + list_ahead());
   survey_parts();
+}
+
+double ContactSearch::list_ahead() const {
+  return std::clamp(kListCalls * last_move_, kShortest * margin_, margin_);
 }
 
 void ContactSearch::survey_parts() {

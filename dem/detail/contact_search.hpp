@@ -102,8 +102,11 @@ class ContactSearch {
   struct SideState {
     std::uint32_t part = 0;
     double clear_until = -1.0;
-    // Pairs listed, until when the list holds, and until when what is not listed cannot touch.
+    // Pairs listed, which of them are due soon, and of the others what `Pair` tells of each: for
+    // the first of them. Until when the list holds, and until when what is not listed cannot touch.
     std::vector<Pair> pairs;
+    std::vector<std::uint32_t> awake;
+    double sleepers_due = -1.0, sleepers_clear_until = -1.0;
     double list_until = -1.0;
     double others_clear_until = -1.0;
     // Both again as movement from where the middle was when listed, and `turned_` then.
@@ -117,6 +120,8 @@ class ContactSearch {
   bool sleep_whole();
   /// Makes `local_` hold everything that near a block moved no farther than so.
   void take_up_ground(double complete);
+  /// How far lists of what is due look ahead, m.
+  double list_ahead() const;
   /// Until when it must be known whether the part can touch.
   void look_at_part(std::uint32_t p, double until);
   void gather(std::uint32_t p, double distance);
@@ -146,6 +151,7 @@ class ContactSearch {
   /// Everything of the side that is due until then; lists pairs within a distance.
   void look_at_side(std::uint32_t s, double until, double within);
   bool list_holds(std::uint32_t s, double until);
+  void list_awake_pairs(SideState& state, double horizon) const;
   void list_pairs(std::uint32_t s, double within);
   void look_at_edges(std::uint32_t block_edge, Pair& pair);
   void look_at_edge_vertex(std::uint32_t block_edge, Pair& pair);
