@@ -73,14 +73,18 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
   ContactLoad load;
   const double k_t = stiffness_.tangential, k_r = stiffness_.rolling;
   const Vec3 spin = block.angular_velocity - other.angular_velocity;
+  const bool other_moves = other.moves();
   const auto mean_velocity = [&](const Vec3& place) {
-    return Vec3(block.velocity_at(place) - other.velocity_at(place));
+    return other_moves ? Vec3(block.velocity_at(place) - other.velocity_at(place))
+                       : block.velocity_at(place);
   };
   const auto mean_velocity_from = [&](const Vec3& place) {
-    return Vec3(block.velocity_from(place) - other.velocity_from(place));
+    return other_moves ? Vec3(block.velocity_from(place) - other.velocity_from(place))
+                       : block.velocity_from(place);
   };
   const auto begin_velocity = [&](const Vec3& place) {
-    return Vec3(block.begin_velocity_at(place) - other.begin_velocity_at(place));
+    return other_moves ? Vec3(block.begin_velocity_at(place) - other.begin_velocity_at(place))
+                       : block.begin_velocity_at(place);
   };
   const auto take_event = [&](const NormalResponse& response, double weight, const Vec3& normal,
                               const Vec3& place) {
@@ -103,12 +107,10 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
   match(points);
   const std::span<const double> weights = patches_.share(points, block.world_from_body.rotation);
   std::vector<Contact>& now = now_;
-  now.assign(points.size(), {});
+  now.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    now[i].point = points[i];
-    now[i].weight = weights[i];
-    now[i].zone = zone_of_face_.empty() ? 0 : zone_of_face_[points[i].ground_face];
-    now[i].place = points[i].point();
+    now.emplace_back(points[i], zone_of_face_.empty() ? 0 : zone_of_face_[points[i].ground_face],
+                     weights[i]);
   }
   if constexpr (Law::kNeedsEffectiveMass) find_effective_masses(block, other);
 

@@ -58,11 +58,12 @@ class ContactSearch {
   /// smaller than in the call before
   const std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
 
-  /// No contact can come before the travel has grown beyond this (valid after `contacts`).
+  /// No contact can come before the travel has grown beyond this (valid after `contacts`). Where a
+  /// search for it has found little it is not repeated at once, as in `safe_time`.
   double safe_travel();
-  /// How long no contact can come on such a flight (valid after `contacts`), s. The search for it
-  /// costs as much as several steps, so it is not repeated at once where one has found too little:
-  /// then 0.
+  /// How long no contact can come on such a flight (valid after `contacts`), s. Away from the
+  /// ground that is told by the ball around the block. Near it the search costs as much as several
+  /// steps, so it is not repeated at once where one has found too little: then 0.
   /// @param worthwhile  s: a shorter time is of no use to the caller
   double safe_time(const FlightBounds& flight, double worthwhile);
 

@@ -46,6 +46,15 @@ class PlanGrid {
   };
   Range range(double x_low, double x_high, double y_low, double y_high) const;
   Cell cell(int column, int row) const;
+  /// Top of the height range of a cell, m; -infinity where it lists no face.
+  double high(int column, int row) const {
+    return highs_[static_cast<std::size_t>(row) * columns_ + column];
+  }
+  /// Distance of a point from a cell in plan, m.
+  double distance(int column, int row, const Vec2& point) const {
+    const Vec2 low = corner_ + size_ * Vec2(column, row);
+    return (low - point).cwiseMax(point - low - Vec2::Constant(size_)).cwiseMax(0.0).norm();
+  }
   double cell_size() const { return size_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dem/detail/flying_ball.hpp"
 #include "dem/detail/segment_distance.hpp"
 #include "dem/detail/terrain_impl.hpp"
 #include "dem/release.hpp"
@@ -122,6 +123,44 @@ TEST(SafeTime, NoContactBeforeIt) {
   }
   // What the velocity of every vertex gives over the top speed of any.
   EXPECT_GT(flown, 1.2 * by_top_speed);
+}
+
+// Told by cells alone, so never too long, and on flat ground too short by one piece of the path.
+TEST(FlyingBall, TouchesNothingBeforeItsClearTime) {
+  Random random(3);
+  double flown = 0.0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const TerrainSurface terrain =
+        ground(rough_slope(24, 0.5, random.uniform(0.0, 0.8), 0.1, seed));
+    const IndexedSurface& surface = terrain.impl().surface;
+    FlyingBall ball{.centre = {random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0), 0.0},
+                    .velocity = random.uniform(0.0, 15.0) * random.direction(),
+                    .gravity = seed % 5 == 0 ? 0.0 : 9.81,
+                    .radius = random.uniform(0.1, 1.0)};
+    ball.centre.z() = *terrain.height(ball.centre.x(), ball.centre.y(), 0.0) + ball.radius +
+                      random.uniform(0.0, 3.0);
+    const double time = clear_time(surface.grid, ball, 3.0);
+    flown += time;
+    for (int i = 1; i <= 40; ++i) {
+      const double t = time * i / 40.0;
+      const Vec3 centre =
+          ball.centre + t * ball.velocity - Vec3(0.0, 0.0, 0.5 * ball.gravity * t * t);
+      const std::optional<NearestPoint> nearest = surface.nearest(centre, 2.0 * ball.radius);
+      const double distance = nearest ? nearest->distance : 2.0 * ball.radius;
+      EXPECT_TRUE(time == 0.0 || distance >= ball.radius) << seed;
+    }
+  }
+  EXPECT_GT(flown, 20.0);  // s
+  const TerrainSurface flat = ground(plane_mesh(20.0, 80));
+  const FlyingBall falling{
+      .centre = {0.3, 0.2, 3.0}, .velocity = Vec3::Zero(), .gravity = 9.81, .radius = 0.5};
+  const double root = std::sqrt(2.0 * 2.5 / 9.81);
+  const double time = clear_time(flat.impl().surface.grid, falling, 3.0);
+  EXPECT_LE(time, root);
+  EXPECT_GT(9.81 * time * time / 2.0, 2.5 - 0.5);
+  const FlyingBall leaving{
+      .centre = {0.0, 0.0, 3.0}, .velocity = {30.0, 0.0, 0.0}, .gravity = 0.0, .radius = 0.5};
+  EXPECT_NEAR(clear_time(flat.impl().surface.grid, leaving, 9.0), 20.0 / 30.0, 1.0 / 30.0);
 }
 
 TEST(LocalGround, AgreesWithTheWholeGround) {
