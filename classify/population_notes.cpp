@@ -36,13 +36,12 @@ std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks)
     notes.push_back("the same name stands for several blocks, and each is counted: " + repeated);
   }
   const auto uncertain =
-      std::count_if(blocks.begin(), blocks.end(), [](const MeasuredBlock& block) {
-        return block.axis_error >= block.axes.S;
-      });
+      std::count_if(blocks.begin(), blocks.end(),
+                    [](const MeasuredBlock& block) { return block.axis_error >= block.axes.S; });
   if (uncertain > 0) {
-    const auto widest = std::max_element(blocks.begin(), blocks.end(), [](const auto& a, const auto& b) {
-      return a.axis_error < b.axis_error;
-    });
+    const auto widest =
+        std::max_element(blocks.begin(), blocks.end(),
+                         [](const auto& a, const auto& b) { return a.axis_error < b.axis_error; });
     notes.push_back(std::to_string(uncertain) + " of " + std::to_string(blocks.size()) +
                     " blocks have a shortest axis that is no longer than the error of the axes, "
                     "which is up to " +

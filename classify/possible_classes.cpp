@@ -41,18 +41,15 @@ SchemeLimit turned(const SchemeLimit& line) { return {-line.one, -line.i, -line.
 /// six inequalities that are linear in x and y, beside y <= x <= 1.
 Polygon reachable_ratios(const Axes& axes, double error) {
   // As shares of L, so that rounding is the same for any size.
-  const auto low = [&](double axis) {
-    return std::max(axis - error, kThinnest * axis) / axes.L;
-  };
+  const auto low = [&](double axis) { return std::max(axis - error, kThinnest * axis) / axes.L; };
   const auto high = [&](double axis) { return (axis + error) / axes.L; };
   Polygon polygon = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
-  for (const SchemeLimit& line :
-       {SchemeLimit{.one = -low(axes.I), .i = high(axes.L)},
-        SchemeLimit{.one = high(axes.I), .i = -low(axes.L)},
-        SchemeLimit{.one = -low(axes.S), .s = high(axes.L)},
-        SchemeLimit{.one = high(axes.S), .s = -low(axes.L)},
-        SchemeLimit{.i = -low(axes.S), .s = high(axes.I)},
-        SchemeLimit{.i = high(axes.S), .s = -low(axes.I)}}) {
+  for (const SchemeLimit& line : {SchemeLimit{.one = -low(axes.I), .i = high(axes.L)},
+                                  SchemeLimit{.one = high(axes.I), .i = -low(axes.L)},
+                                  SchemeLimit{.one = -low(axes.S), .s = high(axes.L)},
+                                  SchemeLimit{.one = high(axes.S), .s = -low(axes.L)},
+                                  SchemeLimit{.i = -low(axes.S), .s = high(axes.I)},
+                                  SchemeLimit{.i = high(axes.S), .s = -low(axes.I)}}) {
     polygon = part_above(polygon, line);
   }
   return polygon;
@@ -109,8 +106,8 @@ std::vector<Ratios> places_of_all_pieces(const Polygon& polygon,
 
 std::vector<std::string> possible_classes(const std::string& scheme, const Axes& axes,
                                           double axis_error, const SchemeOptions& options) {
-  std::vector<Ratios> places = places_of_all_pieces(reachable_ratios(axes, axis_error),
-                                                    scheme_limits(scheme, options));
+  std::vector<Ratios> places =
+      places_of_all_pieces(reachable_ratios(axes, axis_error), scheme_limits(scheme, options));
   // A hair of an error may leave nothing of the polygon once it is rounded.
   places.emplace_back(axes.I / axes.L, axes.S / axes.L);
   std::vector<std::string> found;

@@ -120,9 +120,7 @@ const std::vector<Scheme>& schemes() {
        [](const A& a, const O&) -> Ratios {
          return {{"W", williams_w(a), {0.0}}};
        },
-       [](const O&) -> Limits {
-         return {{.s = -1.0, .ii = 1.0}};
-       }},
+       [](const O&) -> Limits { return {{.s = -1.0, .ii = 1.0}}; }},
       {"erdogan",
        {"platy", "elongated", "undetermined"},
        erdogan_class,

@@ -393,8 +393,8 @@ std::string blocks_section(const PopulationReport& report) {
 std::string sources_section(const PopulationReport& report) {
   std::string html = "<ul class=\"note\">\n";
   for (const ReportedPopulation& reported : report.populations) {
-    for (const std::string& input : reported.inputs) {
-      html += "<li><code>" + escaped(input) + "</code></li>\n";
+    for (const InputFile& input : reported.inputs) {
+      html += "<li><code>" + escaped(input.file + " " + input.sha256) + "</code></li>\n";
     }
   }
   return section("Inputs", html + "</ul>\n") + "<footer>Made by clast " + escaped(version()) +

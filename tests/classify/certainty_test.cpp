@@ -114,10 +114,11 @@ TEST(Certainty, IsCompleteAndHoldsNothingElse) {
           for (int k = 0; k <= kFine; ++k) {
             const double one = error * (2.0 * i / kFine - 1.0),
                          other = error * (2.0 * k / kFine - 1.0);
-            said.erase(shape_class(
-                scheme, Axes::sorted(axes.L + (face == 0 ? error : one),
-                                     axes.I + (face == 1 ? error : face == 0 ? one : other),
-                                     axes.S + (face == 2 ? error : other))));
+            said.erase(shape_class(scheme, Axes::sorted(axes.L + (face == 0 ? error : one),
+                                                        axes.I + (face == 1   ? error
+                                                                  : face == 0 ? one
+                                                                              : other),
+                                                        axes.S + (face == 2 ? error : other))));
           }
         }
       }

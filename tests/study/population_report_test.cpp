@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/random.hpp"
@@ -41,7 +42,7 @@ PopulationReport report_of(std::vector<Population> populations) {
     reported.summary = summarised(population, report.options);
     reported.population = std::move(population);
     reported.measured = "as in the table";
-    reported.inputs = {"talus.csv " + std::string(64, 'a')};
+    reported.inputs = {{"talus.csv", std::string(64, 'a')}};
     reported.notes = {"row 7 skipped: S is missing"};
     report.populations.push_back(std::move(reported));
   }
@@ -268,6 +269,61 @@ TEST(PopulationReports, AreWrittenWhole) {
   EXPECT_TRUE(contains(
       refusal([&] { write_population_report(report_of({blocks("t", 2)}), folder / "file"); }),
       "is a file"));
+}
+
+// Everything that shaped the tables can be read from the file beside them.
+TEST(PopulationReports, ProvenanceHoldsTheOptionsOfEveryPopulation) {
+  const ScratchFolder folder;
+  PopulationReport report = report_of({blocks("scans", 9), blocks("talus", 5)});
+  report.options.limits.erdogan_limit = 1.4;
+  report.populations[0].reading = {.box = "feret", .axis_error = 0.01};
+  report.populations[1].reading = {.columns = "L=5,I=6,S=7", .units = "cm"};
+  write_population_report(report, folder / "out");
+  const auto json = nlohmann::json::parse(read_text_file(folder / "out" / "provenance.json"));
+  EXPECT_EQ(json["options"]["erdogan_limit"], 1.4);
+  const auto& scans = json["populations"][0];
+  const auto& talus = json["populations"][1];
+  EXPECT_EQ(scans["box"], "feret");
+  EXPECT_EQ(scans["axis_error_m"], 0.01);
+  EXPECT_TRUE(scans["columns"].is_null() && scans["units"].is_null());
+  EXPECT_EQ(talus["columns"], "L=5,I=6,S=7");
+  EXPECT_EQ(talus["units"], "cm");
+  EXPECT_TRUE(talus["box"].is_null() && talus["axis_error_m"].is_null());
+  EXPECT_EQ(talus["inputs"][0]["file"], "talus.csv");
+  EXPECT_EQ(talus["inputs"][0]["sha256"], std::string(64, 'a'));
+}
+
+TEST(PopulationReports, DiagramsOfAnEarlierReportAreRemoved) {
+  const ScratchFolder folder;
+  const auto names = [&] {
+    std::set<std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "out")) {
+      all.insert(entry.path().filename());
+    }
+    return all;
+  };
+  const PopulationReport one = report_of({blocks("talus", 9)});
+  PopulationReport two = report_of({blocks("talus", 9), blocks("scree", 5)});
+  // Files of the user's own stay, also one called as a diagram that clast did not write.
+  write_text_file(folder / "out" / "size_1.svg", "mine");
+  write_text_file(folder / "out" / "notes.svg", "mine");
+  write_population_report(one, folder / "out");
+  EXPECT_EQ(read_text_file(folder / "out" / "size_1.svg"), "mine");
+  const std::set<std::string> of_one = names();
+  write_population_report(two, folder / "out");
+  EXPECT_FALSE(names().count("size.svg") || names().count("zingg.svg"));
+  EXPECT_TRUE(names().count("size_1.svg") && names().count("sizes.svg"));
+  two.options.schemes = {"zingg"};
+  for (ReportedPopulation& reported : two.populations) {
+    reported.summary = summarised(reported.population, two.options);
+  }
+  write_population_report(two, folder / "out");
+  EXPECT_FALSE(names().count("shares_shape.svg"));
+  EXPECT_TRUE(names().count("shares_zingg.svg"));
+  write_population_report(one, folder / "out");
+  std::set<std::string> expected = of_one;
+  expected.erase("size_1.svg");
+  EXPECT_EQ(names(), expected);
 }
 
 TEST(LogTicks, AreRoundAndFew) {
