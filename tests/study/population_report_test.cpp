@@ -8,9 +8,11 @@
 
 #include "core/random.hpp"
 #include "core/text_file.hpp"
+#include "core/utf8.hpp"
 #include "study/report/form_diagram.hpp"
 #include "study/report/html_page.hpp"
 #include "study/report/population_page.hpp"
+#include "study/report/share_chart.hpp"
 #include "study/report/svg_chart.hpp"
 #include "study/report/ticks.hpp"
 #include "tests/study/csv_reader.hpp"
@@ -329,6 +331,60 @@ TEST(PopulationReports, DiagramsOfAnEarlierReportAreRemoved) {
 TEST(LogTicks, AreRoundAndFew) {
   EXPECT_EQ(log_ticks(0.09, 2.0, 9), (std::vector<double>{0.1, 0.2, 0.5, 1.0, 2.0}));
   EXPECT_EQ(log_ticks(0.001, 1000.0, 9).size(), 7u);
+}
+
+// 1.3/1.0 - 1 is a hair above 0.3 in binary and compact all the same: its bar ends at the limit.
+TEST(Histogram, AValueOnALimitIsBelowIt) {
+  for (const double highest : {0.5, 0.9, 2.0, 4.0}) {
+    for (const double lowest : {0.0, 0.3}) {
+      Series series{"talus", "#000000", "", {lowest, 1.3 / 1.0 - 1.0, 0.301, highest}};
+      series.names = {"low", "edge", "over", "high"};
+      const std::string svg = histogram_chart({"s_c", "s_c", false, {{0.3, "limit"}}}, {series});
+      const double limit = number_after(svg, "stroke-dasharray", " x1=\"");
+      const auto bar = [&](const std::string& name) {
+        const std::size_t rect = svg.rfind("<rect", svg.find("\n" + name));
+        const std::string element = svg.substr(rect, svg.find("/rect>", rect) - rect);
+        const double x = number_after(element, " x=\"", " x=\"");
+        return std::pair(x, x + number_after(element, " width=\"", " width=\""));
+      };
+      EXPECT_LE(bar("edge").second, limit + 0.1) << highest << " " << lowest;
+      EXPECT_GE(bar("over").first, limit - 0.1) << highest << " " << lowest;
+      EXPECT_GE(bar("low").first, 56.0);  // left end of the axis
+      EXPECT_LE(bar("high").second, 508.5);
+    }
+  }
+}
+
+// What is drawn stays in the picture, however long the names are.
+TEST(PopulationPage, LongNamesStayInThePictures) {
+  const std::string name = "Ch\xc3\xa2teau " + std::string(150, 'n');
+  const PopulationReport report = report_of({blocks(name + "1", 9), blocks(name + "2", 9)});
+  for (const auto& [file, svg] : population_diagrams(report)) {
+    for (std::size_t at = svg.find("<text "); at != std::string::npos;
+         at = svg.find("<text ", at + 1)) {
+      const std::size_t begin = svg.find('>', at) + 1;
+      EXPECT_LT(svg.find('<', begin) - begin, 80u) << file << svg.substr(begin, 200);
+    }
+    EXPECT_TRUE(is_utf8(svg)) << file;
+  }
+  const std::string shares =
+      share_chart("t", {"C"},
+                  {{std::string(60, 'a'), "#000000", {{0.5, 0.4, 0.6, ""}}},
+                   {std::string(60, 'b'), "#000000", {{0.5, 0.4, 0.6, ""}}}});
+  // Two names and the whiskers, a row each, inside the height.
+  const double a = number_after(shares, "aaaa</text>", " y=\"");
+  const double b = number_after(shares, "bbbb</text>", " y=\"");
+  const double whiskers = number_after(shares, ">whiskers", " y=\"");
+  EXPECT_LT(a, b);
+  EXPECT_LT(b, whiskers);
+  EXPECT_LT(whiskers, std::strtod(shares.c_str() + shares.find("0 0 520 ") + 8, nullptr));
+}
+
+TEST(Html, ShortenedTextKeepsItsCharactersWhole) {
+  EXPECT_EQ(shortened("talus", 5), "talus");
+  EXPECT_EQ(shortened("taluses", 5), "talu\xe2\x80\xa6");
+  EXPECT_EQ(shortened("\xc3\xa9\xc3\xa9\xc3\xa9", 3), "\xc3\xa9\xc3\xa9\xc3\xa9");
+  EXPECT_EQ(shortened("\xc3\xa9\xc3\xa9\xc3\xa9", 2), "\xc3\xa9\xe2\x80\xa6");
 }
 
 // Half of the mass lies up to 2 m: the step to 50 % stands where the axis has 2 m.
