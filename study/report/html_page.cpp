@@ -58,7 +58,7 @@ pre{background:var(--band);padding:12px;overflow-x:auto;font-size:12.5px;line-he
 code{font-size:12.5px;overflow-wrap:anywhere}
 footer{margin-top:40px;border-top:1px solid var(--line);padding-top:10px;color:var(--soft);font-size:13px}
 @media (max-width:1000px){.beside{grid-template-columns:minmax(0,1fr)}}
-@media (max-width:600px){main{padding:16px 10px 40px}h1{font-size:22px}th:first-child,td:first-child{position:sticky;left:0;background:#fff;box-shadow:1px 0 0 var(--line)}th:first-child{background:var(--band)}td:first-child{max-width:38vw}}
+@media (max-width:600px){main{padding:16px 10px 40px}h1{font-size:22px}th:first-child,td:first-child{position:sticky;left:0;background:#fff;box-shadow:1px 0 0 var(--line)}th:first-child{background:var(--band)}td:first-child{max-width:38vw}.beside table{font-size:11.5px}.beside th,.beside td{padding:3px;white-space:normal;min-width:0}}
 @media print{@page{margin:14mm}body{font-size:11px}main{padding:0;max-width:none}table{font-size:9.5px}th,td{padding:2px 5px}.scroll{overflow:visible}.note,figcaption,footer,code,pre{font-size:9.5px}h2{break-after:avoid}figure,tr,.warnings,.facts div{break-inside:avoid}.charts{grid-template-columns:1fr 1fr}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
 )";
 
