@@ -77,11 +77,19 @@ int run(int argc, char** argv) {
   return 0;
 }
 
+/// A table that did not reach its file must not pass for done, whatever command printed it.
+int checked(int exit_code) {
+  std::cout.flush();
+  if (std::cout || exit_code != 0) return exit_code;
+  std::cerr << "clast: what was to be printed could not all be written; is the disk full?\n";
+  return kFailed;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return checked(run(argc, argv));
   } catch (const clast::Error& error) {
     std::cerr << "clast: " << error.what() << "\n";
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,8 @@
 #include "app/option_values.hpp"
 
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <sstream>
 
@@ -63,6 +65,17 @@ CLI::Validator up_axis() { return CLI::IsMember({"y", "z"}); }
 CLI::Validator positive_number() {
   return {[](const std::string& text) {
             return number_from(text) > 0.0 ? "" : "\"" + text + "\" is not a positive number";
+          },
+          ""};
+}
+
+CLI::Validator whole_number() {
+  return {[](const std::string& text) {
+            std::uint64_t value = 0;
+            const char* end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && stop == end) return std::string();
+            return "\"" + text + "\" is not a whole number, 0 or more";
           },
           ""};
 }

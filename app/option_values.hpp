@@ -24,6 +24,8 @@ Axes axes_from(const std::string& text);
 CLI::Validator up_axis();
 /// Accepts finite numbers above zero.
 CLI::Validator positive_number();
+/// Accepts whole numbers from 0 to 2^64 - 1, in digits alone.
+CLI::Validator whole_number();
 /// Accepts finite numbers from `low` to `high`.
 CLI::Validator number_between(double low, double high);
 

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kMostRows = 500;  // of the table of blocks
 constexpr std::size_t kMostNotes = 20;
-constexpr double kGarciaLimit = 0.3;  // s_c above which a block is elongated
+constexpr std::size_t kMostTitle = 52;  // characters of a name over a diagram
+constexpr double kGarciaLimit = 0.3;    // s_c above which a block is elongated
 
 std::string s_c_chart(const PopulationReport& report) {
   std::vector<Series> all;
@@ -90,9 +91,9 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
   for (const SizeLaw& law : size.by_number.laws) {
     curves.push_back(law_curve(law, *smallest, *largest));
   }
-  return cumulative_chart(
-      {"Size: " + reported.population.name, "size " + name_of(size.measure) + ", m", true}, series,
-      false, curves);
+  return cumulative_chart({"Size: " + shortened(reported.population.name, kMostTitle),
+                           "size " + name_of(size.measure) + ", m", true},
+                          series, false, curves);
 }
 
 /// "22.8-41.7 %", with a dash that is no minus
@@ -208,7 +209,7 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
   const std::size_t schemes = report.populations.front().summary.schemes.size();
   for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
     html += "<h3>" + escaped(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
-    html += "<div class=\"charts\">" + figure(diagrams.at(shares_name(report, scheme))) + "<div>";
+    html += "<div class=\"beside\">" + figure(diagrams.at(shares_name(report, scheme))) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
       const bool weighed = reported.summary.weighed > 0;
       std::vector<std::string> heads = {"class", "blocks", "share", "95 % interval"};
@@ -393,8 +394,8 @@ std::string blocks_section(const PopulationReport& report) {
 std::string sources_section(const PopulationReport& report) {
   std::string html = "<ul class=\"note\">\n";
   for (const ReportedPopulation& reported : report.populations) {
-    for (const std::string& input : reported.inputs) {
-      html += "<li><code>" + escaped(input) + "</code></li>\n";
+    for (const InputFile& input : reported.inputs) {
+      html += "<li><code>" + escaped(input.file + " " + input.sha256) + "</code></li>\n";
     }
   }
   return section("Inputs", html + "</ul>\n") + "<footer>Made by clast " + escaped(version()) +

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "core/random.hpp"
@@ -50,6 +51,22 @@ TEST(CommandLine, VersionIsThatOfTheLibraries) {
   const ProgramRun run = run_clast({"--version"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.out, std::string("clast ") + version() + "\n");
+}
+
+// /dev/full takes nothing: what was printed is lost, and that is no success.
+TEST(CommandLine, OutputThatCantBeWrittenIsAFailure) {
+  const ScratchFolder folder;
+  write_text_file(folder / "a.csv", "L,I,S\n3,2,1\n");
+  const std::string program = std::string("'") + CLAST_PROGRAM + "' ";
+  const std::string err = folder / "err";
+  for (const std::string& words : {std::string("--version"), std::string("classify --help"),
+                                   "classify '" + std::string(folder / "a.csv") + "'",
+                                   "classify --json '" + std::string(folder / "a.csv") + "'"}) {
+    const int status = std::system((program + words + " > /dev/full 2> '" + err + "'").c_str());
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1) << words;
+    EXPECT_TRUE(contains(read_text_file(err), "is the disk full?"));
+  }
 }
 
 TEST(CommandLine, MisuseExitsWithTwoAndNamesTheMistake) {
