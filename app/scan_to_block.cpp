@@ -8,6 +8,7 @@
 #include "app/text_table.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/self_intersection.hpp"
@@ -211,11 +212,16 @@ Block block_from_scan(const std::filesystem::path& path, const std::string& id,
     if (stage) stage(what + " " + id);
   };
   begin("reading");
-  Scan scan = read_scan(path, options.scan);
+  ScanOptions reading = options.scan;
+  reading.repair.invent = !options.block.core;  // every vertex of a core is meant
+  Scan scan = read_scan(path, reading);
   check_size(bounds(scan.mesh), id, options);
   BlockSource source{path.string(), sha256_of_file(path),
                      "units=" + options.unit_name + " up=" + options.scan.up, ""};
-  if (options.scan.keep_inner_shells) source.options += " inner_shells=kept";
+  if (scan.report.invented_share > 0.0) {
+    source.options += " invented_share=" + with_digits(scan.report.invented_share, 4);
+  }
+  if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (options.block.convex) scan.mesh = hull_instead(scan.mesh, scan.notes);
   const ScanSurface surface(scan.mesh);
   Block block;

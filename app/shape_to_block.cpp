@@ -105,6 +105,7 @@ Block block_from_shape(const ShpShape& shape, const std::filesystem::path& path,
     ScanToBlockOptions taken = options;
     taken.block.core = true;
     taken.block.radius = radius_of(shape, options);
+    taken.scan.repair.invent = false;
     BlockSource source{
         path.string(), sha256_of_file(path),
         "units=" + options.unit_name + " up=" + options.scan.up + " shape=" + shape.name, ""};

@@ -190,7 +190,7 @@ void add_reconstruct(CLI::App& app) {
       ->check(number_between(1e-6, 1.0))
       ->type_name("SHARE")
       ->capture_default_str();
-  command->add_flag("--keep-inner-shells", options.scan.keep_inner_shells,
+  command->add_flag("--keep-inner-shells", options.scan.repair.keep_inner_shells,
                     "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
                     "them. Their number and volume are told either way");
   command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");
