@@ -59,8 +59,8 @@ void turn_over(TriangleMesh& mesh);
 /// Gives every fan of triangles a vertex of its own. Counts the vertices that were split.
 Mended split_pinched_vertices(TriangleMesh& mesh);
 
-/// Moves vertices that lie on one another (split ones) apart by `distance` each: into the rock where
-/// the others lie on the side of the air, out of it where they lie on the side of the rock.
+/// Moves vertices that lie on one another (split ones) apart by `distance` each: into the rock
+/// where the others lie on the side of the air, out of it where they lie on the side of the rock.
 /// @param mesh  closed, outward
 void part_touching_vertices(TriangleMesh& mesh, double distance);
 

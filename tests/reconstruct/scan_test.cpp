@@ -302,6 +302,50 @@ TEST(Scan, FilesAreNamedInRefusals) {
   EXPECT_THROW(read_scan(folder / "none.stl"), InputError);
 }
 
+TEST(Scan, DigitsLostInTheFileAreToldOfOrRefused) {
+  const ScratchFolder folder;
+  const TriangleMesh rock = random_rock(3, 3, 0.05);
+  // At 6.67e6 m a float is kept in steps of half a metre, at 8.9e4 m of 1/128 m, at 600 m of
+  // 1/16384.
+  write_mesh(folder / "far.stl", at(rock, {0, 6671300, 0}));
+  try {
+    read_scan(folder / "far.stl");
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_HAS(message,
+               "far.stl: precision was lost in the file itself: its coordinates reach 66713");
+    EXPECT_HAS(message, " and are kept in steps of 0.5 m, ");
+    EXPECT_HAS(message,
+               ", so that its shape is lost; export it again with a local origin "
+               "(CloudCompare: accept the global shift when loading) or as PLY with doubles");
+  }
+  write_mesh(folder / "some.stl", at(rock, {0, 88860, 0}));
+  const Scan some = read_scan(folder / "some.stl");
+  EXPECT_HAS(all_notes(some), "are kept in steps of 0.00781 m, 0.");
+  EXPECT_EQ(all_notes(some).find("shape is lost"), std::string::npos);
+  write_mesh(folder / "near.stl", at(rock, {0, 600, 0}));
+  EXPECT_EQ(all_notes(read_scan(folder / "near.stl")).find("precision"), std::string::npos);
+  // Doubles keep the shape at any place.
+  write_mesh(folder / "far.ply", at(rock, {0, 6671300, 0}));
+  const Scan far = read_scan(folder / "far.ply");
+  EXPECT_TRUE(far.notes.empty()) << all_notes(far);
+  EXPECT_NEAR(enclosed_volume(far.mesh) / enclosed_volume(rock), 1.0, 1e-8);
+  // Text with seven digits is no better than floats.
+  std::string text;
+  for (const Vec3& v : rock.vertices) {
+    char line[100];
+    std::snprintf(line, sizeof line, "v %.6e %.6e %.6e\n", v.x(), v.y() + 6671300, v.z());
+    text += line;
+  }
+  for (const auto& [a, b, c] : rock.triangles) {
+    text += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " +
+            std::to_string(c + 1) + "\n";
+  }
+  write_text_file(folder / "short.obj", text);
+  EXPECT_THROW(read_scan(folder / "short.obj"), InputError);
+}
+
 TEST(Scan, BadOptionsAreRefusedByName) {
   const auto message = [](const ScanOptions& options) {
     try {
