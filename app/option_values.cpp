@@ -1,5 +1,6 @@
 #include "app/option_values.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -44,6 +45,28 @@ double length_unit(const std::string& text) {
   throw CLI::ValidationError("--units", "\"" + text +
                                             "\" is no unit; expected m, cm, mm, um, km, in, ft or "
                                             "the metres in one unit as a positive number");
+}
+
+double unit_from_length(const std::string& text) {
+  std::string commas = text;
+  std::replace(commas.begin(), commas.end(), ';', ',');
+  std::vector<double> numbers;
+  for (const std::string& piece : split_list(commas)) numbers.push_back(number_from(piece));
+  const auto refuse = [&](const std::string& what) {
+    throw CLI::ValidationError(
+        "--scale-length",
+        "\"" + text + "\" " + what +
+            "; expected two points of the scan and the metres between them, such as "
+            "\"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
+  };
+  if (numbers.size() != 7) refuse("has " + std::to_string(numbers.size()) + " numbers");
+  for (const double number : numbers) {
+    if (!std::isfinite(number)) refuse("holds what is no number");
+  }
+  const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
+  if (!(numbers[6] > 0.0)) refuse("gives a length that is not positive");
+  if (a == b) refuse("gives the same point twice");
+  return numbers[6] / (b - a).norm();
 }
 
 Axes axes_from(const std::string& text) {

@@ -8,6 +8,7 @@
 #include "app/text_table.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/self_intersection.hpp"
@@ -35,7 +36,8 @@ std::string likely_unit(double raw) {
   for (const auto& [name, unit] : units) {
     const double length = raw * unit;
     if (length >= 0.05 && length <= 20.0) {
-      return std::string("; --units ") + name + " would make it " + rounded(length, 3) + " m";
+      return std::string("; it is probably in ") + name + ": try --units " + name +
+             ", which makes it " + rounded(length, 3) + " m";
     }
   }
   return "";
@@ -184,9 +186,25 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
 void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options) {
   const double length = (box.high - box.low).maxCoeff();
   if (options.any_size || (length <= kLargestBlock && length >= kSmallestBlock)) return;
-  throw InputError("block " + id + " would be " + rounded(length, 3) +
-                   " m long, read with --units " + options.unit_name +
-                   likely_unit(length / options.scan.unit) + "; --any-size takes it as it is");
+  const std::string size = "block " + id + " would be " + rounded(length, 3) + " m long, ";
+  const std::string anyway = "; --any-size takes it as it is";
+  if (options.scaled_by_length) {
+    throw InputError(size + "scaled by --scale-length: check its two points and its metres" +
+                     anyway);
+  }
+  throw InputError(size + "read with --units " + options.unit_name +
+                   likely_unit(length * options.scale_factor / options.scan.unit) + anyway);
+}
+
+std::string scale_text(const ScanToBlockOptions& options) {
+  std::string text = "units=" + options.unit_name;
+  if (options.scaled_by_length) {
+    text = "unit_by_length_m=" + with_digits(options.scan.unit / options.scale_factor, 9);
+  }
+  if (options.scale_factor != 1.0) {
+    text += " scale_factor=" + with_digits(options.scale_factor, 9);
+  }
+  return text;
 }
 
 void warn_of_crossings(Block& block, const TriangleMesh& surface) {
@@ -211,11 +229,16 @@ Block block_from_scan(const std::filesystem::path& path, const std::string& id,
     if (stage) stage(what + " " + id);
   };
   begin("reading");
-  Scan scan = read_scan(path, options.scan);
+  ScanOptions reading = options.scan;
+  reading.repair.invent = !options.block.core;  // every vertex of a core is meant
+  Scan scan = read_scan(path, reading);
   check_size(bounds(scan.mesh), id, options);
   BlockSource source{path.string(), sha256_of_file(path),
-                     "units=" + options.unit_name + " up=" + options.scan.up, ""};
-  if (options.scan.keep_inner_shells) source.options += " inner_shells=kept";
+                     scale_text(options) + " up=" + options.scan.up, ""};
+  if (scan.report.invented_share > 0.0) {
+    source.options += " invented_share=" + with_digits(scan.report.invented_share, 4);
+  }
+  if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (options.block.convex) scan.mesh = hull_instead(scan.mesh, scan.notes);
   const ScanSurface surface(scan.mesh);
   Block block;

@@ -14,7 +14,9 @@ namespace clast {
 /// Options of every step.
 struct ScanToBlockOptions {
   ScanOptions scan;
-  std::string unit_name = "m";  ///< as the user wrote it, for messages and the record
+  std::string unit_name = "m";    ///< as the user wrote it, for messages and the record
+  bool scaled_by_length = false;  ///< the unit comes from two points and their distance
+  double scale_factor = 1.0;      ///< what `scan.unit` holds beside the unit itself
   /// Vertices a block has at most, not used for a core. None: the fewest of 8 to 2000, to about a
   /// tenth, with which the block is within the tolerance; the radius is halved where none will do.
   std::optional<std::size_t> vertices;
@@ -27,8 +29,11 @@ struct ScanToBlockOptions {
 
 /// Refuses a size that no rock block has (over 50 m or under 1 mm), which is a wrong unit most of
 /// the time. `box` is in metres.
-/// @throws InputError  naming the unit that would fit
+/// @throws InputError  naming the unit that is probably meant
 void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options);
+
+/// How a scan got its size, as "key=value" for the record.
+std::string scale_text(const ScanToBlockOptions& options);
 
 /// Adds a warning where the surface passes through itself.
 void warn_of_crossings(Block& block, const TriangleMesh& surface);
