@@ -1,6 +1,7 @@
 #include "reconstruct/underside.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -24,10 +25,17 @@ constexpr double kBestShare = 0.6;
 /// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
 constexpr double kBestPower = 2.0 / 3.0;
 constexpr double kBluntest = 0.05, kSharpest = 2.0;  ///< powers of the bulge
-/// This share of the rim lies below the height at which the sections start.
-constexpr double kRimShare = 0.75;
-/// A rim this far above the ground, as a share of the height, is clear of it.
-constexpr double kClearOfGround = 0.01;
+/// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
+/// an uneven rim each tells of a part, and the largest volume counts.
+constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
+/// A rim is uneven where its heights spread over more than this share of the whole. The sections do
+/// not say then what hangs beside them, and the best shape is put at this share between the bounds:
+/// the median of 100 blocks of which what faces down steeply was taken away.
+constexpr double kEven = 0.05, kUnevenShare = 0.35;
+/// A rim this far above the ground nearly all around, as a share of the height, is clear of it,
+constexpr double kClearOfGround = 0.02;
+/// and the block has sunk into it by this share at most.
+constexpr double kSunk = 0.05;
 /// A hole that faces within this of straight down is the ground's side.
 constexpr double kFacesDown = 0.5;  // cos 60 degrees
 constexpr int kWithdrawals = 6;     ///< halvings of a cap that meets the walls
@@ -150,55 +158,83 @@ class Closing {
   }
 
   void bracket(const Rim& rim) {
-    const Vec3 up = -result_.down;
-    const detail::Sections sections(result_.lower, up);
-    const double level = rim_level(rim, up);
-    const double height = sections.highest() - level;
-    const double deepest = deepest_below(level, height);
+    const detail::Sections sections(result_.lower, -result_.down);
     result_.lower_volume = sections.volume_above(sections.lowest());
-    const double above = sections.volume_above(level);
     if (!(result_.lower_volume > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed");
     }
+    const std::vector<double> heights = rim_heights(rim);
+    const auto quantile = [&](double share) {
+      return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
+    };
+    const double bottom = lowest_bottom(quantile(0.1), quantile(0.5), sections.highest());
+    result_.upper_volume = result_.best_volume = result_.lower_volume;
+    double deepest = 0.0, power = kBestPower;
+    for (const double share : kRimShares) {
+      const double level = quantile(share);
+      const Continued below = continued(sections, level, bottom);
+      if (below.upper_volume > result_.upper_volume) {
+        result_.upper_volume = below.upper_volume;
+        deepest = level - bottom;
+        // Of a round rim, bulge^p fills 1/(1 + p) of the cylinder around it.
+        power = std::clamp(1.0 / below.fill - 1.0, kBluntest, kSharpest);
+      }
+      result_.best_volume = std::max(result_.best_volume, below.best_volume);
+    }
+    const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
+    if (uneven) {
+      result_.best_volume =
+          result_.lower_volume + kUnevenShare * (result_.upper_volume - result_.lower_volume);
+    }
+    result_.best_volume = std::min(result_.best_volume, result_.upper_volume);
+    result_.upper = lowered(result_.upper_volume - result_.lower_volume, power, deepest);
+    settle_best(deepest);
+    const double filling = area_from(result_.best, result_.first_invented);
+    result_.invented_share = filling / surface_area(result_.best);
+  }
+
+  /// Volumes with the sections continued below a level.
+  struct Continued {
+    double upper_volume = 0.0, best_volume = 0.0;
+    double fill = 1.0;  ///< the upper part's share of the cylinder around it
+  };
+
+  static Continued continued(const detail::Sections& sections, double level, double bottom) {
+    const double height = sections.highest() - level;
     // Just above the level, where a flat filling does not count any more.
     const double root = std::sqrt(std::max(0.0, sections.area(level + 1e-6 * height)));
     const auto narrowing = [&](double band) {
       const double higher = std::sqrt(std::max(0.0, sections.area(level + band * height)));
       return (higher - root) / (band * height);
     };
-    const Cone upper = cone_below(root, narrowing(kUpperBand), deepest);
-    const Cone best = cone_below(root, narrowing(kBestBand), deepest);
-    const double upper_volume = std::max(result_.lower_volume, above + upper.volume);
-    const double best_volume =
-        std::clamp(above + kBestShare * best.volume, result_.lower_volume, upper_volume);
-
+    const Cone upper = cone_below(root, narrowing(kUpperBand), level - bottom);
+    const Cone best = cone_below(root, narrowing(kBestBand), level - bottom);
+    const double above = sections.volume_above(level);
     const double cylinder = root * root * upper.depth;
-    const double fill = cylinder > 0.0 ? upper.volume / cylinder : 1.0;
-    // Of a round rim, bulge^p fills 1/(1 + p) of the cylinder around it.
-    result_.upper = lowered(upper_volume - result_.lower_volume,
-                            std::clamp(1.0 / fill - 1.0, kBluntest, kSharpest), deepest);
-    result_.best = lowered(best_volume - result_.lower_volume, kBestPower, deepest);
-    result_.upper_volume = upper_volume;
-    settle_best();
-    const double filling = area_from(result_.best, result_.first_invented);
-    result_.invented_share = filling / surface_area(result_.best);
+    return {above + upper.volume, above + kBestShare * best.volume,
+            cylinder > 0.0 ? upper.volume / cylinder : 1.0};
   }
 
-  /// The height that most of the rim lies below.
-  double rim_level(const Rim& rim, const Vec3& up) const {
+  /// Ascending.
+  std::vector<double> rim_heights(const Rim& rim) const {
     std::vector<double> heights;
-    for (const std::uint32_t v : rim.loop) heights.push_back(up.dot(result_.lower.vertices[v]));
-    const auto at = static_cast<std::size_t>(kRimShare * static_cast<double>(heights.size() - 1));
-    std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(at),
-                     heights.end());
-    return heights[at];
+    for (const std::uint32_t v : rim.loop) {
+      heights.push_back(-result_.down.dot(result_.lower.vertices[v]));
+    }
+    std::sort(heights.begin(), heights.end());
+    return heights;
   }
 
-  double deepest_below(double level, double height) {
-    const double deepest = options_.deepest * height;
-    if (!options_.ground || result_.down != -options_.ground->normal) return deepest;
-    result_.gap = level - options_.ground->distance;
-    return result_.gap > kClearOfGround * height ? std::min(deepest, result_.gap) : deepest;
+  /// The height below which nothing of the block is looked for. A rim that is clear of the ground
+  /// nearly all around shows that the block lies on it; else nothing tells how deep it goes.
+  double lowest_bottom(double low_rim, double mean_rim, double highest) {
+    const double height = highest - mean_rim;
+    const double buried = mean_rim - options_.deepest * height;
+    if (!options_.ground || result_.down != -options_.ground->normal) return buried;
+    const double ground = options_.ground->distance;
+    result_.gap = mean_rim - ground;
+    if (low_rim - ground < kClearOfGround * height) return buried;
+    return std::max(buried, ground - kSunk * height);
   }
 
   /// `lower` with the filling moved down so that `added` volume lies under it, no deeper than
@@ -231,12 +267,19 @@ class Closing {
     return volume;
   }
 
-  /// A cap under an uneven rim may meet the walls: it is drawn back until it does not.
-  void settle_best() {
+  /// A cap under an uneven rim may meet the walls: it is made more pointed, then drawn back, until
+  /// it does not.
+  void settle_best(double deepest) {
+    const double added = result_.best_volume - result_.lower_volume;
     const std::size_t crossings = crossing_triangles(result_.lower).size();
+    const auto fits = [&] { return crossing_triangles(result_.best).size() <= crossings; };
+    for (double power = kBestPower; power < 3.0; power *= 1.5) {
+      result_.best = lowered(added, power, deepest);
+      if (fits()) break;
+    }
     double share = 1.0;
     const TriangleMesh whole = result_.best;
-    for (int i = 0; i < kWithdrawals && crossing_triangles(result_.best).size() > crossings; ++i) {
+    for (int i = 0; i < kWithdrawals && !fits(); ++i) {
       share = i + 1 < kWithdrawals ? 0.5 * share : 0.0;
       for (std::size_t v = first_vertex_; v < whole.vertices.size(); ++v) {
         result_.best.vertices[v] =
