@@ -43,6 +43,34 @@ FieldNotes read_field_notes(const Hdf5Group& group, const std::string& where) {
   return field;
 }
 
+void write_unseen(Hdf5Group group, const UnseenPart& unseen) {
+  group.set_attribute("volume_lower_m3", unseen.lower_volume);
+  group.set_attribute("volume_best_m3", unseen.best_volume);
+  group.set_attribute("volume_upper_m3", unseen.upper_volume);
+  group.set_attribute("invented_share", unseen.invented_share);
+  const auto vector = [](const Axes& axes) { return Vec3(axes.L, axes.I, axes.S); };
+  write_matrix(group, "box_lower", vector(unseen.lower_axes), "m");
+  write_matrix(group, "box_upper", vector(unseen.upper_axes), "m");
+}
+
+UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
+  constexpr double kPositive = 1e-300;
+  UnseenPart unseen;
+  unseen.lower_volume = read_scalar(group, "volume_lower_m3", kPositive, where);
+  unseen.best_volume = read_scalar(group, "volume_best_m3", unseen.lower_volume, where);
+  unseen.upper_volume = read_scalar(group, "volume_upper_m3", unseen.best_volume, where);
+  unseen.invented_share = read_scalar(group, "invented_share", 0.0, where);
+  require(unseen.invented_share <= 1.0, where, "invented_share is more than 1");
+  const auto axes = [&](const std::string& name) {
+    const Vec3 sides = read_vector(group, name, where);
+    require(sides.minCoeff() > 0.0, where, name + " is not positive");
+    return Axes{sides[0], sides[1], sides[2]};
+  };
+  unseen.lower_axes = axes("box_lower");
+  unseen.upper_axes = axes("box_upper");
+  return unseen;
+}
+
 void write_block(Hdf5Group group, const Block& block) {
   group.set_attribute("source_file", block.source.file);
   group.set_attribute("source_sha256", block.source.sha256);
@@ -84,6 +112,7 @@ void write_block(Hdf5Group group, const Block& block) {
   group.write<std::string>("warnings", block.warnings);
   group.set_unit("warnings", "1");
   write_field_notes(group.create_group("field"), block.field);
+  if (block.unseen) write_unseen(group.create_group("unseen"), *block.unseen);
 }
 
 Block read_block(const Hdf5Group& group, const std::string& id, const std::string& where) {
@@ -131,6 +160,7 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   }
   block.warnings = group.read<std::string>("warnings");
   block.field = read_field_notes(group.group("field"), where);
+  if (group.has("unseen")) block.unseen = read_unseen(group.group("unseen"), where);
   return block;
 }
 

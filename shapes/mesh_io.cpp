@@ -30,7 +30,7 @@ TriangleMesh read_by_format(const std::filesystem::path& path, const std::string
   return mesh ? std::move(*mesh) : detail::read_with_assimp(path);
 }
 
-void check_usable(const TriangleMesh& mesh) {
+void check_usable(const TriangleMesh& mesh, bool points_will_do) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (mesh.vertices[v].allFinite()) continue;
     throw InputError("vertex " + std::to_string(v + 1) + " of " +
@@ -38,6 +38,7 @@ void check_usable(const TriangleMesh& mesh) {
                      ", not a finite point; clean the file in the program that wrote it");
   }
   if (!mesh.triangles.empty()) return;
+  if (points_will_do && !mesh.vertices.empty()) return;
   if (mesh.vertices.empty()) throw InputError("holds no vertices and no triangles");
   throw InputError("is a point cloud with " + std::to_string(mesh.vertices.size()) +
                    " points and no faces; make a closed surface of it first, for example by "
@@ -57,15 +58,7 @@ Vec3 origin_for_floats(const TriangleMesh& mesh) {
   return (0.5 * (box.low + box.high)).array().round();
 }
 
-}  // namespace
-
-const std::vector<std::string>& readable_mesh_extensions() {
-  static const std::vector<std::string> kExtensions = {".3ds", ".glb", ".gltf", ".obj",
-                                                       ".off", ".ply", ".stl",  ".tab"};
-  return kExtensions;
-}
-
-TriangleMesh read_mesh(const std::filesystem::path& path) {
+TriangleMesh read_any(const std::filesystem::path& path, bool points_will_do) {
   const std::string content = read_text_file(path);
   const std::string extension = extension_of(path);
   const std::vector<std::string>& known = readable_mesh_extensions();
@@ -76,12 +69,24 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   if (content.empty()) throw InputError(path.string() + ": the file is empty");
   try {
     TriangleMesh mesh = read_by_format(path, extension, content);
-    check_usable(mesh);
+    check_usable(mesh, points_will_do);
     return mesh;
   } catch (const InputError& error) {
     throw InputError(path.string() + ": " + error.what());
   }
 }
+
+}  // namespace
+
+const std::vector<std::string>& readable_mesh_extensions() {
+  static const std::vector<std::string> kExtensions = {".3ds", ".glb", ".gltf", ".obj",
+                                                       ".off", ".ply", ".stl",  ".tab"};
+  return kExtensions;
+}
+
+TriangleMesh read_mesh(const std::filesystem::path& path) { return read_any(path, false); }
+
+TriangleMesh read_mesh_or_points(const std::filesystem::path& path) { return read_any(path, true); }
 
 Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
   const std::string extension = extension_of(path);

@@ -16,6 +16,9 @@ namespace clast {
 ///                     that are not finite (the message names the first such vertex)
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
+/// The same, but a file with vertices and no triangles is fine too.
+TriangleMesh read_mesh_or_points(const std::filesystem::path& path);
+
 /// Formats that `read_mesh` knows, as lower-case extensions with the dot.
 const std::vector<std::string>& readable_mesh_extensions();
 
