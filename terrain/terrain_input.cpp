@@ -10,6 +10,7 @@
 #include "shapes/point_cloud.hpp"
 #include "terrain/detail/cloud_input.hpp"
 #include "terrain/detail/gdal_raster.hpp"
+#include "terrain/detail/grid_holes.hpp"
 #include "terrain/detail/mending.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_source.hpp"
@@ -121,56 +122,25 @@ RawSurface read_one_raster(const TerrainOptions& options) {
                           [](double height) { return std::isfinite(height); })) {
     throw InputError(path.string() + ": holds no heights, only nodata");
   }
+  if (options.fill) {
+    const detail::HolesFilled filled = detail::fill_holes(raster.grid, *options.fill);
+    if (filled.cells > 0) {
+      raster.notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
+                             " cells without a height were filled from their surroundings, in " +
+                             std::to_string(filled.holes) + " holes");
+    }
+  }
   RawSurface surface = surface_of(raster.grid, path);
   surface.crs = raster.crs;
   surface.notes.insert(surface.notes.begin(), raster.notes.begin(), raster.notes.end());
   return surface;
 }
 
-/// The points of one cloud; of a classified one those on the ground.
-std::vector<Vec3> ground_points(const fs::path& path, RawSurface& surface) {
-  std::vector<Vec3> all, ground;
-  const CloudSummary summary = stream_cloud(path, [&](const PointBatch& batch) {
-    all.insert(all.end(), batch.points.begin(), batch.points.end());
-    for (std::size_t i = 0; i < batch.classes.size(); ++i) {
-      if (batch.classes[i] == kGroundClass) ground.push_back(batch.points[i]);
-    }
-  });
-  if (!summary.crs.empty()) surface.crs = summary.crs;
-  const auto note = [&](std::size_t count, const std::string& what) {
-    if (count > 0) surface.notes.push_back(path.string() + ": " + std::to_string(count) + what);
-  };
-  note(summary.withheld, " points flagged as noise or withheld were left out");
-  note(summary.without_place, " points without finite coordinates were left out");
-  if (ground.empty()) return all;
-  note(all.size() - ground.size(), " points not classed as ground were left out");
-  return ground;
-}
-
 RawSurface read_clouds(const TerrainOptions& options) {
-  std::vector<Vec3> points;
-  RawSurface cloud;
-  for (const fs::path& path : options.surface) {
-    const std::vector<Vec3> more = ground_points(path, cloud);
-    points.insert(points.end(), more.begin(), more.end());
-  }
-  if (options.up == "y") {
-    for (Vec3& point : points) point = detail::turned_z_up(point);
-  }
-  const fs::path& path = options.surface.front();
-  const double cell = options.resolution.value_or(detail::default_cell(points));
-  detail::HeightGrid grid = detail::binned(points, cell, path);
-  const std::size_t filled = detail::fill_pinholes(grid);
-  RawSurface surface = surface_of(grid, path);
-  surface.crs = cloud.crs;
-  std::vector<std::string> notes = std::move(cloud.notes);
-  notes.push_back(path.string() + ": " + std::to_string(points.size()) +
-                  " points, mean heights over " + cells_of(cell));
-  if (filled > 0) {
-    notes.push_back(path.string() + ": " + std::to_string(filled) +
-                    " cells without points were filled from their neighbours");
-  }
-  surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
+  detail::CloudGrid cloud = detail::cloud_grid(options);
+  RawSurface surface = surface_of(cloud.grid, options.surface.front());
+  surface.crs = std::move(cloud.crs);
+  surface.notes.insert(surface.notes.begin(), cloud.notes.begin(), cloud.notes.end());
   return surface;
 }
 
@@ -262,6 +232,15 @@ void TerrainOptions::check() const {
   if (resolution && !(*resolution > 0.0 && std::isfinite(*resolution))) {
     throw InputError("resolution = " + std::to_string(*resolution) + " m; must be more than 0");
   }
+  if (percentile && !(*percentile >= 0.0 && *percentile <= 100.0)) {
+    throw InputError("percentile = " + std::to_string(*percentile) + "; must be from 0 to 100");
+  }
+  if (outliers && !(*outliers > 0.0 && std::isfinite(*outliers))) {
+    throw InputError("outliers = " + std::to_string(*outliers) + " m; must be more than 0");
+  }
+  if (fill && !(*fill >= 0.0 && std::isfinite(*fill))) {
+    throw InputError("fill = " + std::to_string(*fill) + " m; must be 0 or more");
+  }
   for (const std::string& zone : zones) {
     if (zone.empty()) throw InputError("zones: an empty name; every zone needs one");
   }
@@ -275,6 +254,10 @@ Terrain read_terrain(const TerrainOptions& options) {
   if (options.up == "y" && (kind == Kind::kRaster || kind == Kind::kTerrain)) {
     throw InputError(options.surface.front().string() +
                      ": rasters and terrain files are z up; leave out up = \"y\"");
+  }
+  if ((options.percentile || options.outliers) && kind != Kind::kCloud) {
+    throw InputError(options.surface.front().string() +
+                     ": percentile and outliers are for clouds; leave them out");
   }
   if (options.resolution && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
     throw InputError(options.surface.front().string() +

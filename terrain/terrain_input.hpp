@@ -23,6 +23,15 @@ struct TerrainOptions {
   /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), and
   /// of a raster that is to be made coarser.
   std::optional<double> resolution = {};
+  /// Height of a cloud's cell: this percentile of the points in it, 0 the lowest, 100 the highest;
+  /// their mean when absent.
+  std::optional<double> percentile = {};
+  /// Points of a cloud farther than this above or below the median of the ground around (5 x 5
+  /// cells) are left out, m. Must be more than the relief within a cell; absent: all count.
+  std::optional<double> outliers = {};
+  /// Holes up to this length and width are filled, m; wider ones stay open. Absent: of clouds
+  /// three cells, of meshes three median edges, of rasters none, whose gaps are meant.
+  std::optional<double> fill = {};
 
   void check() const;  ///< throws InputError naming the field and its value
 };
