@@ -9,9 +9,14 @@
 #include "shapes/mesh_io.hpp"
 #include "shapes/point_cloud.hpp"
 #include "terrain/detail/cloud_input.hpp"
+#include "terrain/detail/cracks.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/grid_holes.hpp"
+#include "terrain/detail/layers.hpp"
 #include "terrain/detail/mending.hpp"
+#include "terrain/detail/spikes.hpp"
+#include "terrain/detail/surface_holes.hpp"
+#include "terrain/detail/triangle_links.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_source.hpp"
 #include "terrain/terrain_file.hpp"
@@ -24,6 +29,8 @@ using detail::RawSurface;
 
 // Beyond this, coordinates are moved to a local origin.
 constexpr double kLargeCoordinate = 1e4;  // m
+// Holes of a mesh up to so many median edges are filled unless told else.
+constexpr double kMeshHole = 3.0;
 // A ground smaller or larger than this is rather one in other units.
 constexpr double kSmallGround = 2.0, kLargeGround = 1e5;  // m
 
@@ -144,6 +151,20 @@ RawSurface read_clouds(const TerrainOptions& options) {
   return surface;
 }
 
+void mend(RawSurface& raw, const std::vector<std::string>& files,
+          const std::vector<std::uint16_t>& zone_of_file, const TerrainOptions& options,
+          TerrainReport& report) {
+  detail::weld(raw, report);
+  detail::drop_useless_triangles(raw, files, zone_of_file, report);
+  detail::close_cracks(raw, options.crack, report);
+  detail::drop_unused_vertices(raw.mesh);
+  detail::orient_upwards(raw, report);
+  detail::drop_double_ground(raw, report);
+  detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * detail::median_edge(raw.mesh)),
+                             report);
+  detail::note_slivers(raw, report);
+}
+
 /// Zone of every surface file, and the names in order of first appearance.
 std::vector<std::uint16_t> zones_of_files(const TerrainOptions& options, Kind kind,
                                           bool has_zone_file, std::vector<std::string>& names) {
@@ -238,6 +259,16 @@ void TerrainOptions::check() const {
   if (outliers && !(*outliers > 0.0 && std::isfinite(*outliers))) {
     throw InputError("outliers = " + std::to_string(*outliers) + " m; must be more than 0");
   }
+  const auto check_not_negative = [](const char* name, double value) {
+    if (value >= 0.0 && std::isfinite(value)) return;
+    throw InputError(std::string(name) + " = " + std::to_string(value) + "; must be 0 or more");
+  };
+  check_not_negative("crack", crack);
+  check_not_negative("spike_steepness", spike_steepness);
+  check_not_negative("smoothing", smoothing);
+  if (tolerance && !(*tolerance > 0.0 && std::isfinite(*tolerance))) {
+    throw InputError("tolerance = " + std::to_string(*tolerance) + " m; must be more than 0");
+  }
   if (fill && !(*fill >= 0.0 && std::isfinite(*fill))) {
     throw InputError("fill = " + std::to_string(*fill) + " m; must be 0 or more");
   }
@@ -291,10 +322,12 @@ Terrain read_terrain(const TerrainOptions& options) {
   if (kind == Kind::kMesh) {
     std::vector<std::string> files;
     for (const fs::path& file : options.surface) files.push_back(file.string());
-    detail::weld(raw, terrain.report);
-    detail::drop_useless_triangles(raw, files, zone_of_file, terrain.report);
+    mend(raw, files, zone_of_file, options, terrain.report);
+  } else {
+    detail::orient_upwards(raw, terrain.report);
   }
-  detail::orient_upwards(raw, terrain.report);
+  detail::level_spikes(raw, options.spike_steepness, terrain.report);
+  detail::smooth(raw.mesh, options.smoothing, terrain.report);
   terrain.surface = std::move(raw.mesh);
   terrain.frame.crs = raw.crs;
   move_to_local_origin(terrain);

@@ -32,6 +32,21 @@ struct TerrainOptions {
   /// Holes up to this length and width are filled, m; wider ones stay open. Absent: of clouds
   /// three cells, of meshes three median edges, of rasters none, whose gaps are meant.
   std::optional<double> fill = {};
+  /// Cracks between the tiles of a mesh are closed up to this width, m; 0: none.
+  double crack = 0.01;
+  /// A single vertex of any ground that is off the plane through its neighbours by more than this
+  /// many times their mean distance is levelled; 0: none.
+  double spike_steepness = 3.0;
+  /// Rounds of smoothing, each halfway to the plane through the neighbours; 0: none.
+  int smoothing = 0;
+  /// Vertices of any ground are left out where the surface keeps within this height of all the
+  /// vertices and midpoints of edges it had, m. Overhangs stay as they are.
+  std::optional<double> tolerance = {};
+  /// Files of lines with heights (GeoJSON, GeoPackage, Shapefile) that become edges of the surface
+  /// of a raster or cloud.
+  std::vector<std::filesystem::path> breaklines = {};
+  /// Polygon borders are cut into the triangles, so that zones end where the polygons do.
+  bool cut_zones = false;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
