@@ -8,6 +8,7 @@
 #include "core/text_file.hpp"
 #include "shapes/mesh_io.hpp"
 #include "shapes/point_cloud.hpp"
+#include "terrain/detail/breaklines.hpp"
 #include "terrain/detail/cloud_input.hpp"
 #include "terrain/detail/cracks.hpp"
 #include "terrain/detail/gdal_raster.hpp"
@@ -16,6 +17,7 @@
 #include "terrain/detail/mending.hpp"
 #include "terrain/detail/spikes.hpp"
 #include "terrain/detail/surface_holes.hpp"
+#include "terrain/detail/thinning.hpp"
 #include "terrain/detail/triangle_links.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_source.hpp"
@@ -87,6 +89,7 @@ RawSurface surface_of(const detail::HeightGrid& grid, const fs::path& path) {
   RawSurface surface;
   surface.mesh = detail::grid_surface(grid, path);
   surface.source.assign(surface.mesh.triangles.size(), 0);
+  surface.cell = grid.step.minCoeff();
   const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
                                    [](double height) { return !std::isfinite(height); });
   if (empty > 0) {
@@ -107,6 +110,7 @@ std::string cells_of(double size) {
 RawSurface read_one_raster(const TerrainOptions& options) {
   const fs::path& path = options.surface.front();
   detail::Raster raster = detail::read_raster(path);
+  std::vector<std::string> notes;
   if (options.resolution) {
     const detail::HeightGrid& grid = raster.grid;
     const double own = grid.step.maxCoeff();
@@ -123,8 +127,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
     }
     if (points.empty()) throw InputError(path.string() + ": holds no heights, only nodata");
     raster.grid = detail::binned(points, *options.resolution, path);
-    raster.notes.push_back(path.string() + ": made coarser, means over " +
-                           cells_of(*options.resolution));
+    notes.push_back(path.string() + ": made coarser, means over " + cells_of(*options.resolution));
   } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
                           [](double height) { return std::isfinite(height); })) {
     throw InputError(path.string() + ": holds no heights, only nodata");
@@ -132,14 +135,14 @@ RawSurface read_one_raster(const TerrainOptions& options) {
   if (options.fill) {
     const detail::HolesFilled filled = detail::fill_holes(raster.grid, *options.fill);
     if (filled.cells > 0) {
-      raster.notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
-                             " cells without a height were filled from their surroundings, in " +
-                             std::to_string(filled.holes) + " holes");
+      notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
+                      " cells without a height were filled from their surroundings, in " +
+                      std::to_string(filled.holes) + " holes");
     }
   }
   RawSurface surface = surface_of(raster.grid, path);
   surface.crs = raster.crs;
-  surface.notes.insert(surface.notes.begin(), raster.notes.begin(), raster.notes.end());
+  surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
   return surface;
 }
 
@@ -167,16 +170,16 @@ void mend(RawSurface& raw, const std::vector<std::string>& files,
 
 /// Zone of every surface file, and the names in order of first appearance.
 std::vector<std::uint16_t> zones_of_files(const TerrainOptions& options, Kind kind,
-                                          bool has_zone_file, std::vector<std::string>& names) {
+                                          bool assigned_later, std::vector<std::string>& names) {
   const std::size_t files = options.surface.size();
-  if (options.zones.empty() || has_zone_file) {
-    if (!has_zone_file) names = {"ground"};
+  if (options.zones.empty() || assigned_later) {
+    if (!assigned_later) names = {"ground"};
     return std::vector<std::uint16_t>(files, 0);
   }
   if (options.zones.size() != files) {
-    throw InputError("zones: " + std::to_string(options.zones.size()) + " names for " +
-                     std::to_string(files) +
-                     " surface files; give one for each, or one zone raster or polygon file");
+    throw InputError(
+        "zones: " + std::to_string(options.zones.size()) + " names for " + std::to_string(files) +
+        " surface files; give one for each, one zone raster or polygon file, or rules");
   }
   if (kind == Kind::kCloud && files > 1) {
     throw InputError(
@@ -233,6 +236,7 @@ void note_doubts(Terrain& terrain) {
 void check_files(const TerrainOptions& options, const std::optional<ZoneFile>& zones) {
   std::vector<fs::path> files = options.surface;
   if (zones) files.push_back(zones->path);
+  files.insert(files.end(), options.breaklines.begin(), options.breaklines.end());
   for (const fs::path& file : files) {
     std::error_code code;
     if (!fs::exists(file, code)) {
@@ -280,6 +284,12 @@ void TerrainOptions::check() const {
 Terrain read_terrain(const TerrainOptions& options) {
   options.check();
   const std::optional<ZoneFile> zones = zone_file(options.zones);
+  const bool rules = are_zone_rules(options.zones);
+  if (options.cut_zones && !(zones && detail::is_polygon_file(zones->path))) {
+    throw InputError(
+        "cut_zones: only the borders of polygons can be cut into the ground; give a "
+        "polygon file as zones");
+  }
   check_files(options, zones);
   const Kind kind = common_kind(options.surface);
   if (options.up == "y" && (kind == Kind::kRaster || kind == Kind::kTerrain)) {
@@ -290,9 +300,15 @@ Terrain read_terrain(const TerrainOptions& options) {
     throw InputError(options.surface.front().string() +
                      ": percentile and outliers are for clouds; leave them out");
   }
-  if (options.resolution && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
+  if (!options.breaklines.empty() && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
     throw InputError(options.surface.front().string() +
-                     ": resolution is for rasters and clouds; leave it out");
+                     ": breaklines are for rasters and clouds; a mesh has its edges already");
+  }
+  if (options.resolution && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
+    throw InputError(
+        options.surface.front().string() +
+        ": resolution is for rasters and clouds; leave it out, or thin the mesh with a "
+        "tolerance");
   }
   std::vector<std::string> digests;
   const auto digest = [](const fs::path& file) {
@@ -300,7 +316,13 @@ Terrain read_terrain(const TerrainOptions& options) {
   };
   for (const fs::path& file : options.surface) digests.push_back(digest(file));
   if (zones) digests.push_back(digest(zones->path));
+  for (const fs::path& file : options.breaklines) digests.push_back(digest(file));
   if (kind == Kind::kTerrain) {
+    if (options.tolerance || options.smoothing > 0 || options.fill) {
+      throw InputError(options.surface.front().string() +
+                       ": a terrain file is checked and mended already; leave out fill, smoothing "
+                       "and tolerance, or start from the survey");
+    }
     if (!options.zones.empty()) {
       throw InputError(options.surface.front().string() +
                        ": a terrain file has its zones already; leave zones out");
@@ -312,7 +334,7 @@ Terrain read_terrain(const TerrainOptions& options) {
 
   Terrain terrain;
   const std::vector<std::uint16_t> zone_of_file =
-      zones_of_files(options, kind, zones.has_value(), terrain.zone_names);
+      zones_of_files(options, kind, zones || rules, terrain.zone_names);
   RawSurface raw = kind == Kind::kMesh     ? read_meshes(options)
                    : kind == Kind::kRaster ? read_one_raster(options)
                                            : read_clouds(options);
@@ -328,11 +350,22 @@ Terrain read_terrain(const TerrainOptions& options) {
   }
   detail::level_spikes(raw, options.spike_steepness, terrain.report);
   detail::smooth(raw.mesh, options.smoothing, terrain.report);
+  if (!options.breaklines.empty()) {
+    std::vector<detail::MapLine> lines;
+    for (const fs::path& file : options.breaklines) {
+      const std::vector<detail::MapLine> more = detail::read_map_lines(file, raw.crs);
+      lines.insert(lines.end(), more.begin(), more.end());
+    }
+    detail::add_breaklines(raw, lines, raw.cell, terrain.report);
+  }
+  if (options.tolerance) detail::thin(raw, *options.tolerance, terrain.report);
   terrain.surface = std::move(raw.mesh);
   terrain.frame.crs = raw.crs;
   move_to_local_origin(terrain);
   if (zones) {
-    detail::assign_zones(terrain, *zones);
+    detail::assign_zones(terrain, *zones, options.cut_zones);
+  } else if (rules) {
+    detail::assign_zones(terrain, options.zones);
   } else {
     for (const std::uint16_t file : raw.source) terrain.zone.push_back(zone_of_file[file]);
   }

@@ -17,7 +17,8 @@ struct TerrainOptions {
   std::vector<std::filesystem::path> surface = {};
   /// A name per mesh, or one zone raster, or one file of polygons (GeoJSON, GeoPackage, Shapefile)
   /// with a property "zone". A raster holds class numbers; they are the names, or get them by
-  /// "zones.asc:1=blue,2=gray". Empty: one zone, "ground".
+  /// "zones.asc:1=blue,2=gray". Or rules, of which the first that holds decides: "rock=slope>60",
+  /// "scree=height<1450&slope>=30", "soil=else". Empty: one zone, "ground".
   std::vector<std::string> zones = {};
   std::string up = "z";  ///< of meshes and clouds: "z" or "y"; "y" turns (x, y, z) to (x, -z, y)
   /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), and
@@ -64,14 +65,17 @@ struct ZoneFile {
 /// @throws InputError  a mapping that can't be read
 std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones);
 
-/// Reads, turns z up, welds, drops degenerate and duplicate triangles, turns normals out of the
-/// ground, and assigns zones.
-/// Rasters: heights are at cell centres; the surface joins the centres with two triangles per cell,
-/// none at nodata. Clouds are binned to the mean height per cell; empty cells between known ones
-/// are filled from their neighbours, larger gaps stay open. Zone files are in map coordinates and
-/// decide by the centroid of each triangle, seen from above.
+/// True when `zones` are rules by slope and height and not names or a file.
+bool are_zone_rules(const std::vector<std::string>& zones);
+
+/// Reads, turns z up, checks and mends, turns normals out of the ground, and assigns zones.
+/// Meshes: vertices are welded, degenerate and duplicate triangles dropped, cracks closed, holes
+/// filled. Rasters: heights are at cell centres; the surface joins the centres with two triangles
+/// per cell, none at nodata. Clouds are streamed into a grid of cells. Every mend is in the report,
+/// with a count and a place. A triangle has the zone that covers most of its plan area.
 /// @throws InputError     a file that can't be read or a zone source that does not fit; names it
-/// @throws GeometryError  a surface that can't be mended, or triangles without a zone, with a place
+/// @throws GeometryError  a surface that can't be mended (edges of three triangles, one side only,
+///                        ground that lies double), or triangles without a zone, with a place
 Terrain read_terrain(const TerrainOptions& options);
 
 }  // namespace clast

@@ -65,7 +65,8 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
     EXPECT_NE(result.stop_reason, StopReason::kError) << "block " << i << ": " << result.message;
     if (result.stop_reason == StopReason::kLeftTerrain) {
       const double to_border = std::min({end.x(), end.y(), kSize - end.x(), kSize - end.y()});
-      EXPECT_LT(to_border, 1e-3) << "block " << i << " left at " << end.transpose();
+      // The tile beyond the crack was moved by up to 5 mm, and its border with it.
+      EXPECT_LT(to_border, 0.006) << "block " << i << " left at " << end.transpose();
     } else {
       const std::optional<double> ground = surface.height(end.x(), end.y(), end.z());
       ASSERT_TRUE(ground) << "block " << i << " at " << end.transpose();
