@@ -12,8 +12,8 @@
 
 #include "core/error.hpp"
 #include "study/report/palette.hpp"
-#include "study/report/png.hpp"
-#include "study/report/relief.hpp"
+#include "terrain/png.hpp"
+#include "terrain/relief.hpp"
 
 namespace clast {
 namespace {

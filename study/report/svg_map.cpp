@@ -9,7 +9,7 @@
 #include "study/report/html_page.hpp"
 #include "study/report/map_legend.hpp"
 #include "study/report/map_marks.hpp"
-#include "study/report/relief.hpp"
+#include "terrain/relief.hpp"
 #include "study/report/ticks.hpp"
 
 namespace clast {
