@@ -261,13 +261,27 @@ CampaignResults read_results(const fs::path& path) {
   return results;
 }
 
-Trajectory read_trajectory(const fs::path& path, std::uint32_t run) {
+struct TrajectoryFile::Impl {
+  std::string path;
+  Hdf5File file;
+  Hdf5Group group;
+};
+
+TrajectoryFile::TrajectoryFile(const fs::path& path) {
   const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
-  const Reader reader{path.string(), "/trajectories", file.root().group("trajectories")};
+  impl_ = std::make_unique<Impl>(Impl{path.string(), file, file.root().group("trajectories")});
+}
+TrajectoryFile::~TrajectoryFile() = default;
+TrajectoryFile::TrajectoryFile(TrajectoryFile&&) noexcept = default;
+
+bool TrajectoryFile::has(std::uint32_t run) const { return impl_->group.has(trajectory_name(run)); }
+
+Trajectory TrajectoryFile::read(std::uint32_t run) const {
+  const Reader reader{impl_->path, "/trajectories", impl_->group};
   const std::string name = trajectory_name(run);
-  if (!reader.group.has(name)) {
+  if (!has(run)) {
     const bool any = !reader.group.names().empty();
-    throw InputError(path.string() + ": no trajectory of run " + std::to_string(run) + "; " +
+    throw InputError(impl_->path + ": no trajectory of run " + std::to_string(run) + "; " +
                      (any ? "there is no such run"
                           : "none were stored, set [run] trajectory_interval_s above zero"));
   }
@@ -287,6 +301,10 @@ Trajectory read_trajectory(const fs::path& path, std::uint32_t run) {
     trajectory.states.push_back(state);
   }
   return trajectory;
+}
+
+Trajectory read_trajectory(const fs::path& path, std::uint32_t run) {
+  return TrajectoryFile(path).read(run);
 }
 
 }  // namespace clast
