@@ -24,6 +24,17 @@ std::string duration_text(double seconds) {
   return text;
 }
 
+/// "3.2 per s", or "2.5 s each" where they are slow.
+std::string rate_text(double seconds_each) {
+  char text[32];
+  if (seconds_each < 1.0) {
+    std::snprintf(text, sizeof text, "%.3g per s", 1.0 / seconds_each);
+  } else {
+    std::snprintf(text, sizeof text, "%.3g s each", seconds_each);
+  }
+  return text;
+}
+
 }  // namespace
 
 Progress::Progress(std::string what, std::size_t total)
@@ -44,7 +55,8 @@ void Progress::update(std::size_t done, const std::string& note) {
   std::string left;
   if (done > first_ && done < total_) {
     const double each = elapsed.count() / static_cast<double>(done - first_);
-    left = ", " + duration_text(each * static_cast<double>(total_ - done)) + " left";
+    left = ", " + rate_text(each) + ", " +
+           duration_text(each * static_cast<double>(total_ - done)) + " left";
   }
   const std::string count =
       std::to_string(done) + " of " + std::to_string(total_) + " " + what_ + left;

@@ -1,5 +1,5 @@
 #pragma once
-/// How far a long job is, on stderr: a bar with the remaining time on a terminal, a plain line
+/// How far a long job is, on stderr: a bar with rate and remaining time on a terminal, a plain line
 /// every tenth otherwise. Nothing is shown in the first two seconds.
 #include <chrono>
 #include <cstddef>

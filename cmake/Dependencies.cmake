@@ -18,6 +18,11 @@ find_package(GDAL 3.6 REQUIRED CONFIG)
 find_package(CLI11 2.1 REQUIRED CONFIG)
 find_package(tomlplusplus 3.3 REQUIRED CONFIG)
 find_package(nlohmann_json 3.11 REQUIRED CONFIG)
+# Without MPI a campaign runs on one machine, or as shards that are merged.
+option(CLAST_MPI "Run campaigns under mpirun, where MPI is installed" ON)
+if(CLAST_MPI)
+  find_package(MPI 3.0 COMPONENTS CXX)
+endif()
 # The serial library, even where an MPI flavour is installed beside it.
 set(HDF5_PREFER_PARALLEL FALSE)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)

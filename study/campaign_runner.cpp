@@ -1,8 +1,13 @@
 #include "study/campaign_runner.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
 #include <mutex>
+#include <thread>
 
+#include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "study/results_journal.hpp"
 
@@ -80,28 +85,156 @@ StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned) {
   return output;
 }
 
+// Keeps finished runs, one at a time, and tells of progress.
+class Collector {
+ public:
+  Collector(ResultsWriter& writer, std::size_t planned, const RunOptions& options)
+      : writer_(writer), done_(writer.stored_runs().size()), planned_(planned), options_(options) {}
+
+  void add(const StoredRun& run) {
+    const std::lock_guard lock(one_at_a_time_);
+    writer_.add(run.record, run.crossings, run.trajectory);
+    ++done_;
+    if (options_.progress) options_.progress(done_, planned_);
+  }
+
+ private:
+  ResultsWriter& writer_;
+  std::size_t done_;
+  std::size_t planned_;
+  const RunOptions& options_;
+  std::mutex one_at_a_time_;
+};
+
+// The processes that do not lead: runs as they are handed out, until there are none.
+void follow(const PreparedCampaign& prepared, unsigned threads, ProcessTeam& team) {
+  std::mutex one_at_a_time;
+  parallel_for(threads, threads, [&](std::size_t) {
+    std::string done;
+    while (true) {
+      std::optional<std::size_t> next;
+      {
+        const std::lock_guard lock(one_at_a_time);
+        next = team.exchange(done);
+      }
+      if (!next) return;
+      done = packed(run_one(prepared, prepared.runs[*next]));
+    }
+  });
+}
+
+// The process that leads: its own threads compute beside the other processes, its first one waits
+// for what they hand in. MPI can't sleep until something comes without burning a core, so it looks
+// this often. What ends the campaign early is returned once every process knows of it.
+constexpr std::chrono::microseconds kLookAround(500);
+
+std::exception_ptr lead(const PreparedCampaign& prepared, const std::vector<std::uint32_t>& open,
+                        unsigned threads, ProcessTeam& team, Collector& collector) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stop{false};
+  std::mutex failure_mutex;
+  std::exception_ptr failure;
+  const auto guarded = [&](const std::function<void()>& action) {
+    try {
+      action();
+    } catch (...) {
+      const std::lock_guard lock(failure_mutex);
+      if (!failure) failure = std::current_exception();
+      stop = true;
+    }
+  };
+  const auto take = [&]() -> std::optional<std::size_t> {
+    if (stop) return std::nullopt;
+    const std::size_t item = next++;
+    return item < open.size() ? std::optional<std::size_t>(open[item]) : std::nullopt;
+  };
+  std::vector<std::jthread> workers;
+  for (unsigned i = 0; i < threads; ++i) {
+    workers.emplace_back([&] {
+      while (const std::optional<std::size_t> run = take()) {
+        guarded([&] { collector.add(run_one(prepared, prepared.runs[*run])); });
+      }
+    });
+  }
+  for (std::size_t waiting = std::size_t{team.size() - 1} * threads; waiting > 0;) {
+    const std::optional<ProcessTeam::Delivery> delivery = team.delivery();
+    if (!delivery) {
+      std::this_thread::sleep_for(kLookAround);
+      continue;
+    }
+    if (!delivery->done.empty()) guarded([&] { collector.add(unpacked(delivery->done)); });
+    const std::optional<std::size_t> run = take();
+    team.answer(delivery->from, run);
+    if (!run) --waiting;
+  }
+  workers.clear();
+  return failure;
+}
+
+// Runs of the shard that are not stored yet.
+std::vector<std::uint32_t> open_runs(const PreparedCampaign& prepared, const Shard& shard,
+                                     const std::filesystem::path& target,
+                                     const std::vector<std::uint32_t>& stored) {
+  for (const std::uint32_t run : stored) {
+    if (shard.has(run)) continue;
+    throw InputError(partial_results(target).string() + ": was begun with other runs than shard " +
+                     std::to_string(shard.index) + " of " + std::to_string(shard.count) +
+                     " has; give the shard it was begun with, or delete it");
+  }
+  std::vector<std::uint32_t> open;
+  for (const RunRecord& run : prepared.runs) {
+    if (shard.has(run.run) && !std::binary_search(stored.begin(), stored.end(), run.run)) {
+      open.push_back(run.run);
+    }
+  }
+  return open;
+}
+
 }  // namespace
+
+void Shard::check() const {
+  if (count == 0 || index == 0 || index > count) {
+    throw InputError("shard " + std::to_string(index) + "/" + std::to_string(count) +
+                     ": must be from 1/n to n/n");
+  }
+}
 
 void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
                   const RunOptions& options) {
-  const bool go_on = options.resume && std::filesystem::exists(partial_results(target));
-  ResultsWriter writer = go_on ? ResultsWriter::resume(target, prepared.header)
-                               : ResultsWriter::create(target, prepared.header);
-  const std::vector<std::uint32_t> stored = writer.stored_runs();
-  std::vector<const RunRecord*> open;
-  for (const RunRecord& run : prepared.runs) {
-    if (!std::binary_search(stored.begin(), stored.end(), run.run)) open.push_back(&run);
+  options.shard.check();
+  ProcessTeam* team = options.team && options.team->size() > 1 ? options.team : nullptr;
+  // Processes are asked for one by one, so each has a core to itself unless told otherwise.
+  const unsigned threads = options.threads == 0 && team ? 1 : thread_count(options.threads);
+  std::optional<ResultsWriter> writer;
+  std::vector<std::uint32_t> open;
+  const auto open_results = [&] {
+    if (team && !team->leads()) return std::string();
+    const bool go_on = options.resume && std::filesystem::exists(partial_results(target));
+    writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header)
+                         : ResultsWriter::create(target, prepared.header));
+    open = open_runs(prepared, options.shard, target, writer->stored_runs());
+    return std::string();
+  };
+  if (!team) {
+    open_results();
+    Collector collector(*writer, open.size() + writer->stored_runs().size(), options);
+    parallel_for(open.size(), threads,
+                 [&](std::size_t i) { collector.add(run_one(prepared, prepared.runs[open[i]])); });
+    writer->finish();
+    return;
   }
-  std::size_t done = stored.size();
-  std::mutex one_at_a_time;
-  parallel_for(open.size(), options.threads, [&](std::size_t i) {
-    const StoredRun output = run_one(prepared, *open[i]);
-    const std::lock_guard lock(one_at_a_time);
-    writer.add(output.record, output.crossings, output.trajectory);
-    ++done;
-    if (options.progress) options.progress(done, prepared.runs.size());
-  });
-  writer.finish();
+  team->agree(open_results);
+  team->begin();
+  std::exception_ptr failure;
+  if (team->leads()) {
+    Collector collector(*writer, open.size() + writer->stored_runs().size(), options);
+    failure = lead(prepared, open, threads, *team, collector);
+  } else {
+    follow(prepared, threads, *team);
+  }
+  team->end();
+  if (failure) std::rethrow_exception(failure);
+  if (writer) writer->finish();
 }
 
 }  // namespace clast

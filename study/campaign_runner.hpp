@@ -6,6 +6,7 @@
 
 #include "library/block_library.hpp"
 #include "study/campaign.hpp"
+#include "study/process_team.hpp"
 #include "study/results.hpp"
 
 namespace clast {
@@ -32,19 +33,38 @@ RigidBody rigid_body(const Block& block);
 /// @throws SimulationError  a start inside the ground: block, point, orientation and depth
 PreparedCampaign prepare_campaign(const Campaign& campaign);
 
+/// Every n-th run of a campaign, so that n jobs that know nothing of each other do it all:
+/// `merge_results` joins what they wrote.
+struct Shard {
+  std::uint32_t index = 1;  ///< from 1
+  std::uint32_t count = 1;
+
+  bool has(std::uint32_t run) const { return run % count == index - 1; }
+  /// How many of runs 0 to `planned` - 1 it has.
+  std::size_t runs_of(std::size_t planned) const {
+    return planned / count + (planned % count >= index ? 1 : 0);
+  }
+  void check() const;  ///< throws InputError naming both
+};
+
 struct RunOptions {
   unsigned threads = 0;  ///< 0: one per core
   /// Goes on with an interrupted campaign; begins when there is none. Otherwise what an interrupted
   /// one left is replaced.
   bool resume = false;
+  Shard shard;
+  /// The runs are shared among its processes; only the one that leads writes. None: this one alone.
+  ProcessTeam* team = nullptr;
   /// Called after each run with runs done and planned, from any thread, one at a time.
   std::function<void(std::size_t done, std::size_t planned)> progress = {};
 };
 
 /// Runs everything that is not stored yet and writes `target`. A run that fails is stored with stop
-/// reason `error` and its message. The datasets do not depend on the number of threads or on
-/// interruptions.
-/// @throws InputError  the target can't be written, or resuming what another campaign began
+/// reason `error` and its message. The datasets do not depend on the number of threads or
+/// processes, or on interruptions; what `progress` throws ends the campaign after the runs under
+/// way, which are kept.
+/// @throws InputError  the target can't be written, or resuming what another campaign or shard
+///                     began
 void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
                   const RunOptions& options = {});
 

@@ -36,12 +36,24 @@ void check_run(const std::string& file, const CampaignResults& results, const Ru
   }
 }
 
+bool share_no_run(const CampaignResults& a, const CampaignResults& b) {
+  return std::none_of(a.runs.begin(), a.runs.end(), [&](const RunRecord& run) {
+    return std::binary_search(b.runs.begin(), b.runs.end(), run,
+                              [](const RunRecord& x, const RunRecord& y) { return x.run < y.run; });
+  });
+}
+
 /// Same inputs give the same bits, so these runs would only be counted twice.
 void check_given_once(const std::vector<CampaignResults>& results, std::size_t file) {
   for (std::size_t other = 0; other < file; ++other) {
     const CampaignResults &a = results[other], &b = results[file];
     if (a.campaign_sha256 == b.campaign_sha256 && a.inputs == b.inputs &&
         a.program_version == b.program_version) {
+      if (share_no_run(a, b)) {
+        throw InputError(label(results, file) + " and " + label(results, other) +
+                         ": are parts of one campaign; join all its parts first, with clast "
+                         "simulate --merge PARTS -o ALL");
+      }
       throw InputError(label(results, file) + ": holds the same runs as " + label(results, other) +
                        " (same campaign, inputs and program), which would count twice; give it "
                        "once");

@@ -22,9 +22,11 @@ void warn_of_unfinished(const Comparison& comparison, std::vector<std::string>& 
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     if (results.runs.size() >= results.planned_runs) continue;
-    warnings.push_back("file " + std::to_string(file + 1) +
-                       " is unfinished: " + of(results.runs.size(), results.planned_runs) +
-                       " planned runs are stored; go on with `clast simulate --resume`");
+    warnings.push_back(
+        "file " + std::to_string(file + 1) +
+        " is unfinished: " + of(results.runs.size(), results.planned_runs) +
+        " planned runs are stored; if it is a shard, join it with the others: `clast "
+        "simulate --merge`");
   }
 }
 

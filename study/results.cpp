@@ -8,7 +8,7 @@
 #include "core/hdf5_file.hpp"
 #include "core/output_file.hpp"
 #include "library/body_record.hpp"
-#include "study/results_journal.hpp"
+#include "study/results_file.hpp"
 #include "study/results_layout.hpp"
 
 namespace clast {
@@ -184,6 +184,32 @@ void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& tra
 
 }  // namespace
 
+void write_results_file(const fs::path& target, const CampaignResults& header, std::size_t count,
+                        const std::function<StoredRun(std::size_t)>& run) {
+  OutputFile output(target);
+  {
+    Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchemaVersion);
+    Hdf5Group root = file.root();
+    write_header(root, header);
+    Hdf5Group trajectories = root.create_group("trajectories");
+    std::string row_names = "time_s";
+    for (const StateValue& row : kStateValues) row_names += std::string(" ") + row.name;
+    trajectories.set_attribute<std::string>("rows", row_names);
+    std::vector<RunRecord> records;
+    std::vector<Crossing> crossings;
+    for (std::size_t i = 0; i < count; ++i) {
+      const StoredRun stored = run(i);
+      records.push_back(stored.record);
+      crossings.insert(crossings.end(), stored.crossings.begin(), stored.crossings.end());
+      write_trajectory(trajectories, stored.record.run, stored.trajectory);
+    }
+    write_runs(root.create_group("runs"), records);
+    write_crossings(root.create_group("crossings"), crossings);
+    file.flush();
+  }
+  output.commit();
+}
+
 struct ResultsWriter::Impl {
   fs::path target;
   CampaignResults header;
@@ -226,29 +252,8 @@ void ResultsWriter::finish() {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return runs[a] < runs[b]; });
-
-  OutputFile output(impl_->target);
-  {
-    Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchemaVersion);
-    Hdf5Group root = file.root();
-    write_header(root, impl_->header);
-    Hdf5Group trajectories = root.create_group("trajectories");
-    std::string row_names = "time_s";
-    for (const StateValue& row : kStateValues) row_names += std::string(" ") + row.name;
-    trajectories.set_attribute<std::string>("rows", row_names);
-    std::vector<RunRecord> records;
-    std::vector<Crossing> crossings;
-    for (const std::size_t index : order) {
-      const StoredRun run = impl_->journal.read(index);
-      records.push_back(run.record);
-      crossings.insert(crossings.end(), run.crossings.begin(), run.crossings.end());
-      write_trajectory(trajectories, run.record.run, run.trajectory);
-    }
-    write_runs(root.create_group("runs"), records);
-    write_crossings(root.create_group("crossings"), crossings);
-    file.flush();
-  }
-  output.commit();
+  write_results_file(impl_->target, impl_->header, order.size(),
+                     [&](std::size_t i) { return impl_->journal.read(order[i]); });
   std::error_code code;  // what is left of it is harmless
   fs::remove(impl_->journal.path(), code);
 }

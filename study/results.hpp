@@ -68,26 +68,34 @@ struct CampaignResults {
 
 /// @throws InputError  missing, not clast results, damaged, or of a newer schema
 CampaignResults read_results(const std::filesystem::path& path);
-/// @throws InputError  no such run, or trajectories were not stored
-Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run);
 
-/// Trajectories of one file, which is opened once.
-class TrajectoryReader {
+/// The trajectories of a results file, read one by one. One thread at a time.
+class TrajectoryFile {
  public:
-  /// @throws InputError  missing, not clast results, damaged, or of a newer schema
-  explicit TrajectoryReader(const std::filesystem::path& path);
-  ~TrajectoryReader();
-  TrajectoryReader(TrajectoryReader&&) noexcept;
+  /// @throws InputError  as `read_results`
+  explicit TrajectoryFile(const std::filesystem::path& path);
+  ~TrajectoryFile();
+  TrajectoryFile(TrajectoryFile&&) noexcept;
 
   /// How many states are stored of a run; 0 for none.
   std::size_t frames(std::uint32_t run) const;
-  /// @throws InputError  as `read_trajectory`
+  /// @throws InputError  no such run, or trajectories were not stored
   Trajectory read(std::uint32_t run) const;
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+/// One trajectory.
+/// @throws InputError  as `TrajectoryFile`
+Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run);
+
+/// Joins parts of one campaign, which `clast simulate --shard` wrote, to the file that one process
+/// would have written, with the same datasets. Any order of parts.
+/// @throws InputError  a part can't be read; parts of different campaigns, inputs or versions; a
+///                     run in two parts; runs that are in none, with the shard that they belong to
+void merge_results(const std::vector<std::filesystem::path>& parts,
+                   const std::filesystem::path& target);
 
 /// Where runs are kept until all are done: target + ".part", a journal, not HDF5.
 std::filesystem::path partial_results(const std::filesystem::path& target);

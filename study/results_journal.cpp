@@ -121,12 +121,16 @@ Identity identity_of(const CampaignResults& header) {
 }
 
 template <class T>
-std::string record_of(T value) {
+std::string bytes_of(T value) {
   Packer packer;
   transfer(packer, value);
+  return std::move(packer.bytes);
+}
+
+std::string record_of(const std::string& content) {
   Packer record;
-  record.plain(std::uint64_t{packer.bytes.size()});
-  return record.bytes + sha256(packer.bytes) + packer.bytes;
+  record.plain(std::uint64_t{content.size()});
+  return record.bytes + sha256(content) + content;
 }
 
 // The content of the record that begins at `begin`; none when it is cut short or damaged.
@@ -187,8 +191,17 @@ std::fstream opened(const fs::path& path) {
 
 }  // namespace
 
+std::string packed(const StoredRun& run) { return bytes_of(run); }
+
+StoredRun unpacked(const std::string& bytes) {
+  StoredRun run;
+  Unpacker unpacker(bytes);
+  transfer(unpacker, run);
+  return run;
+}
+
 ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignResults& header) {
-  const std::string begin = kMagic + record_of(identity_of(header));
+  const std::string begin = kMagic + record_of(bytes_of(identity_of(header)));
   write_text_file(path, begin);
   ResultsJournal journal(path, opened(path));
   journal.end_ = begin.size();
@@ -218,10 +231,7 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
   check_same_campaign(path, stored, identity_of(header));
   journal.end_ = kMagic.size() + record_size(*content);
   while ((content = read_record(journal.file_, journal.end_, size))) {
-    StoredRun run;
-    Unpacker run_unpacker(*content);
-    transfer(run_unpacker, run);
-    journal.runs_.push_back(run.record.run);
+    journal.runs_.push_back(unpacked(*content).record.run);
     journal.begins_.push_back(journal.end_);
     journal.end_ += record_size(*content);
   }
@@ -230,7 +240,7 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
 }
 
 void ResultsJournal::add(const StoredRun& run) {
-  const std::string record = record_of(run);
+  const std::string record = record_of(packed(run));
   file_.clear();
   file_.seekp(static_cast<std::streamoff>(end_));
   file_.write(record.data(), static_cast<std::streamsize>(record.size()));
@@ -244,10 +254,7 @@ void ResultsJournal::add(const StoredRun& run) {
 StoredRun ResultsJournal::read(std::size_t index) {
   const std::optional<std::string> content = read_record(file_, begins_[index], end_);
   if (!content) throw InputError(path_.string() + ": was changed by another program");
-  StoredRun run;
-  Unpacker unpacker(*content);
-  transfer(unpacker, run);
-  return run;
+  return unpacked(*content);
 }
 
 }  // namespace clast

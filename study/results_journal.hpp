@@ -18,6 +18,11 @@ struct StoredRun {
   Trajectory trajectory;
 };
 
+/// A run as bytes, and back: what the journal keeps and processes send each other.
+std::string packed(const StoredRun& run);
+/// @throws InputError  not the bytes of a run
+StoredRun unpacked(const std::string& bytes);
+
 class ResultsJournal {
  public:
   /// Begins a journal in place of what was there. Makes missing parent folders.

@@ -271,7 +271,7 @@ CampaignResults read_results(const fs::path& path) {
   return results;
 }
 
-struct TrajectoryReader::Impl {
+struct TrajectoryFile::Impl {
   explicit Impl(const fs::path& path)
       : file(Hdf5File::open(path, kFormat, kSchemaVersion)),
         reader{path.string(), "/trajectories", file.root().group("trajectories")} {}
@@ -279,11 +279,11 @@ struct TrajectoryReader::Impl {
   Reader reader;
 };
 
-TrajectoryReader::TrajectoryReader(const fs::path& path) : impl_(std::make_unique<Impl>(path)) {}
-TrajectoryReader::~TrajectoryReader() = default;
-TrajectoryReader::TrajectoryReader(TrajectoryReader&&) noexcept = default;
+TrajectoryFile::TrajectoryFile(const fs::path& path) : impl_(std::make_unique<Impl>(path)) {}
+TrajectoryFile::~TrajectoryFile() = default;
+TrajectoryFile::TrajectoryFile(TrajectoryFile&&) noexcept = default;
 
-std::size_t TrajectoryReader::frames(std::uint32_t run) const {
+std::size_t TrajectoryFile::frames(std::uint32_t run) const {
   const Reader& reader = impl_->reader;
   const std::string name = trajectory_name(run);
   if (!reader.group.has(name)) return 0;
@@ -294,7 +294,7 @@ std::size_t TrajectoryReader::frames(std::uint32_t run) const {
   return shape[1];
 }
 
-Trajectory TrajectoryReader::read(std::uint32_t run) const {
+Trajectory TrajectoryFile::read(std::uint32_t run) const {
   const Reader& reader = impl_->reader;
   const std::string name = trajectory_name(run);
   const std::size_t count = frames(run);
@@ -318,7 +318,7 @@ Trajectory TrajectoryReader::read(std::uint32_t run) const {
 }
 
 Trajectory read_trajectory(const fs::path& path, std::uint32_t run) {
-  return TrajectoryReader(path).read(run);
+  return TrajectoryFile(path).read(run);
 }
 
 }  // namespace clast

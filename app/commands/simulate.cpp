@@ -7,6 +7,8 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
 
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
@@ -26,15 +28,46 @@ struct SimulateArgs {
   bool resume = false;
   bool dry_run = false;
   bool json = false;
+  std::string shard;
+  std::vector<std::string> parts;
 };
 
 // A signal handler can reach nothing else.
 volatile std::sig_atomic_t interrupted = 0;
 
-/// The first Ctrl-C ends the campaign after the runs under way; the second ends it at once.
+/// The first Ctrl-C, or the first signal of a queue that wants the machine back, ends the campaign
+/// after the runs under way; the second ends it at once.
 void stop_politely(int) {
   interrupted = 1;
   std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+/// "2/4".
+/// @throws CLI::ValidationError  anything else
+Shard shard_from(const std::string& text) {
+  Shard shard;
+  if (text.empty()) return shard;
+  std::istringstream words(text);
+  char slash = 0;
+  const bool whole = text.find_first_not_of("0123456789/") == std::string::npos &&
+                     static_cast<bool>(words >> shard.index >> slash >> shard.count) &&
+                     slash == '/' && words.peek() == std::istringstream::traits_type::eof();
+  if (!whole) {
+    throw CLI::ValidationError("--shard: \"" + text + "\" is not of the form i/n, for example 2/4");
+  }
+  check_usage([&] { shard.check(); });
+  return shard;
+}
+
+/// "results.h5" of shard 2 of 4 is "results.2of4.h5", so that shards started with one command line
+/// do not write over each other.
+std::filesystem::path output_of(const SimulateArgs& args, const Shard& shard) {
+  std::filesystem::path output = args.output;
+  if (args.shard.empty()) return output;
+  const std::string part = "." + std::to_string(shard.index) + "of" + std::to_string(shard.count);
+  output.replace_filename(output.stem().string() + part + output.extension().string());
+  return output;
 }
 
 nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
@@ -118,46 +151,87 @@ nlohmann::ordered_json outcome_json(const CampaignResults& results) {
           {"largest_energy_error", outcome.largest_energy_error}};
 }
 
-void simulate(const SimulateArgs& args) {
-  const PreparedCampaign prepared = prepare_campaign(read_campaign(args.campaign));
-  nlohmann::ordered_json summary = plan_json(prepared);
-  if (!args.json) print_plan(prepared);
-  if (args.dry_run) {
-    if (args.json) std::cout << summary.dump(2) << "\n";
-    return;
-  }
-  const std::string part = args.output + ".part";
-  if (!args.resume && std::filesystem::exists(part)) {
-    throw InputError(part +
-                     ": holds the runs of an interrupted campaign; add --resume to go on "
-                     "with it, or delete the file to start afresh");
-  }
-  const std::string resume_hint =
-      "clast simulate " + args.campaign + " -o " + args.output + " --resume";
-  std::cout.flush();
-  Progress progress("runs", prepared.runs.size());
-  RunOptions options;
-  options.threads = args.threads;
-  options.resume = args.resume;
-  options.progress = [&](std::size_t done, std::size_t planned) {
-    progress.update(done);
-    if (!interrupted || done == planned) return;
-    progress.clear();
-    throw SimulationError("interrupted; the finished runs are kept. Go on with: " + resume_hint);
-  };
-  std::signal(SIGINT, stop_politely);
-  run_campaign(prepared, args.output, options);
-  std::signal(SIGINT, SIG_DFL);
-  progress.clear();
-
-  const CampaignResults results = read_results(args.output);
+void print_results(const std::filesystem::path& file, const SimulateArgs& args,
+                   nlohmann::ordered_json summary) {
+  const CampaignResults results = read_results(file);
   if (args.json) {
     summary.update(outcome_json(results));
     std::cout << summary.dump(2) << "\n";
     return;
   }
   print_outcome(results);
-  std::cout << args.output << ": written\n";
+  std::cout << file.string() << ": written\n";
+}
+
+void join_parts(const SimulateArgs& args) {
+  const std::filesystem::path target = args.output;
+  merge_results({args.parts.begin(), args.parts.end()}, target);
+  print_results(target, args, nlohmann::ordered_json::object());
+}
+
+/// Only the process that leads speaks; what others have to say reaches it through `agree`.
+void silence() {
+  std::cout.setstate(std::ios::failbit);
+  std::cerr.setstate(std::ios::failbit);
+}
+
+/// What shapes a run: that it is the same on all processes.
+std::string fingerprint(const PreparedCampaign& prepared) {
+  std::string text = prepared.header.program_version + prepared.header.campaign_sha256;
+  for (const std::string& input : prepared.header.inputs) {
+    text += input.substr(input.rfind(' '));  // a path can differ from machine to machine
+  }
+  return text;
+}
+
+void simulate(const SimulateArgs& args) {
+  if (!args.parts.empty()) return join_parts(args);
+  const Shard shard = shard_from(args.shard);
+  ProcessTeam team;
+  if (!team.leads()) silence();
+  std::optional<PreparedCampaign> plan;
+  const std::filesystem::path output = output_of(args, shard);
+  const std::filesystem::path part = partial_results(output);
+  team.agree([&] {
+    plan.emplace(prepare_campaign(read_campaign(args.campaign)));
+    if (team.leads() && !args.dry_run && !args.resume && std::filesystem::exists(part)) {
+      throw InputError(part.string() +
+                       ": holds the runs of an interrupted campaign; add --resume to go on "
+                       "with it, or delete the file to start afresh");
+    }
+    return fingerprint(*plan);
+  });
+  const PreparedCampaign& prepared = *plan;
+  nlohmann::ordered_json summary = plan_json(prepared);
+  if (!args.json) print_plan(prepared);
+  if (args.dry_run) {
+    if (args.json) std::cout << summary.dump(2) << "\n";
+    return;
+  }
+  const std::string resume_hint = "clast simulate " + args.campaign + " -o " + args.output +
+                                  (args.shard.empty() ? "" : " --shard " + args.shard) +
+                                  " --resume";
+  std::cout.flush();
+  Progress progress("runs", shard.runs_of(prepared.runs.size()));
+  RunOptions options;
+  options.threads = args.threads;
+  options.resume = args.resume;
+  options.shard = shard;
+  options.team = &team;
+  options.progress = [&](std::size_t done, std::size_t planned) {
+    progress.update(done);
+    if (!interrupted || done == planned) return;
+    progress.clear();
+    throw SimulationError("interrupted; " + std::to_string(done) + " of " +
+                          std::to_string(planned) + " runs are kept. Go on with: " + resume_hint);
+  };
+  std::signal(SIGINT, stop_politely);
+  std::signal(SIGTERM, stop_politely);
+  run_campaign(prepared, output, options);
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  progress.clear();
+  if (team.leads()) print_results(output, args, summary);
 }
 
 }  // namespace
@@ -165,11 +239,10 @@ void simulate(const SimulateArgs& args) {
 void add_simulate(CLI::App& app) {
   const auto args = std::make_shared<SimulateArgs>();
   CLI::App* command = app.add_subcommand("simulate", "Run a campaign of releases");
-  command
-      ->add_option("campaign", args->campaign,
-                   "Campaign file (TOML); every key is in docs/formats.md")
-      ->required()
-      ->type_name("CAMPAIGN");
+  CLI::Option* campaign = command
+                              ->add_option("campaign", args->campaign,
+                                           "Campaign file (TOML); every key is in docs/formats.md")
+                              ->type_name("CAMPAIGN");
   command->add_option("-o,--output", args->output, "Results file")
       ->type_name("FILE")
       ->capture_default_str();
@@ -178,15 +251,34 @@ void add_simulate(CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume, "Go on with an interrupted campaign");
+  command
+      ->add_option("--shard", args->shard,
+                   "Do every n-th run only, from the i-th on, and write FILE with .IofN before its "
+                   "extension")
+      ->type_name("I/N");
+  CLI::Option* merge =
+      command
+          ->add_option("--merge", args->parts,
+                       "In place of CAMPAIGN: join what all shards wrote to one results file")
+          ->type_name("PARTS")
+          ->excludes(campaign);
   command->add_flag("--dry-run", args->dry_run, "Check everything, say what would run, and stop");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
       "Ctrl-C stops after the runs under way; --resume goes on from there. Results do "
-      "not depend on --threads.\n"
+      "not depend on --threads, on --shard, or on the processes of mpirun, which have one thread "
+      "each unless\n--threads says otherwise.\n"
       "Examples:\n"
       "  clast simulate campaign.toml --dry-run\n"
-      "  clast simulate campaign.toml -o results.h5 --threads 4");
-  command->callback([args] { simulate(*args); });
+      "  clast simulate campaign.toml -o results.h5 --threads 4\n"
+      "  mpirun -n 8 clast simulate campaign.toml -o results.h5\n"
+      "  clast simulate campaign.toml -o results.h5 --shard "
+      "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT\n"
+      "  clast simulate --merge results.*of4.h5 -o results.h5");
+  command->callback([args, campaign, merge] {
+    if (campaign->count() == 0 && merge->count() == 0) throw CLI::RequiredError("campaign");
+    simulate(*args);
+  });
 }
 
 }  // namespace clast

@@ -141,7 +141,7 @@ struct Drawable {
 };
 
 /// One for each file; none where it is gone.
-using Readers = std::vector<std::optional<TrajectoryReader>>;
+using Readers = std::vector<std::optional<TrajectoryFile>>;
 
 Readers readers_of(const Comparison& comparison) {
   Readers readers;

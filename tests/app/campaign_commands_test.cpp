@@ -3,57 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/command_support.hpp"
-#include "tests/library/block_samples.hpp"
+#include "tests/app/slope_campaign.hpp"
 
 namespace clast {
 namespace {
 
 using Json = nlohmann::json;
 
-/// A slope that falls by one in two along x, from (0, -10, 20) to (20, 10, 10), and flat ground
-/// after.
-TriangleMesh ground(double from, double to, double z_from, double z_to) {
-  TriangleMesh mesh;
-  mesh.vertices = {{from, -10, z_from}, {to, -10, z_to}, {to, 10, z_to}, {from, 10, z_from}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  return mesh;
-}
-
-std::string campaign_text(const std::string& more = "") {
-  return "[blocks]\nlibrary = \"blocks.h5\"\n"
-         "[terrain]\nsurface = [\"slope.obj\", \"flat.obj\"]\nzones = [\"slope\", \"flat\"]\n"
-         "[ground.slope]\nenergy_restitution = 0.01\nfriction = 0.4\nrolling_friction = 0.1\n"
-         "[ground.flat]\nenergy_restitution = 0.01\nfriction = 0.7\nrolling_friction = 0.3\n"
-         "[release]\npoints = [[5, 0, 0], [5, 3, 0]]\nheight_m = 0.5\n"
-         "orientations = { random = 2, seed = 4 }\n"
-         "[[barrier]]\nname = \"B1\"\nfrom = [12, -9]\nto = [12, 9]\n"
-         "[run]\nmax_time_s = 5\ntrajectory_interval_s = 0\n" +
-         more;
-}
-
-std::string replaced(std::string text, const std::string& part, const std::string& by) {
-  return text.replace(text.find(part), part.size(), by);
-}
-
-class Campaigns : public testing::Test {
- protected:
-  void SetUp() override {
-    write_obj(folder / "slope.obj", ground(0, 20, 20, 10));
-    write_obj(folder / "flat.obj", ground(20, 40, 10, 10));
-    write_obj(folder / "cube.obj", cuboid(0.6, 0.5, 0.4));
-    write_obj(folder / "bar.obj", cuboid(1.2, 0.4, 0.4));
-    write_text_file(folder / "campaign.toml", campaign_text());
-    const ProgramRun run = run_clast({"reconstruct", "cube.obj", "bar.obj"}, folder.path());
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-  }
-  void refuse_campaign(const std::string& text, const std::string& item) {
-    write_text_file(folder / "bad.toml", text);
-    expect_refused(folder, {"simulate", "bad.toml"}, 1, item);
-    expect_refused(folder, {"simulate", "bad.toml", "--dry-run"}, 1, item);
-  }
-  ScratchFolder folder;
-};
+using Campaigns = SlopeCampaign;
 
 TEST_F(Campaigns, RunFromTerrainToReport) {
   const ProgramRun terrain = run_clast(
@@ -107,23 +64,23 @@ TEST_F(Campaigns, MistakesInTheCampaignFileAreNamed) {
   expect_refused(folder, {"simulate", "none.toml"}, 1, "none.toml");
   refuse_campaign("", "blocks");
   refuse_campaign("[blocks\n", "bad.toml");
-  refuse_campaign(campaign_text("colour = \"red\"\n"), "colour");
-  refuse_campaign(replaced(campaign_text(), "friction = 0.4", "friction = -0.4"), "-0.4");
-  refuse_campaign(replaced(campaign_text(), "[ground.flat]", "[ground.flot]"), "fl");
-  refuse_campaign(replaced(campaign_text(), "[[5, 0, 0], [5, 3, 0]]", "[[5, 0, 0], [90, 3, 0]]"),
+  refuse_campaign(slope_campaign("colour = \"red\"\n"), "colour");
+  refuse_campaign(replaced(slope_campaign(), "friction = 0.4", "friction = -0.4"), "-0.4");
+  refuse_campaign(replaced(slope_campaign(), "[ground.flat]", "[ground.flot]"), "fl");
+  refuse_campaign(replaced(slope_campaign(), "[[5, 0, 0], [5, 3, 0]]", "[[5, 0, 0], [90, 3, 0]]"),
                   "90");
-  refuse_campaign(replaced(campaign_text(), "blocks.h5", "stones.h5"), "stones.h5");
-  refuse_campaign(replaced(campaign_text(), "flat.obj", "flot.obj"), "flot.obj");
-  refuse_campaign(replaced(campaign_text(), "\"blocks.h5\"", "\"blocks.h5\"\nselect = [\"ball\"]"),
+  refuse_campaign(replaced(slope_campaign(), "blocks.h5", "stones.h5"), "stones.h5");
+  refuse_campaign(replaced(slope_campaign(), "flat.obj", "flot.obj"), "flot.obj");
+  refuse_campaign(replaced(slope_campaign(), "\"blocks.h5\"", "\"blocks.h5\"\nselect = [\"ball\"]"),
                   "ball");
 }
 
 TEST_F(Campaigns, DamagedInputsAreNamed) {
   const std::string whole = read_text_file(folder / "blocks.h5");
   write_text_file(folder / "cut.h5", whole.substr(0, whole.size() / 2));
-  refuse_campaign(replaced(campaign_text(), "blocks.h5", "cut.h5"), "cut.h5");
+  refuse_campaign(replaced(slope_campaign(), "blocks.h5", "cut.h5"), "cut.h5");
   write_text_file(folder / "text.obj", "no ground\n");
-  refuse_campaign(replaced(campaign_text(), "flat.obj", "text.obj"), "text.obj");
+  refuse_campaign(replaced(slope_campaign(), "flat.obj", "text.obj"), "text.obj");
 }
 
 TEST_F(Campaigns, TerrainRefusesWhatIsNoGround) {

@@ -57,7 +57,7 @@ class ReportPage : public testing::Test {
                "--disable-sync",
                "--enable-logging=stderr",
                "--user-data-dir=" + (folder / "profile").string()};
-    const bool here = run_program({"chromium", "--version"}).exit_code == 0;
+    const bool here = RunningProgram({"chromium", "--version"}, ".").wait().exit_code == 0;
     const char* ci = std::getenv("CI");
     if (!here && !(ci && std::string(ci) == "true")) GTEST_SKIP() << "chromium is not installed";
     ASSERT_TRUE(here) << "chromium is not installed";
@@ -92,7 +92,7 @@ class ReportPage : public testing::Test {
     write_text_file(folder / "page.html", page);
     browser.push_back("--dump-dom");
     browser.push_back("file://" + (folder / "page.html").string());
-    const ProgramRun run = run_program(browser);
+    const ProgramRun run = RunningProgram(browser, ".").wait();
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(run.err.find("CONSOLE"), std::string::npos) << run.err;
     const std::string open = "<pre id=\"probe\">";

@@ -40,6 +40,7 @@ const std::vector<Package> kHeavyPackages = {
     {"OpenCV", {"opencv2/"}, {"opencv"}, {"reconstruct"}},
     {"HDF5", {"hdf5", "H5"}, {"hdf5::", "HDF5::"}, {"core"}},
     {"GDAL", {"gdal", "ogr", "cpl_"}, {"GDAL::"}, {"terrain", "study"}},
+    {"MPI", {"mpi.h"}, {"MPI::"}, {"study"}},
     {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"study"}},
     {"CLI11", {"CLI/"}, {"CLI11::"}, {"app"}},
     {"nlohmann_json", {"nlohmann/"}, {"nlohmann_json::"}, {"library", "terrain", "study", "app"}},

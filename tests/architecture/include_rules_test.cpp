@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(IncludeRules, HeavyHeader,
                          testing::Values("CGAL/Surface_mesh.h", "assimp/scene.h",
                                          "pcl/point_types.h", "opencv2/core.hpp", "hdf5.h",
                                          "H5Cpp.h", "gdal_priv.h", "ogrsf_frmts.h", "toml++/toml.h",
-                                         "CLI/CLI.hpp", "nlohmann/json.hpp"));
+                                         "mpi.h", "CLI/CLI.hpp", "nlohmann/json.hpp"));
 
 TEST(IncludeRules, PackagesAreOnlyForTheirFolders) {
   const SourceFile hdf5_in_study = source_file("study/results.cpp", "#include <hdf5.h>\n");

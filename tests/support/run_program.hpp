@@ -1,5 +1,6 @@
 #pragma once
-/// Programs run as processes, with what they printed.
+/// Programs run as processes, clast first of all, with what they printed.
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,36 +20,55 @@ struct ProgramRun {
   std::string err;
 };
 
-/// Runs `words[0]` (a path, or a name that is looked up in PATH) with the other words in `folder`;
-/// output goes through files, so that any amount fits.
-inline ProgramRun run_program(std::vector<std::string> words,
-                              const std::filesystem::path& folder = ".") {
-  const ScratchFolder captured;
-  const std::string out = captured / "out";
-  const std::string err = captured / "err";
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const bool ready = ::chdir(folder.c_str()) == 0 && std::freopen("/dev/null", "r", stdin) &&
-                       std::freopen(out.c_str(), "w", stdout) &&
-                       std::freopen(err.c_str(), "w", stderr);
-    if (ready) ::execvp(argv[0], argv.data());
-    ::_exit(126);
+/// A program at work; output goes through files, so that any amount fits.
+class RunningProgram {
+ public:
+  /// @param words  the program, a path or a name that is looked up in PATH, and its arguments
+  RunningProgram(std::vector<std::string> words, const std::filesystem::path& folder) {
+    const std::string out = captured_ / "out";
+    const std::string err = captured_ / "err";
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    child_ = ::fork();
+    if (child_ == 0) {
+      const bool ready = ::chdir(folder.c_str()) == 0 && std::freopen("/dev/null", "r", stdin) &&
+                         std::freopen(out.c_str(), "w", stdout) &&
+                         std::freopen(err.c_str(), "w", stderr);
+      if (ready) ::execvp(argv[0], argv.data());
+      ::_exit(126);
+    }
   }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, read_text_file(out), read_text_file(err)};
-}
 
-inline ProgramRun run_clast(const std::vector<std::string>& arguments,
-                            const std::filesystem::path& folder = ".") {
+  void signal(int number) const { ::kill(child_, number); }
+  bool ended() {
+    if (!ended_) ended_ = ::waitpid(child_, &status_, WNOHANG) == child_;
+    return ended_;
+  }
+  ProgramRun wait() {
+    if (!ended_) ::waitpid(child_, &status_, 0);
+    ended_ = true;
+    const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
+    return {code, read_text_file(captured_ / "out"), read_text_file(captured_ / "err")};
+  }
+
+ private:
+  ScratchFolder captured_;
+  pid_t child_ = 0;
+  int status_ = 0;
+  bool ended_ = false;
+};
+
+inline std::vector<std::string> clast_words(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {CLAST_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return run_program(std::move(words), folder);
+  return words;
+}
+
+/// Runs `clast` with the arguments in `folder`.
+inline ProgramRun run_clast(const std::vector<std::string>& arguments,
+                            const std::filesystem::path& folder = ".") {
+  return RunningProgram(clast_words(arguments), folder).wait();
 }
 
 }  // namespace clast

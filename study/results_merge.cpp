@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "study/results_file.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Part {
+  CampaignResults results;
+  TrajectoryFile trajectories;
+};
+
+/// A run, and the part that holds it.
+struct Place {
+  std::uint32_t run = 0;
+  std::size_t part = 0;
+  std::size_t row = 0;             ///< into the part's runs
+  std::size_t first_crossing = 0;  ///< into the part's crossings
+};
+
+void check_same_campaign(const CampaignResults& first, const CampaignResults& other) {
+  std::string difference;
+  if (other.campaign_sha256 != first.campaign_sha256) {
+    difference = "is of another campaign than ";
+  } else if (other.inputs != first.inputs) {
+    difference = "was made from other input files than ";
+  } else if (other.program_version != first.program_version) {
+    difference =
+        "was made by clast " + other.program_version + ", not " + first.program_version + " like ";
+  } else if (other.planned_runs != first.planned_runs) {
+    difference = "has " + std::to_string(other.planned_runs) + " planned runs, not " +
+                 std::to_string(first.planned_runs) + " like ";
+  }
+  if (difference.empty()) return;
+  throw InputError(other.file.string() + ": " + difference + first.file.string() +
+                   "; only parts of one campaign can be joined");
+}
+
+std::vector<Place> places_of(const std::vector<Part>& parts) {
+  std::vector<Place> places;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const CampaignResults& results = parts[part].results;
+    std::size_t crossing = 0;
+    for (std::size_t row = 0; row < results.runs.size(); ++row) {
+      const std::uint32_t run = results.runs[row].run;
+      places.push_back({run, part, row, crossing});
+      while (crossing < results.crossings.size() && results.crossings[crossing].run == run) {
+        ++crossing;
+      }
+    }
+  }
+  std::sort(places.begin(), places.end(),
+            [](const Place& a, const Place& b) { return a.run < b.run; });
+  return places;
+}
+
+void check_complete(const std::vector<Part>& parts, const std::vector<Place>& places) {
+  const CampaignResults& first = parts.front().results;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (places[i].run != places[i - 1].run) continue;
+    throw InputError("run " + std::to_string(places[i].run) + " is in " +
+                     parts[places[i - 1].part].results.file.string() + " and in " +
+                     parts[places[i].part].results.file.string() + "; give every part once");
+  }
+  if (places.size() == first.planned_runs) return;
+  std::uint32_t missing = 0;
+  while (missing < places.size() && places[missing].run == missing) ++missing;
+  throw InputError(std::to_string(first.planned_runs - places.size()) + " of " +
+                   std::to_string(first.planned_runs) + " runs are in no part, run " +
+                   std::to_string(missing) + " first; of n shards it belongs to number (" +
+                   std::to_string(missing) + " mod n) + 1. Run the missing shard, then join");
+}
+
+}  // namespace
+
+void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
+  if (files.empty()) throw InputError("no parts to join; name the files that --shard wrote");
+  std::vector<Part> parts;
+  for (const fs::path& file : files) {
+    parts.push_back({read_results(file), TrajectoryFile(file)});
+    check_same_campaign(parts.front().results, parts.back().results);
+  }
+  const std::vector<Place> places = places_of(parts);
+  check_complete(parts, places);
+  write_results_file(target, parts.front().results, places.size(), [&](std::size_t i) {
+    const Place& place = places[i];
+    const Part& part = parts[place.part];
+    StoredRun run;
+    run.record = part.results.runs[place.row];
+    const std::vector<Crossing>& crossings = part.results.crossings;
+    for (std::size_t k = place.first_crossing;
+         k < crossings.size() && crossings[k].run == place.run; ++k) {
+      run.crossings.push_back(crossings[k]);
+    }
+    if (part.trajectories.frames(place.run) > 0) run.trajectory = part.trajectories.read(place.run);
+    return run;
+  });
+}
+
+}  // namespace clast

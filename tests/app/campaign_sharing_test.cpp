@@ -1,0 +1,183 @@
+// One campaign by threads, by processes, in shards, and interrupted: always the same results.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/app/slope_campaign.hpp"
+
+namespace clast {
+namespace {
+
+/// Enough runs that a kill finds some of them undone.
+class SharedCampaign : public SlopeCampaign {
+ protected:
+  void SetUp() override {
+    SlopeCampaign::SetUp();
+    std::string text = replaced(slope_campaign(), "random = 2, seed = 4 }",
+                                "random = 40, seed = 4 }\nvelocity_m_s = [3, 0, 0]");
+    text = replaced(text, "trajectory_interval_s = 0", "trajectory_interval_s = 0.02");
+    text = replaced(text, "max_time_s = 5", "max_time_s = 0.5");
+    text = replaced(text, "from = [12, -9]\nto = [12, 9]", "from = [5.5, -9]\nto = [5.5, 9]");
+    write_text_file(folder / "campaign.toml", text);
+  }
+  std::string run(const std::vector<std::string>& arguments) {
+    const ProgramRun run = run_clast(arguments, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out;
+  }
+  // One HDF5 library writes equal datasets to equal bytes (docs/formats.md).
+  void expect_same_as_one(const std::string& file) {
+    ASSERT_TRUE(fs::exists(folder / file)) << file;
+    run({"simulate", "campaign.toml", "-o", "one.h5", "--threads", "1"});
+    EXPECT_TRUE(read_text_file(folder / file) == read_text_file(folder / "one.h5")) << file;
+    EXPECT_FALSE(fs::exists(partial_file(file)));
+    run({"compare", file, "-o", "out-" + file});
+    run({"compare", "one.h5", "-o", "out-one.h5"});
+    for (const char* table : {"runs.csv", "barriers.csv", "crossings.csv", "deposits.csv"}) {
+      EXPECT_EQ(read_text_file(folder / ("out-" + file) / table),
+                read_text_file(folder / "out-one.h5" / table))
+          << file << " " << table;
+    }
+  }
+  fs::path partial_file(const std::string& file) const { return folder / (file + ".part"); }
+};
+
+TEST_F(SharedCampaign, IsTheSameOnTwoThreads) {
+  run({"simulate", "campaign.toml", "-o", "two.h5", "--threads", "2"});
+  expect_same_as_one("two.h5");
+}
+
+TEST_F(SharedCampaign, IsTheSameInFourShardsJoined) {
+  for (const std::string shard : {"3/4", "1/4", "4/4", "2/4"}) {
+    run({"simulate", "campaign.toml", "-o", "all.h5", "--shard", shard, "--threads", "1"});
+  }
+  EXPECT_FALSE(fs::exists(folder / "all.h5"));
+  expect_refused(folder, {"simulate", "--merge", "all.1of4.h5", "all.3of4.h5", "-o", "all.h5"}, 1,
+                 "80 of 160 runs are in no part, run 1 first");
+  expect_refused(
+      folder, {"simulate", "--merge", "all.1of4.h5", "all.2of4.h5", "all.1of4.h5", "-o", "all.h5"},
+      1, "run 0 is in");
+  expect_refused(folder, {"compare", "all.1of4.h5", "all.3of4.h5", "-o", "out"}, 1, "--merge");
+  run({"simulate", "--merge", "all.2of4.h5", "all.1of4.h5", "all.4of4.h5", "all.3of4.h5", "-o",
+       "all.h5"});
+  expect_same_as_one("all.h5");
+}
+
+TEST_F(SharedCampaign, ShardsOfDifferentCampaignsAreNotJoined) {
+  run({"simulate", "campaign.toml", "-o", "all.h5", "--shard", "1/2"});
+  const std::string text = read_text_file(folder / "campaign.toml");
+  write_text_file(folder / "campaign.toml", replaced(text, "max_time_s = 0.5", "max_time_s = 0.4"));
+  run({"simulate", "campaign.toml", "-o", "all.h5", "--shard", "2/2"});
+  expect_refused(folder, {"simulate", "--merge", "all.1of2.h5", "all.2of2.h5"}, 1,
+                 "all.2of2.h5: is of another campaign");
+  expect_refused(folder, {"simulate", "--merge", "blocks.h5"}, 1, "blocks.h5");
+  expect_refused(folder, {"simulate", "--merge", "none.h5"}, 1, "none.h5");
+}
+
+TEST_F(SharedCampaign, ShardThatCantBeIsAMisuse) {
+  for (const std::string shard : {"5/4", "0/4", "1/0", "1", "1/4/2", "a/b", "-1/4"}) {
+    expect_refused(folder, {"simulate", "campaign.toml", "--shard", shard}, 2, shard);
+  }
+  expect_refused(folder, {"simulate"}, 2, "campaign");
+  expect_refused(folder, {"simulate", "campaign.toml", "--merge", "a.h5"}, 2, "--merge");
+}
+
+TEST_F(SharedCampaign, IsTheSameAfterThreeKills) {
+  std::uintmax_t size = 0;
+  for (int kill = 0; kill < 3; ++kill) {
+    std::vector<std::string> words =
+        clast_words({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "1"});
+    if (kill > 0) words.push_back("--resume");
+    RunningProgram program(words, folder.path());
+    // Until a few runs more are in the journal.
+    std::error_code code;
+    while (!program.ended() && !(fs::exists(partial_file("cut.h5")) &&
+                                 fs::file_size(partial_file("cut.h5"), code) > size + 50'000)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    program.signal(SIGKILL);
+    ASSERT_EQ(program.wait().exit_code, 128 + SIGKILL) << "kill " << kill << " came too late";
+    size = fs::file_size(partial_file("cut.h5"));
+  }
+  run({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "2", "--resume"});
+  expect_same_as_one("cut.h5");
+}
+
+TEST_F(SharedCampaign, IsTheSameAfterCtrlC) {
+  RunningProgram program(
+      clast_words({"simulate", "campaign.toml", "-o", "cut.h5", "--threads", "1"}), folder.path());
+  while (!program.ended() && !fs::exists(partial_file("cut.h5"))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.signal(SIGINT);
+  const ProgramRun stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 1);
+  EXPECT_TRUE(contains(stopped.err,
+                       "of 160 runs are kept. Go on with: clast simulate "
+                       "campaign.toml -o cut.h5 --resume"))
+      << stopped.err;
+  EXPECT_TRUE(fs::exists(partial_file("cut.h5")));
+  run({"simulate", "campaign.toml", "-o", "cut.h5", "--resume"});
+  expect_same_as_one("cut.h5");
+}
+
+TEST_F(SharedCampaign, JournalOfAShardIsNotResumedAsAnother) {
+  RunningProgram program(
+      clast_words({"simulate", "campaign.toml", "-o", "s.h5", "--shard", "1/2", "--threads", "1"}),
+      folder.path());
+  while (!program.ended() && !(fs::exists(partial_file("s.1of2.h5")) &&
+                               fs::file_size(partial_file("s.1of2.h5")) > 20'000)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.signal(SIGKILL);
+  program.wait();
+  fs::rename(partial_file("s.1of2.h5"), partial_file("s.2of2.h5"));
+  expect_refused(folder, {"simulate", "campaign.toml", "-o", "s.h5", "--shard", "2/2", "--resume"},
+                 1, "was begun with other runs than shard 2 of 2");
+}
+
+#ifdef CLAST_MPIRUN
+class SharedByMpi : public SharedCampaign {
+ protected:
+  void SetUp() override {
+    SharedCampaign::SetUp();
+    // As root, and with more processes than cores: what a container on CI needs of Open MPI. Other
+    // launchers pass over these.
+    for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
+                             "OMPI_MCA_rmaps_base_oversubscribe"}) {
+      ::setenv(name, "1", 1);
+    }
+  }
+  ProgramRun mpirun(const std::string& processes, const std::vector<std::string>& arguments) {
+    std::vector<std::string> words = {CLAST_MPIRUN, "-n", processes};
+    for (const std::string& word : clast_words(arguments)) words.push_back(word);
+    return RunningProgram(words, folder.path()).wait();
+  }
+};
+
+TEST_F(SharedByMpi, IsTheSameOnTwoProcesses) {
+  const ProgramRun run = mpirun("2", {"simulate", "campaign.toml", "-o", "mpi.h5"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  // Said once, not by every process.
+  EXPECT_EQ(run.out.find("160 runs"), run.out.rfind("160 runs")) << run.out;
+  EXPECT_TRUE(contains(run.out, "mpi.h5: written")) << run.out;
+  expect_same_as_one("mpi.h5");
+}
+
+TEST_F(SharedByMpi, RefusalsEndAllProcesses) {
+  const ProgramRun missing = mpirun("2", {"simulate", "none.toml"});
+  EXPECT_NE(missing.exit_code, 0);
+  EXPECT_EQ(missing.err.find("none.toml"), missing.err.rfind("none.toml")) << missing.err;
+  EXPECT_TRUE(contains(missing.err, "clast: ")) << missing.err;
+  // What only the process that writes can notice.
+  fs::create_directory(folder / "taken.h5");
+  const ProgramRun taken = mpirun("2", {"simulate", "campaign.toml", "-o", "taken.h5"});
+  EXPECT_NE(taken.exit_code, 0);
+  EXPECT_TRUE(contains(taken.err, "taken.h5: is a folder")) << taken.err;
+}
+#endif
+
+}  // namespace
+}  // namespace clast
