@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kMostRows = 500;  // of the table of blocks
 constexpr std::size_t kMostNotes = 20;
-constexpr std::size_t kMostTitle = 52;  // characters of a name over a diagram
+constexpr std::size_t kMostTitle = 44;  // characters of a name over a diagram
+constexpr std::size_t kMostHead = 14;   // and over a column
 constexpr double kGarciaLimit = 0.3;    // s_c above which a block is elongated
 
 std::string s_c_chart(const PopulationReport& report) {
@@ -281,7 +282,9 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     const SizeDistribution& size = reported.summary.size;
-    HtmlTable percentiles({reported.population.name, "blocks", "d10, m", "d50, m", "d90, m"}, 1);
+    HtmlTable percentiles(
+        {shortened(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
+        1);
     const auto add = [&](const std::string& name, const SizeCurve& curve) {
       percentiles.row({name, std::to_string(curve.blocks), significant(curve.d10, 3),
                        significant(curve.d50, 3), significant(curve.d90, 3)});
@@ -333,7 +336,7 @@ std::string boxes_section(const PopulationReport& report) {
     if (report.populations.size() > 1) html += paragraph(reported.population.name);
     html += "<ul>\n" + words + "</ul>\n";
     if (blocks.size() > kMostRows) continue;
-    std::vector<std::string> heads = {reported.population.name};
+    std::vector<std::string> heads = {shortened(reported.population.name, kMostHead)};
     for (const BoxConvention box : kBoxConventions) heads.push_back("s_c, " + name_of(box));
     for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
     HtmlTable table(heads, 1);
@@ -362,7 +365,7 @@ std::string blocks_section(const PopulationReport& report) {
                         ", all of them in classes.csv.");
       continue;
     }
-    std::vector<std::string> heads = {reported.population.name};
+    std::vector<std::string> heads = {shortened(reported.population.name, kMostHead)};
     for (const SchemeShares& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
     const std::string& first = reported.summary.schemes.front().scheme;
     heads.push_back("how sure (" + first + ")");

@@ -88,7 +88,7 @@ std::string x_axis(const Range& range, double top, double bottom, const std::str
 }
 
 // In half of the chart's width.
-constexpr std::size_t kMostCharacters = 26;
+constexpr std::size_t kMostCharacters = 24;
 
 std::string name_with_count(const Series& series) {
   return shortened(series.name, kMostCharacters) + " (" + std::to_string(series.values.size()) +
