@@ -26,7 +26,7 @@ std::string mutated(const std::string& sound, Random& random) {
   for (std::size_t i = 0; i < times && !bytes.empty(); ++i) {
     const std::size_t place = somewhere();
     const std::size_t length = std::min<std::size_t>(1 + random.below(60), bytes.size() - place);
-    switch (random.below(6)) {
+    switch (random.below(9)) {
       case 0:
         bytes.resize(place);
         break;
@@ -44,10 +44,16 @@ std::string mutated(const std::string& sound, Random& random) {
       case 4:
         bytes.insert(place, bytes.substr(somewhere(), length));
         break;
-      default: {
+      case 5: {
         const char* const words[] = {"nan", "1e308", "-1", "99999999999", " ", "\n", "inf", "0"};
         bytes.insert(place, words[random.below(std::size(words))]);
+        break;
       }
+      default:  // other numbers in a file that is sound as such, so that the repair has work
+        for (std::size_t k = 0; k < length; ++k) {
+          char& byte = bytes[somewhere()];
+          if (byte >= '0' && byte <= '9') byte = static_cast<char>('0' + random.below(10));
+        }
     }
   }
   return bytes;
