@@ -8,6 +8,7 @@
 #include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,8 @@
 #include <limits>
 #include <set>
 
+#include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "shapes/detail/cgal_mesh.hpp"
 #include "shapes/detail/half_edges.hpp"
@@ -151,7 +154,13 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh) {
       border.push_back(point_of(work, v));
     }
     FilledHole hole = measured(border);
-    hole.area = fill(work, start, border.size());
+    try {
+      hole.area = fill(work, start, border.size());
+    } catch (const CGAL::Failure_exception&) {  // met something that it takes for impossible
+      throw GeometryError("the hole of " + std::to_string(border.size()) +
+                          " border edges that is " + with_digits(hole.perimeter, 3) +
+                          " m round can't be filled; close it in MeshLab or CloudCompare first");
+    }
     if (hole.area > 0.0) filled.push_back(hole);
   }
   mesh = from_cgal(work);

@@ -16,7 +16,8 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
 /// triangles around, and faired so that it goes on smoothly at the border; where there is none, a
 /// star over the middle of the border, faired alike. A hole that even so stays open isn't listed.
 /// @param mesh  oriented 2-manifold with border, no pinched vertex
-/// @cite liepa2003 botsch2004
+/// @throws GeometryError  a hole defeats the search
+/// @cite liepa2003
 std::vector<FilledHole> fill_holes(TriangleMesh& mesh);
 
 }  // namespace clast::detail

@@ -42,11 +42,11 @@ std::optional<CoordinateStep> coordinate_step(const TriangleMesh& mesh) {
       const bool short_text =
           std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
                       [&](const Vec3& v) { return is_multiple(v[axis], step); });
-      if (!short_text) return std::nullopt;
+      if (!short_text) continue;
     }
     if (step > coarsest.step) coarsest = {step, largest};
   }
-  return coarsest;
+  return coarsest.step > 0.0 ? std::optional(coarsest) : std::nullopt;
 }
 
 }  // namespace clast::detail

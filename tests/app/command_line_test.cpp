@@ -444,7 +444,7 @@ TEST_F(Scans, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
   write_obj(folder / "mm.obj", cuboid(620, 500, 400));
   refuse("mm.obj",
          "block mm would be 620 m long, read with --units m; it is probably in mm: try --units mm, "
-         "which makes it 0.62 m; --any-size takes it as it is");
+         "which makes it 0.620 m; --any-size takes it as it is");
   const ProgramRun run =
       run_clast({"reconstruct", "mm.obj", "--units", "mm", "--json"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -455,7 +455,7 @@ TEST_F(Scans, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
       0);
   write_obj(folder / "tiny.obj", cuboid(1.0, 0.8, 0.6));
   expect_refused(folder, {"reconstruct", "tiny.obj", "--units", "0.0001", "-o", "t.h5"}, 1,
-                 "it is probably in m: try --units m, which makes it 1 m; --any-size");
+                 "it is probably in m: try --units m, which makes it 1.00 m; --any-size");
 }
 
 TEST_F(Scans, ACoreKeepsItsVerticesAndTheFormulaHolds) {

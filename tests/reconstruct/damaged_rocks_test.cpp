@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "core/parallel.hpp"
 #include "reconstruct/scan.hpp"
 #include "shapes/self_intersection.hpp"
 #include "tests/reconstruct/damage_study.hpp"
@@ -39,10 +40,10 @@ TEST_P(DamagedRealRocks, ComeBackWithTheirVolumeOrAreRefused) {
   const TriangleMesh rock = read_scan(test_data(std::string("meshes/") + GetParam() + ".stl")).mesh;
   std::size_t valid = 0;
   for (const double intensity : kIntensities) {
-    std::vector<Trial> trials;
+    std::vector<Trial> trials(kSeeds);
+    parallel_for(kSeeds, 0, [&](std::size_t i) { trials[i] = mend_damaged(rock, intensity, i); });
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-      trials.push_back(mend_damaged(rock, intensity, seed));
-      const Trial& trial = trials.back();
+      const Trial& trial = trials[seed];
       SCOPED_TRACE("intensity " + std::to_string(intensity) + " seed " + std::to_string(seed));
       valid += trial.valid;
       if (!trial.refusal.empty()) continue;  // said, and counted

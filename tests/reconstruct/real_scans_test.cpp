@@ -105,8 +105,9 @@ TEST(RealScans, AuthumeBlocksAreClosedAndOnlySp1aNeedsATriangle) {
     EXPECT_GT(enclosed_volume(scan.mesh), 0.0);
     if (name == "SP1A") {
       EXPECT_EQ(scan.report.as_read.boundary_edges, 3u);
-      ASSERT_EQ(scan.notes.size(), 1u);
+      ASSERT_EQ(scan.notes.size(), 2u);
       EXPECT_NE(scan.notes[0].find("closed by a fan"), std::string::npos);
+      EXPECT_NE(scan.notes[1].find("% of the surface is invented"), std::string::npos);
     } else {
       EXPECT_TRUE(scan.notes.empty());
     }
