@@ -29,8 +29,8 @@ constexpr double kOutlierDeviations = 1.0;
 constexpr double kSurfacePoints = 60000.0;
 /// Triangles at edges with more than two are dropped where they are no more than this share.
 constexpr double kMostAtBadEdges = 0.01;
-/// A piece beside the block with more of its area is no debris.
-constexpr double kDebrisArea = 0.02;
+/// A piece beside an open block with more of its area is no scrap.
+constexpr double kScrapArea = 0.1;
 constexpr double kToldTilt = 1.0;  ///< degrees; a turn by less is not told
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
@@ -121,15 +121,19 @@ class FieldScan {
       }
     }
     std::vector<TriangleMesh> pieces = sorted_pieces(*sheet);
+    double scraps = 0.0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
-      if (surface_area(pieces[i]) > kDebrisArea * surface_area(pieces[0])) {
+      const double share = surface_area(pieces[i]) / surface_area(pieces[0]);
+      if (share > kScrapArea) {
         return {{cleaned_scan(raw, name_, options_.scan), {}}};  // says what is wrong
       }
+      scraps += share;
     }
     if (pieces.size() > 1) {
-      notes_.push_back(counted(pieces.size() - 1, "loose scrap", "loose scraps") + " dropped");
+      notes_.push_back(counted(pieces.size() - 1, "loose scrap", "loose scraps") + " with " +
+                       with_digits(100.0 * scraps, 2) + " % of the block's area dropped");
     }
-    return {closed_block(std::move(pieces[0]), {}, {})};
+    return {closed_block(std::move(pieces[0]), {}, Vec3::Zero())};
   }
 
   std::vector<FieldBlock> of_cloud(const std::vector<Vec3>& raw) {
@@ -147,7 +151,7 @@ class FieldScan {
                      std::to_string(raw.size() - points.size()) + " of them outliers");
     std::optional<Ground> ground;
     if (options_.find_ground) ground = found_ground(points);
-    if (!ground) return {closed_block(surface_of(points), {}, {})};
+    if (!ground) return {closed_block(surface_of(points), {}, Vec3::Zero())};
     const StandingBlocks standing = standing_on(points, *ground);
     std::vector<FieldBlock> blocks;
     for (const StandingBlock* block : chosen(standing)) {

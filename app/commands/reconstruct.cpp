@@ -25,16 +25,17 @@ struct ReconstructArgs {
   std::vector<std::string> scans;
   std::string library = "blocks.h5";
   std::string units = "m";
+  std::string ground = "auto";
   bool replace = false;
   bool json = false;
   ScanToBlockOptions options;
 };
 
-Block block_from(const ScanFile& scan, const ScanToBlockOptions& options,
-                 const std::function<void(const std::string&)>& stage) {
-  if (!scan.is_shp()) return block_from_scan(scan.path, scan.id, options, stage);
+std::vector<Block> blocks_from(const ScanFile& scan, const ScanToBlockOptions& options,
+                               const std::function<void(const std::string&)>& stage) {
+  if (!scan.is_shp()) return blocks_from_scan(scan.path, scan.id, options, stage);
   const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
-  return block_from_shape(shape, scan.path, scan.id, options, stage);
+  return {block_from_shape(shape, scan.path, scan.id, options, stage)};
 }
 
 void reconstruct(ReconstructArgs args) {
@@ -43,6 +44,9 @@ void reconstruct(ReconstructArgs args) {
   options.scan.unit = length_unit(args.units);
   check_usage([&] { options.check(); });
   const std::vector<ScanFile> scans = list_scans(args.scans);
+  if (options.block.mass && options.split) {
+    throw CLI::ValidationError("--mass", "is the mass of one block, but --split may make several");
+  }
   if (options.block.mass && scans.size() > 1) {
     throw CLI::ValidationError("--mass", "is the mass of one block, but " +
                                              std::to_string(scans.size()) + " scans are given");
@@ -63,22 +67,25 @@ void reconstruct(ReconstructArgs args) {
   auto written = std::chrono::steady_clock::now();
   const auto reconstruct_one = [&](const ScanFile& scan) {
     check_block_id(scan.id);
-    if (library.has(scan.id) && !args.replace) {
-      throw InputError("block " + scan.id + " is in " + args.library +
+    const bool several = options.split && !scan.is_shp();
+    const std::string first = several ? scan.id + "_1" : scan.id;
+    if (library.has(first) && !args.replace) {
+      throw InputError("block " + first + " is in " + args.library +
                        " already; use --replace to put the new one in its place");
     }
-    Block block =
-        block_from(scan, options, [&](const std::string& what) { progress.update(steps++, what); });
+    const std::vector<Block> blocks = blocks_from(
+        scan, options, [&](const std::string& what) { progress.update(steps++, what); });
     progress.clear();
-    library.add(block, args.replace);
+    for (const Block& block : blocks) {
+      library.add(block, args.replace);
+      made.push_back(block_json(block));
+      if (args.json) continue;
+      std::cout << block_line(block) << "\n";
+      for (const std::string& warning : block.warnings) std::cout << "  note: " << warning << "\n";
+    }
     if (std::chrono::steady_clock::now() - written > kBetweenWrites) {
       library.write(args.library);
       written = std::chrono::steady_clock::now();
-    }
-    made.push_back(block_json(block));
-    if (!args.json) std::cout << block_line(block) << "\n";
-    for (const std::string& warning : block.warnings) {
-      if (!args.json) std::cout << "  note: " << warning << "\n";
     }
     std::cout.flush();
   };
@@ -114,12 +121,13 @@ void reconstruct(ReconstructArgs args) {
 void add_reconstruct(CLI::App& app) {
   const auto args = std::make_shared<ReconstructArgs>();
   ScanToBlockOptions& options = args->options;
-  CLI::App* command =
-      app.add_subcommand("reconstruct", "Turn scans (closed meshes) into blocks of a library");
+  CLI::App* command = app.add_subcommand(
+      "reconstruct", "Turn scans (meshes and point clouds) into blocks of a library");
   command
       ->add_option("scans", args->scans,
-                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), Rockable or ExaDEM "
-                   "shapes (shp: cores with their radius), or folders of them")
+                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), point clouds (ply, pcd, "
+                   "las, xyz, txt, csv), Rockable or ExaDEM shapes (shp: cores with their "
+                   "radius), or folders of them")
       ->required()
       ->type_name("SCAN");
   command
@@ -134,10 +142,23 @@ void add_reconstruct(CLI::App& app) {
                    "Length unit of the scans: m, cm, mm, km, in, ft, or metres per unit")
       ->type_name("UNIT")
       ->capture_default_str();
-  command->add_option("--up", options.scan.up, "Axis of the scans that points up: y or z")
-      ->check(up_axis())
-      ->type_name("AXIS")
+  CLI::Option* up =
+      command
+          ->add_option("--up", options.scan.up,
+                       "Axis of the scans that points up: y or z; without it z, or away from the "
+                       "ground where a scan holds ground")
+          ->check(up_axis())
+          ->type_name("AXIS");
+  command
+      ->add_option(
+          "--ground", args->ground,
+          "auto: take away the ground around a block; none: the scan is of the block alone")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->type_name("WHICH")
       ->capture_default_str();
+  command->add_flag("--split", options.split,
+                    "Make a block of everything that stands on the ground of a scan, as ID_1, ID_2 "
+                    "... in order of x, and not only of what stands near its middle");
   command
       ->add_option("--vertices", options.vertices,
                    "Vertices a block has at most, 4 or more; default: the fewest up to 2000 with "
@@ -199,8 +220,11 @@ void add_reconstruct(CLI::App& app) {
       "Examples:\n"
       "  clast reconstruct scans/ -o blocks.h5 --units mm --density 2650\n"
       "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342\n"
+      "  clast reconstruct slope.las -o blocks.h5 --split\n"
       "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
-  command->callback([args, density, radius, share] {
+  command->callback([args, density, radius, share, up] {
+    args->options.up_given = up->count() > 0;
+    args->options.find_ground = args->ground == "auto";
     args->options.radius_given = radius->count() + share->count() > 0;
     args->options.block.density_given = density->count() > 0;
     reconstruct(*args);
