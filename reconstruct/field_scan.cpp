@@ -31,7 +31,8 @@ constexpr double kSurfacePoints = 60000.0;
 constexpr double kMostAtBadEdges = 0.01;
 /// A piece beside an open block with more of its area is no scrap.
 constexpr double kScrapArea = 0.1;
-constexpr double kToldTilt = 1.0;  ///< degrees; a turn by less is not told
+constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and told
+constexpr double kToldTilt = 1.0;       ///< degrees; a turn by less is not told
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -179,15 +180,25 @@ class FieldScan {
     return mesh;
   }
 
+  /// Drops what hangs on edges with more than two triangles: fins, which have a border, where two
+  /// others go on; else all.
   static bool drop_bad_edges(TriangleMesh& mesh) {
-    std::vector<bool> keep(mesh.triangles.size(), true);
-    std::size_t dropped = 0;
+    std::vector<bool> at_border(mesh.triangles.size(), false), keep(mesh.triangles.size(), true);
     const auto sides = detail::sorted_half_edges(mesh);
     detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
+      if (edge.size() == 1) at_border[edge[0].triangle] = true;
+    });
+    std::size_t dropped = 0;
+    detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
       if (edge.size() <= 2) return;
+      const auto fins = std::count_if(edge.begin(), edge.end(), [&](const detail::HalfEdge& side) {
+        return at_border[side.triangle];
+      });
+      const bool fins_only = static_cast<std::size_t>(fins) + 2 == edge.size();
       for (const detail::HalfEdge& side : edge) {
-        dropped += keep[side.triangle];
+        if (!keep[side.triangle] || (fins_only && !at_border[side.triangle])) continue;
         keep[side.triangle] = false;
+        ++dropped;
       }
     });
     if (static_cast<double>(dropped) > kMostAtBadEdges * static_cast<double>(keep.size())) {
@@ -273,7 +284,7 @@ class FieldScan {
     turn_outward(open);
     std::optional<Underside> side;
     try {
-      side = closed_underside(open, {.ground = ground});
+      side = closed_underside(open, {.ground = ground, .smallest_share = kSmallestHole});
     } catch (const GeometryError& error) {
       throw GeometryError(name_ + ": " + error.what());
     }

@@ -108,25 +108,6 @@ TEST(FieldScan, ASlopeIsTurnedLevelAndThatIsTold) {
   }));
 }
 
-TEST(FieldScan, ACloudOnASlopeBecomesABlock) {
-  const FieldGround slope(0.1, 0.002, 0, 1.2, 4);
-  const TriangleMesh rock =
-      buried_at(turned_rock(20, {0.42, 0.34, 0.28}, 4), 0.1, 0.0, 0.04, slope);
-  const double noise = 0.001 * bounds(rock).diagonal();
-  const FieldScene scene = field_scene({rock}, slope,
-                                       {.per_block = 30000,
-                                        .ground = 18000,
-                                        .strays = 1000,
-                                        .noise = noise,
-                                        .half = 1.2,
-                                        .steepest = -1.0},
-                                       4);
-  const FieldBlock block = field_blocks(scene.points, "cloud")[0];
-  EXPECT_TRUE(inspect(block.scan.mesh).closed());
-  ASSERT_TRUE(block.underside.has_value());
-  EXPECT_NEAR(volume(block.scan.mesh), volume(rock), 0.015 * volume(rock));
-}
-
 TEST(FieldScan, BareGroundIsRefusedAsSuch) {
   const FieldGround gravel(0.1, 0.004, 100, 1.0, 5);
   const FieldScene scene = field_scene({}, gravel, {.ground = 20000, .noise = 0.001}, 5);
