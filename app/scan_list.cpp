@@ -17,6 +17,9 @@ namespace {
 bool is_scan_file(const fs::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".shp") return !is_map_file(path);
+  // In a folder .txt and .csv are more often tables than scans: those are taken by name only.
+  static const std::set<std::string> kClouds = {".las", ".laz", ".pcd", ".pts", ".xyz"};
+  if (kClouds.contains(extension)) return true;
   const std::vector<std::string>& known = readable_mesh_extensions();
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
@@ -39,8 +42,8 @@ std::vector<fs::path> scans_in(const fs::path& folder) {
   if (found.empty()) {
     std::string known;
     for (const std::string& extension : readable_mesh_extensions()) known += " " + extension;
-    throw InputError(folder.string() + ": no mesh file in this folder; known are" + known +
-                     " .shp");
+    throw InputError(folder.string() + ": no mesh or cloud file in this folder; known are" + known +
+                     " .las .pcd .pts .xyz .shp");
   }
   std::sort(found.begin(), found.end());
   return found;

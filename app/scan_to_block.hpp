@@ -4,9 +4,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "library/make_block.hpp"
-#include "reconstruct/scan.hpp"
+#include "reconstruct/field_scan.hpp"
 #include "reconstruct/simplify.hpp"
 
 namespace clast {
@@ -23,6 +24,9 @@ struct ScanToBlockOptions {
   BlockOptions block;
   bool radius_given = false;  ///< the radius, or its share of S, is the user's and stays
   bool any_size = false;      ///< take blocks beyond the usual sizes
+  bool up_given = false;      ///< `scan.up` is the user's and holds whatever the ground says
+  bool find_ground = true;
+  bool split = false;  ///< every block that stands on the ground of a scan
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -38,12 +42,13 @@ std::string scale_text(const ScanToBlockOptions& options);
 /// Adds a warning where the surface passes through itself.
 void warn_of_crossings(Block& block, const TriangleMesh& surface);
 
-/// Reads, mends, thins and measures one scan.
+/// Reads, mends, thins and measures one scan. With `split` its blocks are `id`_1, `id`_2, ...,
+/// in order of x, then y, of the file; else there is one, `id`.
 /// @param stage  called with the name of each step before it starts
 /// @throws InputError, GeometryError  with the file or the id in the message; also what
 ///         `check_size` throws
-Block block_from_scan(const std::filesystem::path& path, const std::string& id,
-                      const ScanToBlockOptions& options,
-                      const std::function<void(const std::string&)>& stage = {});
+std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std::string& id,
+                                    const ScanToBlockOptions& options,
+                                    const std::function<void(const std::string&)>& stage = {});
 
 }  // namespace clast

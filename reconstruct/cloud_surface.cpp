@@ -124,6 +124,30 @@ std::vector<bool> supported(const TriangleMesh& mesh, const std::vector<Vec3>& p
   return seen;
 }
 
+/// The same mesh, its vertices and triangles in an order that follows from the coordinates alone:
+/// CGAL hands facets out in the order of their places in memory.
+TriangleMesh in_order(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> order(mesh.vertices.size()), number(mesh.vertices.size());
+  for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = v;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b];
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  });
+  TriangleMesh result;
+  for (std::uint32_t v = 0; v < order.size(); ++v) {
+    number[order[v]] = v;
+    result.vertices.push_back(mesh.vertices[order[v]]);
+  }
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    TriangleMesh::Triangle triangle = {number[t[0]], number[t[1]], number[t[2]]};
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                triangle.end());
+    result.triangles.push_back(triangle);
+  }
+  std::sort(result.triangles.begin(), result.triangles.end());
+  return result;
+}
+
 TriangleMesh largest_piece(const TriangleMesh& mesh) {
   std::vector<detail::Piece> pieces = detail::pieces_of(mesh);
   return pieces.empty() ? TriangleMesh() : std::move(pieces.front().mesh);
@@ -160,8 +184,11 @@ TriangleMesh cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
     throw GeometryError("no surface was found through the " + std::to_string(points.size()) +
                         " points; are they of one block, and on its surface?");
   }
-  TriangleMesh whole = largest_piece(closed);
-  if (detail::signed_volume(whole) < 0.0) detail::turn_over(whole);
+  TriangleMesh whole = in_order(largest_piece(closed));
+  if (detail::signed_volume(whole) < 0.0) {
+    detail::turn_over(whole);
+    whole = in_order(whole);
+  }
   TriangleMesh open =
       largest_piece(with_only(whole, supported(whole, thin, options.trim * std::max(cell, apart))));
   if (open.triangles.empty()) {

@@ -11,7 +11,7 @@ struct CloudSurfaceOptions {
   double cell = 0.008;  ///< points are averaged in cubes of this side, or of twice their spacing
   int neighbours = 18;  ///< of the averaged points, for normals
   double edge = 1.5;    ///< edges of triangles, times the distance between averaged points
-  double trim = 2.5;    ///< surface farther than this many cells from the points was not seen
+  double trim = 1.5;    ///< surface farther than this many cells from the points was not seen
   std::size_t fewest = 500;  ///< fewer points make no block
 
   void check() const;  ///< throws InputError naming the field and its value

@@ -31,8 +31,9 @@ constexpr double kOutlierDeviations = 1.0;
 constexpr double kSurfacePoints = 60000.0;
 /// Triangles at edges with more than two are dropped where they are no more than this share.
 constexpr double kMostAtBadEdges = 0.01;
-/// A piece beside the block with more of its area is no debris.
-constexpr double kDebrisArea = 0.02;
+/// A piece beside an open block with more of its area is no scrap.
+constexpr double kScrapArea = 0.1;
+constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and told
 /// Holes of no more edges are closed before a scan is called open.
 constexpr std::size_t kFanEdges = 4;
 constexpr double kToldTilt = 1.0;  ///< degrees; a turn by less is not told
@@ -116,15 +117,19 @@ class FieldScan {
       }
     }
     std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
+    double scraps = 0.0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
-      if (pieces[i].area > kDebrisArea * pieces[0].area) {
+      const double share = pieces[i].area / pieces[0].area;
+      if (share > kScrapArea) {
         return {{cleaned_scan(raw, name_, options_.scan), {}}};  // says what is wrong
       }
+      scraps += share;
     }
     if (pieces.size() > 1) {
-      notes_.push_back(counted(pieces.size() - 1, "loose scrap", "loose scraps") + " dropped");
+      notes_.push_back(counted(pieces.size() - 1, "loose scrap", "loose scraps") + " with " +
+                       with_digits(100.0 * scraps, 2) + " % of the block's area dropped");
     }
-    return {closed_block(std::move(pieces[0].mesh), {}, {})};
+    return {closed_block(std::move(pieces[0].mesh), {}, Vec3::Zero())};
   }
 
   std::vector<FieldBlock> of_cloud(const std::vector<Vec3>& raw) {
@@ -142,7 +147,7 @@ class FieldScan {
                      std::to_string(raw.size() - points.size()) + " of them outliers");
     std::optional<Ground> ground;
     if (options_.find_ground) ground = found_ground(points);
-    if (!ground) return {closed_block(surface_of(points), {}, {})};
+    if (!ground) return {closed_block(surface_of(points), {}, Vec3::Zero())};
     const StandingBlocks standing = standing_on(points, *ground);
     std::vector<FieldBlock> blocks;
     for (const StandingBlock* block : chosen(standing)) {
@@ -170,15 +175,25 @@ class FieldScan {
     return mesh;
   }
 
+  /// Drops what hangs on edges with more than two triangles: fins, which have a border, where two
+  /// others go on; else all.
   static bool drop_bad_edges(TriangleMesh& mesh) {
-    std::vector<bool> keep(mesh.triangles.size(), true);
-    std::size_t dropped = 0;
+    std::vector<bool> at_border(mesh.triangles.size(), false), keep(mesh.triangles.size(), true);
     const auto sides = detail::sorted_half_edges(mesh);
     detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
+      if (edge.size() == 1) at_border[edge[0].triangle] = true;
+    });
+    std::size_t dropped = 0;
+    detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
       if (edge.size() <= 2) return;
+      const auto fins = std::count_if(edge.begin(), edge.end(), [&](const detail::HalfEdge& side) {
+        return at_border[side.triangle];
+      });
+      const bool fins_only = static_cast<std::size_t>(fins) + 2 == edge.size();
       for (const detail::HalfEdge& side : edge) {
-        dropped += keep[side.triangle];
+        if (!keep[side.triangle] || (fins_only && !at_border[side.triangle])) continue;
         keep[side.triangle] = false;
+        ++dropped;
       }
     });
     if (static_cast<double>(dropped) > kMostAtBadEdges * static_cast<double>(keep.size())) {
@@ -264,7 +279,7 @@ class FieldScan {
     turn_outward(open);
     std::optional<Underside> side;
     try {
-      side = closed_underside(open, {.ground = ground});
+      side = closed_underside(open, {.ground = ground, .smallest_share = kSmallestHole});
     } catch (const GeometryError& error) {
       throw GeometryError(name_ + ": " + error.what());
     }

@@ -131,12 +131,12 @@ class Closing {
  private:
   void refuse_sheet(const Rim& rim, double share) const {
     if (share <= options_.largest_share) return;
-    throw GeometryError("the surface is a sheet and no block: its border of " +
-                        std::to_string(rim.loop.size()) + " edges near " +
-                        place(result_.lower.vertices[rim.loop[0]]) + " spans " +
-                        number(100.0 * share) +
-                        " % of what a closed surface would have; only ground, or one side of a "
-                        "block, was scanned");
+    throw GeometryError(
+        "the largest piece is the ground, or one side of a block: a sheet whose "
+        "border of " +
+        std::to_string(rim.loop.size()) + " edges near " +
+        place(result_.lower.vertices[rim.loop[0]]) + " spans " + number(100.0 * share) +
+        " % of what a closed surface would have; scan the block from all sides");
   }
 
   detail::HolePatch fill(const Rim& rim) {

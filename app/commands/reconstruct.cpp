@@ -33,24 +33,25 @@ struct ReconstructArgs {
   std::string scale_length;
   double scale_factor = 1.0;
   unsigned jobs = 1;
+  std::string ground = "auto";
   bool replace = false;
   bool resume = false;
   bool json = false;
   ScanToBlockOptions options;
 };
 
-/// What became of a scan: a block, or the reason why there is none, or neither where the library
-/// has its block already.
+/// What became of a scan: blocks, or the reason why there is none, or neither where the library has
+/// its block already.
 struct Outcome {
-  std::optional<Block> block;
+  std::vector<Block> blocks;
   std::string failure;
 };
 
-Block block_from(const ScanFile& scan, const ScanToBlockOptions& options,
-                 const std::function<void(const std::string&)>& stage) {
-  if (!scan.is_shp()) return block_from_scan(scan.path, scan.id, options, stage);
+std::vector<Block> blocks_from(const ScanFile& scan, const ScanToBlockOptions& options,
+                               const std::function<void(const std::string&)>& stage) {
+  if (!scan.is_shp()) return blocks_from_scan(scan.path, scan.id, options, stage);
   const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
-  return block_from_shape(shape, scan.path, scan.id, options, stage);
+  return {block_from_shape(shape, scan.path, scan.id, options, stage)};
 }
 
 /// A short name of everything that was asked of a scan, for `--resume` to know it again.
@@ -64,8 +65,8 @@ std::string request(const ReconstructArgs& args) {
   std::string text = number(o.scan.unit) + o.scan.up + " " + optional(o.vertices);
   text += optional(b.radius) + number(b.radius_share) + number(b.density) + optional(b.mass);
   text += number(b.accuracy) + number(b.tolerance);
-  for (const bool flag :
-       {o.radius_given, b.density_given, b.core, b.convex, o.scan.repair.keep_inner_shells}) {
+  for (const bool flag : {o.radius_given, b.density_given, b.core, b.convex,
+                          o.scan.repair.keep_inner_shells, o.up_given, o.find_ground, o.split}) {
     text += flag ? "y" : "n";
   }
   return "request=" + sha256(text).substr(0, 16);
@@ -114,26 +115,28 @@ class Batch {
   /// True where the block in the library was made of the same bytes by the same options.
   bool is_done(const ScanFile& scan) {
     check_block_id(scan.id);
+    const std::string first = args_.options.split && !scan.is_shp() ? scan.id + "_1" : scan.id;
     const std::lock_guard lock(mutex_);
-    if (!library_.has(scan.id)) return false;
-    const BlockSource& source = library_.block(scan.id).source;
+    if (!library_.has(first)) return false;
+    const BlockSource& source = library_.block(first).source;
     if (args_.resume && source.options.ends_with(request_) &&
         source.sha256 == sha256_of_file(scan.path)) {
       return true;
     }
     if (args_.replace) return false;
-    throw InputError("block " + scan.id + " is in " + args_.library +
+    throw InputError("block " + first + " is in " + args_.library +
                      " already; use --replace to put the new one in its place");
   }
 
   Outcome made(const ScanFile& scan) {
     try {
       if (is_done(scan)) return {};
-      Block block = block_from(scan, args_.options, [&](const std::string& what) { tell(what); });
-      block.source.options += " " + request_;
-      return {std::move(block), ""};
+      std::vector<Block> blocks =
+          blocks_from(scan, args_.options, [&](const std::string& what) { tell(what); });
+      for (Block& block : blocks) block.source.options += " " + request_;
+      return {std::move(blocks), ""};
     } catch (const Error& error) {  // one bad scan never costs the batch
-      return {std::nullopt, error.what()};
+      return {{}, error.what()};
     }
   }
 
@@ -141,8 +144,8 @@ class Batch {
     const std::lock_guard lock(mutex_);
     progress_.clear();
     steps_ = std::max(steps_, kStages * ++taken_);
-    if (outcome.block) {
-      add(*outcome.block);
+    if (!outcome.blocks.empty()) {
+      for (const Block& block : outcome.blocks) add(block);
     } else if (outcome.failure.empty()) {
       ++skipped_;
     } else {
@@ -205,6 +208,9 @@ void reconstruct(ReconstructArgs args) {
       (options.scaled_by_length ? unit_from_length(args.scale_length) : length_unit(args.units)) *
       args.scale_factor;
   check_usage([&] { options.check(); });
+  if (options.block.mass && options.split) {
+    throw CLI::ValidationError("--mass", "is the mass of one block, but --split may make several");
+  }
   Batch(args).run();
 }
 
@@ -214,11 +220,13 @@ void add_reconstruct(CLI::App& app) {
   const auto args = std::make_shared<ReconstructArgs>();
   ScanToBlockOptions& options = args->options;
   CLI::App* command = app.add_subcommand(
-      "reconstruct", "Turn scans into blocks of a library, mending what is dirty");
+      "reconstruct",
+      "Turn scans (meshes and point clouds) into blocks of a library, mending what is dirty");
   command
       ->add_option("scans", args->scans,
-                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), Rockable or ExaDEM "
-                   "shapes (shp: cores with their radius), or folders of them")
+                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), point clouds (ply, pcd, "
+                   "las, xyz, txt, csv), Rockable or ExaDEM shapes (shp: cores with their "
+                   "radius), or folders of them")
       ->required()
       ->type_name("SCAN");
   command
@@ -245,10 +253,23 @@ void add_reconstruct(CLI::App& app) {
       ->check(positive_number())
       ->type_name("F")
       ->capture_default_str();
-  command->add_option("--up", options.scan.up, "Axis of the scans that points up: y or z")
-      ->check(up_axis())
-      ->type_name("AXIS")
+  CLI::Option* up =
+      command
+          ->add_option("--up", options.scan.up,
+                       "Axis of the scans that points up: y or z; without it z, or away from the "
+                       "ground where a scan holds ground")
+          ->check(up_axis())
+          ->type_name("AXIS");
+  command
+      ->add_option(
+          "--ground", args->ground,
+          "auto: take away the ground around a block; none: the scan is of the block alone")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->type_name("WHICH")
       ->capture_default_str();
+  command->add_flag("--split", options.split,
+                    "Make a block of everything that stands on the ground of a scan, as ID_1, ID_2 "
+                    "... in order of x, and not only of what stands near its middle");
   command
       ->add_option("--vertices", options.vertices,
                    "Vertices a block has at most, 4 or more; default: the fewest up to 2000 with "
@@ -326,8 +347,11 @@ void add_reconstruct(CLI::App& app) {
       "  clast reconstruct scans/ -o blocks.h5 --units mm --jobs 4 --resume\n"
       "  clast reconstruct rock.ply --scale-length \"0.2,1.1,0;3.9,1.3,0.4;0.52\"\n"
       "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342\n"
+      "  clast reconstruct slope.las -o blocks.h5 --split\n"
       "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
-  command->callback([args, density, radius, share] {
+  command->callback([args, density, radius, share, up] {
+    args->options.up_given = up->count() > 0;
+    args->options.find_ground = args->ground == "auto";
     args->options.radius_given = radius->count() + share->count() > 0;
     args->options.block.density_given = density->count() > 0;
     reconstruct(*args);

@@ -98,6 +98,21 @@ void relax(HolePatch& patch, const TriangleMesh& mesh) {
   }
 }
 
+/// Triangles from the middle of the rim: for rims whose corners are joined across already, where
+/// no triangulation without a new vertex is manifold.
+HolePatch star(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
+  HolePatch patch;
+  Vec3 middle = Vec3::Zero();
+  for (const std::uint32_t v : loop) middle += mesh.vertices[v] / static_cast<double>(loop.size());
+  patch.vertices.push_back(middle);
+  patch.bulge.push_back(1.0);
+  const auto centre = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    patch.triangles.push_back({centre, loop[i], loop[(i + 1) % loop.size()]});
+  }
+  return patch;
+}
+
 }  // namespace
 
 HolePatch filled_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
@@ -105,11 +120,7 @@ HolePatch filled_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>
   double density = std::sqrt(2.0);
   for (int i = 0; i < kRefinements; ++i, density *= 1.5) {
     patch = triangulated(mesh, loop, density);
-    if (patch.triangles.empty()) {
-      throw GeometryError("the hole with " + std::to_string(loop.size()) + " edges near " +
-                          place(mesh.vertices[loop[0]]) +
-                          " can't be filled: its border crosses itself; mend it there first");
-    }
+    if (patch.triangles.empty()) return star(mesh, loop);
     if (patch.vertices.size() >= std::max(kFewest, loop.size() / 2)) break;
   }
   if (!patch.vertices.empty()) relax(patch, mesh);

@@ -19,7 +19,7 @@ struct HolePatch {
 /// Fills `loop` as a soap film does: triangulated, refined to the density of the rim, and every new
 /// vertex in the mean of its neighbours (harmonic, weights of cotangents).
 /// @param loop  as `boundary_loops` gives it
-/// @throws GeometryError  no triangulation was found
+/// Where no triangulation is found, a star of triangles from the middle of the rim.
 /// @cite liepa2003
 HolePatch filled_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop);
 

@@ -13,6 +13,7 @@
 #include "shapes/convex_hull.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
+#include "tests/support/cut_mesh.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test_rock.hpp"
 
@@ -79,6 +80,8 @@ TEST(CommandLine, MisuseExitsWithTwoAndNamesTheMistake) {
   expect_refused(folder, {"reconstruct", "a.obj", "--units", "parsec"}, 2, "parsec");
   expect_refused(folder, {"reconstruct", "a.obj", "--units", "-1"}, 2, "-1");
   expect_refused(folder, {"reconstruct", "a.obj", "--up", "x"}, 2, "--up");
+  expect_refused(folder, {"reconstruct", "a.obj", "--ground", "flat"}, 2, "--ground");
+  expect_refused(folder, {"reconstruct", "a.obj", "--split", "--mass", "5"}, 2, "--split");
   expect_refused(folder, {"reconstruct", "a.obj", "--core"}, 2, "--radius");
   expect_refused(folder, {"reconstruct", "a.obj", "--radius", "-0.1"}, 2, "-0.1");
   expect_refused(folder, {"reconstruct", "a.obj", "--radius", "0.1", "--radius-share", "0.1"}, 2,
@@ -393,17 +396,80 @@ TEST_F(Scans, WhatIsNoClosedMeshIsRefusedByName) {
   TriangleMesh open = noisy_ellipsoid(3, {0.5, 0.4, 0.3});
   open.triangles.resize(open.triangles.size() / 4);
   write_obj(folder / "open.obj", open);
+  TriangleMesh sheet;
+  for (int v = 0; v < 25; ++v) sheet.vertices.emplace_back(v % 5, v / 5, 0.1 * (v % 3));
+  for (std::uint32_t v = 0; v < 19; ++v) {
+    if (v % 5 == 4) continue;
+    sheet.triangles.push_back({v, v + 1, v + 6});
+    sheet.triangles.push_back({v, v + 6, v + 5});
+  }
+  write_obj(folder / "sheet.obj", sheet);
   write_text_file(folder / "nan.obj",
                   "v 0 0 0\nv nan 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
   write_text_file(folder / "flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 3 2\n");
   refuse("none.obj", "none.obj");
   refuse("empty.obj", "empty");
   refuse("prose.stl", "prose.stl");
-  refuse("points.obj", "no faces");
+  refuse("points.obj", "no block: 3 points are too few");
   refuse("scan.las", "scan.las");
   refuse("open.obj", "the surface is an open sheet and no block: ");
+  refuse("sheet.obj", "sheet.obj: the largest piece is the ground");
   refuse("nan.obj", "nan.obj");
   refuse("flat.obj", "flat.obj");
+}
+
+TEST_F(Scans, AnOpenScanGivesABlockThatSaysWhatIsNotKnown) {
+  const TriangleMesh whole = noisy_ellipsoid(3, {0.5, 0.4, 0.3});
+  write_obj(folder / "open.obj", above_level(whole, -0.2101));
+  const ProgramRun run = run_clast(
+      {"reconstruct", "open.obj", "--vertices", "80", "--density", "2500"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "of the surface is not seen but filled in; volume between"));
+  const ProgramRun shown = run_clast({"show", "blocks.h5", "--json"}, folder.path());
+  const Json block = Json::parse(shown.out)[0];
+  const Json& unseen = block["unseen"];
+  EXPECT_LT(unseen["volume_lower_m3"], unseen["volume_best_m3"]);
+  EXPECT_LT(unseen["volume_best_m3"], unseen["volume_upper_m3"]);
+  const double best = unseen["volume_best_m3"], made = block["volume_m3"];
+  EXPECT_NEAR(made, best, 1e-3 * best);
+  EXPECT_DOUBLE_EQ(unseen["mass_upper_kg"], 2500.0 * unseen["volume_upper_m3"].get<double>());
+  EXPECT_GT(unseen["invented_share"], 0.05);
+  EXPECT_LE(unseen["s_c_lower"], block["s_c"]);
+  EXPECT_GE(unseen["s_c_upper"], block["s_c"]);
+  EXPECT_GE(unseen["zingg"].size(), 1u);
+  const ProgramRun full = run_clast({"show", "blocks.h5", "open"}, folder.path());
+  EXPECT_TRUE(contains(full.out, "surface filled in %")) << full.out;
+  EXPECT_TRUE(contains(full.out, "mass kg")) << full.out;
+}
+
+TEST_F(Scans, BlocksOnAGroundAreSplitAndNumbered) {
+  TriangleMesh scene;
+  for (int j = 0; j <= 60; ++j) {
+    for (int i = 0; i <= 60; ++i) scene.vertices.emplace_back(0.1 * i - 3.0, 0.1 * j - 3.0, 0.0);
+  }
+  for (std::uint32_t j = 0; j < 60; ++j) {
+    for (std::uint32_t i = 0; i < 60; ++i) {
+      const std::uint32_t a = 61 * j + i;
+      scene.triangles.push_back({a, a + 1, a + 62});
+      scene.triangles.push_back({a, a + 62, a + 61});
+    }
+  }
+  for (const double x : {1.5, -1.4}) {
+    TriangleMesh rock = noisy_ellipsoid(x > 0 ? 5 : 6, {0.6, 0.5, 0.4});
+    for (Vec3& v : rock.vertices) v += Vec3(x, 0.2, 0.3);
+    scene = merged(std::move(scene), rock);
+  }
+  write_obj(folder / "scene.obj", scene);
+  const ProgramRun run = run_clast(
+      {"reconstruct", "scene.obj", "--split", "--vertices", "60", "--json"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json blocks = Json::parse(run.out)["blocks"];
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[0]["id"], "scene_1");
+  EXPECT_EQ(blocks[1]["id"], "scene_2");
+  EXPECT_LT(blocks[0]["centre_m"][0], 0.0);
+  EXPECT_GT(blocks[1]["centre_m"][0], 0.0);
+  expect_refused(folder, {"reconstruct", "scene.obj", "--ground", "none"}, 1, "scene.obj");
 }
 
 TEST_F(Scans, AFolderWithoutMeshesIsRefused) {

@@ -199,7 +199,10 @@ TEST(Underside, ASheetIsRefusedWithItsBorder) {
     }
   }
   const std::string message = refusal<GeometryError>([&] { closed_underside(sheet); });
-  EXPECT_TRUE(contains(message, "a sheet and no block: its border of 20 edges near")) << message;
+  EXPECT_TRUE(contains(message,
+                       "the largest piece is the ground, or one side of a block: a sheet whose "
+                       "border of 20 edges near"))
+      << message;
 }
 
 TEST(Underside, ASurfaceThatIsNoSimpleSheetIsRefused) {
