@@ -13,6 +13,7 @@
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/soup.hpp"
+#include "reconstruct/detail/spikes.hpp"
 #include "reconstruct/standing_blocks.hpp"
 #include "reconstruct/weld.hpp"
 #include "shapes/detail/half_edges.hpp"
@@ -29,14 +30,10 @@ constexpr int kOutlierNeighbours = 16;
 constexpr double kOutlierDeviations = 1.0;
 /// A mesh is looked at through so many points, spread by area.
 constexpr double kSurfacePoints = 60000.0;
-/// Triangles at edges with more than two are dropped where they are no more than this share.
-constexpr double kMostAtBadEdges = 0.01;
 /// A piece beside an open block with more of its area is no scrap.
 constexpr double kScrapArea = 0.1;
 constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and told
-/// Holes of no more edges are closed before a scan is called open.
-constexpr std::size_t kFanEdges = 4;
-constexpr double kToldTilt = 1.0;  ///< degrees; a turn by less is not told
+constexpr double kToldTilt = 1.0;       ///< degrees; a turn by less is not told
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -166,43 +163,17 @@ class FieldScan {
       if (!vertex.allFinite()) return std::nullopt;
     }
     TriangleMesh mesh = welded(raw, options_.scan.repair.weld_tolerance * bounds(raw).diagonal());
-    detail::drop_opposite_pairs(mesh);
-    if (mesh.triangles.empty() || !drop_bad_edges(mesh)) return std::nullopt;
-    if (!detail::orient_consistently(mesh).orientable) return std::nullopt;
-    detail::close_by_fans(mesh, kFanEdges);
+    const detail::SoupMends mends = detail::mend_soup(mesh, detail::kFinArea);
+    if (mesh.triangles.empty() || !mends.orientation.orientable) return std::nullopt;
+    detail::close_by_fans(mesh, detail::kFanEdges);
     if (inspect(mesh).closed()) return std::nullopt;
     detail::split_pinched_vertices(mesh);
+    detail::flatten_spikes(mesh);
     return mesh;
   }
 
   /// Drops what hangs on edges with more than two triangles: fins, which have a border, where two
   /// others go on; else all.
-  static bool drop_bad_edges(TriangleMesh& mesh) {
-    std::vector<bool> at_border(mesh.triangles.size(), false), keep(mesh.triangles.size(), true);
-    const auto sides = detail::sorted_half_edges(mesh);
-    detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
-      if (edge.size() == 1) at_border[edge[0].triangle] = true;
-    });
-    std::size_t dropped = 0;
-    detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
-      if (edge.size() <= 2) return;
-      const auto fins = std::count_if(edge.begin(), edge.end(), [&](const detail::HalfEdge& side) {
-        return at_border[side.triangle];
-      });
-      const bool fins_only = static_cast<std::size_t>(fins) + 2 == edge.size();
-      for (const detail::HalfEdge& side : edge) {
-        if (!keep[side.triangle] || (fins_only && !at_border[side.triangle])) continue;
-        keep[side.triangle] = false;
-        ++dropped;
-      }
-    });
-    if (static_cast<double>(dropped) > kMostAtBadEdges * static_cast<double>(keep.size())) {
-      return false;
-    }
-    if (dropped > 0) mesh = with_triangles(mesh, keep);
-    return true;
-  }
-
   StandingBlocks standing_on(const std::vector<Vec3>& points, const Ground& ground) const {
     StandingBlocks standing = standing_blocks(points, ground);
     if (standing.blocks.empty()) {

@@ -19,12 +19,8 @@ namespace clast {
 
 namespace {
 
-/// Holes of at most this many edges are closed by a fan, exactly where they lie in a plane.
-constexpr std::size_t kFanEdges = 4;
 /// A piece with less of the block's area than this is no block: dust, a scrap of ground.
 constexpr double kIslandArea = 0.05;
-/// A piece of surface that stands on the rest and has less of its area than this is a fin.
-constexpr double kFinArea = 0.05;
 /// Share of the diagonal within which an open piece lies on the block: a part scanned twice.
 constexpr double kDoubleSheet = 0.02;
 /// Welds tried on an open surface, as multiples of the tolerance, while each halves its borders.
@@ -150,32 +146,26 @@ class Route {
   /// After this every edge has one triangle or two, and neighbours face the same way.
   void mend_soup() {
     welded_ = mesh_;
-    note(DefectKind::kFolded, detail::drop_opposite_pairs(mesh_));
+    detail::SoupMends mends;
+    if (options_.invent) {
+      mends = detail::mend_soup(mesh_, detail::kFinArea);
+    } else {
+      mends.folded = detail::drop_opposite_pairs(mesh_);
+      mends.orientation = detail::orient_consistently(mesh_);
+    }
     if (mesh_.triangles.empty()) {
       fail("no surface is left: its triangles have no area or cancel each other");
     }
-    if (!options_.invent) {
-      orient();
-      return;
-    }
-    if (inspect(mesh_).non_manifold_edges > 0) {
-      note(DefectKind::kFin, detail::drop_fins(mesh_, kFinArea));
-    }
-    orient();
-    if (inspect(mesh_).non_manifold_edges > 0) {
-      note(DefectKind::kTouchingEdge, detail::cut_touching_edges(mesh_));
-      orient();
-    }
-  }
-
-  void orient() {
-    const detail::Orientation result = detail::orient_consistently(mesh_);
-    if (!result.orientable) {
-      fail("the surface is one-sided near " + at(mesh_.vertices[result.conflict]) +
+    const detail::Orientation& facing = mends.orientation;
+    if (!facing.orientable) {
+      fail("the surface is one-sided near " + at(mesh_.vertices[facing.conflict]) +
            " (inside and outside can't be told apart)" + kAdvice);
     }
-    if (result.turned > 0) {
-      note(DefectKind::kMixedWinding, result.turned, 0.0, mesh_.vertices[result.first]);
+    note(DefectKind::kFolded, mends.folded);
+    note(DefectKind::kFin, mends.fins);
+    note(DefectKind::kTouchingEdge, mends.touching);
+    if (facing.turned > 0) {
+      note(DefectKind::kMixedWinding, facing.turned, 0.0, mesh_.vertices[facing.first]);
     }
   }
 
@@ -196,7 +186,7 @@ class Route {
 
   void fill() {
     std::vector<FilledHole>& holes = report_.holes;
-    holes = detail::close_by_fans(mesh_, kFanEdges);
+    holes = detail::close_by_fans(mesh_, detail::kFanEdges);
     if (options_.invent && inspect(mesh_).boundary_edges > 0) {
       for (const FilledHole& hole : detail::fill_holes(mesh_)) holes.push_back(hole);
     }
@@ -334,7 +324,7 @@ class Route {
       if (trial.triangles.empty()) return std::nullopt;
       trial = std::move(detail::pieces_of(trial).front().mesh);
       detail::split_pinched_vertices(trial);
-      detail::close_by_fans(trial, kFanEdges);
+      detail::close_by_fans(trial, detail::kFanEdges);
       if (inspect(trial).boundary_edges > 0) detail::fill_holes(trial);
       if (!inspect(trial).closed()) return std::nullopt;
       if (auto sound = if_sound(trial, volume, kCrossingVolume)) return sound;

@@ -8,6 +8,9 @@
 
 namespace clast::detail {
 
+/// Holes of at most this many edges are closed by a fan, exactly where they lie in a plane.
+inline constexpr std::size_t kFanEdges = 4;
+
 /// Closes holes of at most `most_edges` border edges by the fan of least area that makes no edge
 /// twice: no vertex is added, none moves. Shares of the area are left at 0.
 std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges);

@@ -9,6 +9,7 @@
 
 #include "core/types.hpp"
 #include "shapes/detail/half_edges.hpp"
+#include "shapes/mesh_topology.hpp"
 
 namespace clast::detail {
 
@@ -399,6 +400,21 @@ void part_touching_vertices(TriangleMesh& mesh, double distance) {
     }
   }
   for (const auto& [v, move] : moves) mesh.vertices[v] += move;
+}
+
+SoupMends mend_soup(TriangleMesh& mesh, double largest_fin) {
+  SoupMends mends;
+  mends.folded = drop_opposite_pairs(mesh);
+  if (mesh.triangles.empty()) return mends;
+  if (inspect(mesh).non_manifold_edges > 0) mends.fins = drop_fins(mesh, largest_fin);
+  mends.orientation = orient_consistently(mesh);
+  if (!mends.orientation.orientable || inspect(mesh).non_manifold_edges == 0) return mends;
+  mends.touching = cut_touching_edges(mesh);
+  const Orientation again = orient_consistently(mesh);
+  mends.orientation.turned += again.turned;
+  mends.orientation.orientable = again.orientable;
+  mends.orientation.conflict = again.conflict;
+  return mends;
 }
 
 }  // namespace clast::detail

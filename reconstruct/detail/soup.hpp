@@ -31,6 +31,9 @@ std::array<std::uint32_t, 2> first_non_manifold_edge(const TriangleMesh& mesh);
 /// flat). Counts those dropped.
 Mended drop_opposite_pairs(TriangleMesh& mesh);
 
+/// A piece of surface that stands on the rest and has less of its area than this is a fin.
+inline constexpr double kFinArea = 0.05;
+
 /// Drops small pieces of surface that meet the rest on edges of more than two triangles and go on
 /// less smoothly there than the rest does without them: fins, and sheets that lie on the surface.
 /// Counts triangles.
@@ -55,6 +58,17 @@ struct Orientation {
 Orientation orient_consistently(TriangleMesh& mesh);
 
 void turn_over(TriangleMesh& mesh);
+
+/// All of the above, in order.
+struct SoupMends {
+  Mended folded, fins, touching;
+  Orientation orientation;  ///< counts both rounds
+};
+
+/// After this every edge has one triangle or two, and neighbours face the same way; where they
+/// can't, `orientation` says so and the mesh is left half done.
+/// @param largest_fin  share of the area that a fin may have
+SoupMends mend_soup(TriangleMesh& mesh, double largest_fin);
 
 /// Gives every fan of triangles a vertex of its own. Counts the vertices that were split.
 Mended split_pinched_vertices(TriangleMesh& mesh);
