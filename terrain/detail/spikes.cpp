@@ -11,6 +11,7 @@
 namespace clast::detail {
 namespace {
 
+constexpr double kSuspect = 0.5;  // of the steepness, from which a vertex is looked at closely
 // Times the farthest of the vertices around from the same plane: a crest is no row of spikes.
 constexpr double kAlone = 3.0;
 constexpr double kSliverHeight = 1e-3;  // m
@@ -96,32 +97,50 @@ std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const st
   return plane;
 }
 
-/// How far the neighbours and their neighbours are from the plane at most, m.
+/// How far the neighbours and their neighbours are from the plane, the farthest of them left out:
+/// it may be a spike as well, m.
 double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32_t vertex,
                        const RingPlane& plane) {
-  double farthest = 0.0;
-  const auto measure = [&](std::uint32_t v) {
-    if (v == vertex) return;
+  std::vector<std::uint32_t> around(rings.at(vertex).begin(), rings.at(vertex).end());
+  for (const std::uint32_t v : rings.at(vertex)) {
+    around.insert(around.end(), rings.at(v).begin(), rings.at(v).end());
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  double first = 0.0, second = 0.0;
+  for (const std::uint32_t v : around) {
+    if (v == vertex) continue;
     const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
     const double on_plane = plane.height + plane.slope.dot(d.head<2>());
-    farthest = std::max(farthest, std::abs(mesh.vertices[v].z() - on_plane));
-  };
-  for (const std::uint32_t v : rings.at(vertex)) {
-    measure(v);
-    for (const std::uint32_t beyond : rings.at(v)) measure(beyond);
+    const double off = std::abs(mesh.vertices[v].z() - on_plane);
+    second = std::max(second, std::min(first, off));
+    first = std::max(first, off);
   }
-  return farthest;
+  return second;
 }
 
-bool stands_alone(const TriangleMesh& mesh, std::span<const std::uint32_t> ring,
-                  std::uint32_t vertex) {
-  const double z = mesh.vertices[vertex].z();
-  bool above = true, below = true;
-  for (const std::uint32_t v : ring) {
-    above = above && mesh.vertices[v].z() < z;
-    below = below && mesh.vertices[v].z() > z;
+/// The plane through all neighbours but the one without which they are flattest.
+std::optional<RingPlane> plane_without_one(const TriangleMesh& mesh, const Rings& rings,
+                                           std::uint32_t vertex) {
+  std::optional<RingPlane> best;
+  double flattest = 0.0;
+  const std::span<const std::uint32_t> ring = rings.at(vertex);
+  for (std::size_t left_out = 0; left_out < ring.size(); ++left_out) {
+    std::vector<std::uint32_t> others(ring.begin(), ring.end());
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+    const std::optional<RingPlane> plane = ring_plane(mesh, others, vertex);
+    if (!plane) continue;
+    double farthest = 0.0;
+    for (const std::uint32_t v : others) {
+      const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
+      const double on_plane = plane->height + plane->slope.dot(d.head<2>());
+      farthest = std::max(farthest, std::abs(mesh.vertices[v].z() - on_plane));
+    }
+    if (best && farthest >= flattest) continue;
+    best = plane;
+    flattest = farthest;
   }
-  return above || below;
+  return best;
 }
 
 }  // namespace
@@ -134,10 +153,15 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
   double farthest = 0.0;
   Vec3 farthest_at = Vec3::Zero();
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (rings.on_border[v] || rings.overhung[v] || !stands_alone(mesh, rings.at(v), v)) continue;
-    const std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
+    if (rings.on_border[v] || rings.overhung[v]) continue;
+    std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
     if (!plane) continue;
-    const double off = std::abs(mesh.vertices[v].z() - plane->height);
+    double off = std::abs(mesh.vertices[v].z() - plane->height);
+    if (off <= kSuspect * steepness * plane->distance) continue;
+    // A second spike beside it would pull the plane along.
+    if (rings.at(v).size() > 4) plane = plane_without_one(mesh, rings, v);
+    if (!plane) continue;
+    off = std::abs(mesh.vertices[v].z() - plane->height);
     if (off <= steepness * plane->distance) continue;
     if (off <= kAlone * farthest_around(mesh, rings, v, *plane)) continue;
     levelled.emplace_back(v, plane->height);
