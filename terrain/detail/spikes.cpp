@@ -15,7 +15,8 @@ constexpr double kSuspect = 0.5;  // of the steepness, from which a vertex is lo
 // Times the farthest of the vertices around from the same plane: a crest is no row of spikes.
 constexpr double kAlone = 3.0;
 constexpr double kSliverHeight = 1e-3;  // m
-constexpr double kSmoothing = 0.5;      // share of the way in one round
+constexpr int kRounds = 3;
+constexpr double kSmoothing = 0.5;  // share of the way in one round
 
 /// Ends of the edges at every vertex.
 struct Rings {
@@ -143,39 +144,70 @@ std::optional<RingPlane> plane_without_one(const TriangleMesh& mesh, const Rings
   return best;
 }
 
+struct Spikes {
+  std::size_t levelled = 0, left = 0;
+  double farthest = 0.0;  ///< m
+  Vec3 farthest_at = Vec3::Zero(), left_at = Vec3::Zero();
+};
+
+void level_once(TriangleMesh& mesh, const Rings& rings, double steepness, Spikes& spikes) {
+  std::vector<std::pair<double, std::uint32_t>> suspects;
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (rings.on_border[v] || rings.overhung[v]) continue;
+    const std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
+    if (!plane) continue;
+    const double off = std::abs(mesh.vertices[v].z() - plane->height);
+    if (off > kSuspect * steepness * plane->distance) suspects.emplace_back(-off, v);
+  }
+  // The farthest first: what stands beside a spike is only suspect as long as that is there.
+  std::sort(suspects.begin(), suspects.end());
+  for (const auto& [unused, v] : suspects) {
+    // A second spike beside it would pull the plane along.
+    const std::optional<RingPlane> plane = rings.at(v).size() > 4
+                                               ? plane_without_one(mesh, rings, v)
+                                               : ring_plane(mesh, rings.at(v), v);
+    if (!plane) continue;
+    const double off = std::abs(mesh.vertices[v].z() - plane->height);
+    if (off <= steepness * plane->distance) continue;
+    if (off <= kAlone * farthest_around(mesh, rings, v, *plane)) {
+      if (spikes.left++ == 0) spikes.left_at = mesh.vertices[v];
+      continue;
+    }
+    ++spikes.levelled;
+    if (off > spikes.farthest) {
+      spikes.farthest = off;
+      spikes.farthest_at = mesh.vertices[v];
+    }
+    mesh.vertices[v].z() = plane->height;
+  }
+}
+
 }  // namespace
 
 void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) {
   if (!(steepness > 0.0)) return;
   TriangleMesh& mesh = surface.mesh;
   const Rings rings = rings_of(mesh);
-  std::vector<std::pair<std::uint32_t, double>> levelled;
-  double farthest = 0.0;
-  Vec3 farthest_at = Vec3::Zero();
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (rings.on_border[v] || rings.overhung[v]) continue;
-    std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
-    if (!plane) continue;
-    double off = std::abs(mesh.vertices[v].z() - plane->height);
-    if (off <= kSuspect * steepness * plane->distance) continue;
-    // A second spike beside it would pull the plane along.
-    if (rings.at(v).size() > 4) plane = plane_without_one(mesh, rings, v);
-    if (!plane) continue;
-    off = std::abs(mesh.vertices[v].z() - plane->height);
-    if (off <= steepness * plane->distance) continue;
-    if (off <= kAlone * farthest_around(mesh, rings, v, *plane)) continue;
-    levelled.emplace_back(v, plane->height);
-    if (off <= farthest) continue;
-    farthest = off;
-    farthest_at = mesh.vertices[v];
+  Spikes spikes;
+  // What was level with a spike stands out when that is gone.
+  for (int round = 0; round < kRounds; ++round) {
+    const std::size_t before = spikes.levelled;
+    spikes.left = 0;
+    level_once(mesh, rings, steepness, spikes);
+    if (spikes.levelled == before) break;
   }
-  for (const auto& [v, height] : levelled) mesh.vertices[v].z() = height;
-  report.levelled_spikes = levelled.size();
-  if (levelled.empty()) return;
-  report.notes.push_back(std::to_string(levelled.size()) +
+  report.levelled_spikes = spikes.levelled;
+  if (spikes.left > 0) {
+    report.notes.push_back(std::to_string(spikes.left) +
+                           " vertices stand far above or below their neighbours, but not alone, as "
+                           "on crests and walls, and were kept; the first at " +
+                           place(spikes.left_at));
+  }
+  if (report.levelled_spikes == 0) return;
+  report.notes.push_back(std::to_string(report.levelled_spikes) +
                          " single vertices far above or below all their neighbours were brought "
                          "to the plane through these, the farthest, by " +
-                         with_digits(farthest, 3) + " m, at " + place(farthest_at));
+                         with_digits(spikes.farthest, 3) + " m, at " + place(spikes.farthest_at));
 }
 
 void note_slivers(const RawSurface& surface, TerrainReport& report) {

@@ -60,17 +60,17 @@ class Hillshade : public testing::Test {
   const ScratchFolder folder_;
 };
 
-// 20 x 10 m with a margin of 2 % of the longer side all round: 20.8 x 10.4 m on 1,040 pixels, that
-// is 50 per metre; (652000 + x, 5203000 + y) is in column 50 (x + 0.4), row 50 (10.4 - 0.4 - y).
+// 20 x 10 m with a margin of 2 % of the longer side all round: 20.8 x 10.8 m on 1,040 pixels, that
+// is 50 per metre; (652000 + x, 5203000 + y) is in column 50 (x + 0.4), row 50 (10.4 - y).
 TEST_F(Hillshade, ShowsZonesReleasePointsAndBarriersWhereTheyAre) {
   const MapMarks marks{.releases = {Vec2(652003, 5203008)},
                        .barriers = {{Vec2(652015, 5203001), Vec2(652015, 5203009)}}};
   write_hillshade(folder_ / "map.png", ground(), marks, 1040);
   const Pixels picture(folder_ / "map.png");
   ASSERT_EQ(picture.width, 1040);
-  ASSERT_EQ(picture.height, 520);
+  ASSERT_EQ(picture.height, 540);
   const auto at = [&](double x, double y) {
-    return picture.at(static_cast<int>(50.0 * (x + 0.4)), static_cast<int>(50.0 * (10.2 - y)));
+    return picture.at(static_cast<int>(50.0 * (x + 0.4)), static_cast<int>(50.0 * (10.4 - y)));
   };
   EXPECT_TRUE(is_red(at(3.0, 8.0)));
   EXPECT_FALSE(is_red(at(8.0, 3.0))) << "mirrored";
