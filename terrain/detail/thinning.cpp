@@ -84,7 +84,7 @@ class Growing {
           handle(check.from);
         } else if (!is_in(check.to)) {
           handle(check.to);
-        } else {
+        } else if (!check.is_vertex()) {
           constrain(check.from, check.to);
         }
       }
@@ -98,9 +98,12 @@ class Growing {
 
   Triangulation::Vertex_handle handle(std::uint32_t v) {
     if (!is_in(v)) {
-      handles_[v] = triangulation_.insert({vertices_[v].x(), vertices_[v].y()}, near_);
+      // Faces come and go; a vertex stays, and with it some face to begin the search at.
+      const bool is_first = last_ == Triangulation::Vertex_handle();
+      handles_[v] = triangulation_.insert({vertices_[v].x(), vertices_[v].y()},
+                                          is_first ? Triangulation::Face_handle() : last_->face());
       handles_[v]->info() = v;
-      near_ = handles_[v]->face();
+      last_ = handles_[v];
     }
     return handles_[v];
   }
@@ -137,7 +140,6 @@ class Growing {
       if (face->info().error > 0.0) wanted.push_back(face->info().check);
     }
     std::sort(wanted.begin(), wanted.end());
-    near_ = {};
     return wanted;
   }
 
@@ -145,7 +147,7 @@ class Growing {
   double tolerance_;
   Triangulation triangulation_;
   std::vector<Triangulation::Vertex_handle> handles_;
-  Triangulation::Face_handle near_;
+  Triangulation::Vertex_handle last_;
 };
 
 /// In rows that run to and fro, so that each is near the one before.
