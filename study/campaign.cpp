@@ -107,9 +107,41 @@ std::optional<ZoneFile> named_zone_file(const TomlTable& table, const TomlNode& 
   }
 }
 
+/// How the surface files are gridded, checked and mended.
+void read_terrain_checks(const TomlTable& table, Campaign& campaign) {
+  constexpr NumberRange kPercentile{0.0, true, 100.0, "from 0 to 100"};
+  constexpr std::uint64_t kMostRounds = 1000;
+  TerrainOptions& terrain = campaign.terrain;
+  terrain.resolution = table.number("resolution_m", kPositive);
+  terrain.percentile = table.number("percentile", kPercentile);
+  terrain.outliers = table.number("outliers_m", kPositive);
+  terrain.fill = table.number("fill_m", kNotNegative);
+  terrain.crack = table.number("crack_m", kNotNegative).value_or(terrain.crack);
+  terrain.spike_steepness =
+      table.number("spike_steepness", kNotNegative).value_or(terrain.spike_steepness);
+  terrain.smoothing = static_cast<int>(table.count("smoothing", 0, kMostRounds).value_or(0));
+  terrain.tolerance = table.number("tolerance_m", kPositive);
+  if (const TomlNode* lines = table.find("breaklines")) {
+    const std::size_t count = table.texts("breaklines")->size();
+    for (std::size_t i = 0; i < count; ++i) {
+      terrain.breaklines.push_back(input_file(table, "breaklines", element(*lines, i)));
+    }
+  }
+  if (const TomlNode* cut = table.find("cut_zones")) {
+    if (cut->kind != TomlNode::Kind::kBoolean) {
+      table.refuse("cut_zones", *cut, "must be true or false");
+    }
+    terrain.cut_zones = cut->boolean;
+  }
+  campaign.border_distance = table.number("border_distance_m", kPositive);
+}
+
 void read_terrain_table(const TomlTable& top, Campaign& campaign) {
   const TomlTable table =
-      required_table(top, "terrain", {"surface", "zones", "up", "radius_m", "resolution_m"});
+      required_table(top, "terrain",
+                     {"surface", "zones", "up", "radius_m", "resolution_m", "percentile",
+                      "outliers_m", "fill_m", "crack_m", "spike_steepness", "smoothing",
+                      "tolerance_m", "breaklines", "cut_zones", "border_distance_m"});
   const TomlNode& surface = table.required("surface", "a file or a list of files");
   const std::vector<std::string> files = *table.texts("surface");
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -128,7 +160,7 @@ void read_terrain_table(const TomlTable& top, Campaign& campaign) {
     }
   }
   campaign.terrain.up = choice(table, "up", {"z", "y"}).value_or("z");
-  campaign.terrain.resolution = table.number("resolution_m", kPositive);
+  read_terrain_checks(table, campaign);
   campaign.terrain_radius = table.number("radius_m", kNotNegative).value_or(0.0);
 }
 

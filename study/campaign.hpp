@@ -44,7 +44,8 @@ struct Campaign {
   std::string text;  ///< the file, byte for byte
   BlockSelection blocks;
   TerrainOptions terrain;
-  double terrain_radius = 0.0;  ///< m
+  double terrain_radius = 0.0;            ///< m
+  std::optional<double> border_distance;  ///< release points nearer to the border are warned of, m
   std::map<std::string, GroundParameters> ground;
   ReleasePlan release;
   ContactWeights weights = ContactWeights::kPatch;

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "study/campaign_runner.hpp"
+#include "terrain/terrain_fit.hpp"
 
 namespace clast {
 namespace {
@@ -249,6 +250,19 @@ std::vector<std::string> warnings_of(const PreparedCampaign& prepared) {
                          " lies off the terrain, so nothing can cross it; from and to are x, y of "
                          "the z-up map");
     }
+  }
+  const auto warn = [&](const std::optional<std::string>& warning) {
+    if (warning) warnings.push_back(*warning);
+  };
+  double smallest = 1e300, largest = 0.0;
+  for (const RigidBody& body : prepared.bodies) {
+    smallest = std::min(smallest, body.smallest_side);
+    largest = std::max(largest, body.smallest_side);
+  }
+  warn(cell_size_warning(prepared.header.terrain, smallest, largest));
+  if (prepared.campaign.border_distance) {
+    warn(border_warning(prepared.header.terrain, prepared.campaign.release.points,
+                        *prepared.campaign.border_distance));
   }
   for (const Block& block : prepared.blocks) {
     for (const std::string& warning : block.warnings) {

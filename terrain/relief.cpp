@@ -37,7 +37,9 @@ double side(const Vec3& a, const Vec3& b, double x, double y) {
 void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t zone,
                      const Window& window, Relief& relief) {
   const double area = side(a, b, c.x(), c.y());
-  if (!(area > 0.0)) return;  // upright or facing down: nothing of it is seen from above
+  // Facing down, it may still be uppermost: where the survey ends on an overhang.
+  if (area < 0.0) return sample_triangle(a, c, b, zone, window, relief);
+  if (!(area > 0.0)) return;  // upright: its neighbours have the heights
   const auto cell_range = [&](double low, double high, std::uint32_t count) {
     const double last = static_cast<double>(count) - 1.0;
     const double from = std::clamp(std::ceil(low / relief.cell - 0.5), 0.0, last + 1.0);

@@ -7,7 +7,10 @@
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
+#include "shapes/point_cloud.hpp"
+#include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
+#include "terrain/terrain_fit.hpp"
 #include "terrain/terrain_input.hpp"
 
 namespace clast {
@@ -20,6 +23,13 @@ struct TerrainArgs {
   std::string output = "terrain.h5";
   std::string exported;
   std::string export_up = "z";
+  double export_cell = 0.5;
+  std::string breaklines;
+  std::string picture;
+  std::string releases;
+  std::string barriers;
+  double border_distance = 5.0;
+  std::optional<double> block_size;
   bool json = false;
   TerrainOptions options;
 };
@@ -87,6 +97,12 @@ nlohmann::ordered_json report_json(const Terrain& terrain) {
           {"dropped_degenerate", report.dropped_degenerate},
           {"dropped_duplicates", report.dropped_duplicates},
           {"turned_triangles", report.turned_triangles},
+          {"closed_cracks", report.closed_cracks},
+          {"filled_holes", report.filled_holes},
+          {"open_holes", report.open_holes},
+          {"levelled_spikes", report.levelled_spikes},
+          {"dropped_pieces", report.dropped_pieces},
+          {"slivers", report.slivers},
           {"boundary_edges", report.boundary_edges},
           {"components", report.components},
           {"low_m", {low.x(), low.y(), low.z()}},
@@ -97,13 +113,52 @@ nlohmann::ordered_json report_json(const Terrain& terrain) {
           {"notes", report.notes}};
 }
 
+/// Release points of a file, on the map, z up.
+std::vector<Vec3> release_points(const TerrainArgs& args) {
+  std::vector<Vec3> points;
+  if (args.releases.empty()) return points;
+  points = read_cloud(args.releases);
+  if (args.options.up == "y") {
+    for (Vec3& point : points) point = Vec3(point.x(), -point.z(), point.y());
+  }
+  return points;
+}
+
+/// Whether the ground suits what it is for; what does not is added to the notes.
+void check_fit(const TerrainArgs& args, const std::vector<Vec3>& releases, Terrain& terrain) {
+  const auto note = [&](const std::optional<std::string>& warning) {
+    if (warning) terrain.report.notes.push_back(*warning);
+  };
+  if (!releases.empty()) {
+    check_over_ground(terrain, releases, args.releases);
+    note(border_warning(terrain, releases, args.border_distance));
+  }
+  if (args.block_size) note(cell_size_warning(terrain, *args.block_size, *args.block_size));
+}
+
+void draw_picture(const TerrainArgs& args, const std::vector<Vec3>& releases,
+                  const Terrain& terrain) {
+  MapMarks marks;
+  for (const Vec3& release : releases) marks.releases.push_back(release.head<2>());
+  if (!args.barriers.empty()) marks.barriers = read_barrier_lines(args.barriers, terrain);
+  write_hillshade(args.picture, terrain, marks);
+}
+
 void make_terrain(TerrainArgs args) {
   args.options.surface.assign(args.inputs.begin(), args.inputs.end());
   args.options.zones = split_list(args.zones);
+  for (const std::string& file : split_list(args.breaklines)) {
+    args.options.breaklines.emplace_back(file);
+  }
   check_usage([&] { args.options.check(); });
-  const Terrain terrain = read_terrain(args.options);
+  const std::vector<Vec3> releases = release_points(args);
+  Terrain terrain = read_terrain(args.options);
+  check_fit(args, releases, terrain);
+  if (!args.picture.empty()) draw_picture(args, releases, terrain);
   write_terrain(args.output, terrain);
-  if (!args.exported.empty()) export_terrain(args.exported, terrain, args.export_up);
+  if (!args.exported.empty()) {
+    export_terrain(args.exported, terrain, args.export_up, args.export_cell);
+  }
   if (args.json) {
     std::cout << report_json(terrain).dump(2) << "\n";
     return;
@@ -111,9 +166,104 @@ void make_terrain(TerrainArgs args) {
   print_report(terrain);
   std::cout << args.output << ": written\n";
   if (!args.exported.empty()) std::cout << args.exported << ": written\n";
+  if (!args.picture.empty()) std::cout << args.picture << ": written\n";
 }
 
 }  // namespace
+
+/// How clouds and rasters become a grid.
+void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& breaklines) {
+  command
+      .add_option("--resolution", options.resolution,
+                  "Cell size for clouds and resampled rasters, m; default of clouds: about four "
+                  "points per cell")
+      ->check(positive_number())
+      ->type_name("M");
+  command
+      .add_option("--percentile", options.percentile,
+                  "Height of a cloud's cell: this percentile of its points, 0 for the lowest; "
+                  "default: their mean")
+      ->check(number_between(0.0, 100.0))
+      ->type_name("P");
+  command
+      .add_option("--outliers", options.outliers,
+                  "Leave out points of a cloud that are farther than this above or below the "
+                  "ground around, m")
+      ->check(positive_number())
+      ->type_name("M");
+  command
+      .add_option("--fill", options.fill,
+                  "Fill holes up to this width, m; default: 3 cells of a cloud, 3 median edges of "
+                  "a mesh, none of a raster")
+      ->check(number_between(0.0, 1e6))
+      ->type_name("M");
+  command
+      .add_option("--breaklines", breaklines,
+                  "Lines with heights (GeoJSON, GeoPackage, Shapefile; comma-separated) that "
+                  "become edges of a raster's or cloud's surface")
+      ->type_name("FILES");
+}
+
+/// What is checked and mended.
+void add_mending_options(CLI::App& command, TerrainOptions& options) {
+  command
+      .add_option("--crack", options.crack,
+                  "Close cracks between tiles up to this width, m; 0: none")
+      ->check(number_between(0.0, 1e3))
+      ->type_name("M")
+      ->capture_default_str();
+  command
+      .add_option("--spikes", options.spike_steepness,
+                  "Level single vertices that stand out by more than this many times the distance "
+                  "to their neighbours; 0: none")
+      ->check(number_between(0.0, 1e3))
+      ->type_name("X")
+      ->capture_default_str();
+  command.add_option("--smoothing", options.smoothing, "Rounds of smoothing")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option("--tolerance", options.tolerance,
+                  "Leave out vertices where the surface stays within this height, m; overhangs "
+                  "stay")
+      ->check(positive_number())
+      ->type_name("M");
+  command.add_flag("--cut-zones", options.cut_zones,
+                   "Cut the borders of zone polygons into the triangles");
+}
+
+/// What the ground is for, and its picture.
+void add_fit_options(CLI::App& command, TerrainArgs& args) {
+  CLI::Option* releases =
+      command
+          .add_option("--release", args.releases,
+                      "Release points (lines of x y z, axes as the inputs): refused when off the "
+                      "ground, drawn in the picture")
+          ->type_name("FILE");
+  command
+      .add_option("--border-distance", args.border_distance,
+                  "Warn of release points nearer than this to the border, m")
+      ->check(positive_number())
+      ->needs(releases)
+      ->type_name("M")
+      ->capture_default_str();
+  command
+      .add_option("--block-size", args.block_size,
+                  "Diameter of the blocks, m: warn when the ground is much coarser or finer")
+      ->check(positive_number())
+      ->type_name("M");
+  CLI::Option* picture =
+      command
+          .add_option("--picture", args.picture,
+                      "Also draw a hillshade (png) with zones, release points and barriers")
+          ->type_name("FILE");
+  command
+      .add_option("--barriers", args.barriers,
+                  "Lines to draw in the picture (GeoJSON, GeoPackage, Shapefile)")
+      ->needs(picture)
+      ->type_name("FILE");
+}
 
 void add_terrain(CLI::App& app) {
   const auto args = std::make_shared<TerrainArgs>();
@@ -134,17 +284,17 @@ void add_terrain(CLI::App& app) {
           "--zones", args->zones,
           "Ground zones: a name for each mesh, comma-separated, or one raster of class numbers, "
           "named as in zones.asc:1=blue,2=gray, or one GeoJSON, GeoPackage or Shapefile "
-          "of polygons with a property \"zone\"; default: one zone, ground")
+          "of polygons with a property \"zone\", or rules: "
+          "rock=slope>60,scree=height<1450,soil=else "
+          "(degrees, m; the first that holds); default: one zone, ground")
       ->type_name("LIST|FILE");
   command->add_option("--up", args->options.up, "Axis of the inputs that points up: y or z")
       ->check(up_axis())
       ->type_name("AXIS")
       ->capture_default_str();
-  command
-      ->add_option("--resolution", args->options.resolution,
-                   "Cell size for clouds and resampled rasters, m")
-      ->check(positive_number())
-      ->type_name("M");
+  add_grid_options(*command, args->options, args->breaklines);
+  add_mending_options(*command, args->options);
+  add_fit_options(*command, *args);
   CLI::Option* exported =
       command
           ->add_option("--export", args->exported,
@@ -155,11 +305,18 @@ void add_terrain(CLI::App& app) {
       ->needs(exported)
       ->type_name("AXIS")
       ->capture_default_str();
+  command->add_option("--export-cell", args->export_cell, "Cell size of an exported tif, m")
+      ->check(positive_number())
+      ->needs(exported)
+      ->type_name("M")
+      ->capture_default_str();
   command->add_flag("--json", args->json, "Print the report as JSON");
   command->footer(
       "Examples:\n"
       "  clast terrain blue.stl gray.stl red.stl --zones blue,gray,red --up y -o quarry.h5\n"
-      "  clast terrain dem.tif --zones zones.geojson -o slope.h5 --export slope.vtp");
+      "  clast terrain dem.tif --zones zones.geojson -o slope.h5 --export slope.vtp\n"
+      "  clast terrain lidar.las --resolution 0.5 --zones 'rock=slope>60,soil=else' "
+      "--picture slope.png");
   command->callback([args] { make_terrain(*args); });
 }
 

@@ -88,8 +88,11 @@ std::string crs_name(const OGRSpatialReference* system) {
 
 Raster read_raster(const std::filesystem::path& path) {
   const GdalSession session;
+  // GDAL would round the numbers of an Esri grid to floats: 2e-5 m at 250 m.
+  const char* as_doubles[] = {"DATATYPE=Float64", nullptr};
   const DatasetPointer dataset(
-      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                        nullptr, extension_of(path) == ".asc" ? as_doubles : nullptr, nullptr));
   if (!dataset) {
     throw InputError(path.string() + ": is not a raster that GDAL can read (" +
                      GdalSession::message() + ")");

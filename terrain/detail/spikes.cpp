@@ -11,10 +11,12 @@
 namespace clast::detail {
 namespace {
 
+constexpr double kSuspect = 0.5;  // of the steepness, from which a vertex is looked at closely
 // Times the farthest of the vertices around from the same plane: a crest is no row of spikes.
 constexpr double kAlone = 3.0;
 constexpr double kSliverHeight = 1e-3;  // m
-constexpr double kSmoothing = 0.5;      // share of the way in one round
+constexpr int kRounds = 3;
+constexpr double kSmoothing = 0.5;  // share of the way in one round
 
 /// Ends of the edges at every vertex.
 struct Rings {
@@ -96,32 +98,88 @@ std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const st
   return plane;
 }
 
-/// How far the neighbours and their neighbours are from the plane at most, m.
+/// How far the neighbours and their neighbours are from the plane, the farthest of them left out:
+/// it may be a spike as well, m.
 double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32_t vertex,
                        const RingPlane& plane) {
-  double farthest = 0.0;
-  const auto measure = [&](std::uint32_t v) {
-    if (v == vertex) return;
+  std::vector<std::uint32_t> around(rings.at(vertex).begin(), rings.at(vertex).end());
+  for (const std::uint32_t v : rings.at(vertex)) {
+    around.insert(around.end(), rings.at(v).begin(), rings.at(v).end());
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  double first = 0.0, second = 0.0;
+  for (const std::uint32_t v : around) {
+    if (v == vertex) continue;
     const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
     const double on_plane = plane.height + plane.slope.dot(d.head<2>());
-    farthest = std::max(farthest, std::abs(mesh.vertices[v].z() - on_plane));
-  };
-  for (const std::uint32_t v : rings.at(vertex)) {
-    measure(v);
-    for (const std::uint32_t beyond : rings.at(v)) measure(beyond);
+    const double off = std::abs(mesh.vertices[v].z() - on_plane);
+    second = std::max(second, std::min(first, off));
+    first = std::max(first, off);
   }
-  return farthest;
+  return second;
 }
 
-bool stands_alone(const TriangleMesh& mesh, std::span<const std::uint32_t> ring,
-                  std::uint32_t vertex) {
-  const double z = mesh.vertices[vertex].z();
-  bool above = true, below = true;
-  for (const std::uint32_t v : ring) {
-    above = above && mesh.vertices[v].z() < z;
-    below = below && mesh.vertices[v].z() > z;
+/// The plane through all neighbours but the one without which they are flattest.
+std::optional<RingPlane> plane_without_one(const TriangleMesh& mesh, const Rings& rings,
+                                           std::uint32_t vertex) {
+  std::optional<RingPlane> best;
+  double flattest = 0.0;
+  const std::span<const std::uint32_t> ring = rings.at(vertex);
+  for (std::size_t left_out = 0; left_out < ring.size(); ++left_out) {
+    std::vector<std::uint32_t> others(ring.begin(), ring.end());
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+    const std::optional<RingPlane> plane = ring_plane(mesh, others, vertex);
+    if (!plane) continue;
+    double farthest = 0.0;
+    for (const std::uint32_t v : others) {
+      const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
+      const double on_plane = plane->height + plane->slope.dot(d.head<2>());
+      farthest = std::max(farthest, std::abs(mesh.vertices[v].z() - on_plane));
+    }
+    if (best && farthest >= flattest) continue;
+    best = plane;
+    flattest = farthest;
   }
-  return above || below;
+  return best;
+}
+
+struct Spikes {
+  std::size_t levelled = 0, left = 0;
+  double farthest = 0.0;  ///< m
+  Vec3 farthest_at = Vec3::Zero(), left_at = Vec3::Zero();
+};
+
+void level_once(TriangleMesh& mesh, const Rings& rings, double steepness, Spikes& spikes) {
+  std::vector<std::pair<double, std::uint32_t>> suspects;
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (rings.on_border[v] || rings.overhung[v]) continue;
+    const std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
+    if (!plane) continue;
+    const double off = std::abs(mesh.vertices[v].z() - plane->height);
+    if (off > kSuspect * steepness * plane->distance) suspects.emplace_back(-off, v);
+  }
+  // The farthest first: what stands beside a spike is only suspect as long as that is there.
+  std::sort(suspects.begin(), suspects.end());
+  for (const auto& [unused, v] : suspects) {
+    // A second spike beside it would pull the plane along.
+    const std::optional<RingPlane> plane = rings.at(v).size() > 4
+                                               ? plane_without_one(mesh, rings, v)
+                                               : ring_plane(mesh, rings.at(v), v);
+    if (!plane) continue;
+    const double off = std::abs(mesh.vertices[v].z() - plane->height);
+    if (off <= steepness * plane->distance) continue;
+    if (off <= kAlone * farthest_around(mesh, rings, v, *plane)) {
+      if (spikes.left++ == 0) spikes.left_at = mesh.vertices[v];
+      continue;
+    }
+    ++spikes.levelled;
+    if (off > spikes.farthest) {
+      spikes.farthest = off;
+      spikes.farthest_at = mesh.vertices[v];
+    }
+    mesh.vertices[v].z() = plane->height;
+  }
 }
 
 }  // namespace
@@ -130,28 +188,26 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
   if (!(steepness > 0.0)) return;
   TriangleMesh& mesh = surface.mesh;
   const Rings rings = rings_of(mesh);
-  std::vector<std::pair<std::uint32_t, double>> levelled;
-  double farthest = 0.0;
-  Vec3 farthest_at = Vec3::Zero();
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (rings.on_border[v] || rings.overhung[v] || !stands_alone(mesh, rings.at(v), v)) continue;
-    const std::optional<RingPlane> plane = ring_plane(mesh, rings.at(v), v);
-    if (!plane) continue;
-    const double off = std::abs(mesh.vertices[v].z() - plane->height);
-    if (off <= steepness * plane->distance) continue;
-    if (off <= kAlone * farthest_around(mesh, rings, v, *plane)) continue;
-    levelled.emplace_back(v, plane->height);
-    if (off <= farthest) continue;
-    farthest = off;
-    farthest_at = mesh.vertices[v];
+  Spikes spikes;
+  // What was level with a spike stands out when that is gone.
+  for (int round = 0; round < kRounds; ++round) {
+    const std::size_t before = spikes.levelled;
+    spikes.left = 0;
+    level_once(mesh, rings, steepness, spikes);
+    if (spikes.levelled == before) break;
   }
-  for (const auto& [v, height] : levelled) mesh.vertices[v].z() = height;
-  report.levelled_spikes = levelled.size();
-  if (levelled.empty()) return;
-  report.notes.push_back(std::to_string(levelled.size()) +
+  report.levelled_spikes = spikes.levelled;
+  if (spikes.left > 0) {
+    report.notes.push_back(std::to_string(spikes.left) +
+                           " vertices stand far above or below their neighbours, but not alone, as "
+                           "on crests and walls, and were kept; the first at " +
+                           place(spikes.left_at));
+  }
+  if (report.levelled_spikes == 0) return;
+  report.notes.push_back(std::to_string(report.levelled_spikes) +
                          " single vertices far above or below all their neighbours were brought "
                          "to the plane through these, the farthest, by " +
-                         with_digits(farthest, 3) + " m, at " + place(farthest_at));
+                         with_digits(spikes.farthest, 3) + " m, at " + place(spikes.farthest_at));
 }
 
 void note_slivers(const RawSurface& surface, TerrainReport& report) {

@@ -5,11 +5,11 @@
 
 namespace clast::detail {
 
-/// Levels spikes and pits: inner vertices above all their neighbours or below all of them, and
-/// farther from the plane through these than `steepness` times their mean distance in plan and than
-/// three times the farthest of them and of their neighbours: a crest is no row of spikes. They are
-/// put onto the plane. Vertices of the border and of overhangs are left alone: one side of them is
-/// not known.
+/// Levels spikes and pits: inner vertices farther from the plane through their neighbours than
+/// `steepness` times the mean distance of these in plan, and than three times the farthest of them
+/// and of their neighbours: a crest is no row of spikes. One of the vertices around is left out of
+/// either comparison, as it may be a spike too. They are put onto the plane. Vertices of the border
+/// and of overhangs are left alone: one side of them is not known.
 void level_spikes(RawSurface& surface, double steepness, TerrainReport& report);
 
 /// Counts triangles whose smallest height is under 1 mm, with the place of the lowest. They are

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <queue>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -23,13 +23,17 @@ constexpr double kSteep = 0.05;  // cosine to the vertical: walls steeper than 8
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+/// The check in a face that is farthest off it.
+struct Farthest {
+  double error = 0.0;  ///< m
+  std::uint32_t check = 0;
+};
 using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<std::vector<std::uint32_t>, Kernel,
+    CGAL::Triangulation_face_base_with_info_2<Farthest, Kernel,
                                               CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_requiring_constructions_tag>;
-using Point = Triangulation::Point;
 
 /// Triangles that must stay: overhangs, walls, and all whose plan boxes they reach into.
 std::vector<bool> kept_triangles(const TriangleMesh& mesh) {
@@ -51,105 +55,113 @@ std::vector<bool> kept_triangles(const TriangleMesh& mesh) {
   return kept;
 }
 
-/// The triangulation that grows by the point that is farthest off until none is too far.
+/// A place where the new surface must be near the old one: a vertex, or the middle of an edge.
+struct Check {
+  Vec3 point;
+  std::uint32_t from, to;  ///< vertices; the same for a vertex
+
+  bool is_vertex() const { return from == to; }
+};
+
+/// The triangulation that grows, in rounds, by what is farthest off in each of its faces.
 class Growing {
  public:
-  Growing(const std::vector<Vec3>& points, double tolerance)
-      : points_(points),
-        tolerance_(tolerance),
-        vertex_of_(points.size()),
-        errors_(points.size(), 0.0) {}
+  Growing(const std::vector<Vec3>& vertices, double tolerance)
+      : vertices_(vertices), tolerance_(tolerance), handles_(vertices.size()) {}
 
   void constrain(std::uint32_t a, std::uint32_t b) {
-    triangulation_.insert_constraint(vertex(a), vertex(b));
+    triangulation_.insert_constraint(handle(a), handle(b));
   }
 
-  /// @param open  points that may be inserted
-  void grow(const std::vector<std::uint32_t>& open) {
-    Triangulation::Face_handle near;
-    for (const std::uint32_t p : open) {
-      near = triangulation_.locate(plan(p), near);
-      near->info().push_back(p);
-    }
-    for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end();
-         ++face) {
-      for (const std::uint32_t p : face->info()) measure(p, face);
-    }
-    while (!queue_.empty()) {
-      const auto [error, negative] = queue_.top();
-      queue_.pop();
-      const auto p = static_cast<std::uint32_t>(-negative);
-      if (error == errors_[p] && vertex_of_[p] == Triangulation::Vertex_handle()) insert(p);
+  /// Every check that is off by more than the tolerance brings in its vertex; the middle of an edge
+  /// one of its ends, or, with both there, the edge itself: at worst the old triangles come back.
+  void grow(const std::vector<Check>& checks) {
+    for (std::vector<std::uint32_t> wanted = farthest(checks); !wanted.empty();
+         wanted = farthest(checks)) {
+      for (const std::uint32_t i : wanted) {
+        const Check& check = checks[i];
+        if (!is_in(check.from)) {
+          handle(check.from);
+        } else if (!is_in(check.to)) {
+          handle(check.to);
+        } else if (!check.is_vertex()) {
+          constrain(check.from, check.to);
+        }
+      }
     }
   }
 
   const Triangulation& triangulation() const { return triangulation_; }
 
  private:
-  Point plan(std::uint32_t p) const { return {points_[p].x(), points_[p].y()}; }
+  bool is_in(std::uint32_t v) const { return handles_[v] != Triangulation::Vertex_handle(); }
 
-  Triangulation::Vertex_handle vertex(std::uint32_t p) {
-    if (vertex_of_[p] == Triangulation::Vertex_handle()) {
-      vertex_of_[p] = triangulation_.insert(plan(p));
-      vertex_of_[p]->info() = p;
+  Triangulation::Vertex_handle handle(std::uint32_t v) {
+    if (!is_in(v)) {
+      // Faces come and go; a vertex stays, and with it some face to begin the search at.
+      const bool is_first = last_ == Triangulation::Vertex_handle();
+      handles_[v] = triangulation_.insert({vertices_[v].x(), vertices_[v].y()},
+                                          is_first ? Triangulation::Face_handle() : last_->face());
+      handles_[v]->info() = v;
+      last_ = handles_[v];
     }
-    return vertex_of_[p];
+    return handles_[v];
   }
 
-  /// How far the point is off the plane of its face; waits to be inserted when that is too far.
-  void measure(std::uint32_t p, Triangulation::Face_handle face) {
-    errors_[p] = 0.0;
-    if (triangulation_.is_infinite(face)) return;
-    const Vec3& a = points_[face->vertex(0)->info()];
-    const Vec3 ab = points_[face->vertex(1)->info()] - a;
-    const Vec3 ac = points_[face->vertex(2)->info()] - a;
-    const Vec3 ap = points_[p] - a;
+  double error(const Check& check, const Triangulation::Face_handle& face) const {
+    const Vec3& a = vertices_[face->vertex(0)->info()];
+    const Vec3 ab = vertices_[face->vertex(1)->info()] - a;
+    const Vec3 ac = vertices_[face->vertex(2)->info()] - a;
+    const Vec3 ap = check.point - a;
     const double area = ab.x() * ac.y() - ab.y() * ac.x();
     const double v = (ap.x() * ac.y() - ap.y() * ac.x()) / area;
     const double w = (ab.x() * ap.y() - ab.y() * ap.x()) / area;
-    errors_[p] = std::abs(ap.z() - v * ab.z() - w * ac.z());
-    if (!(errors_[p] <= tolerance_)) queue_.emplace(errors_[p], -static_cast<std::int64_t>(p));
+    return std::abs(ap.z() - v * ab.z() - w * ac.z());
   }
 
-  void insert(std::uint32_t p) {
-    const Triangulation::Face_handle home = triangulation_.locate(plan(p), last_);
-    std::vector<Triangulation::Face_handle> replaced;
-    std::vector<Triangulation::Edge> rim;
-    triangulation_.get_conflicts_and_boundary(plan(p), std::back_inserter(replaced),
-                                              std::back_inserter(rim), home);
-    std::vector<std::uint32_t> orphans;
-    for (const Triangulation::Face_handle& face : replaced) {
-      orphans.insert(orphans.end(), face->info().begin(), face->info().end());
-      face->info().clear();
+  /// Of every face the check that is farthest off, if by more than the tolerance; rising numbers.
+  std::vector<std::uint32_t> farthest(const std::vector<Check>& checks) {
+    for (auto face = triangulation_.all_faces_begin(); face != triangulation_.all_faces_end();
+         ++face) {
+      face->info() = {};
     }
-    std::sort(orphans.begin(), orphans.end());
-    vertex_of_[p] = triangulation_.insert(plan(p), home);
-    vertex_of_[p]->info() = p;
-    // CGAL recycles faces: whatever is around the new vertex starts without points.
-    auto around = triangulation_.incident_faces(vertex_of_[p]), end = around;
-    std::vector<Triangulation::Face_handle> fan;
-    do {
-      around->info().clear();
-      fan.push_back(around);
-    } while (++around != end);
-    for (const std::uint32_t orphan : orphans) {
-      if (orphan == p) continue;
-      const Triangulation::Face_handle face = triangulation_.locate(plan(orphan), fan.front());
-      face->info().push_back(orphan);
-      measure(orphan, face);
+    Triangulation::Face_handle near;
+    for (std::uint32_t i = 0; i < checks.size(); ++i) {
+      const Check& check = checks[i];
+      if (check.is_vertex() && is_in(check.from)) continue;
+      near = triangulation_.locate({check.point.x(), check.point.y()}, near);
+      if (triangulation_.is_infinite(near)) continue;
+      const double off = error(check, near);
+      if (off > tolerance_ && off > near->info().error) near->info() = {off, i};
     }
-    last_ = fan.front();
+    std::vector<std::uint32_t> wanted;
+    for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end();
+         ++face) {
+      if (face->info().error > 0.0) wanted.push_back(face->info().check);
+    }
+    std::sort(wanted.begin(), wanted.end());
+    return wanted;
   }
 
-  const std::vector<Vec3>& points_;
+  const std::vector<Vec3>& vertices_;
   double tolerance_;
   Triangulation triangulation_;
-  std::vector<Triangulation::Vertex_handle> vertex_of_;
-  std::vector<double> errors_;
-  Triangulation::Face_handle last_;
-  // Largest error first, then the smallest number.
-  std::priority_queue<std::pair<double, std::int64_t>> queue_;
+  std::vector<Triangulation::Vertex_handle> handles_;
+  Triangulation::Vertex_handle last_;
 };
+
+/// In rows that run to and fro, so that each is near the one before.
+void put_in_rows(std::vector<Check>& checks, double row) {
+  std::vector<std::tuple<std::int64_t, double, std::uint32_t>> order;
+  for (std::uint32_t i = 0; i < checks.size(); ++i) {
+    const auto number = static_cast<std::int64_t>(std::floor(checks[i].point.y() / row));
+    order.emplace_back(number, number % 2 == 0 ? checks[i].point.x() : -checks[i].point.x(), i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Check> sorted;
+  for (const auto& entry : order) sorted.push_back(checks[std::get<2>(entry)]);
+  checks.swap(sorted);
+}
 
 /// The free triangle under a place of the plan.
 std::optional<std::uint32_t> triangle_under(const TriangleMesh& mesh, const PlanIndex& index,
@@ -166,11 +178,9 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
   const std::vector<bool> kept = kept_triangles(mesh);
   const TriangleLinks links = triangle_links(mesh);
-  std::vector<Vec3> points = mesh.vertices;
-  std::vector<bool> fixed(mesh.vertices.size(), false);
+  std::vector<bool> fixed(mesh.vertices.size(), false), in_free(mesh.vertices.size(), false);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> constraints;
-  std::vector<std::uint32_t> open;
-  std::vector<bool> in_free(mesh.vertices.size(), false);
+  std::vector<Check> checks;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (kept[t]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -181,29 +191,28 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
         fixed[a] = fixed[b] = true;
         constraints.emplace_back(std::min(a, b), std::max(a, b));
       } else if (t < other) {
-        open.push_back(static_cast<std::uint32_t>(points.size()));
-        points.push_back((mesh.vertices[a] + mesh.vertices[b]) / 2.0);
+        checks.push_back({(mesh.vertices[a] + mesh.vertices[b]) / 2.0, a, b});
       }
     }
   }
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (in_free[v] && !fixed[v]) open.push_back(v);
+    if (in_free[v] && !fixed[v]) checks.push_back({mesh.vertices[v], v, v});
   }
-  std::sort(open.begin(), open.end());
+  put_in_rows(checks, median_edge(mesh));
   std::sort(constraints.begin(), constraints.end());
   constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
 
-  Growing growing(points, tolerance);
+  Growing growing(mesh.vertices, tolerance);
   try {
     for (const auto& [a, b] : constraints) growing.constrain(a, b);
+    growing.grow(checks);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     throw GeometryError(
         "the border of the ground crosses itself in plan, so that it can't be thinned; leave out "
         "tolerance, or cut the ground there");
   }
-  growing.grow(open);
 
-  RawSurface result{.mesh = {.vertices = points, .triangles = {}},
+  RawSurface result{.mesh = {.vertices = mesh.vertices, .triangles = {}},
                     .source = {},
                     .crs = surface.crs,
                     .notes = surface.notes};
@@ -220,7 +229,7 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
     Vec2 middle = Vec2::Zero();
     for (int k = 0; k < 3; ++k) {
       corners[static_cast<std::size_t>(k)] = face->vertex(k)->info();
-      middle += points[face->vertex(k)->info()].head<2>() / 3.0;
+      middle += mesh.vertices[face->vertex(k)->info()].head<2>() / 3.0;
     }
     const std::optional<std::uint32_t> under = triangle_under(mesh, index, kept, middle);
     if (!under) continue;

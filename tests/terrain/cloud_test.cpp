@@ -45,10 +45,7 @@ TEST_F(CloudGround, APlaneIsTheSameAsRasterTinAndCloud) {
   const Terrain tin = read_terrain({.surface = {folder_ / "tin.ply"}});
   const Terrain from_cloud =
       read_terrain({.surface = {cloud(plane_points(plane, 10))}, .resolution = 1.0});
-  // Slopes in eighths, which the floats of an Esri grid hold exactly.
-  const Plane eighths{.height = 64.0, .slope_x = -0.375, .slope_y = 0.25};
-  write_asc(folder_ / "dem.asc", 10, 10, 0.0, 0.0, 1.0,
-            [&](double x, double y) { return eighths.at(x, y); });
+  write_asc(folder_ / "dem.asc", 10, 10, 0.0, 0.0, 1.0, z);
   const Terrain from_raster = read_terrain({.surface = {folder_ / "dem.asc"}});
 
   for (const Vec3& v : tin.surface.vertices) EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-6);
@@ -56,7 +53,17 @@ TEST_F(CloudGround, APlaneIsTheSameAsRasterTinAndCloud) {
     EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-6);
   }
   for (const Vec3& v : from_raster.surface.vertices) {
-    EXPECT_NEAR(v.z(), eighths.at(v.x(), v.y()), 1e-6);
+    EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-6);
+  }
+  // The same surface: heights and normals agree wherever all three are.
+  const TerrainSurface surfaces[] = {terrain_surface(tin), terrain_surface(from_cloud),
+                                     terrain_surface(from_raster)};
+  for (double x = 0.5; x < 9.0; x += 0.31) {
+    for (double y = 0.5; y < 9.0; y += 0.37) {
+      for (const TerrainSurface& surface : surfaces) {
+        EXPECT_NEAR(surface.height(x, y, 0.0).value_or(0.0), plane.at(x, y), 1e-6);
+      }
+    }
   }
   // 10 x 10 centres of cells of 1 m, for both.
   for (const Terrain* grid : {&from_cloud, &from_raster}) {

@@ -112,16 +112,20 @@ inline TriangleMesh with_holes(const TriangleMesh& mesh, int count, double radiu
   });
 }
 
-/// Single vertices moved up or down by 5 to 15 m.
-inline TriangleMesh with_spikes(TriangleMesh mesh, int count, Random& random) {
+/// Single inner vertices moved up or down by 5 to 15 m, none of them at a cut.
+inline TriangleMesh with_spikes(TriangleMesh mesh, int count, const std::vector<double>& cuts,
+                                Random& random) {
   const Bounds box = bounds(mesh);
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count;) {
     Vec3& v = mesh.vertices[random.below(mesh.vertices.size())];
     const Vec2 plan = v.head<2>();
     if ((plan.array() < box.low.head<2>().array() + 3.0).any() ||
-        (plan.array() > box.high.head<2>().array() - 3.0).any()) {
+        (plan.array() > box.high.head<2>().array() - 3.0).any() ||
+        std::any_of(cuts.begin(), cuts.end(),
+                    [&](double at) { return std::abs(plan.x() - at) < 0.5; })) {
       continue;
     }
+    ++i;
     v.z() += (random.below(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
   }
   return mesh;

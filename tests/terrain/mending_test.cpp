@@ -130,6 +130,18 @@ TEST_F(Mending, SpikesAndPitsAreLevelled) {
   }
 }
 
+TEST_F(Mending, TwoSpikesSideBySideAreLevelled) {
+  const auto plane = [](double x, double y) { return 3.0 + 0.7 * x - 0.2 * y; };
+  for (const double second : {9.0, -9.0}) {
+    TriangleMesh mesh = squares(12, 1.0, plane);
+    mesh.vertices[5 * 13 + 7].z() += 6.0;
+    mesh.vertices[5 * 13 + 8].z() += second;
+    const Terrain terrain = read(mesh);
+    EXPECT_EQ(terrain.report.levelled_spikes, 2u);
+    for (const Vec3& v : terrain.surface.vertices) EXPECT_NEAR(v.z(), plane(v.x(), v.y()), 1e-9);
+  }
+}
+
 TEST_F(Mending, CrestsAndBouldersAreNoSpikes) {
   // A crest of 4 m across the grid, one vertex wide.
   TriangleMesh mesh = squares(12, 1.0, slope);

@@ -133,7 +133,8 @@ TEST_F(RasterGround, WhatIsNoHeightRasterIsRefused) {
                                    four, 2)),
                        "map unit"));
   EXPECT_TRUE(contains(refused(vrt("", four, 2, 3)), "3 bands"));
-  EXPECT_TRUE(contains(refused(vrt("<GeoTransform>0, 1, 0, 1, 0, -1</GeoTransform>", {1, 2, 3}, 3)), "3 x 1 cells"));
+  EXPECT_TRUE(contains(refused(vrt("<GeoTransform>0, 1, 0, 1, 0, -1</GeoTransform>", {1, 2, 3}, 3)),
+                       "3 x 1 cells"));
   EXPECT_TRUE(contains(refused(asc(4, 4, [](double, double) { return -9999.0; })),
                        "holds no heights, only nodata"));
   write_text_file(folder_ / "empty.tif", "");

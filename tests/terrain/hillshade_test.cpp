@@ -1,0 +1,112 @@
+// The picture of a ground with its release points and barriers.
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/text_file.hpp"
+#include "terrain/hillshade.hpp"
+#include "tests/terrain/ground_samples.hpp"
+
+namespace clast {
+namespace {
+
+struct Close {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+
+/// A PNG as GDAL reads it.
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> indices;
+  std::vector<std::array<int, 3>> colours;
+
+  explicit Pixels(const std::filesystem::path& path) {
+    GDALAllRegister();
+    const std::unique_ptr<GDALDataset, Close> dataset(
+        GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+    if (!dataset) return;
+    GDALRasterBand* band = dataset->GetRasterBand(1);
+    width = band->GetXSize();
+    height = band->GetYSize();
+    indices.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    EXPECT_EQ(band->RasterIO(GF_Read, 0, 0, width, height, indices.data(), width, height, GDT_Byte,
+                             0, 0, nullptr),
+              CE_None);
+    for (int i = 0; i < band->GetColorTable()->GetColorEntryCount(); ++i) {
+      const GDALColorEntry* entry = band->GetColorTable()->GetColorEntry(i);
+      colours.push_back({entry->c1, entry->c2, entry->c3});
+    }
+  }
+  std::array<int, 3> at(int column, int row) const {
+    return colours.at(indices.at(static_cast<std::size_t>(row * width + column)));
+  }
+};
+
+bool is_red(const std::array<int, 3>& c) { return c[0] > 150 && c[1] < 80 && c[2] < 80; }
+bool is_black(const std::array<int, 3>& c) { return c[0] < 60 && c[1] < 60 && c[2] < 60; }
+
+class Hillshade : public testing::Test {
+ protected:
+  Terrain ground() {
+    TriangleMesh west = squares(10, 1.0, [](double, double) { return 500.0; }), east = west;
+    for (Vec3& v : west.vertices) v += Vec3(652000, 5203000, 0);
+    for (Vec3& v : east.vertices) v += Vec3(652010, 5203000, 0);
+    write_mesh(folder_ / "west.ply", west);
+    write_mesh(folder_ / "east.ply", east);
+    return read_terrain(
+        {.surface = {folder_ / "west.ply", folder_ / "east.ply"}, .zones = {"green", "red"}});
+  }
+  const ScratchFolder folder_;
+};
+
+// 20 x 10 m with a margin of 2 % of the longer side all round: 20.8 x 10.8 m on 1,040 pixels, that
+// is 50 per metre; (652000 + x, 5203000 + y) is in column 50 (x + 0.4), row 50 (10.4 - y).
+TEST_F(Hillshade, ShowsZonesReleasePointsAndBarriersWhereTheyAre) {
+  const MapMarks marks{.releases = {Vec2(652003, 5203008)},
+                       .barriers = {{Vec2(652015, 5203001), Vec2(652015, 5203009)}}};
+  write_hillshade(folder_ / "map.png", ground(), marks, 1040);
+  const Pixels picture(folder_ / "map.png");
+  ASSERT_EQ(picture.width, 1040);
+  ASSERT_EQ(picture.height, 540);
+  const auto at = [&](double x, double y) {
+    return picture.at(static_cast<int>(50.0 * (x + 0.4)), static_cast<int>(50.0 * (10.4 - y)));
+  };
+  EXPECT_TRUE(is_red(at(3.0, 8.0)));
+  EXPECT_FALSE(is_red(at(8.0, 3.0))) << "mirrored";
+  EXPECT_FALSE(is_red(at(3.0, 2.0))) << "upside down";
+  EXPECT_TRUE(is_black(at(15.0, 5.0)));
+  EXPECT_TRUE(is_black(at(15.0, 1.1)));
+  EXPECT_FALSE(is_black(at(15.0, 0.8)));
+  EXPECT_FALSE(is_black(at(15.5, 5.0)));
+  // Level ground has its zone's own hue.
+  const std::array<int, 3> west = at(6.0, 5.0), east = at(12.0, 5.0);
+  EXPECT_GT(west[1], west[0]);
+  EXPECT_GT(east[0], east[1]);
+  // Off the ground: transparent.
+  EXPECT_EQ(picture.indices.at(5), 0);
+}
+
+TEST_F(Hillshade, AMarkInAnotherPlaceIsRefused) {
+  const MapMarks marks{.releases = {Vec2(3, 8)}, .barriers = {}};
+  const std::string message =
+      refusal<Error>([&] { write_hillshade(folder_ / "map.png", ground(), marks); });
+  EXPECT_EQ(message,
+            "the release point at x 3.000, y 8.000, z 0.000 is far off the ground, which begins at "
+            "x 652000.000, y 5203000.000, z 0.000; bring both into one map system");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "map.png"));
+}
+
+TEST_F(Hillshade, BarriersComeFromLineFiles) {
+  write_text_file(folder_ / "nets.geojson",
+                  R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},)"
+                  R"("geometry":{"type":"MultiLineString","coordinates":[[[652001,5203001],)"
+                  R"([652004,5203002],[652007,5203001]],[[652011,5203001],[652012,5203002]]]}}]})");
+  const auto lines = read_barrier_lines(folder_ / "nets.geojson", ground());
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].size(), 3u);
+  EXPECT_EQ(lines[0][1], Vec2(652004, 5203002));
+}
+
+}  // namespace
+}  // namespace clast
