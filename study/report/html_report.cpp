@@ -14,8 +14,9 @@ std::string html_report(const Comparison& comparison) {
   }
   return page(title, head_section(comparison) + class_section(comparison) +
                          map_section(comparison) + runout_section(comparison) +
-                         barrier_section(comparison) + block_section(comparison) +
-                         quality_section(comparison) + provenance_section(comparison));
+                         differences_section(comparison) + barrier_section(comparison) +
+                         block_section(comparison) + quality_section(comparison) +
+                         provenance_section(comparison));
 }
 
 }  // namespace clast

@@ -26,6 +26,10 @@ TEST_F(Campaigns, RunFromTerrainToReport) {
   ASSERT_EQ(dry.exit_code, 0) << dry.err;
   EXPECT_TRUE(contains(dry.out, "8 runs") && contains(dry.out, "k_n")) << dry.out;
   EXPECT_FALSE(fs::exists(folder / "results.h5"));
+  EXPECT_TRUE(contains(dry.out, "for 8 runs on") && contains(dry.out, "judging by")) << dry.out;
+  const std::string map = read_text_file(folder / "results.map.svg");
+  EXPECT_TRUE(map.starts_with("<?xml") && contains(map, "release point 1") && contains(map, "B1"));
+  EXPECT_FALSE(contains(map, "Stops"));
 
   for (const std::string threads : {"1", "2"}) {
     const ProgramRun run = run_clast(

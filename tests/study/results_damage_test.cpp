@@ -25,9 +25,11 @@ TEST(Results, WhatIsNotAResultsFileIsRefused) {
   EXPECT_TRUE(contains(refused("text.h5"), "text.h5: is not an HDF5 file"));
   Hdf5File::create(folder / "blocks.h5", "clast block library", 1);
   EXPECT_TRUE(contains(refused("blocks.h5"), "blocks.h5: is a \"clast block library\" file"));
-  Hdf5File::create(folder / "newer.h5", "clast results", 2);
-  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 2"));
-  Hdf5File::create(folder / "bare.h5", "clast results", 1);
+  Hdf5File::create(folder / "newer.h5", "clast results", 3);
+  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 3"));
+  Hdf5File::create(folder / "older.h5", "clast results", 1);
+  EXPECT_TRUE(contains(refused("older.h5"), "has schema version 1 of an older clast"));
+  Hdf5File::create(folder / "bare.h5", "clast results", 2);
   EXPECT_TRUE(contains(refused("bare.h5"), "campaign_sha256 is missing"));
 }
 
@@ -43,7 +45,7 @@ TEST(Results, DamageIsNamed) {
   const auto after = [&](const auto& change) {
     fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
     {
-      Hdf5File file = Hdf5File::open(bad, "clast results", 1, true);
+      Hdf5File file = Hdf5File::open(bad, "clast results", 2, true);
       Hdf5Group root = file.root();
       change(root);
       file.flush();
