@@ -52,11 +52,15 @@ class ImpactObserver {
 
  private:
   void begin_impact(const MotionStep& step);
-  void leave(const RigidState& state, double time);
+  void end_impact();
+  void see_maxima(const RigidState& state);
 
   const RigidBody& body_;
   std::uint32_t run_;
-  std::optional<Impact> open_;    ///< under way
+  bool first_ = true;
+  std::optional<Impact> open_;  ///< under way
+  RigidState last_touch_;       ///< of the impact under way
+  double last_touch_time_ = 0.0;
   double flight_ = 0.0;           ///< time since the last touch, s
   std::optional<Vec2> take_off_;  ///< where the present flight began
 };
