@@ -11,19 +11,6 @@ namespace {
 
 constexpr double kQuiet = 2.0;  ///< s without a word
 
-std::string duration_text(double seconds) {
-  char text[32];
-  const long whole = static_cast<long>(seconds + 0.5);
-  if (whole >= 3600) {
-    std::snprintf(text, sizeof text, "%ld h %02ld min", whole / 3600, whole / 60 % 60);
-  } else if (whole >= 60) {
-    std::snprintf(text, sizeof text, "%ld min %02ld s", whole / 60, whole % 60);
-  } else {
-    std::snprintf(text, sizeof text, "%ld s", whole);
-  }
-  return text;
-}
-
 /// "3.2 per s", or "2.5 s each" where they are slow.
 std::string rate_text(double seconds_each) {
   char text[32];
@@ -36,6 +23,19 @@ std::string rate_text(double seconds_each) {
 }
 
 }  // namespace
+
+std::string duration_text(double seconds) {
+  char text[32];
+  const long whole = static_cast<long>(seconds + 0.5);
+  if (whole >= 3600) {
+    std::snprintf(text, sizeof text, "%ld h %02ld min", whole / 3600, whole / 60 % 60);
+  } else if (whole >= 60) {
+    std::snprintf(text, sizeof text, "%ld min %02ld s", whole / 60, whole % 60);
+  } else {
+    std::snprintf(text, sizeof text, "%ld s", whole);
+  }
+  return text;
+}
 
 Progress::Progress(std::string what, std::size_t total)
     : what_(std::move(what)),

@@ -7,6 +7,9 @@
 
 namespace clast {
 
+/// "3 min 20 s"; at least seconds are named.
+std::string duration_text(double seconds);
+
 class Progress {
  public:
   /// @param what   for example "runs"

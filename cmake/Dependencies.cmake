@@ -20,6 +20,7 @@ find_package(tomlplusplus 3.3 REQUIRED CONFIG)
 find_package(nlohmann_json 3.11 REQUIRED CONFIG)
 # Without MPI a campaign runs on one machine, or as shards that are merged.
 option(CLAST_MPI "Run campaigns under mpirun, where MPI is installed" ON)
+set(MPI_CXX_FOUND FALSE)
 if(CLAST_MPI)
   find_package(MPI 3.0 COMPONENTS CXX)
 endif()

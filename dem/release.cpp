@@ -213,8 +213,14 @@ class Release {
     const double end_time = time_ + duration;
     result_.max_speed =
         std::max({result_.max_speed, begin.velocity.norm(), moving_.state().velocity.norm()});
-    if (observe_) observe_({time_, end_time, begin, moving_.state(), flight});
+    if (observe_) observe_({time_, end_time, begin, moving_.state(), flight, touch()});
     time_ = end_time;
+  }
+
+  Touch touch() const {
+    const std::optional<ContactForces::Deepest> deepest = forces_.deepest();
+    if (!deepest) return {};
+    return {deepest->points, deepest->overlap, deepest->place, deepest->zone};
   }
 
   double energy() const {

@@ -33,6 +33,14 @@ struct ReleaseSettings {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
+/// The contacts of an instant, seen as one.
+struct Touch {
+  std::uint32_t points = 0;   ///< contact points; 0 in flight, where the rest means nothing
+  double overlap = 0.0;       ///< of the deepest, m
+  Vec3 place = Vec3::Zero();  ///< of the deepest
+  std::uint16_t zone = 0;     ///< of the ground there
+};
+
 /// A piece of motion between two instants, handed to observers in order of time.
 struct MotionStep {
   double begin_time = 0.0;  ///< s
@@ -40,6 +48,7 @@ struct MotionStep {
   RigidState begin;
   RigidState end;
   bool flight = false;  ///< no contact: `free_flight` gives every state between exactly
+  Touch touch;          ///< at the end; a flight that ends by a touch has one
 };
 
 /// The state inside a step: exact in flight, interpolated (cubic centre, turned steadily) else.

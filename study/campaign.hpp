@@ -5,30 +5,79 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dem/release.hpp"
 #include "dem/stiffness.hpp"
 #include "study/barrier.hpp"
+#include "study/uncertain.hpp"
 #include "terrain/terrain_input.hpp"
 
 namespace clast {
 
 /// Blocks by id, by class, or all.
-struct BlockSelection {
-  std::filesystem::path library;
+struct BlockFilter {
   std::vector<std::string> ids;  ///< in this order; empty and no scheme: all
   std::string scheme;            ///< "garcia", "sneed-folk", "zingg"
   std::string shape_class;
 };
 
+/// To what size blocks are brought; shape and density stay.
+struct BlockScale {
+  enum class Kind { kNone, kMass, kVolume, kEqualMass };
+  Kind kind = Kind::kNone;
+  double value = 0.0;  ///< kg or m^3; equal mass: the mean mass of the selected blocks
+};
+
+/// Blocks drawn from those selected: so many of each class, each scaled to a drawn mass.
+struct BlockDraw {
+  std::size_t count = 0;
+  std::uint64_t seed = 1;
+  std::string scheme = "garcia";
+  std::vector<std::pair<std::string, double>> shares;  ///< of classes, sum 1; empty: as they are
+  std::optional<Uncertain> mass;                       ///< kg; none: the block's own
+};
+
+/// Which blocks run, and how large.
+struct BlockSelection {
+  std::filesystem::path library;
+  BlockFilter filter;
+  BlockScale scale;
+  std::optional<BlockDraw> draw;
+};
+
+/// Ground parameters of a zone as the campaign gives them; in a block group only what differs.
+struct GroundTable {
+  std::optional<Uncertain> energy_restitution;
+  std::optional<Uncertain> friction;
+  std::optional<Uncertain> rolling_friction;
+};
+
+/// Blocks to which the ground behaves differently.
+struct BlockGroup {
+  std::string name;
+  BlockFilter filter;
+  std::map<std::string, GroundTable> ground;  ///< by zone
+};
+
+/// How often the uncertain parameters are drawn.
+struct Ensemble {
+  std::uint32_t members = 1;
+  std::uint64_t seed = 1;
+};
+
 /// Where and how blocks start. Points are of the centre of mass, in map coordinates, z up.
 struct ReleasePlan {
+  std::string name;  ///< empty where there is only one
   std::vector<Vec3> points;
   std::string orientation_source;  ///< as written: "grid-45", "random", or a file
   std::vector<Quat>
       orientations;  ///< world_from_source, or world_from_body for the principal frame
-  bool in_principal_frame = false;       ///< what `orientations` turn
+  bool in_principal_frame = false;  ///< what `orientations` turn
+  /// Other random orientations for every block and point, as many as `orientations` has.
+  bool fresh_orientations = false;
+  std::uint64_t orientation_seed = 1;
   std::optional<double> drop_height;     ///< m: then points are plan positions
   Vec3 velocity = Vec3::Zero();          ///< m/s
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
@@ -44,10 +93,13 @@ struct Campaign {
   std::string text;  ///< the file, byte for byte
   BlockSelection blocks;
   TerrainOptions terrain;
-  double terrain_radius = 0.0;            ///< m
-  std::optional<double> border_distance;  ///< release points nearer to the border are warned of, m
-  std::map<std::string, GroundParameters> ground;
-  ReleasePlan release;
+  double terrain_radius = 0.0;  ///< m
+  /// Release points nearer to the border are warned of, m.
+  std::optional<double> border_distance;
+  std::map<std::string, GroundTable> ground;  ///< complete
+  std::vector<BlockGroup> groups;             ///< a block is in one at most
+  Ensemble ensemble;
+  std::vector<ReleasePlan> releases;  ///< one at least; names differ
   ContactWeights weights = ContactWeights::kPatch;
   StiffnessOptions stiffness;     ///< with the contact law; all else empty: auto
   std::vector<Barrier> barriers;  ///< in map coordinates

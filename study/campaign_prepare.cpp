@@ -8,6 +8,8 @@
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "study/campaign_runner.hpp"
+#include "study/ground_sets.hpp"
+#include "study/release_points.hpp"
 #include "terrain/terrain_fit.hpp"
 
 namespace clast {
@@ -26,84 +28,46 @@ std::string place(const Vec3& map) {
   return "(" + metres(map.x()) + ", " + metres(map.y()) + ", " + metres(map.z()) + ")";
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
-std::vector<Block> selected_blocks(const Campaign& campaign) {
-  const BlockSelection& selection = campaign.blocks;
-  const BlockLibrary library = BlockLibrary::read(selection.library);
-  std::vector<Block> blocks;
-  for (const std::string& id : selection.ids) blocks.push_back(library.block(id));
-  if (!selection.ids.empty()) return blocks;
-  for (const Block& block : library.blocks()) {
-    if (selection.scheme.empty() ||
-        shape_class(selection.scheme, block.axes()) == selection.shape_class) {
-      blocks.push_back(block);
-    }
-  }
-  if (blocks.empty()) {
-    throw InputError(campaign.file.string() + ": [blocks] selects no block of " +
-                     selection.library.string() +
-                     (selection.scheme.empty()
-                          ? "; the library is empty"
-                          : "; none is " + selection.shape_class + " by " + selection.scheme));
-  }
-  return blocks;
-}
-
-BlockSummary summary_of(const Block& block) {
-  const Axes axes = block.axes();
-  return {block.id,
-          block.mass.mass,
+BlockSummary summary_of(const CampaignBlock& chosen, const Block& block, const RigidBody& body,
+                        const std::vector<BlockGroup>& groups) {
+  const double scale = chosen.scale;
+  const Axes axes{scale * block.axes().L, scale * block.axes().I, scale * block.axes().S};
+  return {chosen.id,
+          body.mass,
           axes,
           shape_class("garcia", axes),
           shape_class("sneed-folk", axes),
           shape_class("zingg", axes),
-          rigid_body(block).shape};
+          block.id,
+          chosen.group > 0 ? groups[chosen.group - 1].name : "",
+          scale,
+          scale * scale * scale * block.mass.volume,
+          static_cast<std::uint32_t>(chosen.library),
+          body.moments};
 }
 
-// Parameters in the order of the terrain's zones; every zone has some and all are used.
-std::vector<GroundParameters> ground_by_zone(const Campaign& campaign,
-                                             const std::vector<std::string>& zones) {
-  std::vector<std::string> tables;
-  for (const auto& [name, parameters] : campaign.ground) tables.push_back("[ground." + name + "]");
-  std::vector<GroundParameters> ground;
-  for (const std::string& zone : zones) {
-    const auto found = campaign.ground.find(zone);
-    if (found == campaign.ground.end()) {
-      throw InputError(campaign.file.string() + ": terrain zone \"" + zone +
-                       "\" has no parameters; add [ground." + zone + "] to " + listed(tables));
-    }
-    ground.push_back(found->second);
-  }
-  for (const auto& [name, parameters] : campaign.ground) {
-    if (std::find(zones.begin(), zones.end(), name) == zones.end()) {
-      throw InputError(campaign.file.string() + ": [ground." + name +
-                       "] belongs to no zone of the terrain; its zones are " + listed(zones));
-    }
-  }
-  return ground;
+// "release set cliff, " where there are several.
+std::string set_name(const ReleasePlan& release) {
+  return release.name.empty() ? "" : "release set " + release.name + ", ";
 }
 
 // Points in the local frame, each over the terrain.
-std::vector<Vec3> local_points(const Campaign& campaign, const TerrainSurface& surface,
-                               const MapFrame& frame) {
+std::vector<Vec3> local_points(const Campaign& campaign, const ReleasePlan& release,
+                               const TerrainSurface& surface, const MapFrame& frame) {
   std::vector<Vec3> points;
-  for (std::size_t i = 0; i < campaign.release.points.size(); ++i) {
-    Vec3 map = campaign.release.points[i];
+  for (std::size_t i = 0; i < release.points.size(); ++i) {
+    Vec3 map = release.points[i];
     // A plan position has no height of its own, and 0 can be far from the local origin.
-    if (campaign.release.drop_height) map.z() = frame.origin.z();
+    if (release.drop_height) map.z() = frame.origin.z();
     const Vec3 point = frame.local(map);
     if (!surface.covers(point.x(), point.y())) {
       const Vec3 low = frame.map(surface.extent().low);
       const Vec3 high = frame.map(surface.extent().high);
       const bool inside =
           map.x() > low.x() && map.x() < high.x() && map.y() > low.y() && map.y() < high.y();
-      throw InputError(campaign.file.string() + ": release point " + std::to_string(i + 1) +
-                       " at x " + metres(map.x()) + ", y " + metres(map.y()) +
+      throw InputError(campaign.file.string() + ": " + set_name(release) + "release point " +
+                       std::to_string(i + 1) + " at x " + metres(map.x()) + ", y " +
+                       metres(map.y()) +
                        (inside ? " is over a hole in the terrain" : " is off the terrain") +
                        ", which lies in x " + metres(low.x()) + " to " + metres(high.x()) + ", y " +
                        metres(low.y()) + " to " + metres(high.y()) +
@@ -146,73 +110,122 @@ std::optional<double> depth_in_ground(const TerrainSurface& surface, const Rigid
   return std::nullopt;
 }
 
-void check_clear_of_ground(const PreparedCampaign& prepared, const RunRecord& run) {
+void check_clear_of_ground(const PreparedCampaign& prepared, const ReleasePlan& release,
+                           std::size_t point_of_set, const RunRecord& run) {
   const std::optional<double> depth =
       depth_in_ground(*prepared.surface, prepared.bodies[run.block], run.start);
   if (!depth) return;
-  const bool by_height = prepared.campaign.release.drop_height.has_value();
-  throw SimulationError("block " + prepared.blocks[run.block].id + ", release point " +
-                        std::to_string(run.point + 1) + ", orientation " +
-                        std::to_string(run.orientation + 1) + ": starts " + metres(*depth) +
-                        " m inside the ground, with its centre at " +
-                        place(prepared.header.frame.map(run.start.position)) +
-                        (by_height ? "; raise [release] height_m"
-                                   : "; raise the release point or use [release] height_m"));
+  const std::string table = release.name.empty() ? "[release]" : "[[release]] " + release.name;
+  throw SimulationError(
+      "run " + std::to_string(run.run) + ", block " + prepared.header.blocks[run.block].id + ", " +
+      set_name(release) + "release point " + std::to_string(point_of_set + 1) + ", orientation " +
+      std::to_string(run.orientation + 1) + ": starts " + metres(*depth) +
+      " m inside the ground, with its centre at " +
+      place(prepared.header.frame.map(run.start.position)) +
+      (release.drop_height ? "; raise " + table + " height_m"
+                           : "; raise the release point or use " + table + " height_m"));
 }
 
-void plan_runs(const std::vector<Vec3>& points, PreparedCampaign& prepared) {
-  const ReleasePlan& release = prepared.campaign.release;
-  // Run numbers have eight digits in the results.
-  constexpr double kMostRuns = 99'999'999.0;
-  const double count = static_cast<double>(prepared.blocks.size()) *
-                       static_cast<double>(points.size()) *
-                       static_cast<double>(release.orientations.size());
-  if (count > kMostRuns) {
-    throw InputError(prepared.campaign.file.string() + ": asks for " +
-                     std::to_string(static_cast<std::uint64_t>(count)) +
-                     " runs; split it into campaigns of at most 99999999");
-  }
-  for (std::uint32_t block = 0; block < prepared.blocks.size(); ++block) {
-    const Quat source_from_body = prepared.blocks[block].source_from_body().rotation;
-    for (std::uint32_t point = 0; point < points.size(); ++point) {
-      for (std::uint32_t turn = 0; turn < release.orientations.size(); ++turn) {
+// Random orientations of one block at one point, independent of all others.
+std::vector<Quat> fresh_orientations(const ReleasePlan& release, std::uint32_t block,
+                                     std::uint32_t point) {
+  // Two rounds, so that neighbouring numbers begin unrelated sequences.
+  const std::uint64_t by_block = Random(release.orientation_seed + block).next_bits();
+  return random_orientations(release.orientations.size(), Random(by_block + point).next_bits());
+}
+
+// The release sets of a block, in order; `run` counts over the whole campaign.
+void plan_block(const std::vector<std::vector<Vec3>>& points, std::uint32_t block,
+                PreparedCampaign& prepared) {
+  const Campaign& campaign = prepared.campaign;
+  const CampaignBlock& chosen = prepared.choice.blocks[block];
+  const Quat source_from_body = prepared.choice.library[chosen.library].source_from_body().rotation;
+  const std::uint32_t members = campaign.ensemble.members;
+  std::uint32_t point = 0;
+  for (std::size_t set = 0; set < campaign.releases.size(); ++set) {
+    const ReleasePlan& release = campaign.releases[set];
+    for (std::size_t of_set = 0; of_set < points[set].size(); ++of_set, ++point) {
+      const std::vector<Quat> orientations = release.fresh_orientations
+                                                 ? fresh_orientations(release, block, point)
+                                                 : release.orientations;
+      for (std::uint32_t turn = 0; turn < orientations.size(); ++turn) {
         RunRecord run;
         run.run = static_cast<std::uint32_t>(prepared.runs.size());
         run.block = block;
         run.point = point;
         run.orientation = turn;
-        run.start.position = points[point];
-        run.start.orientation = release.orientations[turn];
-        if (!release.in_principal_frame) {
-          run.start.orientation = (release.orientations[turn] * source_from_body).normalized();
-        }
+        run.start.position = points[set][of_set];
+        run.start.orientation = release.in_principal_frame
+                                    ? orientations[turn]
+                                    : (orientations[turn] * source_from_body).normalized();
         run.start.velocity = release.velocity;
         run.start.angular_velocity = release.angular_velocity;
         if (release.drop_height) {
           place_above_ground(*prepared.surface, prepared.bodies[block], *release.drop_height,
                              run.start);
         }
-        check_clear_of_ground(prepared, run);
-        prepared.runs.push_back(run);
+        check_clear_of_ground(prepared, release, of_set, run);
+        for (std::uint32_t member = 0; member < members; ++member) {
+          run.run = static_cast<std::uint32_t>(prepared.runs.size());
+          run.ground_set = static_cast<std::uint32_t>(chosen.group) * members + member;
+          prepared.runs.push_back(run);
+        }
       }
+    }
+  }
+}
+
+void plan_runs(PreparedCampaign& prepared) {
+  const Campaign& campaign = prepared.campaign;
+  // Run numbers have eight digits in the results.
+  constexpr double kMostRuns = 99'999'999.0;
+  double per_block = 0.0;
+  std::vector<std::vector<Vec3>> points;
+  for (const ReleasePlan& release : campaign.releases) {
+    points.push_back(local_points(campaign, release, *prepared.surface, prepared.header.frame));
+    per_block += static_cast<double>(release.points.size()) *
+                 static_cast<double>(release.orientations.size());
+  }
+  const double count =
+      static_cast<double>(prepared.bodies.size()) * per_block * campaign.ensemble.members;
+  if (count > kMostRuns) {
+    throw InputError(campaign.file.string() + ": asks for " +
+                     std::to_string(static_cast<std::uint64_t>(count)) +
+                     " runs; split it into campaigns of at most 99999999");
+  }
+  for (std::uint32_t block = 0; block < prepared.bodies.size(); ++block) {
+    plan_block(points, block, prepared);
+  }
+  CampaignResults& header = prepared.header;
+  header.planned_runs = static_cast<std::uint32_t>(prepared.runs.size());
+  for (std::size_t set = 0; set < campaign.releases.size(); ++set) {
+    header.release_sets.push_back(campaign.releases[set].name);
+    for (std::size_t i = 0; i < points[set].size(); ++i) {
+      header.set_of_point.push_back(static_cast<std::uint32_t>(set));
+    }
+  }
+  // Those of the first block's first orientation are the first with their point.
+  for (const RunRecord& run : prepared.runs) {
+    if (run.point == header.release_points.size()) {
+      header.release_points.push_back(run.start.position);
     }
   }
 }
 
 // No block can be faster: all energy of its start, and the fall to the lowest ground, in its speed.
 double fastest_speed(const PreparedCampaign& prepared) {
-  double highest = prepared.surface->extent().low.z();
-  for (const RunRecord& run : prepared.runs) {
-    highest = std::max(highest, run.start.position.z());
-  }
-  const double fall = highest - prepared.surface->extent().low.z();
-  double spin = 0.0;
+  const double lowest = prepared.surface->extent().low.z();
+  double spin = 0.0, fastest = 0.0;
   for (const RigidBody& body : prepared.bodies) {
     spin = std::max(spin, body.moments.maxCoeff() / body.mass);
   }
-  const ReleasePlan& release = prepared.campaign.release;
-  return std::sqrt(release.velocity.squaredNorm() + spin * release.angular_velocity.squaredNorm() +
-                   2.0 * prepared.campaign.gravity * fall);
+  for (const RunRecord& run : prepared.runs) {
+    const double fall = std::max(0.0, run.start.position.z() - lowest);
+    fastest = std::max(fastest, run.start.velocity.squaredNorm() +
+                                    spin * run.start.angular_velocity.squaredNorm() +
+                                    2.0 * prepared.campaign.gravity * fall);
+  }
+  return std::sqrt(fastest);
 }
 
 std::size_t distinct_rotations(const std::vector<Quat>& orientations) {
@@ -227,19 +240,29 @@ std::size_t distinct_rotations(const std::vector<Quat>& orientations) {
   return distinct.size();
 }
 
+// Blocks at another size than the library's, in words; drawn ones are too many.
+void tell_of_scales(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+  if (prepared.campaign.blocks.draw) return;
+  for (const BlockSummary& block : prepared.header.blocks) {
+    if (block.scale == 1.0) continue;
+    warnings.push_back("block " + block.id + " is scaled by " + metres(block.scale) + " to " +
+                       metres(block.mass) + " kg");
+  }
+}
+
 std::vector<std::string> warnings_of(const PreparedCampaign& prepared) {
   std::vector<std::string> warnings = prepared.stiffness.warnings;
-  const std::vector<Quat>& orientations = prepared.campaign.release.orientations;
-  // Random sets have no duplicates, and comparing each with each would take long for large ones.
-  if (prepared.campaign.release.orientation_source != "random") {
-    const std::size_t distinct = distinct_rotations(orientations);
-    if (distinct < orientations.size()) {
-      warnings.push_back(
-          prepared.campaign.release.orientation_source + ": " +
-          std::to_string(orientations.size()) + " orientations, of which " +
-          std::to_string(distinct) +
-          " are different rotations; all are run, so repeated ones count more than once");
-    }
+  tell_of_scales(prepared, warnings);
+  for (const ReleasePlan& release : prepared.campaign.releases) {
+    // Random sets have no duplicates, and comparing each with each would take long for large ones.
+    if (release.orientation_source == "random") continue;
+    const std::size_t distinct = distinct_rotations(release.orientations);
+    if (distinct == release.orientations.size()) continue;
+    warnings.push_back(
+        set_name(release) + release.orientation_source + ": " +
+        std::to_string(release.orientations.size()) + " orientations, of which " +
+        std::to_string(distinct) +
+        " are different rotations; all are run, so repeated ones count more than once");
   }
   const Bounds& ground = prepared.surface->extent();
   for (const Barrier& barrier : prepared.header.barriers) {
@@ -261,10 +284,12 @@ std::vector<std::string> warnings_of(const PreparedCampaign& prepared) {
   }
   warn(cell_size_warning(prepared.header.terrain, smallest, largest));
   if (prepared.campaign.border_distance) {
-    warn(border_warning(prepared.header.terrain, prepared.campaign.release.points,
-                        *prepared.campaign.border_distance));
+    for (const ReleasePlan& release : prepared.campaign.releases) {
+      warn(border_warning(prepared.header.terrain, release.points,
+                          *prepared.campaign.border_distance));
+    }
   }
-  for (const Block& block : prepared.blocks) {
+  for (const Block& block : prepared.choice.library) {
     for (const std::string& warning : block.warnings) {
       warnings.push_back("block " + block.id + ": " + warning);
     }
@@ -283,9 +308,18 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
   header.campaign_sha256 = campaign.sha256;
   header.inputs.push_back(with_digest(campaign.blocks.library));
   header.inputs.insert(header.inputs.end(), terrain.sources.begin(), terrain.sources.end());
-  for (const auto& file : campaign.release.files) header.inputs.push_back(with_digest(file));
+  for (const ReleasePlan& release : campaign.releases) {
+    for (const auto& file : release.files) header.inputs.push_back(with_digest(file));
+  }
   header.program_version = version();
-  for (const Block& block : prepared.blocks) header.blocks.push_back(summary_of(block));
+  for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
+    const CampaignBlock& chosen = prepared.choice.blocks[i];
+    header.blocks.push_back(summary_of(chosen, prepared.choice.library[chosen.library],
+                                       prepared.bodies[i], campaign.groups));
+  }
+  for (const Block& block : prepared.choice.library) {
+    header.shapes.push_back(rigid_body(block).shape);
+  }
   const Vec2 origin = terrain.frame.origin.head<2>();
   for (Barrier barrier : campaign.barriers) {
     barrier.from -= origin;
@@ -293,7 +327,8 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
     header.barriers.push_back(barrier);
   }
   header.zone_names = terrain.zone_names;
-  header.ground = ground_by_zone(campaign, terrain.zone_names);
+  header.ground_sets = ground_sets(campaign, terrain.zone_names);
+  header.ground = central_ground(campaign, terrain.zone_names);
   header.law = campaign.stiffness.law;
   header.weights = campaign.weights;
   header.frame = terrain.frame;
@@ -314,20 +349,21 @@ RigidBody rigid_body(const Block& block) {
 PreparedCampaign prepare_campaign(const Campaign& campaign) {
   PreparedCampaign prepared;
   prepared.campaign = campaign;
-  prepared.blocks = selected_blocks(campaign);
-  for (const Block& block : prepared.blocks) prepared.bodies.push_back(rigid_body(block));
+  prepared.choice = choose_blocks(campaign);
+  for (const CampaignBlock& block : prepared.choice.blocks) {
+    prepared.bodies.push_back(
+        scaled(rigid_body(prepared.choice.library[block.library]), block.scale));
+  }
   prepared.header = header_of(prepared, read_terrain(campaign.terrain));
   CampaignResults& header = prepared.header;
   prepared.surface.emplace(terrain_surface(header.terrain, campaign.terrain_radius));
 
-  plan_runs(local_points(campaign, *prepared.surface, header.frame), prepared);
-  header.planned_runs = static_cast<std::uint32_t>(prepared.runs.size());
-  for (std::size_t point = 0; point < campaign.release.points.size(); ++point) {
-    const std::size_t first = point * campaign.release.orientations.size();
-    header.release_points.push_back(prepared.runs[first].start.position);
+  plan_runs(prepared);
+  std::vector<GroundParameters> all_ground;
+  for (const GroundSet& set : header.ground_sets) {
+    all_ground.insert(all_ground.end(), set.zones.begin(), set.zones.end());
   }
-
-  prepared.stiffness = choose_stiffness(prepared.bodies, header.ground, fastest_speed(prepared),
+  prepared.stiffness = choose_stiffness(prepared.bodies, all_ground, fastest_speed(prepared),
                                         campaign.gravity, campaign.stiffness);
   header.stiffness = prepared.stiffness.stiffness;
   header.warnings = warnings_of(prepared);

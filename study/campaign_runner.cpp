@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -18,7 +19,10 @@ namespace {
 class RunObserver {
  public:
   RunObserver(const PreparedCampaign& prepared, const RunRecord& run)
-      : prepared_(prepared), body_(prepared.bodies[run.block]), run_(run.run) {}
+      : impacts(prepared.bodies[run.block], run.run),
+        prepared_(prepared),
+        body_(prepared.bodies[run.block]),
+        run_(run.run) {}
 
   void see(const MotionStep& step) {
     const double gravity = prepared_.settings.gravity;
@@ -42,12 +46,14 @@ class RunObserver {
       crossing->barrier = i;
       crossings.push_back(*crossing);
     }
+    impacts.see(step);
     last = step.end;
     last_time = step.end_time;
   }
 
   Trajectory trajectory;
   std::vector<Crossing> crossings;
+  ImpactObserver impacts;
   std::optional<RigidState> last;  ///< end of the last step seen
   double last_time = 0.0;
 
@@ -63,9 +69,10 @@ StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned) {
   RunObserver observer(prepared, planned);
   ReleaseResult& result = output.record.result;
   try {
-    result = simulate_release(*prepared.surface, prepared.header.ground,
-                              prepared.bodies[planned.block], planned.start, prepared.settings,
-                              [&](const MotionStep& step) { observer.see(step); });
+    result =
+        simulate_release(*prepared.surface, prepared.header.ground_sets[planned.ground_set].zones,
+                         prepared.bodies[planned.block], planned.start, prepared.settings,
+                         [&](const MotionStep& step) { observer.see(step); });
   } catch (const std::exception& error) {  // one bad run never costs the campaign
     result = {};
     result.stop_reason = StopReason::kError;
@@ -73,6 +80,9 @@ StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned) {
     result.duration = observer.last_time;
     result.final_state = observer.last.value_or(planned.start);
   }
+  observer.impacts.finish();
+  output.record.contacts = observer.impacts.statistics;
+  output.impacts = std::move(observer.impacts.impacts);
   output.crossings = std::move(observer.crossings);
   std::stable_sort(output.crossings.begin(), output.crossings.end(),
                    [](const Crossing& a, const Crossing& b) { return a.time < b.time; });
@@ -93,7 +103,7 @@ class Collector {
 
   void add(const StoredRun& run) {
     const std::lock_guard lock(one_at_a_time_);
-    writer_.add(run.record, run.crossings, run.trajectory);
+    writer_.add(run);
     ++done_;
     if (options_.progress) options_.progress(done_, planned_);
   }
@@ -191,6 +201,23 @@ std::vector<std::uint32_t> open_runs(const PreparedCampaign& prepared, const Sha
 }
 
 }  // namespace
+
+TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
+  // Steps of the golden ratio are spread evenly however many are taken.
+  constexpr double kGoldenRatio = 0.61803398874989485;
+  const double count = static_cast<double>(prepared.runs.size());
+  const auto begin = std::chrono::steady_clock::now();
+  TimeProbe probe;
+  double spent = 0.0;
+  while (probe.runs < prepared.runs.size() && (probe.runs == 0 || spent < budget)) {
+    const double share = std::fmod(0.5 + static_cast<double>(probe.runs) * kGoldenRatio, 1.0);
+    run_one(prepared, prepared.runs[static_cast<std::size_t>(share * count)]);
+    ++probe.runs;
+    spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+  if (probe.runs > 0) probe.each = spent / static_cast<double>(probe.runs);
+  return probe;
+}
 
 void Shard::check() const {
   if (count == 0 || index == 0 || index > count) {

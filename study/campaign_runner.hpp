@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "library/block_library.hpp"
+#include "study/block_choice.hpp"
 #include "study/campaign.hpp"
 #include "study/process_team.hpp"
 #include "study/results.hpp"
@@ -15,12 +16,13 @@ namespace clast {
 struct PreparedCampaign {
   Campaign campaign;
   CampaignResults header;  ///< no runs yet
-  std::vector<Block> blocks;
-  std::vector<RigidBody> bodies;          ///< of `blocks`
+  BlockChoice choice;
+  std::vector<RigidBody> bodies;          ///< of `choice.blocks`, scaled
   std::optional<TerrainSurface> surface;  ///< of `header.terrain`; always there
   StiffnessChoice stiffness;
   ReleaseSettings settings;
-  /// Planned runs in order: blocks, then points, then orientations (fastest).
+  /// Planned runs in order: blocks, release sets, their points, their orientations, members of the
+  /// ensemble (fastest).
   std::vector<RunRecord> runs;  ///< `result` still empty
 };
 
@@ -47,12 +49,21 @@ struct Shard {
   void check() const;  ///< throws InputError naming both
 };
 
+/// How long runs take, from some of them.
+struct TimeProbe {
+  std::size_t runs = 0;  ///< that were tried
+  double each = 0.0;     ///< mean time of one on one thread, s
+};
+/// Tries runs from all over the campaign, one after the other, until `budget` seconds are spent;
+/// one at least. Nothing is kept.
+TimeProbe probe_time(const PreparedCampaign& prepared, double budget);
+
 struct RunOptions {
   unsigned threads = 0;  ///< 0: one per core
   /// Goes on with an interrupted campaign; begins when there is none. Otherwise what an interrupted
   /// one left is replaced.
   bool resume = false;
-  Shard shard;
+  Shard shard = {};
   /// The runs are shared among its processes; only the one that leads writes. None: this one alone.
   ProcessTeam* team = nullptr;
   /// Called after each run with runs done and planned, from any thread, one at a time.

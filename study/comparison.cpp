@@ -8,6 +8,7 @@
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
 #include "study/comparison_barriers.hpp"
+#include "study/run_columns.hpp"
 
 namespace clast {
 namespace {
@@ -143,12 +144,13 @@ const std::string& key_of(const BlockSummary& block, GroupKind kind) {
   static const std::string none;
   switch (kind) {
     case GroupKind::kBlock:
-      return block.id;
+      return block.library_block();
     case GroupKind::kGarcia:
       return block.garcia;
     case GroupKind::kSneedFolk:
       return block.sneed_folk;
     case GroupKind::kAll:
+    case GroupKind::kColumn:
       break;
   }
   return none;
@@ -181,6 +183,7 @@ std::string group_name(GroupKind kind, const std::string& key) {
     case GroupKind::kSneedFolk:
       return "sneed-folk " + key;
     case GroupKind::kAll:
+    case GroupKind::kColumn:
       break;
   }
   return "all";
@@ -251,7 +254,7 @@ Runout runout(const Vec3& start, const Vec3& stop, const Vec2& downslope) {
   return {along, std::atan2(offset.dot(right), along)};
 }
 
-Comparison compare(std::vector<CampaignResults> results) {
+Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options) {
   check_results(results);
   Comparison comparison;
   comparison.results = std::move(results);
@@ -273,6 +276,7 @@ Comparison compare(std::vector<CampaignResults> results) {
   }
 
   append_groups(comparison.rows, std::nullopt, comparison.groups);
+  for (const std::string& column : options.by) append_column_groups(comparison, column);
   if (comparison.results.size() > 1) {
     for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
       append_groups(comparison.rows, file, comparison.groups);
@@ -287,6 +291,11 @@ Comparison compare(std::vector<CampaignResults> results) {
   comparison.lines = std::move(barriers.lines);
   comparison.crossings = std::move(barriers.crossings);
   comparison.barriers = std::move(barriers.groups);
+  comparison.differences = differences(comparison);
+  if (options.measured) {
+    comparison.measured = read_measured_stops(*options.measured);
+    hold_against(comparison, *comparison.measured);
+  }
 
   for (std::string& warning : comparison_warnings(comparison)) {
     comparison.warnings.push_back(std::move(warning));

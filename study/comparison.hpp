@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/statistics.hpp"
+#include "study/differences.hpp"
+#include "study/measured_stops.hpp"
 #include "study/results.hpp"
 
 namespace clast {
@@ -23,7 +25,7 @@ struct RunRow {
 };
 
 /// By what the runs of a group belong together.
-enum class GroupKind { kAll, kBlock, kGarcia, kSneedFolk };
+enum class GroupKind { kAll, kBlock, kGarcia, kSneedFolk, kColumn };
 
 /// Runs of a group: "all", one block ("block SP1A"), or one class ("class compact",
 /// "sneed-folk VE"). With several results files every group comes once over all files and once per
@@ -31,7 +33,8 @@ enum class GroupKind { kAll, kBlock, kGarcia, kSneedFolk };
 struct Group {
   std::string name;
   GroupKind kind = GroupKind::kAll;
-  std::string key;                    ///< block id or class name; empty for all
+  std::string key;                    ///< block id, class name or value; empty for all
+  std::string column;                 ///< of kColumn: what was asked for
   std::optional<std::uint32_t> file;  ///< index, when the group is of one file only
   std::vector<std::size_t> rows;      ///< into Comparison::rows
 };
@@ -84,6 +87,9 @@ struct DepositGroup {
   Vec3 mean_stop = Vec3::Zero();  ///< map, m
 };
 
+/// Name of the release set of a point; empty where there is one set.
+const std::string& release_set_of(const CampaignResults& results, std::uint32_t point);
+
 /// Everything the tables and the report are made from. Rows point into `results`: moved, not
 /// copied.
 struct Comparison {
@@ -100,14 +106,23 @@ struct Comparison {
   std::vector<BarrierLine> lines;
   std::vector<CrossingRow> crossings;  ///< in order of file, run and time
   std::vector<BarrierGroup>
-      barriers;                       ///< by barrier, then group; groups that never met it left out
+      barriers;  ///< by barrier, then group; groups that never met it left out
+  std::vector<Difference> differences;
+  std::optional<MeasuredStops> measured;
   std::vector<std::string> warnings;  ///< for example "mass differs between classes"
+};
+
+/// What to compare beyond blocks and classes.
+struct CompareOptions {
+  std::vector<std::string> by;  ///< columns of `run_columns` whose values make groups
+  std::optional<std::filesystem::path> measured;  ///< table of stops seen in the field
 };
 
 /// @throws InputError  no runs; results on terrains with different map frames or asking for
 /// different
-///                     downslope directions; records that do not fit together (a damaged file)
-Comparison compare(std::vector<CampaignResults> results);
+///                     downslope directions; records that do not fit together (a damaged file); a
+///                     column that there is not; measured stops that can't be read
+Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options = {});
 
 /// A run's offset from its release point on the map.
 struct Runout {
@@ -126,12 +141,18 @@ std::string runs_csv(const Comparison& comparison);
 std::string barriers_csv(const Comparison& comparison);
 std::string crossings_csv(const Comparison& comparison);
 std::string deposits_csv(const Comparison& comparison);
+/// One row per impact, in order of file, run and time.
+std::string impacts_csv(const Comparison& comparison);
+/// The ground parameters of every ground set, by zone.
+std::string ground_sets_csv(const Comparison& comparison);
 
 /// What made the results, as JSON: program versions, campaigns and input files with their hashes.
 std::string provenance_json(const Comparison& comparison);
 
 /// Writes the tables, provenance.json, stops.gpkg (map layers) and report.html to `folder`.
+/// @return what was written, the report last
 /// @throws InputError  the folder can't be made or written to
-void write_comparison(const Comparison& comparison, const std::filesystem::path& folder);
+std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
+                                                    const std::filesystem::path& folder);
 
 }  // namespace clast

@@ -2,13 +2,16 @@
 #include <string>
 #include <string_view>
 
+#include "classify/form.hpp"
 #include "core/csv_text.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/version.hpp"
 #include "study/comparison.hpp"
+#include "study/profiles.hpp"
 #include "study/report/gis_layers.hpp"
 #include "study/report/html_report.hpp"
+#include "study/report/raster_files.hpp"
 
 namespace clast {
 namespace {
@@ -42,7 +45,28 @@ void cells_of_run(CsvText& csv, const RunRow& row) {
   csv.cell(std::string_view(row.block->garcia));
 }
 
+// What the campaign planned for a run beyond block, point and orientation.
+void cells_of_plan(CsvText& csv, const CampaignResults& results, const RunRow& row) {
+  const BlockSummary& block = *row.block;
+  csv.cell(std::string_view(block.library_block()));
+  csv.cell(std::string_view(block.group));
+  csv.cell(block.scale);
+  csv.cell(block.volume);
+  csv.cell(elongation_s_c(block.axes));
+  const std::uint32_t point = row.record->point;
+  csv.cell(std::string_view(release_set_of(results, point)));
+  csv.count(row.record->ground_set);
+  const std::uint32_t set = row.record->ground_set;
+  csv.count(set < results.ground_sets.size() ? results.ground_sets[set].member : 0);
+}
+
 }  // namespace
+
+const std::string& release_set_of(const CampaignResults& results, std::uint32_t point) {
+  static const std::string none;
+  if (point >= results.set_of_point.size()) return none;
+  return results.release_sets[results.set_of_point[point]];
+}
 
 std::string runs_csv(const Comparison& comparison) {
   CsvText csv;
@@ -51,7 +75,10 @@ std::string runs_csv(const Comparison& comparison) {
       "runout_m,lateral_deg,max_speed_m_s,max_penetration_m,energy_error,"
       "file,mass_kg,start_x_m,start_y_m,start_z_m,path_length_m,settled_penetration_m,below_ground,"
       "contact_steps,impacts,stop_qw,stop_qx,stop_qy,stop_qz,energy_initial_j,energy_final_j,"
-      "energy_normal_j,energy_friction_j,energy_rolling_j,energy_reassigned_j,message");
+      "energy_normal_j,energy_friction_j,energy_rolling_j,energy_reassigned_j,message,"
+      "library_block,block_group,scale,volume_m3,s_c,release_set,ground_set,ensemble_member,"
+      "contact_time_s,mean_contact_points,most_contact_points,longest_flight_m,max_energy_j,"
+      "max_spin_rad_s");
   for (const RunRow& row : comparison.rows) {
     const ReleaseResult& result = row.record->result;
     cells_of_run(csv, row);
@@ -81,6 +108,14 @@ std::string runs_csv(const Comparison& comparison) {
       csv.cell(part);
     }
     csv.cell(std::string_view(result.message));
+    cells_of_plan(csv, comparison.results[row.file], row);
+    const ContactStatistics& contacts = row.record->contacts;
+    csv.cell(contacts.contact_time);
+    csv.cell(contacts.mean_points);
+    csv.count(contacts.most_points);
+    csv.cell(contacts.longest_flight);
+    csv.cell(contacts.max_energy);
+    csv.cell(contacts.max_spin);
     csv.end_row();
   }
   return csv.take();
@@ -142,6 +177,63 @@ std::string crossings_csv(const Comparison& comparison) {
   return csv.take();
 }
 
+std::string impacts_csv(const Comparison& comparison) {
+  CsvText csv;
+  csv.header(
+      "run,block,class,shape,zone,time_s,contact_s,x_m,y_m,z_m,speed_before_m_s,speed_after_m_s,"
+      "translational_energy_before_j,translational_energy_after_j,rotational_energy_before_j,"
+      "rotational_energy_after_j,depth_m,file");
+  for (std::size_t i = 0, file = 0; file < comparison.results.size(); ++file) {
+    const CampaignResults& results = comparison.results[file];
+    for (const Impact& impact : results.impacts) {
+      // Impacts and rows are in order of file and run.
+      while (i < comparison.rows.size() &&
+             (comparison.rows[i].file != file || comparison.rows[i].record->run < impact.run)) {
+        ++i;
+      }
+      if (i == comparison.rows.size()) break;
+      cells_of_run(csv, comparison.rows[i]);
+      csv.cell(std::string_view(results.zone_names[impact.zone]));
+      csv.cell(impact.time);
+      csv.cell(impact.contact_duration);
+      cells(csv, results.frame.map(impact.place));
+      for (const double value : {impact.speed_before, impact.speed_after,
+                                 impact.translational_before, impact.translational_after,
+                                 impact.rotational_before, impact.rotational_after, impact.depth}) {
+        csv.cell(value);
+      }
+      csv.count(file + 1);
+      csv.end_row();
+    }
+  }
+  return csv.take();
+}
+
+std::string ground_sets_csv(const Comparison& comparison) {
+  CsvText csv;
+  csv.header(
+      "file,ground_set,block_group,ensemble_member,zone,energy_restitution,friction,"
+      "rolling_friction");
+  for (std::size_t file = 0; file < comparison.results.size(); ++file) {
+    const CampaignResults& results = comparison.results[file];
+    for (std::size_t set = 0; set < results.ground_sets.size(); ++set) {
+      const GroundSet& ground = results.ground_sets[set];
+      for (std::size_t zone = 0; zone < ground.zones.size(); ++zone) {
+        csv.count(file + 1);
+        csv.count(set);
+        csv.cell(std::string_view(ground.group));
+        csv.count(ground.member);
+        csv.cell(std::string_view(results.zone_names[zone]));
+        csv.cell(ground.zones[zone].energy_restitution);
+        csv.cell(ground.zones[zone].friction);
+        csv.cell(ground.zones[zone].rolling_friction);
+        csv.end_row();
+      }
+    }
+  }
+  return csv.take();
+}
+
 std::string deposits_csv(const Comparison& comparison) {
   CsvText csv;
   csv.header("group,count" + summary_columns("runout", "m") +
@@ -188,22 +280,43 @@ std::string provenance_json(const Comparison& comparison) {
                              {"planned_runs", results.planned_runs},
                              {"campaign", results.campaign_text}});
   }
+  if (comparison.measured) {
+    json["measured"] = {{"file", comparison.measured->file.filename().string()},
+                        {"sha256", comparison.measured->sha256},
+                        {"stops", comparison.measured->stops.size()}};
+  }
   // Names and paths may hold bytes that are not UTF-8; they must not stop the tables.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-void write_comparison(const Comparison& comparison, const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
+                                                    const std::filesystem::path& folder) {
   std::error_code code;
   if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
     throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
   }
-  write_text_file(folder / "runs.csv", runs_csv(comparison));
-  write_text_file(folder / "barriers.csv", barriers_csv(comparison));
-  write_text_file(folder / "crossings.csv", crossings_csv(comparison));
-  write_text_file(folder / "deposits.csv", deposits_csv(comparison));
-  write_text_file(folder / "provenance.json", provenance_json(comparison));
-  write_geopackage(folder / "stops.gpkg", comparison);
-  write_text_file(folder / "report.html", html_report(comparison));
+  std::vector<std::filesystem::path> written;
+  const auto write = [&](const char* name, const std::string& text) {
+    written.push_back(folder / name);
+    write_text_file(written.back(), text);
+  };
+  write("runs.csv", runs_csv(comparison));
+  write("barriers.csv", barriers_csv(comparison));
+  write("crossings.csv", crossings_csv(comparison));
+  write("deposits.csv", deposits_csv(comparison));
+  write("impacts.csv", impacts_csv(comparison));
+  write("ground_sets.csv", ground_sets_csv(comparison));
+  write("differences.csv", differences_csv(comparison));
+  write("profiles.csv", profiles_csv(comparison));
+  if (comparison.measured) write("measured.csv", measured_csv(comparison));
+  write("provenance.json", provenance_json(comparison));
+  written.push_back(folder / "stops.gpkg");
+  write_geopackage(written.back(), comparison);
+  const std::vector<std::filesystem::path> rasters = write_rasters(
+      folder / "rasters", path_rasters(comparison), comparison.results.front().frame.crs);
+  written.insert(written.end(), rasters.begin(), rasters.end());
+  write("report.html", html_report(comparison));
+  return written;
 }
 
 }  // namespace clast

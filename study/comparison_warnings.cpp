@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "core/number_text.hpp"
@@ -82,8 +83,70 @@ void warn_of_masses(const Comparison& comparison, std::vector<std::string>& warn
     list += (list.empty() ? "" : ", ") + name + " " + with_digits(mean, 4) + " kg";
   }
   if (means.size() > 1 && high > low * (1.0 + kNotableMassDifference)) {
-    warnings.push_back("mass differs between classes (mean block: " + list +
-                       "); differences between classes are of shape and mass together");
+    warnings.push_back(
+        "mass differs between classes (mean block: " + list +
+        "); differences between classes are of shape and mass together. Run with [blocks] "
+        "scale = \"equal-mass\" to compare shapes alone");
+  }
+}
+
+/// Area-weighted mean slope of every ground zone where the runs were, rad; none for zones
+/// elsewhere.
+std::vector<std::optional<double>> zone_slopes(const CampaignResults& results) {
+  Bounds runs;
+  for (const RunRecord& run : results.runs) {
+    for (const Vec3& place : {run.start.position, run.result.final_state.position}) {
+      if (place.allFinite()) runs.include(place);
+    }
+  }
+  std::vector<double> area(results.zone_names.size(), 0.0), weighted(area);
+  const TriangleMesh& mesh = results.terrain.surface;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    Bounds triangle;
+    for (const std::uint32_t corner : {a, b, c}) triangle.include(mesh.vertices[corner]);
+    if ((triangle.high.head<2>().array() < runs.low.head<2>().array()).any() ||
+        (triangle.low.head<2>().array() > runs.high.head<2>().array()).any()) {
+      continue;
+    }
+    const Vec3 normal =
+        0.5 * (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
+    const double size = normal.norm();
+    if (!(size > 0.0)) continue;
+    area[results.terrain.zone[t]] += size;
+    weighted[results.terrain.zone[t]] += size * std::acos(std::clamp(normal.z() / size, -1.0, 1.0));
+  }
+  std::vector<std::optional<double>> slopes(area.size());
+  for (std::size_t zone = 0; zone < area.size(); ++zone) {
+    if (area[zone] > 0.0) slopes[zone] = weighted[zone] / area[zone];
+  }
+  return slopes;
+}
+
+void warn_of_slopes(const Comparison& comparison, std::vector<std::string>& warnings) {
+  const auto degrees = [](double angle) { return with_digits(angle * 180.0 / kPi, 3) + " deg"; };
+  for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
+    const CampaignResults& results = comparison.results[file];
+    const std::vector<std::optional<double>> slopes = zone_slopes(results);
+    for (std::size_t zone = 0; zone < slopes.size() && zone < results.ground.size(); ++zone) {
+      if (!slopes[zone]) continue;
+      const double sliding = std::atan(results.ground[zone].friction);
+      const double rolling = std::atan(results.ground[zone].rolling_friction);
+      const std::string where =
+          (comparison.results.size() > 1 ? "file " + std::to_string(file + 1) + ": " : "") +
+          "zone " + results.zone_names[zone] + " slopes " + degrees(*slopes[zone]) +
+          " on average, ";
+      if (*slopes[zone] > sliding) {
+        warnings.push_back(where + "above atan mu = " + degrees(sliding) +
+                           ": geometry decides; nothing comes to rest by friction there, so an "
+                           "effect of shape can vanish");
+      } else if (*slopes[zone] > rolling) {
+        warnings.push_back(where + "between atan mu_R = " + degrees(rolling) +
+                           " and atan mu = " + degrees(sliding) +
+                           ": geometry decides; what rolls goes on and what slides stops, so an "
+                           "effect of shape looks larger than on other slopes");
+      }
+    }
   }
 }
 
@@ -109,6 +172,7 @@ std::vector<std::string> comparison_warnings(const Comparison& comparison) {
   warn_of_unfinished(comparison, warnings);
   warn_of_lost_runs(comparison, warnings);
   warn_of_masses(comparison, warnings);
+  warn_of_slopes(comparison, warnings);
   warn_of_changed_blocks(comparison, warnings);
   // What all files warn of is said once.
   const auto in_all_files = [&](const std::string& warning) {

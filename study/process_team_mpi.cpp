@@ -18,10 +18,12 @@ constexpr std::int64_t kNothingLeft = -1;
 // Whether a launcher started this process as one of several. Asked before MPI is: its start-up
 // takes a second and opens network ports, which a single process has no use for.
 bool launched_together() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
-    if (std::getenv(name)) return true;
-  }
-  return false;
+  const auto several = [](const char* name) {
+    const char* size = std::getenv(name);
+    return size && std::atoi(size) > 1;
+  };
+  return several("OMPI_COMM_WORLD_SIZE") || several("PMI_SIZE") ||
+         (std::getenv("PMIX_RANK") && several("SLURM_STEP_NUM_TASKS"));
 }
 
 // The text of process `from`, on all.

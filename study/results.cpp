@@ -70,6 +70,29 @@ void write_terrain_group(Hdf5Group group, const Terrain& terrain, const MapFrame
   group.set_attribute<std::string>("crs", frame.crs);
 }
 
+// Cores of the library blocks in their principal frame, as the block library keeps them.
+void write_shapes(Hdf5Group group, const std::vector<SpheroPolyhedron>& shapes) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    write_body(group.create_group(std::to_string(i)), shapes[i]);
+  }
+}
+
+void write_ground_sets(Hdf5Group group, const CampaignResults& header) {
+  const std::vector<GroundSet>& sets = header.ground_sets;
+  write_column(group, "group", "", sets, [](const GroundSet& set) { return set.group; });
+  write_column(group, "member", "", sets, [](const GroundSet& set) { return set.member; });
+  const auto write = [&](const char* name, double GroundParameters::*field) {
+    std::vector<double> values;
+    for (const GroundSet& set : sets) {
+      for (const GroundParameters& zone : set.zones) values.push_back(zone.*field);
+    }
+    group.write<double>(name, values, {sets.size(), header.zone_names.size()});
+  };
+  write("energy_restitution", &GroundParameters::energy_restitution);
+  write("friction", &GroundParameters::friction);
+  write("rolling_friction", &GroundParameters::rolling_friction);
+}
+
 void write_header(Hdf5Group root, const CampaignResults& header) {
   root.set_attribute<std::string>("campaign_sha256", header.campaign_sha256);
   root.set_attribute<std::int64_t>("planned_runs", header.planned_runs);
@@ -80,6 +103,8 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
     write_vectors(root, "downslope", "", std::vector<Vec2>{*header.downslope});
   }
   write_vectors(root, "release_points_m", "m", header.release_points);
+  write_texts(root, "release_sets", header.release_sets);
+  root.write<std::uint32_t>("set_of_point", header.set_of_point);
 
   Hdf5Group blocks = root.create_group("blocks");
   const auto& list = header.blocks;
@@ -91,13 +116,16 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   write_column(blocks, "garcia", "", list, [](const BlockSummary& b) { return b.garcia; });
   write_column(blocks, "sneed_folk", "", list, [](const BlockSummary& b) { return b.sneed_folk; });
   write_column(blocks, "zingg", "", list, [](const BlockSummary& b) { return b.zingg; });
-
-  Hdf5Group bodies = blocks.create_group(kBodies);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (!list[i].body.vertices.empty()) {
-      write_body(bodies.create_group(std::to_string(i)), list[i].body);
-    }
-  }
+  write_column(blocks, "library_id", "", list,
+               [](const BlockSummary& b) { return b.library_block(); });
+  write_column(blocks, "group", "", list, [](const BlockSummary& b) { return b.group; });
+  write_column(blocks, "scale", "", list, [](const BlockSummary& b) { return b.scale; });
+  write_column(blocks, "volume_m3", "m^3", list, [](const BlockSummary& b) { return b.volume; });
+  write_column(blocks, "shape", "", list, [](const BlockSummary& b) { return b.shape; });
+  std::vector<Vec3> moments;
+  for (const BlockSummary& block : list) moments.push_back(block.moments);
+  write_vectors(blocks, "principal_moments_kg_m2", "kg m^2", moments);
+  write_shapes(root.create_group("shapes"), header.shapes);
 
   Hdf5Group barriers = root.create_group("barriers");
   std::vector<Vec2> from, to;
@@ -117,6 +145,8 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   write_column(ground, "friction", "", zones, [](const GroundParameters& g) { return g.friction; });
   write_column(ground, "rolling_friction", "", zones,
                [](const GroundParameters& g) { return g.rolling_friction; });
+
+  write_ground_sets(root.create_group("ground_sets"), header);
 
   Hdf5Group contact = root.create_group("contact");
   contact.set_attribute<std::string>("law", name_of(header.law));
@@ -140,6 +170,17 @@ void write_crossings(Hdf5Group group, std::vector<Crossing>& crossings) {
   write(kCrossingValues);
   write_column(group, kForward, "", crossings,
                [](const Crossing& crossing) -> std::uint8_t { return crossing.forward ? 1 : 0; });
+}
+
+void write_impacts(Hdf5Group group, std::vector<Impact>& impacts) {
+  const auto write = [&](const auto& columns) {
+    for (const auto& column : columns) {
+      write_column(group, column.name, column.unit, impacts,
+                   [&](Impact& impact) { return column.field(impact); });
+    }
+  };
+  write(kImpactIndices);
+  write(kImpactValues);
 }
 
 void write_runs(Hdf5Group group, std::vector<RunRecord>& runs) {
@@ -197,14 +238,17 @@ void write_results_file(const fs::path& target, const CampaignResults& header, s
     trajectories.set_attribute<std::string>("rows", row_names);
     std::vector<RunRecord> records;
     std::vector<Crossing> crossings;
+    std::vector<Impact> impacts;
     for (std::size_t i = 0; i < count; ++i) {
       const StoredRun stored = run(i);
       records.push_back(stored.record);
       crossings.insert(crossings.end(), stored.crossings.begin(), stored.crossings.end());
+      impacts.insert(impacts.end(), stored.impacts.begin(), stored.impacts.end());
       write_trajectory(trajectories, stored.record.run, stored.trajectory);
     }
     write_runs(root.create_group("runs"), records);
     write_crossings(root.create_group("crossings"), crossings);
+    write_impacts(root.create_group("impacts"), impacts);
     file.flush();
   }
   output.commit();
@@ -239,11 +283,11 @@ ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResult
 
 const std::vector<std::uint32_t>& ResultsWriter::stored_runs() const { return impl_->stored; }
 
-void ResultsWriter::add(const RunRecord& run, const std::vector<Crossing>& crossings,
-                        const Trajectory& trajectory) {
-  impl_->journal.add({run, crossings, trajectory});
-  impl_->stored.insert(std::lower_bound(impl_->stored.begin(), impl_->stored.end(), run.run),
-                       run.run);
+void ResultsWriter::add(const StoredRun& run) {
+  impl_->journal.add(run);
+  const std::uint32_t number = run.record.run;
+  impl_->stored.insert(std::lower_bound(impl_->stored.begin(), impl_->stored.end(), number),
+                       number);
 }
 
 void ResultsWriter::finish() {

@@ -11,6 +11,7 @@
 #include "dem/release.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 #include "study/barrier.hpp"
+#include "study/impact.hpp"
 #include "terrain/terrain.hpp"
 
 namespace clast {
@@ -20,9 +21,11 @@ struct RunRecord {
   std::uint32_t run = 0;          ///< number in the campaign
   std::uint32_t block = 0;        ///< index into CampaignResults::blocks
   std::uint32_t point = 0;        ///< index of the release point
-  std::uint32_t orientation = 0;  ///< index of the orientation
+  std::uint32_t orientation = 0;  ///< index of the orientation in its release set
+  std::uint32_t ground_set = 0;   ///< index into CampaignResults::ground_sets
   RigidState start;
   ReleaseResult result;
+  ContactStatistics contacts;
 };
 
 /// What the comparison needs to know of a block.
@@ -33,13 +36,35 @@ struct BlockSummary {
   std::string garcia;  ///< compact or elongated
   std::string sneed_folk;
   std::string zingg;
-  SpheroPolyhedron body;  ///< body frame; without vertices in files of older versions
+  std::string library_id = {};  ///< of the library block it was made from; empty: `id`
+  std::string group = {};       ///< block group; empty: none
+  double scale = 1.0;           ///< of lengths, against the library block
+  double volume = 0.0;          ///< m^3
+  std::uint32_t shape = 0;      ///< index into CampaignResults::shapes
+  Vec3 moments = Vec3::Zero();  ///< principal, kg m^2
+
+  const std::string& library_block() const { return library_id.empty() ? id : library_id; }
+};
+
+/// Ground parameters that some of the runs have: of one block group in one member of the ensemble.
+struct GroundSet {
+  std::string group;         ///< empty: blocks in no group
+  std::uint32_t member = 0;  ///< from 0
+  std::vector<GroundParameters> zones;
 };
 
 /// The state of one run over time, at the asked interval.
 struct Trajectory {
   std::vector<double> time;        ///< s
   std::vector<RigidState> states;  ///< local frame
+};
+
+/// Everything that is stored of one run.
+struct StoredRun {
+  RunRecord record;
+  std::vector<Crossing> crossings;
+  std::vector<Impact> impacts;
+  Trajectory trajectory;
 };
 
 /// A results file, read whole except for the trajectories.
@@ -50,10 +75,14 @@ struct CampaignResults {
   std::vector<std::string> inputs;  ///< "path sha256" of library, terrain and release files
   std::string program_version;
   std::vector<BlockSummary> blocks;
-  std::vector<Barrier> barriers;     ///< local frame
-  std::vector<Vec3> release_points;  ///< local frame; z as started for the first orientation
+  std::vector<Barrier> barriers;            ///< local frame
+  std::vector<Vec3> release_points;         ///< local frame; z as started for the first orientation
+  std::vector<std::string> release_sets;    ///< names; one without a name when there is one
+  std::vector<std::uint32_t> set_of_point;  ///< index into `release_sets`
+  std::vector<SpheroPolyhedron> shapes;     ///< of library blocks, body frame, unscaled
   std::vector<std::string> zone_names;
-  std::vector<GroundParameters> ground;  ///< by zone
+  std::vector<GroundParameters> ground;  ///< by zone, without groups; uncertain ones in the middle
+  std::vector<GroundSet> ground_sets;
   ContactStiffness stiffness;
   ContactLaw law;
   ContactWeights weights = ContactWeights::kPatch;
@@ -64,6 +93,7 @@ struct CampaignResults {
   std::uint32_t planned_runs = 0;
   std::vector<RunRecord> runs;      ///< in run order
   std::vector<Crossing> crossings;  ///< in run order, then time
+  std::vector<Impact> impacts;      ///< in run order, then time
 };
 
 /// @throws InputError  missing, not clast results, damaged, or of a newer schema
@@ -116,8 +146,7 @@ class ResultsWriter {
   /// Runs that are in the file already, sorted.
   const std::vector<std::uint32_t>& stored_runs() const;
   /// Adds one run and flushes. Order does not matter.
-  void add(const RunRecord& run, const std::vector<Crossing>& crossings,
-           const Trajectory& trajectory);
+  void add(const StoredRun& run);
   /// Writes the target, whole, with runs in order of their number; the journal goes.
   void finish();
 

@@ -20,7 +20,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the journal is little-endian");
 
 constexpr std::size_t kDigestLength = 64;
-const std::string kMagic = "clast results journal 1\n";
+const std::string kMagic = "clast results journal 2\n";
 
 // A record to be, and the same calls that read it back.
 class Packer {
@@ -94,6 +94,11 @@ void transfer(Archive& archive, StoredRun& run) {
     transfer_fields(archive, kCrossingIndices, crossing);
     transfer_fields(archive, kCrossingValues, crossing);
     archive.plain(crossing.forward);
+  }
+  archive.size(run.impacts);
+  for (Impact& impact : run.impacts) {
+    transfer_fields(archive, kImpactIndices, impact);
+    transfer_fields(archive, kImpactValues, impact);
   }
   archive.size(run.trajectory.time);
   for (double& time : run.trajectory.time) archive.plain(time);

@@ -11,13 +11,6 @@
 
 namespace clast {
 
-/// Everything that is stored of one run.
-struct StoredRun {
-  RunRecord record;
-  std::vector<Crossing> crossings;
-  Trajectory trajectory;
-};
-
 /// A run as bytes, and back: what the journal keeps and processes send each other.
 std::string packed(const StoredRun& run);
 /// @throws InputError  not the bytes of a run

@@ -10,9 +10,7 @@
 namespace clast::results_layout {
 
 inline constexpr const char* kFormat = "clast results";
-inline constexpr int kSchemaVersion = 1;
-/// Group in /blocks with the body of each row, by number.
-inline constexpr const char* kBodies = "bodies";
+inline constexpr int kSchemaVersion = 2;
 
 /// A column and the field of a row that it holds.
 template <class Row, class T>
@@ -26,19 +24,24 @@ using RunIndex = Column<RunRecord, std::uint32_t>;
 using RunValue = Column<RunRecord, double>;
 using StateValue = Column<RigidState, double>;
 using RunCount = Column<RunRecord, std::uint64_t>;
+using ImpactIndex = Column<Impact, std::uint32_t>;
+using ImpactValue = Column<Impact, double>;
 using CrossingIndex = Column<Crossing, std::uint32_t>;
 using CrossingValue = Column<Crossing, double>;
 
-inline constexpr std::array<RunIndex, 4> kRunIndices{{
+inline constexpr std::array<RunIndex, 5> kRunIndices{{
     {"run", "", [](RunRecord& r) -> std::uint32_t& { return r.run; }},
     {"block", "", [](RunRecord& r) -> std::uint32_t& { return r.block; }},
     {"point", "", [](RunRecord& r) -> std::uint32_t& { return r.point; }},
     {"orientation", "", [](RunRecord& r) -> std::uint32_t& { return r.orientation; }},
+    {"ground_set", "", [](RunRecord& r) -> std::uint32_t& { return r.ground_set; }},
 }};
 
-inline constexpr std::array<RunCount, 2> kRunCounts{{
+inline constexpr std::array<RunCount, 3> kRunCounts{{
     {"contact_steps", "", [](RunRecord& r) -> std::uint64_t& { return r.result.contact_steps; }},
     {"impacts", "", [](RunRecord& r) -> std::uint64_t& { return r.result.impacts; }},
+    {"most_contact_points", "",
+     [](RunRecord& r) -> std::uint64_t& { return r.contacts.most_points; }},
 }};
 
 /// A state takes 13 columns: "start_x_m", "stop_x_m", and rows 1 to 13 of a trajectory.
@@ -67,7 +70,7 @@ inline constexpr std::array<StateOfRun, 2> kRunStates{{
     {"stop_", [](RunRecord& r) -> RigidState& { return r.result.final_state; }},
 }};
 
-inline constexpr std::array<RunValue, 12> kRunValues{{
+inline constexpr std::array<RunValue, 17> kRunValues{{
     {"duration_s", "s", [](RunRecord& r) -> double& { return r.result.duration; }},
     {"path_length_m", "m", [](RunRecord& r) -> double& { return r.result.path_length; }},
     {"max_speed_m_s", "m/s", [](RunRecord& r) -> double& { return r.result.max_speed; }},
@@ -82,6 +85,11 @@ inline constexpr std::array<RunValue, 12> kRunValues{{
     {"energy_reassigned_j", "J",
      [](RunRecord& r) -> double& { return r.result.energy.reassigned; }},
     {"energy_error", "", [](RunRecord& r) -> double& { return r.result.energy.error; }},
+    {"contact_time_s", "s", [](RunRecord& r) -> double& { return r.contacts.contact_time; }},
+    {"mean_contact_points", "", [](RunRecord& r) -> double& { return r.contacts.mean_points; }},
+    {"longest_flight_m", "m", [](RunRecord& r) -> double& { return r.contacts.longest_flight; }},
+    {"max_energy_j", "J", [](RunRecord& r) -> double& { return r.contacts.max_energy; }},
+    {"max_spin_rad_s", "rad/s", [](RunRecord& r) -> double& { return r.contacts.max_spin; }},
 }};
 
 /// Columns of /runs that are not plain fields.
@@ -110,6 +118,25 @@ inline constexpr std::array<CrossingValue, 14> kCrossingValues{{
     {"clearance_m", "m", [](Crossing& c) -> double& { return c.clearance; }},
     {"translational_energy_j", "J", [](Crossing& c) -> double& { return c.translational_energy; }},
     {"rotational_energy_j", "J", [](Crossing& c) -> double& { return c.rotational_energy; }},
+}};
+
+inline constexpr std::array<ImpactIndex, 2> kImpactIndices{{
+    {"run", "", [](Impact& i) -> std::uint32_t& { return i.run; }},
+    {"zone", "", [](Impact& i) -> std::uint32_t& { return i.zone; }},
+}};
+inline constexpr std::array<ImpactValue, 12> kImpactValues{{
+    {"time_s", "s", [](Impact& i) -> double& { return i.time; }},
+    {"contact_s", "s", [](Impact& i) -> double& { return i.contact_duration; }},
+    {"x_m", "m", [](Impact& i) -> double& { return i.place.x(); }},
+    {"y_m", "m", [](Impact& i) -> double& { return i.place.y(); }},
+    {"z_m", "m", [](Impact& i) -> double& { return i.place.z(); }},
+    {"speed_before_m_s", "m/s", [](Impact& i) -> double& { return i.speed_before; }},
+    {"speed_after_m_s", "m/s", [](Impact& i) -> double& { return i.speed_after; }},
+    {"translational_before_j", "J", [](Impact& i) -> double& { return i.translational_before; }},
+    {"translational_after_j", "J", [](Impact& i) -> double& { return i.translational_after; }},
+    {"rotational_before_j", "J", [](Impact& i) -> double& { return i.rotational_before; }},
+    {"rotational_after_j", "J", [](Impact& i) -> double& { return i.rotational_after; }},
+    {"depth_m", "m", [](Impact& i) -> double& { return i.depth; }},
 }};
 
 /// Rows of a trajectory dataset: time, then the state.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 
 #include "core/error.hpp"
 #include "study/results_file.hpp"
@@ -20,6 +21,7 @@ struct Place {
   std::size_t part = 0;
   std::size_t row = 0;             ///< into the part's runs
   std::size_t first_crossing = 0;  ///< into the part's crossings
+  std::size_t first_impact = 0;    ///< into the part's impacts
 };
 
 void check_same_campaign(const CampaignResults& first, const CampaignResults& other) {
@@ -40,17 +42,25 @@ void check_same_campaign(const CampaignResults& first, const CampaignResults& ot
                    "; only parts of one campaign can be joined");
 }
 
+/// Those from `first` on that belong to the run.
+template <class Event>
+std::span<const Event> events_of(const std::vector<Event>& events, std::uint32_t run,
+                                 std::size_t first) {
+  std::size_t end = first;
+  while (end < events.size() && events[end].run == run) ++end;
+  return {events.data() + first, end - first};
+}
+
 std::vector<Place> places_of(const std::vector<Part>& parts) {
   std::vector<Place> places;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const CampaignResults& results = parts[part].results;
-    std::size_t crossing = 0;
+    std::size_t crossing = 0, impact = 0;
     for (std::size_t row = 0; row < results.runs.size(); ++row) {
       const std::uint32_t run = results.runs[row].run;
-      places.push_back({run, part, row, crossing});
-      while (crossing < results.crossings.size() && results.crossings[crossing].run == run) {
-        ++crossing;
-      }
+      places.push_back({run, part, row, crossing, impact});
+      crossing += events_of(results.crossings, run, crossing).size();
+      impact += events_of(results.impacts, run, impact).size();
     }
   }
   std::sort(places.begin(), places.end(),
@@ -91,11 +101,10 @@ void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
     const Part& part = parts[place.part];
     StoredRun run;
     run.record = part.results.runs[place.row];
-    const std::vector<Crossing>& crossings = part.results.crossings;
-    for (std::size_t k = place.first_crossing;
-         k < crossings.size() && crossings[k].run == place.run; ++k) {
-      run.crossings.push_back(crossings[k]);
-    }
+    const auto crossings = events_of(part.results.crossings, place.run, place.first_crossing);
+    run.crossings.assign(crossings.begin(), crossings.end());
+    const auto impacts = events_of(part.results.impacts, place.run, place.first_impact);
+    run.impacts.assign(impacts.begin(), impacts.end());
     if (part.trajectories.frames(place.run) > 0) run.trajectory = part.trajectories.read(place.run);
     return run;
   });

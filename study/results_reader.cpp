@@ -70,6 +70,46 @@ struct Reader {
   }
 };
 
+void read_shapes(const Reader& reader, CampaignResults& results) {
+  const std::size_t count = reader.group.names().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = std::to_string(i);
+    results.shapes.push_back(
+        read_body(reader.group.group(name), reader.file + ": " + reader.path + "/" + name));
+  }
+}
+
+void read_ground_sets(const Reader& reader, CampaignResults& results) {
+  const auto groups = reader.group.read<std::string>("group");
+  const std::size_t zones = results.zone_names.size();
+  const auto members = reader.column<std::uint32_t>("member", groups.size());
+  const auto restitution = reader.column<double>("energy_restitution", groups.size() * zones);
+  const auto friction = reader.column<double>("friction", groups.size() * zones);
+  const auto rolling = reader.column<double>("rolling_friction", groups.size() * zones);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    GroundSet set{groups[i], members[i], {}};
+    for (std::size_t k = i * zones; k < (i + 1) * zones; ++k) {
+      set.zones.push_back({restitution[k], friction[k], rolling[k]});
+    }
+    results.ground_sets.push_back(std::move(set));
+  }
+}
+
+void read_impacts(const Reader& reader, CampaignResults& results) {
+  const std::size_t rows = reader.length("run");
+  results.impacts.resize(rows);
+  for (const auto& column : kImpactIndices) {
+    const auto values = reader.column<std::uint32_t>(column.name, rows);
+    for (std::size_t i = 0; i < rows; ++i) column.field(results.impacts[i]) = values[i];
+    if (column.name == std::string("zone"))
+      reader.check_below(column.name, values, results.zone_names.size());
+  }
+  for (const auto& column : kImpactValues) {
+    const auto values = reader.column<double>(column.name, rows);
+    for (std::size_t i = 0; i < rows; ++i) column.field(results.impacts[i]) = values[i];
+  }
+}
+
 void read_blocks(const Reader& reader, CampaignResults& results) {
   const std::vector<std::string> ids = reader.group.read<std::string>("id");
   const std::size_t rows = ids.size();
@@ -80,6 +120,15 @@ void read_blocks(const Reader& reader, CampaignResults& results) {
   const auto garcia = reader.column<std::string>("garcia", rows);
   const auto sneed_folk = reader.column<std::string>("sneed_folk", rows);
   const auto zingg = reader.column<std::string>("zingg", rows);
+  const auto library_id = reader.column<std::string>("library_id", rows);
+  const auto group = reader.column<std::string>("group", rows);
+  const auto scale = reader.column<double>("scale", rows);
+  const auto volume = reader.column<double>("volume_m3", rows);
+  const auto shape = reader.column<std::uint32_t>("shape", rows);
+  reader.check_below("shape", shape, results.shapes.size());
+  const auto moments = reader.vectors<Vec3>("principal_moments_kg_m2");
+  if (moments.size() != rows)
+    reader.damaged("principal_moments_kg_m2", "has not one row per block");
   for (std::size_t i = 0; i < rows; ++i) {
     results.blocks.push_back({ids[i],
                               mass[i],
@@ -87,15 +136,12 @@ void read_blocks(const Reader& reader, CampaignResults& results) {
                               garcia[i],
                               sneed_folk[i],
                               zingg[i],
-                              {}});
-  }
-  if (!reader.group.has(kBodies)) return;  // written by an older version
-  const Reader bodies = reader.into(kBodies);
-  for (std::size_t i = 0; i < rows; ++i) {
-    const std::string name = std::to_string(i);
-    if (!bodies.group.has(name)) continue;
-    results.blocks[i].body =
-        read_body(bodies.group.group(name), bodies.file + ": " + bodies.path + "/" + name);
+                              library_id[i],
+                              group[i],
+                              scale[i],
+                              volume[i],
+                              shape[i],
+                              moments[i]});
   }
 }
 
@@ -183,6 +229,7 @@ void read_runs(const Reader& reader, CampaignResults& results) {
       check_order(reader, values);
     }
     if (name == "block") reader.check_below(name, values, results.blocks.size());
+    if (name == "ground_set") reader.check_below(name, values, results.ground_sets.size());
     if (name == "point") reader.check_below(name, values, results.release_points.size());
   }
   for (const StateOfRun& state : kRunStates) {
@@ -212,13 +259,15 @@ void read_runs(const Reader& reader, CampaignResults& results) {
   }
 }
 
-// Crossings are in order of runs that there are.
-void check_crossings(const Reader& reader, const CampaignResults& results) {
+// Crossings and impacts are in order of runs that there are.
+template <class Event>
+void check_events(const Reader& reader, const std::vector<Event>& events,
+                  const CampaignResults& results) {
   auto run = results.runs.begin();
-  for (const Crossing& crossing : results.crossings) {
-    while (run != results.runs.end() && run->run < crossing.run) ++run;
-    if (run == results.runs.end() || run->run != crossing.run) {
-      reader.damaged("run", "holds run " + std::to_string(crossing.run) +
+  for (const Event& event : events) {
+    while (run != results.runs.end() && run->run < event.run) ++run;
+    if (run == results.runs.end() || run->run != event.run) {
+      reader.damaged("run", "holds run " + std::to_string(event.run) +
                                 ", which is not stored or not in order");
     }
   }
@@ -234,6 +283,11 @@ CampaignResults read_results(const fs::path& path) {
   }
   const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
   const Reader root{path.string(), "", file.root()};
+  const auto schema = root.group.attribute<std::int64_t>("schema_version");
+  if (schema < kSchemaVersion) {
+    throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
+                     " of an older clast, which kept less of each run; run the campaign again");
+  }
   CampaignResults results;
   results.file = path;
   results.program_version = root.group.attribute<std::string>("program_version");
@@ -252,9 +306,14 @@ CampaignResults read_results(const fs::path& path) {
     results.downslope = downslope.front();
   }
   results.release_points = root.vectors<Vec3>("release_points_m");
+  results.release_sets = root.group.read<std::string>("release_sets");
+  results.set_of_point = root.column<std::uint32_t>("set_of_point", results.release_points.size());
+  root.check_below("set_of_point", results.set_of_point, results.release_sets.size());
+  read_shapes(root.into("shapes"), results);
   read_blocks(root.into("blocks"), results);
   read_barriers(root.into("barriers"), results);
   read_ground(root.into("ground"), results);
+  read_ground_sets(root.into("ground_sets"), results);
 
   const Hdf5Group contact = root.group.group("contact");
   results.law = contact_law(contact.attribute<std::string>("law"));
@@ -267,7 +326,9 @@ CampaignResults read_results(const fs::path& path) {
 
   read_runs(root.into("runs"), results);
   read_crossings(root.into("crossings"), results);
-  check_crossings(root.into("crossings"), results);
+  check_events(root.into("crossings"), results.crossings, results);
+  read_impacts(root.into("impacts"), results);
+  check_events(root.into("impacts"), results.impacts, results);
   return results;
 }
 

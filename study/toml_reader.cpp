@@ -127,13 +127,12 @@ std::string suggestion(const std::string& key, const std::vector<std::string>& k
   for (const std::string& candidate : known) list += (list.empty() ? "" : ", ") + candidate;
   return "known here are " + list;
 }
+}  // namespace
 
 bool in_range(double value, const NumberRange& range) {
   return std::isfinite(value) && value <= range.high &&
          (range.low_included ? value >= range.low : value > range.low);
 }
-
-}  // namespace
 
 const TomlNode* TomlNode::find(const std::string& key) const {
   for (const auto& [name, node] : table) {

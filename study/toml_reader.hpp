@@ -42,6 +42,9 @@ struct NumberRange {
   const char* expected;  ///< completes "must be ..."
 };
 
+/// Finite and in the range.
+bool in_range(double value, const NumberRange& range);
+
 inline constexpr double kLargestNumber = 1e300;
 inline constexpr NumberRange kFinite{-kLargestNumber, true, kLargestNumber, "a finite number"};
 inline constexpr NumberRange kPositive{0.0, false, kLargestNumber, "more than zero"};

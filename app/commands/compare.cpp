@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "core/error.hpp"
 #include "study/comparison.hpp"
+#include "study/report/vtk_animation.hpp"
 
 namespace clast {
 
@@ -13,21 +15,39 @@ namespace {
 struct CompareArgs {
   std::vector<std::string> results;
   std::string folder = "comparison";
+  std::vector<std::string> by;
+  std::string measured;
+  std::size_t animated = 0;
 };
 
 void compare_results(const CompareArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
   std::vector<CampaignResults> results;
   for (const std::string& file : args.results) results.push_back(read_results(file));
-  const Comparison comparison = compare(std::move(results));
-  write_comparison(comparison, args.folder);
+  CompareOptions options;
+  options.by = args.by;
+  if (!args.measured.empty()) options.measured = args.measured;
+  const Comparison comparison = compare(std::move(results), options);
+  const std::vector<std::filesystem::path> written = write_comparison(comparison, args.folder);
+  if (args.animated > 0) {
+    const std::filesystem::path animation = write_animation(
+        std::filesystem::path(args.folder) / "animation", comparison, args.animated);
+    if (animation.empty()) {
+      throw InputError("no trajectory is stored, so nothing can be animated; set [run] "
+                       "trajectory_interval_s above zero");
+    }
+    std::cout << animation.string() << "\n";
+  }
   for (const std::string& warning : comparison.warnings) {
     std::cerr << "clast: warning: " << warning << "\n";
   }
-  for (const char* name : {"runs.csv", "barriers.csv", "crossings.csv", "deposits.csv",
-                           "provenance.json", "stops.gpkg", "report.html"}) {
-    std::cout << (std::filesystem::path(args.folder) / name).string() << "\n";
+  for (const Difference& difference : comparison.differences) {
+    // Classes are what the study is about; the rest is in the table.
+    if (comparison.groups[difference.first].kind == GroupKind::kGarcia && difference.found()) {
+      std::cout << in_words(difference, comparison) << "\n";
+    }
   }
+  for (const std::filesystem::path& file : written) std::cout << file.string() << "\n";
 }
 
 }  // namespace
@@ -42,10 +62,27 @@ void add_compare(CLI::App& app) {
   command->add_option("-o,--output", args->folder, "Folder, made when missing")
       ->type_name("DIR")
       ->capture_default_str();
+  command
+      ->add_option("--by", args->by,
+                   "Group by the values of a column of runs.csv too, for example release_set, "
+                   "block_group, mass_kg (in quarters); may be given again")
+      ->type_name("COLUMN")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--animate", args->animated,
+                   "Write animation/animation.pvd for ParaView too, with so many of the runs")
+      ->type_name("RUNS")
+      ->capture_default_str();
+  command
+      ->add_option("--measured", args->measured,
+                   "Table of stops seen in the field (columns x and y, m; optionally start_x, "
+                   "start_y, block, shape), held against the simulated ones")
+      ->type_name("CSV");
   command->footer(
-      "Writes runs.csv, barriers.csv, crossings.csv, deposits.csv, provenance.json, stops.gpkg and "
-      "report.html, whose path\ncomes last. Units are in the column names.\n"
-      "Example:\n  clast compare compact.h5 elongated.h5 -o comparison");
+      "Writes tables (runs, barriers, crossings, deposits, impacts, differences, profiles, ...), "
+      "map "
+      "layers and report.html,\nwhose path comes last. Units are in the column names.\n"
+      "Example:\n  clast compare compact.h5 elongated.h5 -o comparison --by release_set");
   command->callback([args] { compare_results(*args); });
 }
 

@@ -15,7 +15,10 @@
 #include "app/progress.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "core/text_file.hpp"
 #include "study/campaign_runner.hpp"
+#include "study/report/plan_map.hpp"
 
 namespace clast {
 
@@ -72,7 +75,7 @@ std::filesystem::path output_of(const SimulateArgs& args, const Shard& shard) {
 
 nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
   nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
-  for (const Block& block : prepared.blocks) blocks.push_back(block.id);
+  for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
   const ContactStiffness& stiffness = prepared.stiffness.stiffness;
   std::vector<std::string> warnings = prepared.header.warnings;
   return {{"runs", prepared.runs.size()},
@@ -87,12 +90,23 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
           {"warnings", warnings}};
 }
 
+/// "4 release points, 64 orientations", for each release set, and how often the ground is drawn.
+std::string releases_text(const PreparedCampaign& prepared) {
+  std::string text;
+  for (const ReleasePlan& release : prepared.campaign.releases) {
+    text += (text.empty() ? "" : "; ") + (release.name.empty() ? "" : release.name + ": ") +
+            counted(release.points.size(), "release point") + ", " +
+            counted(release.orientations.size(), "orientation");
+  }
+  const std::uint32_t members = prepared.campaign.ensemble.members;
+  if (members > 1) text += "; ground parameters drawn " + std::to_string(members) + " times";
+  return text;
+}
+
 void print_plan(const PreparedCampaign& prepared) {
   const ContactStiffness& stiffness = prepared.stiffness.stiffness;
   std::cout << counted(prepared.runs.size(), "run") << ": "
-            << counted(prepared.blocks.size(), "block") << ", "
-            << counted(prepared.header.release_points.size(), "release point") << ", "
-            << counted(prepared.campaign.release.orientations.size(), "orientation") << "\n"
+            << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
             << "k_n " << rounded(stiffness.normal) << " N/m, k_t " << rounded(stiffness.tangential)
             << " N/m, time step " << rounded(stiffness.time_step, 3) << " s; rests at most "
             << rounded(prepared.stiffness.settled_depth, 2) << " m deep, impacts go at most "
@@ -175,6 +189,32 @@ void silence() {
   std::cerr.setstate(std::ios::failbit);
 }
 
+constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
+
+/// Expected time, and the map.
+void tell_of_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, const Shard& shard,
+                     nlohmann::ordered_json summary) {
+  const TimeProbe probe = probe_time(prepared, kProbeTime);
+  const unsigned threads = thread_count(args.threads);
+  const std::size_t runs = shard.runs_of(prepared.runs.size());
+  const double expected = probe.each * static_cast<double>(runs) / threads;
+  std::filesystem::path map = args.output;
+  map.replace_extension(".map.svg");
+  write_text_file(map, plan_map(prepared.header));
+  if (args.json) {
+    summary["expected_time_s"] = expected;
+    summary["probed_runs"] = probe.runs;
+    summary["threads"] = threads;
+    summary["map"] = map.string();
+    std::cout << summary.dump(2) << "\n";
+    return;
+  }
+  std::cout << "about " << duration_text(expected) << " for " << counted(runs, "run") << " on "
+            << counted(threads, "thread") << ", judging by " << counted(probe.runs, "run") << " of "
+            << rounded(probe.each, 2) << " s\n"
+            << map.string() << ": written\n";
+}
+
 /// What shapes a run: that it is the same on all processes.
 std::string fingerprint(const PreparedCampaign& prepared) {
   std::string text = prepared.header.program_version + prepared.header.campaign_sha256;
@@ -205,7 +245,7 @@ void simulate(const SimulateArgs& args) {
   nlohmann::ordered_json summary = plan_json(prepared);
   if (!args.json) print_plan(prepared);
   if (args.dry_run) {
-    if (args.json) std::cout << summary.dump(2) << "\n";
+    if (team.leads()) tell_of_dry_run(args, prepared, shard, summary);
     return;
   }
   const std::string resume_hint = "clast simulate " + args.campaign + " -o " + args.output +
@@ -262,7 +302,9 @@ void add_simulate(CLI::App& app) {
                        "In place of CAMPAIGN: join what all shards wrote to one results file")
           ->type_name("PARTS")
           ->excludes(campaign);
-  command->add_flag("--dry-run", args->dry_run, "Check everything, say what would run, and stop");
+  command->add_flag("--dry-run", args->dry_run,
+                    "Check everything, say what would run and how long that takes, draw "
+                    "FILE.map.svg, and stop");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
       "Ctrl-C stops after the runs under way; --resume goes on from there. Results do "

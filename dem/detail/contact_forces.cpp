@@ -349,6 +349,15 @@ double ContactForces::max_overlap() const {
   return largest;
 }
 
+std::optional<ContactForces::Deepest> ContactForces::deepest() const {
+  const auto found = std::max_element(
+      contacts_.begin(), contacts_.end(),
+      [](const Contact& a, const Contact& b) { return a.point.overlap < b.point.overlap; });
+  if (found == contacts_.end()) return std::nullopt;
+  return Deepest{static_cast<std::uint32_t>(contacts_.size()), found->point.overlap, found->place,
+                 found->zone};
+}
+
 double ContactForces::settled_depth() {
   // One law carries with its weighted mean overlap: that is the depth that Eq. 2 speaks of.
   std::vector<double> depth(contacts_.size(), 0.0);

@@ -87,6 +87,14 @@ class ContactForces {
   bool empty() const { return contacts_.empty(); }
   double stored_energy() const;  ///< what unloading would give back, J
   double max_overlap() const;    ///< m
+  struct Deepest {
+    std::uint32_t points = 0;  ///< all there are
+    double overlap = 0.0;      ///< m
+    Vec3 place = Vec3::Zero();
+    std::uint16_t zone = 0;
+  };
+  /// The contact with the largest overlap; none without contacts.
+  std::optional<Deepest> deepest() const;
   /// Deepest of the laws that carry the block, vertically, m: a wedge between steep walls is tight
   /// but not deep.
   double settled_depth();

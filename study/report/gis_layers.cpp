@@ -1,41 +1,23 @@
 #include "study/report/gis_layers.hpp"
 
-#include <cpl_error.h>
-#include <gdal_priv.h>
-#include <ogrsf_frmts.h>
-
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/output_file.hpp"
 #include "core/version.hpp"
+#include "study/path_samples.hpp"
+#include "study/report/detail/gdal_output.hpp"
 
 namespace clast {
 namespace {
 
-struct DatasetCloser {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
 struct FeatureDestroyer {
   void operator()(OGRFeature* feature) const { OGRFeature::DestroyFeature(feature); }
 };
-using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
 using Feature = std::unique_ptr<OGRFeature, FeatureDestroyer>;
-
-/// Keeps GDAL from printing; its last message goes into ours instead.
-struct QuietGdal {
-  QuietGdal() { CPLPushErrorHandler(CPLQuietErrorHandler); }
-  ~QuietGdal() { CPLPopErrorHandler(); }
-};
-
-void check(bool done, const std::filesystem::path& target, const std::string& what) {
-  if (done) return;
-  throw InputError(target.string() + ": can't write " + what + " (" + CPLGetLastErrorMsg() + ")");
-}
 
 /// One layer being filled.
 class Layer {
@@ -47,17 +29,17 @@ class Layer {
       : target_(target), name_(name) {
     // The description keeps GeoPackage from guessing; the layer copies the reference.
     layer_ = dataset.CreateLayer(name, const_cast<OGRSpatialReference*>(crs), type, nullptr);
-    check(layer_ != nullptr, target_, "layer " + name_);
+    check_written(layer_ != nullptr, target_, "layer " + name_);
     for (const Field& field : fields) {
       OGRFieldDefn definition(field.first, field.second);
-      check(layer_->CreateField(&definition) == OGRERR_NONE, target_, "layer " + name_);
+      check_written(layer_->CreateField(&definition) == OGRERR_NONE, target_, "layer " + name_);
     }
   }
 
   Feature feature() const { return Feature(OGRFeature::CreateFeature(layer_->GetLayerDefn())); }
   void add(Feature feature, const OGRGeometry& geometry) {
     feature->SetGeometry(&geometry);
-    check(layer_->CreateFeature(feature.get()) == OGRERR_NONE, target_, "layer " + name_);
+    check_written(layer_->CreateFeature(feature.get()) == OGRERR_NONE, target_, "layer " + name_);
   }
 
  private:
@@ -148,6 +130,39 @@ void write_barriers(Layer layer, const Comparison& comparison) {
   }
 }
 
+/// The way of every run with a stored trajectory, as a line through its frames.
+void write_trajectories(Layer layer, const Comparison& comparison) {
+  for_each_trajectory(
+      comparison, [&](std::size_t index, const Trajectory& trajectory, const TerrainSurface&) {
+        const RunRow& row = comparison.rows[index];
+        if (trajectory.states.size() < 2) return;
+        const Vec3& origin = comparison.results[row.file].frame.origin;
+        OGRLineString line;
+        for (const RigidState& state : trajectory.states) {
+          const Vec3 place = origin + state.position;
+          line.addPoint(place.x(), place.y(), place.z());
+        }
+        Feature feature = layer.feature();
+        set_run(*feature, row);
+        feature->SetField("stop_reason", name_of(row.record->result.stop_reason).c_str());
+        feature->SetField("runout_m", row.runout);
+        feature->SetField("max_speed_m_s", row.record->result.max_speed);
+        feature->SetField("max_energy_j", row.record->contacts.max_energy);
+        layer.add(std::move(feature), line);
+      });
+}
+
+void write_measured(Layer layer, const MeasuredStops& measured) {
+  for (const MeasuredStop& stop : measured.stops) {
+    Feature feature = layer.feature();
+    feature->SetField("block", stop.block.c_str());
+    feature->SetField("shape", stop.shape.c_str());
+    feature->SetField("runout_m", stop.runout);
+    feature->SetField("lateral_deg", stop.lateral * 180.0 / kPi);
+    layer.add(std::move(feature), OGRPoint(stop.place.x(), stop.place.y()));
+  }
+}
+
 }  // namespace
 
 void write_geopackage(const std::filesystem::path& path, const Comparison& comparison) {
@@ -156,25 +171,18 @@ void write_geopackage(const std::filesystem::path& path, const Comparison& compa
   GDALAllRegister();
   OutputFile output(path);
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
-  check(driver != nullptr, path, "a GeoPackage: this GDAL has no GPKG driver");
+  check_written(driver != nullptr, path, "a GeoPackage: this GDAL has no GPKG driver");
   // OutputFile has made an empty file to claim the name; GDAL refuses to create over it.
   std::error_code ignored;
   std::filesystem::remove(output.temporary(), ignored);
   Dataset dataset(
       driver->Create(output.temporary().string().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-  check(dataset != nullptr, path, "a GeoPackage");
+  check_written(dataset != nullptr, path, "a GeoPackage");
 
-  const std::string& name = comparison.results.front().frame.crs;
-  OGRSpatialReference crs;
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x east, y north, as the numbers are
-  if (name.empty() || crs.SetFromUserInput(name.c_str()) != OGRERR_NONE) {
-    // Without any, GeoPackage calls the coordinates degrees.
-    crs.SetLocalCS("map frame of the terrain");
-    crs.SetLinearUnits("metre", 1.0);
-  }
+  const OGRSpatialReference crs = reference_of(comparison.results.front().frame.crs);
   const OGRSpatialReference* reference = &crs;
 
-  check(dataset->StartTransaction() == OGRERR_NONE, path, "a GeoPackage");
+  check_written(dataset->StartTransaction() == OGRERR_NONE, path, "a GeoPackage");
   write_stops(Layer(*dataset, path, "stops", reference, wkbPoint25D,
                     with_run_fields({{"point", OFTInteger},
                                      {"orientation", OFTInteger},
@@ -205,7 +213,21 @@ void write_geopackage(const std::filesystem::path& path, const Comparison& compa
                         {"height_p95_m", OFTReal},
                         {"total_energy_p95_j", OFTReal}}),
                  comparison);
-  check(dataset->CommitTransaction() == OGRERR_NONE, path, "a GeoPackage");
+  write_trajectories(Layer(*dataset, path, "trajectories", reference, wkbLineString25D,
+                           with_run_fields({{"stop_reason", OFTString},
+                                            {"runout_m", OFTReal},
+                                            {"max_speed_m_s", OFTReal},
+                                            {"max_energy_j", OFTReal}})),
+                     comparison);
+  if (comparison.measured) {
+    write_measured(Layer(*dataset, path, "measured", reference, wkbPoint,
+                         {{"block", OFTString},
+                          {"shape", OFTString},
+                          {"runout_m", OFTReal},
+                          {"lateral_deg", OFTReal}}),
+                   *comparison.measured);
+  }
+  check_written(dataset->CommitTransaction() == OGRERR_NONE, path, "a GeoPackage");
   dataset->SetMetadataItem("PROGRAM", (std::string("clast ") + version()).c_str());
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const std::string key = "CAMPAIGN_SHA256_" + std::to_string(file + 1);
@@ -213,7 +235,7 @@ void write_geopackage(const std::filesystem::path& path, const Comparison& compa
   }
   CPLErrorReset();
   dataset.reset();
-  check(CPLGetLastErrorType() < CE_Failure, path, "a GeoPackage");
+  check_written(CPLGetLastErrorType() < CE_Failure, path, "a GeoPackage");
   output.commit();
 }
 

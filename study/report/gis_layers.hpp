@@ -6,8 +6,8 @@
 
 namespace clast {
 
-/// A GeoPackage with point layers `stops` and `crossings` in map coordinates, with the terrain's
-/// CRS when it has one.
+/// A GeoPackage with point layers `stops`, `crossings` and `measured` and line layers `barriers`
+/// and `trajectories`, in map coordinates, with the terrain's CRS when it has one.
 /// @throws InputError  GDAL can't write there
 void write_geopackage(const std::filesystem::path& path, const Comparison& comparison);
 

@@ -14,7 +14,8 @@ std::string html_report(const Comparison& comparison) {
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
   return page(title, head_section(comparison) + class_section(comparison) +
-                         map_section(comparison) + scene_section(comparison) + runout_section(comparison) +
+                         map_section(comparison) + scene_section(comparison) +
+                         runout_section(comparison) + differences_section(comparison) +
                          barrier_section(comparison) + block_section(comparison) +
                          quality_section(comparison) + provenance_section(comparison));
 }

@@ -60,7 +60,9 @@ MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double co
                      bool density) {
   constexpr std::size_t kMostBlocks = 18;  // more would outgrow the map
   Legend legend(kMapLeft + sheet.width() + 22.0);
-  if (density) {
+  if (comparison.groups.empty()) {
+    // A plan has no stops.
+  } else if (density) {
     legend.head("Stops per square");
     legend.swatch(kDensityColours.front(), "few");
     legend.swatch(kDensityColours.back(), "many");
@@ -82,6 +84,12 @@ MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double co
                            comparison.rows[group.rows.front()].block->garcia, true, ""),
                  shortened(group.key), block_class(g));
     }
+  }
+  if (comparison.measured) {
+    const double x = legend.mark_x(), y = legend.mark_y();
+    legend.row(svg_line(x - 5, y, x + 5, y, "stroke=\"#c0104a\" stroke-width=\"2\"") +
+                   svg_line(x, y - 5, x, y + 5, "stroke=\"#c0104a\" stroke-width=\"2\""),
+               "measured stop");
   }
   legend.head("Site");
   legend.row(release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");

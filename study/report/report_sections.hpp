@@ -15,6 +15,8 @@ std::string block_section(const Comparison& comparison);
 std::string map_section(const Comparison& comparison);
 /// Distributions of runout and lateral angle.
 std::string runout_section(const Comparison& comparison);
+/// How large and how sure the differences between classes are, and how measured stops compare.
+std::string differences_section(const Comparison& comparison);
 /// A table and exceedance curves for every barrier.
 std::string barrier_section(const Comparison& comparison);
 /// Energy balance, penetration, and every run that did not come to rest.

@@ -106,8 +106,8 @@ std::string colour_text(const Rgb& rgb) {
   return text;
 }
 
-TriangleMesh drawn_body(const BlockSummary& block) {
-  const SpheroPolyhedron& body = block.body;
+TriangleMesh drawn_body(const CampaignResults& results, const BlockSummary& block) {
+  const SpheroPolyhedron body = scaled(results.shapes[block.shape], block.scale);
   if (body.faces.empty()) return skin_mesh(body);  // a ball or a capsule
   return body.radius < kSeenRadius * block.axes.L ? core_mesh(body) : skin_mesh(body, 1);
 }
@@ -125,16 +125,14 @@ Bodies bodies_of(const Comparison& comparison) {
     for (const BlockSummary& block : results.blocks) {
       Json json = {
           {"name", block.id}, {"group", block.garcia}, {"colour", class_colour(block.garcia)}};
-      if (!block.body.vertices.empty()) {
-        json.update(mesh_json(drawn_body(block), Vec3::Zero()));
-      }
+      json.update(mesh_json(drawn_body(results, block), Vec3::Zero()));
       bodies.json.push_back(std::move(json));
     }
   }
   return bodies;
 }
 
-/// Rows whose motion is stored and whose body is known, with their frames counted by the duration.
+/// Rows whose motion is stored, with their frames counted by the duration.
 struct Drawable {
   std::vector<std::size_t> rows;
   std::size_t frames = 0;
@@ -157,7 +155,7 @@ Drawable drawable(const Comparison& comparison, const Readers& readers) {
   Drawable result;
   for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
     const RunRow& row = comparison.rows[i];
-    if (row.block->body.vertices.empty() || !readers[row.file]) continue;
+    if (!readers[row.file]) continue;
     const std::size_t frames = readers[row.file]->frames(row.record->run);
     if (frames == 0) continue;
     result.rows.push_back(i);

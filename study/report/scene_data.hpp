@@ -19,7 +19,7 @@ struct SceneLimits {
 
 struct SceneData {
   std::string json;
-  std::size_t runs_drawn = 0;  ///< none: trajectories or bodies are not stored
+  std::size_t runs_drawn = 0;  ///< none: no trajectories are stored
   std::size_t runs = 0;        ///< that could be drawn
 };
 

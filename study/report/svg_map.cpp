@@ -9,8 +9,8 @@
 #include "study/report/html_page.hpp"
 #include "study/report/map_legend.hpp"
 #include "study/report/map_marks.hpp"
-#include "terrain/relief.hpp"
 #include "study/report/ticks.hpp"
+#include "terrain/relief.hpp"
 
 namespace clast {
 namespace {
@@ -39,6 +39,15 @@ Sheet sheet_of(const Comparison& comparison) {
   for (const BarrierLine& line : comparison.lines) {
     include(window, line.from);
     include(window, line.to);
+  }
+  if (comparison.measured) {
+    for (const MeasuredStop& stop : comparison.measured->stops) include(window, stop.place);
+  }
+  if (comparison.groups.empty()) {  // a plan: where blocks may go is not known
+    const CampaignResults& first = comparison.results.front();
+    for (const Vec3& vertex : first.terrain.surface.vertices) {
+      include(window, first.frame.map(vertex).head<2>());
+    }
   }
   const double longer = std::max(window.size().maxCoeff(), 4.0);
   const Vec2 middle = 0.5 * (window.low + window.high);
@@ -170,6 +179,21 @@ std::string single_stops(const Comparison& comparison, const Sheet& sheet) {
   return svg;
 }
 
+/// Stops seen in the field: upright crosses.
+std::string measured_stops(const Comparison& comparison, const Sheet& sheet) {
+  std::string svg;
+  if (!comparison.measured) return svg;
+  for (const MeasuredStop& stop : comparison.measured->stops) {
+    const double x = sheet.x(stop.place.x()), y = sheet.y(stop.place.y());
+    svg += "<g><title>measured stop" +
+           (stop.block.empty() ? "" : ", block " + escaped(stop.block)) + ", runout " +
+           fixed(stop.runout, 1) + " m</title>" +
+           svg_line(x - 5, y, x + 5, y, "stroke=\"#c0104a\" stroke-width=\"2\"") +
+           svg_line(x, y - 5, x, y + 5, "stroke=\"#c0104a\" stroke-width=\"2\"") + "</g>\n";
+  }
+  return svg;
+}
+
 std::string stop_density(const Comparison& comparison, const Sheet& sheet) {
   std::vector<Vec2> places;
   for (const RunRow& row : comparison.rows) {
@@ -210,6 +234,13 @@ std::string north_arrow(const Sheet& sheet) {
 /// About a dozen contours over the heights the runs pass.
 double contour_interval(const Comparison& comparison) {
   double low = INFINITY, high = -INFINITY;
+  if (comparison.groups.empty()) {
+    const CampaignResults& first = comparison.results.front();
+    for (const Vec3& vertex : first.terrain.surface.vertices) {
+      low = std::min(low, vertex.z());
+      high = std::max(high, vertex.z());
+    }
+  }
   for (const RunRow& row : comparison.rows) {
     if (row.record->result.stop_reason == StopReason::kError) continue;
     low = std::min({low, row.start.z(), row.stop.z()});
@@ -231,8 +262,9 @@ std::string svg_map(const Comparison& comparison) {
   return svg_open(width, height, "map of stops, release points and barriers") +
          relief_image(comparison, sheet, interval) + axes(sheet) +
          (density ? stop_density(comparison, sheet) : single_stops(comparison, sheet)) +
-         barriers(comparison, sheet) + releases(comparison, sheet) + scale_bar(sheet) +
-         north_arrow(sheet) + keys.svg + "</svg>\n";
+         measured_stops(comparison, sheet) + barriers(comparison, sheet) +
+         releases(comparison, sheet) + scale_bar(sheet) + north_arrow(sheet) + keys.svg +
+         "</svg>\n";
 }
 
 }  // namespace clast

@@ -26,6 +26,10 @@ TEST_F(Campaigns, RunFromTerrainToReport) {
   ASSERT_EQ(dry.exit_code, 0) << dry.err;
   EXPECT_TRUE(contains(dry.out, "8 runs") && contains(dry.out, "k_n")) << dry.out;
   EXPECT_FALSE(fs::exists(folder / "results.h5"));
+  EXPECT_TRUE(contains(dry.out, "for 8 runs on") && contains(dry.out, "judging by")) << dry.out;
+  const std::string map = read_text_file(folder / "results.map.svg");
+  EXPECT_TRUE(map.starts_with("<?xml") && contains(map, "release point 1") && contains(map, "B1"));
+  EXPECT_FALSE(contains(map, "Stops"));
 
   for (const std::string threads : {"1", "2"}) {
     const ProgramRun run = run_clast(
@@ -51,6 +55,38 @@ TEST_F(Campaigns, RunFromTerrainToReport) {
   }
   EXPECT_TRUE(fs::exists(folder / "out1" / "report.html"));
   EXPECT_FALSE(fs::exists(folder / "1.h5.part"));
+}
+
+TEST_F(Campaigns, CompareGroupsAnimatesAndHoldsAgainstMeasuredStops) {
+  std::string text =
+      replaced(slope_campaign(), "trajectory_interval_s = 0", "trajectory_interval_s = 0.1");
+  text = replaced(text, "max_time_s = 5", "max_time_s = 20");
+  text = replaced(text, "[blocks]\n", "[blocks]\nscale = \"equal-mass\"\n");
+  write_text_file(folder / "campaign.toml", text);
+  const ProgramRun run = run_clast({"simulate", "campaign.toml", "-o", "r.h5"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  write_text_file(folder / "seen.csv", "x,y\n20,0\n22,1\n");
+  const ProgramRun compared = run_clast({"compare", "r.h5", "-o", "out", "--by", "point", "--by",
+                                         "mass_kg", "--animate", "2", "--measured", "seen.csv"},
+                                        folder.path());
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_FALSE(contains(compared.err, "mass differs")) << compared.err;
+  for (const char* file :
+       {"impacts.csv", "differences.csv", "profiles.csv", "measured.csv", "rasters/E_95.tif",
+        "animation/animation.pvd", "animation/terrain_1.vtp", "stops.gpkg", "report.html"}) {
+    EXPECT_TRUE(fs::exists(folder / "out" / file)) << file;
+    EXPECT_TRUE(contains(compared.out, file) || contains(file, "terrain_1")) << file;
+  }
+  EXPECT_TRUE(contains(read_text_file(folder / "out/deposits.csv"), "\npoint 1,"));
+  expect_refused(folder, {"compare", "r.h5", "-o", "bad", "--by", "colour"}, 1, "colour");
+  expect_refused(folder, {"compare", "r.h5", "-o", "bad", "--measured", "none.csv"}, 1, "none.csv");
+  // The same map again with nothing to animate.
+  write_text_file(folder / "campaign.toml", slope_campaign());
+  ASSERT_EQ(run_clast({"simulate", "campaign.toml", "-o", "q.h5"}, folder.path()).exit_code, 0);
+  const ProgramRun still =
+      run_clast({"compare", "q.h5", "-o", "still", "--animate", "2"}, folder.path());
+  EXPECT_EQ(still.exit_code, 1);
+  EXPECT_TRUE(contains(still.err, "trajectory_interval_s")) << still.err;
 }
 
 TEST_F(Campaigns, WhatAnInterruptedCampaignLeftIsNotThrownAway) {

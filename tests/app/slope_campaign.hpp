@@ -1,5 +1,7 @@
 #pragma once
 /// A campaign of two blocks on a slope of two zones, in a folder of its own.
+#include "library/block_library.hpp"
+#include "library/make_block.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
 
@@ -35,11 +37,19 @@ class SlopeCampaign : public testing::Test {
   void SetUp() override {
     write_obj(folder / "slope.obj", ground_strip(0, 20, 20, 10));
     write_obj(folder / "flat.obj", ground_strip(20, 40, 10, 10));
-    write_obj(folder / "cube.obj", cuboid(0.6, 0.5, 0.4));
-    write_obj(folder / "bar.obj", cuboid(1.2, 0.4, 0.4));
     write_text_file(folder / "campaign.toml", slope_campaign());
-    const ProgramRun run = run_clast({"reconstruct", "cube.obj", "bar.obj"}, folder.path());
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    BlockLibrary library;
+    for (const auto& [id, mesh] :
+         {std::pair{"cube", cuboid(0.6, 0.5, 0.4)}, std::pair{"bar", cuboid(1.2, 0.4, 0.4)}}) {
+      BlockSource source;
+      source.file = std::string(id) + ".obj";
+      source.sha256 = std::string(64, '0');
+      BlockOptions options;
+      options.core = true;
+      options.radius = 0.02;
+      library.add(make_block(id, mesh, mesh, source, options));
+    }
+    library.write(folder / "blocks.h5");
   }
   void refuse_campaign(const std::string& text, const std::string& item) {
     write_text_file(folder / "bad.toml", text);

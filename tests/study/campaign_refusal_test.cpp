@@ -161,6 +161,70 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:22: [release] points polygon = [[0,0],[1,1],[2,2]]: the "
                 "polygon has no area"}));
 
+// What blocks, groups and ensembles can ask for wrongly. Line 2 is where the library is named.
+INSTANTIATE_TEST_SUITE_P(
+    Content, CampaignRefusal,
+    testing::Values(
+        Refused{
+            "select = [\"B1\", \"B2\"]", "scale = \"big\"",
+            "campaign.toml:3: [blocks] scale = \"big\": must be \"equal-mass\", { mass_kg = M } "
+            "or { volume_m3 = V }"},
+        Refused{"select = [\"B1\", \"B2\"]", "scale = { mass_kg = -1 }",
+                "campaign.toml:3: [blocks] scale mass_kg = -1: must be more than zero"},
+        Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 0 }",
+                "campaign.toml:3: [blocks] draw count = 0: must be from 1 to 1000000"},
+        Refused{"select = [\"B1\", \"B2\"]",
+                "draw = { count = 5, shares = { compact = 0.5, elongated = 0.4 } }",
+                "campaign.toml:3: [blocks] draw shares = { compact = 0.5, elongated = 0.4 }: the "
+                "shares must add up to 1, not 0.900000"},
+        Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 5 }\nscale = \"equal-mass\"",
+                "campaign.toml:4: [blocks] scale = \"equal-mass\": drawn blocks are scaled by "
+                "mass_kg of draw; leave scale out"},
+        Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 5, mass_kg = { normal = [0, 5] } }",
+                "campaign.toml:3: [blocks] draw mass_kg = { normal = [0, 5] }: its first number "
+                "must be more than zero"},
+        Refused{"friction = 0.70", "friction = { uniform = [0.8, 0.6] }",
+                "campaign.toml:14: [ground.blue] friction = { uniform = [0.8, 0.6] }: the lower "
+                "bound must come first"},
+        Refused{"friction = 0.70", "friction = { normal = [0.8, 0] }",
+                "campaign.toml:14: [ground.blue] friction = { normal = [0.8, 0] }: its second "
+                "number, the spread, must be more than zero"},
+        Refused{
+            "friction = 0.70", "friction = { gamma = [0.8, 0] }",
+            "campaign.toml:14: [ground.blue] friction = { gamma = [0.8, 0] }: must be a number, "
+            "{ uniform = [low, high] }, { normal = [mean, std] } or { log_normal = [median, "
+            "sigma] }"},
+        Refused{"energy_restitution = 0.01", "energy_restitution = { uniform = [0.5, 1.5] }",
+                "campaign.toml:13: [ground.blue] energy_restitution = { uniform = [0.5, 1.5] }: "
+                "its second number must be more than zero and at most 1"},
+        Refused{"friction = 0.70", "friction = { uniform = [0.6, 0.8] }",
+                "campaign.toml: ground parameters are uncertain; say how often they are drawn, "
+                "with [ensemble] members = N"},
+        Refused{"[run]", "[ensemble]\nmembers = 3\n[run]",
+                "campaign.toml:43: [ensemble]: no ground parameter is uncertain; write for example "
+                "friction = { uniform = [0.5, 0.8] }"},
+        Refused{"[run]", "[[block_group]]\nname = \"g\"\n[run]",
+                "campaign.toml:43: [[block_group]]: select is missing; it must be ids, or { scheme "
+                "= ..., class = ... }"},
+        Refused{
+            "[run]",
+            "[[block_group]]\nname = \"g\"\nselect = [\"B1\"]\n"
+            "ground.green = { friction = 1 }\n[run]",
+            "campaign.toml:46: [[block_group]] ground.green = { friction = 1 }: the zone has no "
+            "table [ground.green]"}));
+
+TEST_F(CampaignFile, ReleaseSetsNeedNamesOfTheirOwn) {
+  const std::string set = "points = \"points.xyz\"\norientations = \"turns.txt\"\n";
+  std::string text = with("[release]\n" + set, "[[release]]\n" + set + "[[release]]\n" + set);
+  EXPECT_EQ(refusal(text),
+            "campaign.toml:21: [release]: name is missing; it must be a text in quotes, since "
+            "there are several");
+  text = with("[release]\n" + set,
+              "[[release]]\nname = \"a\"\n" + set + "[[release]]\nname = \"a\"\n" + set);
+  EXPECT_EQ(refusal(text),
+            "campaign.toml:26: [release] name = \"a\": another release set has this name");
+}
+
 TEST_F(CampaignFile, WhatIsNotTomlIsRefusedWithItsLine) {
   for (const auto& [from, to, line] : {std::tuple{"friction = 0.70", "friction = = 0.70", 14},
                                        {"[run]", "[run", 43},

@@ -6,119 +6,13 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
-#include "library/make_block.hpp"
+#include "tests/study/campaign_run.hpp"
 #include "tests/study/results_equal.hpp"
-#include "tests/support/refusal.hpp"
-#include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 namespace {
 
 namespace fs = std::filesystem;
-
-TriangleMesh box_mesh(const Vec3& size) {
-  TriangleMesh mesh;
-  for (int i = 0; i < 8; ++i) {
-    mesh.vertices.emplace_back((i & 1 ? 0.5 : -0.5) * size.x(), (i & 2 ? 0.5 : -0.5) * size.y(),
-                               (i & 4 ? 0.5 : -0.5) * size.z());
-  }
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return mesh;
-}
-
-// An ASCII STL of a plane z = -slope x over x from `left` to `right`, y from -20 to 20, m.
-std::string plane_stl(double left, double right, double slope) {
-  std::string text = "solid plane\n";
-  const auto vertex = [&](double x, double y) {
-    return "vertex " + std::to_string(x) + " " + std::to_string(y) + " " +
-           std::to_string(-slope * x) + "\n";
-  };
-  const double middle = 0.5 * (left + right);
-  for (const auto& [a, b] : {std::pair{left, middle}, std::pair{middle, right}}) {
-    text += "facet normal 0 0 1\nouter loop\n" + vertex(a, -20) + vertex(b, -20) + vertex(b, 20) +
-            "endloop\nendfacet\n";
-    text += "facet normal 0 0 1\nouter loop\n" + vertex(a, -20) + vertex(b, 20) + vertex(a, 20) +
-            "endloop\nendfacet\n";
-  }
-  return text + "endsolid plane\n";
-}
-
-// A slope of 0.6 in a zone "slope" that runs out on a level "flat", and two boxes.
-class CampaignRun : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = new ScratchFolder;
-    BlockLibrary library;
-    for (const auto& [id, size] :
-         {std::pair{"cube", Vec3(0.6, 0.6, 0.6)}, std::pair{"slab", Vec3(1.0, 0.6, 0.3)}}) {
-      const TriangleMesh mesh = transformed(
-          box_mesh(size), Pose{Vec3(5.0, 1.0, 2.0), Quat(Eigen::AngleAxisd(0.4, Vec3::UnitX()))});
-      BlockSource source;
-      source.file = "box.stl";
-      source.sha256 = std::string(64, '0');
-      BlockOptions options;
-      options.core = true;
-      options.radius = 0.05;
-      library.add(make_block(id, mesh, mesh, source, options));
-    }
-    library.write(*folder_ / "blocks.h5");
-    write_text_file(*folder_ / "slope.stl", plane_stl(-20, 0, 0.6));
-    write_text_file(*folder_ / "flat.stl", plane_stl(0, 30, 0.0));
-    write_text_file(*folder_ / "turns.txt", "1 0 0 0\n0.8 0.6 0 0\n0 0 0.6 0.8\n");
-  }
-  static void TearDownTestSuite() {
-    delete folder_;
-    folder_ = nullptr;
-  }
-
-  static std::string campaign_text() {
-    return R"([blocks]
-library = "blocks.h5"
-[terrain]
-surface = ["slope.stl", "flat.stl"]
-zones = ["slope", "flat"]
-[ground.slope]
-energy_restitution = 0.1
-friction = 0.4
-rolling_friction = 0.1
-[ground.flat]
-energy_restitution = 0.1
-friction = 0.6
-rolling_friction = 0.3
-[release]
-points = [[-12, -3, 9.5], [-12, 3, 9.5]]
-orientations = "turns.txt"
-[[barrier]]
-name = "foot"
-from = [0, -20]
-to = [0, 20]
-[run]
-max_time_s = 6
-)";
-  }
-  static std::string with(const std::string& from, const std::string& to) {
-    std::string text = campaign_text();
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) ADD_FAILURE() << "the campaign has no " << from;
-    return text.replace(at, from.size(), to);
-  }
-  static Campaign campaign(const std::string& text) {
-    write_text_file(*folder_ / "campaign.toml", text);
-    return read_campaign(*folder_ / "campaign.toml");
-  }
-  static PreparedCampaign prepared(const std::string& text = campaign_text()) {
-    return prepare_campaign(campaign(text));
-  }
-  static std::string refusal(const std::string& text) {
-    const Campaign read = campaign(text);
-    return clast::refusal<Error>([&] { prepare_campaign(read); });
-  }
-
-  static ScratchFolder* folder_;
-};
-ScratchFolder* CampaignRun::folder_ = nullptr;
 
 TEST_F(CampaignRun, PlansEveryBlockPointAndOrientationInOrder) {
   const PreparedCampaign plan = prepared();
@@ -147,9 +41,9 @@ TEST_F(CampaignRun, PlansEveryBlockPointAndOrientationInOrder) {
 TEST_F(CampaignRun, QuaternionFileTurnsTheBlockAsItsSourceHoldsIt) {
   const PreparedCampaign plan = prepared();
   for (const RunRecord& run : plan.runs) {
-    const Block& block = plan.blocks[run.block];
+    const Block& block = plan.choice.library[plan.choice.blocks[run.block].library];
     const RigidBody& body = plan.bodies[run.block];
-    const Quat& turn = plan.campaign.release.orientations[run.orientation];
+    const Quat& turn = plan.campaign.releases[0].orientations[run.orientation];
     for (std::size_t i = 0; i < body.shape.vertices.size(); ++i) {
       const Vec3 placed = run.start.world_from_body() * body.shape.vertices[i];
       const Vec3 expected =
@@ -160,7 +54,7 @@ TEST_F(CampaignRun, QuaternionFileTurnsTheBlockAsItsSourceHoldsIt) {
   const PreparedCampaign principal =
       prepared(with("\"turns.txt\"", "\"turns.txt\"\nframe = \"principal\""));
   EXPECT_EQ(principal.runs[1].start.orientation.coeffs(),
-            principal.campaign.release.orientations[1].coeffs());
+            principal.campaign.releases[0].orientations[1].coeffs());
 }
 
 TEST_F(CampaignRun, DropHeightIsTheClearanceOfTheLowestSkinPoint) {
@@ -182,10 +76,10 @@ TEST_F(CampaignRun, DropHeightIsTheClearanceOfTheLowestSkinPoint) {
 
 TEST_F(CampaignRun, GridDuplicatesAreCounted) {
   const PreparedCampaign plan = prepared(with("\"turns.txt\"", "\"grid-45\""));
-  ASSERT_EQ(plan.campaign.release.orientations.size(), 64u);
+  ASSERT_EQ(plan.campaign.releases[0].orientations.size(), 64u);
   // By another measure than the quaternions: rotation matrices, compared entry by entry.
   std::vector<Mat3> distinct;
-  for (const Quat& turn : plan.campaign.release.orientations) {
+  for (const Quat& turn : plan.campaign.releases[0].orientations) {
     const Mat3 matrix = turn.toRotationMatrix();
     bool known = false;
     for (const Mat3& other : distinct) known |= (matrix - other).cwiseAbs().maxCoeff() < 1e-9;
@@ -214,12 +108,12 @@ TEST_F(CampaignRun, BarrierOffTheTerrainIsNamed) {
 
 TEST_F(CampaignRun, BlocksAreSelectedByIdAndClass) {
   const PreparedCampaign one = prepared(with("[terrain]", "select = [\"slab\"]\n[terrain]"));
-  ASSERT_EQ(one.blocks.size(), 1u);
-  EXPECT_EQ(one.blocks[0].id, "slab");
+  ASSERT_EQ(one.choice.blocks.size(), 1u);
+  EXPECT_EQ(one.choice.blocks[0].id, "slab");
   const PreparedCampaign elongated = prepared(
       with("[terrain]", "select = { scheme = \"garcia\", class = \"elongated\" }\n[terrain]"));
-  ASSERT_EQ(elongated.blocks.size(), 1u);
-  EXPECT_EQ(elongated.blocks[0].id, "slab");
+  ASSERT_EQ(elongated.choice.blocks.size(), 1u);
+  EXPECT_EQ(elongated.choice.blocks[0].id, "slab");
   EXPECT_TRUE(contains(refusal(with("[terrain]", "select = [\"slap\"]\n[terrain]")), "slap"));
   EXPECT_TRUE(contains(
       refusal(with("[terrain]", "select = { scheme = \"zingg\", class = \"rod\" }\n[terrain]")),
@@ -257,12 +151,13 @@ TEST_F(CampaignRun, ReleaseOffTheTerrainIsRefused) {
 TEST_F(CampaignRun, StartInsideTheGroundIsRefused) {
   // Ground at 7.2 m; the cube reaches 0.35 m down.
   const std::string touching = refusal(with("[-12, 3, 9.5]", "[-12, 3, 7.4]"));
-  EXPECT_TRUE(contains(touching, "block cube, release point 2, orientation 1: starts 0."))
+  EXPECT_TRUE(contains(touching, "run 3, block cube, release point 2, orientation 1: starts 0."))
       << touching;
   EXPECT_TRUE(contains(touching, "m inside the ground, with its centre at (-12.000, 3.000, 7.400)"))
       << touching;
   const std::string buried = refusal(with("[-12, 3, 9.5]", "[-12, 3, 2]"));
-  EXPECT_TRUE(contains(buried, "block cube, release point 2, orientation 1: starts 5.")) << buried;
+  EXPECT_TRUE(contains(buried, "run 3, block cube, release point 2, orientation 1: starts 5."))
+      << buried;
   const std::string low = refusal(
       with("points = [[-12, -3, 9.5], [-12, 3, 9.5]]", "points = [[-12, -3]]\nheight_m = 0.0"));
   EXPECT_TRUE(contains(low, "raise [release] height_m")) << low;

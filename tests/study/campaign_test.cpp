@@ -17,7 +17,7 @@ TEST_F(CampaignFile, EveryKeyArrives) {
   EXPECT_EQ(campaign.text, kCampaign);
   EXPECT_EQ(campaign.sha256, sha256(kCampaign));
   EXPECT_EQ(campaign.blocks.library, folder_ / "blocks.h5");
-  EXPECT_EQ(campaign.blocks.ids, (std::vector<std::string>{"B1", "B2"}));
+  EXPECT_EQ(campaign.blocks.filter.ids, (std::vector<std::string>{"B1", "B2"}));
   EXPECT_EQ(campaign.terrain.surface,
             (std::vector<std::filesystem::path>{folder_ / "blue.stl", folder_ / "gray.stl"}));
   EXPECT_EQ(campaign.terrain.zones, (std::vector<std::string>{"blue", "gray"}));
@@ -25,15 +25,15 @@ TEST_F(CampaignFile, EveryKeyArrives) {
   EXPECT_EQ(campaign.terrain_radius, 0.05);
   EXPECT_EQ(campaign.terrain.resolution, 0.5);
   ASSERT_EQ(campaign.ground.size(), 2u);
-  EXPECT_EQ(campaign.ground.at("blue").rolling_friction, 0.35);
-  EXPECT_EQ(campaign.ground.at("gray").energy_restitution, 0.04);
-  EXPECT_EQ(campaign.ground.at("gray").friction, 0.3);
-  EXPECT_EQ(campaign.release.velocity, Vec3(1, 0.5, 0));
-  EXPECT_EQ(campaign.release.angular_velocity, Vec3(0, 0, 2));
-  EXPECT_EQ(campaign.release.seed, 12u);
-  EXPECT_FALSE(campaign.release.drop_height);
-  EXPECT_FALSE(campaign.release.in_principal_frame);
-  EXPECT_EQ(campaign.release.files.size(), 2u);
+  EXPECT_EQ(campaign.ground.at("blue").rolling_friction->first, 0.35);
+  EXPECT_EQ(campaign.ground.at("gray").energy_restitution->first, 0.04);
+  EXPECT_EQ(campaign.ground.at("gray").friction->first, 0.3);
+  EXPECT_EQ(campaign.releases[0].velocity, Vec3(1, 0.5, 0));
+  EXPECT_EQ(campaign.releases[0].angular_velocity, Vec3(0, 0, 2));
+  EXPECT_EQ(campaign.releases[0].seed, 12u);
+  EXPECT_FALSE(campaign.releases[0].drop_height);
+  EXPECT_FALSE(campaign.releases[0].in_principal_frame);
+  EXPECT_EQ(campaign.releases[0].files.size(), 2u);
   EXPECT_EQ(campaign.weights, ContactWeights::kOverlap);
   EXPECT_EQ(name_of(campaign.stiffness.law), "spring-dashpot");
   EXPECT_EQ(campaign.stiffness.normal, 1e8);
@@ -52,18 +52,18 @@ TEST_F(CampaignFile, EveryKeyArrives) {
 
 TEST_F(CampaignFile, FilesWithYUpAreTurnedAndInlinePointsAreNot) {
   const Campaign campaign = read(kCampaign);
-  EXPECT_EQ(campaign.release.points, (std::vector<Vec3>{{1, -3, 2}, {4, -6, 5}}));
+  EXPECT_EQ(campaign.releases[0].points, (std::vector<Vec3>{{1, -3, 2}, {4, -6, 5}}));
   // A block that the file leaves as it is in its y-up world has its y axis up in ours, its z axis
   // along -y; a half turn about x turns both round.
-  const Quat& kept = campaign.release.orientations[0];
+  const Quat& kept = campaign.releases[0].orientations[0];
   EXPECT_LT((kept * Vec3::UnitX() - Vec3::UnitX()).norm(), 1e-15);
   EXPECT_LT((kept * Vec3::UnitY() - Vec3::UnitZ()).norm(), 1e-15);
   EXPECT_LT((kept * Vec3::UnitZ() + Vec3::UnitY()).norm(), 1e-15);
-  const Quat& turned = campaign.release.orientations[1];
+  const Quat& turned = campaign.releases[0].orientations[1];
   EXPECT_LT((turned * Vec3::UnitY() + Vec3::UnitZ()).norm(), 1e-15);
 
   const Campaign inline_points = read(with("\"points.xyz\"", "[[1, 2, 3]]"));
-  EXPECT_EQ(inline_points.release.points, (std::vector<Vec3>{{1, 2, 3}}));
+  EXPECT_EQ(inline_points.releases[0].points, (std::vector<Vec3>{{1, 2, 3}}));
 }
 
 TEST_F(CampaignFile, AbsentTablesAndKeysHaveTheirDefaults) {
@@ -80,13 +80,13 @@ rolling_friction = 0
 points = [[1, 2, 3]]
 orientations = "grid-45"
 )");
-  EXPECT_TRUE(campaign.blocks.ids.empty());
-  EXPECT_TRUE(campaign.blocks.scheme.empty());
+  EXPECT_TRUE(campaign.blocks.filter.ids.empty());
+  EXPECT_TRUE(campaign.blocks.filter.scheme.empty());
   EXPECT_TRUE(campaign.terrain.zones.empty());
   EXPECT_EQ(campaign.terrain.up, "z");
   EXPECT_EQ(campaign.terrain_radius, 0.0);
-  EXPECT_TRUE(campaign.release.in_principal_frame);
-  EXPECT_EQ(campaign.release.orientations.size(), 64u);
+  EXPECT_TRUE(campaign.releases[0].in_principal_frame);
+  EXPECT_EQ(campaign.releases[0].orientations.size(), 64u);
   EXPECT_EQ(campaign.weights, ContactWeights::kPatch);
   EXPECT_EQ(name_of(campaign.stiffness.law), "energy-restitution");
   EXPECT_FALSE(campaign.stiffness.normal);
@@ -101,8 +101,8 @@ orientations = "grid-45"
 TEST_F(CampaignFile, BlocksAreSelectedByClass) {
   const Campaign campaign =
       read(with("[\"B1\", \"B2\"]", "{ scheme = \"garcia\", class = \"elongated\" }"));
-  EXPECT_EQ(campaign.blocks.scheme, "garcia");
-  EXPECT_EQ(campaign.blocks.shape_class, "elongated");
+  EXPECT_EQ(campaign.blocks.filter.scheme, "garcia");
+  EXPECT_EQ(campaign.blocks.filter.shape_class, "elongated");
   EXPECT_EQ(refusal(with("[\"B1\", \"B2\"]", "{ scheme = \"garcia\", class = \"blade\" }")),
             "campaign.toml:3: [blocks] select class = \"blade\": must be \"compact\" or "
             "\"elongated\"");
@@ -131,17 +131,17 @@ TEST_F(CampaignFile, ZoneRasterWithClassNamesIsFound) {
 TEST_F(CampaignFile, PointsWithADropHeightMayBePlanPositions) {
   std::string text = with("\"points.xyz\"", "[[1, 2], [3, 4, 5]]\nheight_m = 1.5");
   const Campaign campaign = read(text);
-  EXPECT_EQ(*campaign.release.drop_height, 1.5);
-  EXPECT_EQ(campaign.release.points, (std::vector<Vec3>{{1, 2, 0}, {3, 4, 5}}));
+  EXPECT_EQ(*campaign.releases[0].drop_height, 1.5);
+  EXPECT_EQ(campaign.releases[0].points, (std::vector<Vec3>{{1, 2, 0}, {3, 4, 5}}));
 }
 
 TEST_F(CampaignFile, PointsOnALineAreEvenlySpaced) {
   const Campaign campaign =
       read(with("\"points.xyz\"", "{ line = [[0, 0, 5], [2, 0, 5], [2, 1, 5]], count = 4 }"));
-  ASSERT_EQ(campaign.release.points.size(), 4u);
+  ASSERT_EQ(campaign.releases[0].points.size(), 4u);
   const std::vector<Vec3> expected{{0, 0, 5}, {1, 0, 5}, {2, 0, 5}, {2, 1, 5}};
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_LT((campaign.release.points[i] - expected[i]).norm(), 1e-15);
+    EXPECT_LT((campaign.releases[0].points[i] - expected[i]).norm(), 1e-15);
   }
 }
 
@@ -150,7 +150,8 @@ TEST_F(CampaignFile, PointsInAPolygonLieInsideAndFollowTheSeed) {
     return read(
                with("\"points.xyz\"", "{ polygon = [[0, 0], [4, 0], [4, 4]], count = 200, seed = " +
                                           std::to_string(seed) + " }\nheight_m = 1"))
-        .release.points;
+        .releases[0]
+        .points;
   };
   const std::vector<Vec3> first = points(1);
   ASSERT_EQ(first.size(), 200u);
@@ -168,7 +169,7 @@ TEST_F(CampaignFile, PointsInAPolygonLieInsideAndFollowTheSeed) {
 
 TEST_F(CampaignFile, RandomOrientationsFollowTheirSeed) {
   const auto orientations = [&](const std::string& rule) {
-    return read(with("\"turns.txt\"", rule)).release.orientations;
+    return read(with("\"turns.txt\"", rule)).releases[0].orientations;
   };
   const auto first = orientations("{ random = 5, seed = 12 }");
   ASSERT_EQ(first.size(), 5u);

@@ -121,6 +121,43 @@ TEST(Tables, HaveTheSameBytesForEqualResultsInFilesOfOtherNames) {
   EXPECT_EQ(deposits_csv(a), deposits_csv(b));
 }
 
+TEST(ImpactsTable, HoldsEveryImpactOnTheMap) {
+  CampaignResults results = hand_made_results();
+  Impact impact;
+  impact.run = 3;
+  impact.zone = 1;
+  impact.time = 2.5;
+  impact.contact_duration = 0.03;
+  impact.place = Vec3(12.0, 1.0, -6.0);
+  impact.speed_before = 9.0;
+  impact.translational_after = 1000.0;
+  impact.depth = 0.02;
+  results.impacts = {impact, impact};
+  results.impacts[1].run = 5;
+  const CsvTable table = read_csv(impacts_csv(compared(std::move(results))));
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[0].at("run"), "3");
+  EXPECT_EQ(table.rows[0].at("block"), "round<1>");
+  EXPECT_EQ(table.rows[1].at("block"), "long, \"2\"");
+  EXPECT_EQ(table.rows[0].at("zone"), "scree");
+  EXPECT_EQ(table.number(0, "x_m"), 900012.0);
+  EXPECT_EQ(table.number(0, "z_m"), 194.0);
+  EXPECT_EQ(table.number(0, "speed_before_m_s"), 9.0);
+  EXPECT_EQ(table.number(0, "translational_energy_after_j"), 1000.0);
+  EXPECT_EQ(table.number(0, "depth_m"), 0.02);
+}
+
+TEST(GroundSetsTable, HoldsTheParametersOfEveryZone) {
+  CampaignResults results = hand_made_results();
+  results.ground_sets = {{"", 0, results.ground},
+                         {"schist", 0, {{0.02, 0.5, 0.1}, {0.03, 0.4, 0.2}}}};
+  const CsvTable table = read_csv(ground_sets_csv(compared(std::move(results))));
+  ASSERT_EQ(table.rows.size(), 4u);
+  EXPECT_EQ(table.rows[3].at("block_group"), "schist");
+  EXPECT_EQ(table.rows[3].at("zone"), "scree");
+  EXPECT_EQ(table.number(3, "rolling_friction"), 0.2);
+}
+
 TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
   const ScratchFolder folder;
   write_comparison(compared(hand_made_results()), folder / "out");
@@ -129,9 +166,10 @@ TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
     names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"barriers.csv", "crossings.csv", "deposits.csv",
-                                      "provenance.json", "report.html", "runs.csv", "stops.gpkg"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"barriers.csv", "crossings.csv", "deposits.csv",
+                                             "differences.csv", "ground_sets.csv", "impacts.csv",
+                                             "profiles.csv", "provenance.json", "report.html",
+                                             "runs.csv", "stops.gpkg"}));
   EXPECT_TRUE(contains(read_text_file(folder / "out" / "provenance.json"), std::string(64, 'c')));
 }
 

@@ -208,16 +208,37 @@ TEST(Compare, UnfinishedBelowGroundAndUnbalancedRunsAreCounted) {
   EXPECT_TRUE(warns(comparison, "stiffness is softer than auto"));
 }
 
-TEST(Compare, CleanRunsOfEqualMassGiveNoWarning) {
+// Blocks of one mass on a slope of 26.6 deg that brakes what rolls: atan 0.6 = 31 deg.
+CampaignResults clean_results() {
   CampaignResults results = hand_made_results();
   results.blocks[1].mass = results.blocks[0].mass;
+  results.ground = {{0.01, 0.7, 0.6}, {0.01, 0.7, 0.6}};
+  return results;
+}
+
+TEST(Compare, SlopesWhereGeometryDecidesAreNamed) {
+  const Comparison comparison = compared(hand_made_results());
+  EXPECT_TRUE(warns(comparison,
+                    "zone blue slopes 26.6 deg on average, between atan mu_R = 19.3 deg and atan "
+                    "mu = 35 deg: geometry decides"));
+  EXPECT_TRUE(warns(comparison,
+                    "zone scree slopes 26.6 deg on average, above atan mu = 16.7 deg: geometry "
+                    "decides"));
+  // No run reached the scree.
+  CampaignResults upper = hand_made_results();
+  for (RunRecord& run : upper.runs) run.result.final_state.position = Vec3(5.0, 0.0, -2.5);
+  const Comparison short_runs = compared(std::move(upper));
+  EXPECT_TRUE(warns(short_runs, "zone blue slopes"));
+  EXPECT_FALSE(warns(short_runs, "zone scree slopes"));
+}
+
+TEST(Compare, CleanRunsOfEqualMassGiveNoWarning) {
+  CampaignResults results = clean_results();
   EXPECT_TRUE(compared(std::move(results)).warnings.empty());
 }
 
 TEST(Compare, WarningOfAllFilesIsSaidOnce) {
-  CampaignResults first = hand_made_results(), second = first;
-  first.blocks[1].mass = first.blocks[0].mass;
-  second.blocks[1].mass = second.blocks[0].mass;
+  CampaignResults first = clean_results(), second = first;
   first.warnings = {"soft", "common"};
   second.warnings = {"common", "hard"};
   EXPECT_EQ(compared(first, second).warnings,

@@ -9,8 +9,9 @@
 namespace clast {
 
 struct CsvTable {
+  using Row = std::map<std::string, std::string>;
   std::vector<std::string> columns;
-  std::vector<std::map<std::string, std::string>> rows;
+  std::vector<Row> rows;
 
   double number(std::size_t row, const std::string& column) const {
     const std::string& text = rows.at(row).at(column);

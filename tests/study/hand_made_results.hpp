@@ -58,13 +58,14 @@ inline CampaignResults hand_made_results() {
   results.campaign_sha256 = std::string(64, 'c');
   results.inputs = {"blocks.h5 " + std::string(64, 'b'), "slope.stl " + std::string(64, 'a')};
   results.program_version = "0.1.0";
-  results.blocks = {{"round<1>", 300.0, {1.0, 0.9, 0.8}, "compact", "C", "spheroid", {}},
-                    {"long, \"2\"", 500.0, {2.0, 1.0, 0.9}, "elongated", "VE", "rod", {}}};
+  results.blocks = {{"round<1>", 300.0, {1.0, 0.9, 0.8}, "compact", "C", "spheroid"},
+                    {"long, \"2\"", 500.0, {2.0, 1.0, 0.9}, "elongated", "VE", "rod"}};
   for (BlockSummary& block : results.blocks) {
     const Vec3 sides(block.axes.L, block.axes.I, block.axes.S);
     TriangleMesh box = box_mesh(sides);
     for (Vec3& vertex : box.vertices) vertex -= 0.5 * sides;
-    block.body = sphero_polyhedron(box, 0.0);
+    block.shape = static_cast<std::uint32_t>(results.shapes.size());
+    results.shapes.push_back(sphero_polyhedron(box, 0.0));
   }
   results.barriers = {{"B<1>", Vec2(10.0, -20.0), Vec2(10.0, 20.0)},
                       {"B2", Vec2(35.0, -20.0), Vec2(35.0, 20.0)}};

@@ -25,9 +25,11 @@ TEST(Results, WhatIsNotAResultsFileIsRefused) {
   EXPECT_TRUE(contains(refused("text.h5"), "text.h5: is not an HDF5 file"));
   Hdf5File::create(folder / "blocks.h5", "clast block library", 1);
   EXPECT_TRUE(contains(refused("blocks.h5"), "blocks.h5: is a \"clast block library\" file"));
-  Hdf5File::create(folder / "newer.h5", "clast results", 2);
-  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 2"));
-  Hdf5File::create(folder / "bare.h5", "clast results", 1);
+  Hdf5File::create(folder / "newer.h5", "clast results", 3);
+  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 3"));
+  Hdf5File::create(folder / "older.h5", "clast results", 1);
+  EXPECT_TRUE(contains(refused("older.h5"), "has schema version 1 of an older clast"));
+  Hdf5File::create(folder / "bare.h5", "clast results", 2);
   EXPECT_TRUE(contains(refused("bare.h5"), "campaign_sha256 is missing"));
 }
 
@@ -43,7 +45,7 @@ TEST(Results, DamageIsNamed) {
   const auto after = [&](const auto& change) {
     fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
     {
-      Hdf5File file = Hdf5File::open(bad, "clast results", 1, true);
+      Hdf5File file = Hdf5File::open(bad, "clast results", 2, true);
       Hdf5Group root = file.root();
       change(root);
       file.flush();
@@ -77,9 +79,8 @@ TEST(Results, DamageIsNamed) {
                        "bad.h5: /crossings/barrier holds 7, which must be below 2"));
   EXPECT_TRUE(contains(replaced("terrain", "triangles", std::vector<std::uint32_t>{0, 1, 4}),
                        "bad.h5: /terrain/triangles holds 4, which must be below 4"));
-  EXPECT_TRUE(
-      contains(replaced("blocks/bodies/0", "face_vertices", std::vector<std::uint32_t>(36, 8)),
-               "bad.h5: /blocks/bodies/0: face_vertices names a vertex that is not there"));
+  EXPECT_TRUE(contains(replaced("shapes/1", "face_vertices", std::vector<std::uint32_t>(36, 8)),
+                       "bad.h5: /shapes/1: face_vertices names a vertex that is not there"));
   EXPECT_TRUE(contains(replaced("blocks", "mass_kg", std::vector<double>{1.0}),
                        "bad.h5: /blocks/mass_kg has 1 values where 2 belong"));
   EXPECT_TRUE(contains(replaced("barriers", "to_m", std::vector<double>{1.0, 2.0}, {1, 2}),

@@ -27,11 +27,33 @@ inline void expect_equal(const Crossing& a, const Crossing& b) {
   EXPECT_EQ(a.rotational_energy, b.rotational_energy);
 }
 
+inline void expect_equal(const Impact& a, const Impact& b) {
+  EXPECT_EQ(a.run, b.run);
+  EXPECT_EQ(a.zone, b.zone);
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.contact_duration, b.contact_duration);
+  EXPECT_EQ(a.place, b.place);
+  EXPECT_EQ(a.speed_before, b.speed_before);
+  EXPECT_EQ(a.speed_after, b.speed_after);
+  EXPECT_EQ(a.translational_before, b.translational_before);
+  EXPECT_EQ(a.translational_after, b.translational_after);
+  EXPECT_EQ(a.rotational_before, b.rotational_before);
+  EXPECT_EQ(a.rotational_after, b.rotational_after);
+  EXPECT_EQ(a.depth, b.depth);
+}
+
 inline void expect_equal(const RunRecord& a, const RunRecord& b) {
   EXPECT_EQ(a.run, b.run);
   EXPECT_EQ(a.block, b.block);
   EXPECT_EQ(a.point, b.point);
   EXPECT_EQ(a.orientation, b.orientation);
+  EXPECT_EQ(a.ground_set, b.ground_set);
+  EXPECT_EQ(a.contacts.contact_time, b.contacts.contact_time);
+  EXPECT_EQ(a.contacts.mean_points, b.contacts.mean_points);
+  EXPECT_EQ(a.contacts.most_points, b.contacts.most_points);
+  EXPECT_EQ(a.contacts.longest_flight, b.contacts.longest_flight);
+  EXPECT_EQ(a.contacts.max_energy, b.contacts.max_energy);
+  EXPECT_EQ(a.contacts.max_spin, b.contacts.max_spin);
   expect_equal(a.start, b.start);
   const ReleaseResult &x = a.result, &y = b.result;
   EXPECT_EQ(x.stop_reason, y.stop_reason);
@@ -73,6 +95,8 @@ inline void expect_equal_results(const std::filesystem::path& one,
   for (std::size_t i = 0; i < a.crossings.size(); ++i) {
     expect_equal(a.crossings[i], b.crossings[i]);
   }
+  ASSERT_EQ(a.impacts.size(), b.impacts.size());
+  for (std::size_t i = 0; i < a.impacts.size(); ++i) expect_equal(a.impacts[i], b.impacts[i]);
 }
 
 }  // namespace clast

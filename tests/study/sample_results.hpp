@@ -8,7 +8,7 @@
 #include "core/version.hpp"
 #include "study/results.hpp"
 #include "study/results_journal.hpp"
-#include "tests/shapes/shape_samples.hpp"
+#include "tests/library/block_samples.hpp"
 #include "tests/study/results_equal.hpp"
 
 namespace clast {
@@ -19,21 +19,29 @@ inline CampaignResults sample_header() {
   header.campaign_sha256 = std::string(64, 'a');
   header.inputs = {"some folder/b.h5 " + std::string(64, 'b'), "t.stl " + std::string(64, 'c')};
   header.program_version = version();
-  header.blocks = {{"B1",
-                    343.68,
-                    {1.1, 0.9, 0.5},
-                    "compact",
-                    "CB",
-                    "blade",
-                    sphero_polyhedron(box_mesh({1.1, 0.9, 0.5}), 0.01)},
-                   {"B2", 514.14, {2.1, 0.9, 0.5}, "elongated", "E", "rod", {}}};
-  header.blocks[1].body.vertices = {{-0.6, 0, 0}, {0.6, 0, 0}};  // a capsule
-  header.blocks[1].body.edges = {{0, 1}};
-  header.blocks[1].body.radius = 0.45;
+  header.blocks = {{"B1", 343.68, {1.1, 0.9, 0.5}, "compact", "CB", "blade"},
+                   {"B2",
+                    514.14,
+                    {2.1, 0.9, 0.5},
+                    "elongated",
+                    "E",
+                    "rod",
+                    "B",
+                    "hard",
+                    1.25,
+                    0.2,
+                    1,
+                    {3, 4, 5}}};
+  header.shapes.resize(2);
+  header.shapes[0].vertices = {{0, 0, 0}};
+  header.shapes[1] = sphero_polyhedron(cuboid(2.9, 1.9, 0.9), 0.05);
   header.barriers = {{"EC11", {25, -400}, {25, -340}}, {"EC12", {36, -400}, {36, -340}}};
   header.release_points = {{1, 2, 3}, {4, 5, 6}};
+  header.release_sets = {"crest", "bench"};
+  header.set_of_point = {0, 1};
   header.zone_names = {"blue", "gray"};
   header.ground = {{0.01, 0.7, 0.35}, {0.04, 0.3, 0.0}};
+  header.ground_sets = {{"", 0, header.ground}, {"hard", 3, {{0.02, 0.6, 0.3}, {0.05, 0.2, 0.1}}}};
   header.stiffness = {1e8, 2e8, 3e7, 2e-5};
   header.law = SpringDashpotLaw{};
   header.weights = ContactWeights::kOverlap;
@@ -69,6 +77,7 @@ inline StoredRun sample_run(std::uint32_t number) {
   run.record.block = number % 2;
   run.record.point = number / 4;
   run.record.orientation = number % 4;
+  run.record.ground_set = number / 2 % 2;
   run.record.start = random_state(random);
   ReleaseResult& result = run.record.result;
   result.stop_reason = static_cast<StopReason>(number % 4);
@@ -78,12 +87,28 @@ inline StoredRun sample_run(std::uint32_t number) {
        {&result.duration, &result.path_length, &result.max_speed, &result.max_penetration,
         &result.settled_penetration, &result.energy.initial, &result.energy.final,
         &result.energy.normal, &result.energy.friction, &result.energy.rolling,
-        &result.energy.reassigned, &result.energy.error}) {
+        &result.energy.reassigned, &result.energy.error, &run.record.contacts.contact_time,
+        &run.record.contacts.mean_points, &run.record.contacts.longest_flight,
+        &run.record.contacts.max_energy, &run.record.contacts.max_spin}) {
     *value = random.normal();
   }
   result.below_ground = number % 3 == 0;
   result.contact_steps = 5'000'000'000ULL + number;
   result.impacts = number;
+  run.record.contacts.most_points = 7 + number;
+  for (std::uint32_t i = 0; i < number % 4; ++i) {
+    Impact impact;
+    impact.run = number;
+    impact.zone = i % 2;
+    impact.place = Vec3(random.normal(), random.normal(), random.normal());
+    for (double* value :
+         {&impact.time, &impact.contact_duration, &impact.speed_before, &impact.speed_after,
+          &impact.translational_before, &impact.translational_after, &impact.rotational_before,
+          &impact.rotational_after, &impact.depth}) {
+      *value = random.uniform();
+    }
+    run.impacts.push_back(impact);
+  }
   for (std::uint32_t i = 0; i < number % 3; ++i) {
     Crossing crossing;
     crossing.run = number;
@@ -108,7 +133,7 @@ inline StoredRun sample_run(std::uint32_t number) {
 
 inline void add_run(ResultsWriter& writer, std::uint32_t number) {
   const StoredRun run = sample_run(number);
-  writer.add(run.record, run.crossings, run.trajectory);
+  writer.add(run);
 }
 
 // That the file holds the sample runs `numbers` (sorted), whole.
@@ -116,7 +141,7 @@ inline void expect_runs(const std::filesystem::path& file,
                         const std::vector<std::uint32_t>& numbers) {
   const CampaignResults results = read_results(file);
   ASSERT_EQ(results.runs.size(), numbers.size());
-  std::size_t crossing = 0;
+  std::size_t crossing = 0, impact = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const StoredRun run = sample_run(numbers[i]);
     expect_equal(results.runs[i], run.record);
@@ -124,9 +149,14 @@ inline void expect_runs(const std::filesystem::path& file,
       ASSERT_LT(crossing, results.crossings.size());
       expect_equal(results.crossings[crossing++], expected);
     }
+    for (const Impact& expected : run.impacts) {
+      ASSERT_LT(impact, results.impacts.size());
+      expect_equal(results.impacts[impact++], expected);
+    }
     expect_equal(read_trajectory(file, numbers[i]), run.trajectory);
   }
   EXPECT_EQ(crossing, results.crossings.size());
+  EXPECT_EQ(impact, results.impacts.size());
 }
 
 }  // namespace clast

@@ -55,7 +55,10 @@ class Scene : public testing::Test {
         way.time.push_back(0.5 * k);
         way.states.push_back(state);
       }
-      writer.add(run, {}, way);
+      StoredRun stored_run;
+      stored_run.record = run;
+      stored_run.trajectory = way;
+      writer.add(stored_run);
     }
     writer.finish();
     return compared(read_results(folder / "r.h5"));

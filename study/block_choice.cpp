@@ -1,0 +1,180 @@
+#include "study/block_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "classify/schemes.hpp"
+#include "core/error.hpp"
+#include "library/block_library.hpp"
+
+namespace clast {
+namespace {
+
+bool passes(const BlockFilter& filter, const Block& block) {
+  if (!filter.ids.empty()) {
+    return std::find(filter.ids.begin(), filter.ids.end(), block.id) != filter.ids.end();
+  }
+  return filter.scheme.empty() || shape_class(filter.scheme, block.axes()) == filter.shape_class;
+}
+
+std::vector<Block> selected_blocks(const Campaign& campaign) {
+  const BlockSelection& selection = campaign.blocks;
+  const BlockLibrary library = BlockLibrary::read(selection.library);
+  std::vector<Block> blocks;
+  for (const std::string& id : selection.filter.ids) blocks.push_back(library.block(id));
+  if (!selection.filter.ids.empty()) return blocks;
+  for (const Block& block : library.blocks()) {
+    if (passes(selection.filter, block)) blocks.push_back(block);
+  }
+  if (blocks.empty()) {
+    throw InputError(
+        campaign.file.string() + ": [blocks] selects no block of " + selection.library.string() +
+        (selection.filter.scheme.empty()
+             ? "; the library is empty"
+             : "; none is " + selection.filter.shape_class + " by " + selection.filter.scheme));
+  }
+  return blocks;
+}
+
+// The factor of lengths that brings a block to the asked size.
+double scale_of(const BlockScale& scale, const Block& block, double mean_mass) {
+  switch (scale.kind) {
+    case BlockScale::Kind::kNone:
+      return 1.0;
+    case BlockScale::Kind::kMass:
+      return std::cbrt(scale.value / block.mass.mass);
+    case BlockScale::Kind::kVolume:
+      return std::cbrt(scale.value / block.mass.volume);
+    case BlockScale::Kind::kEqualMass:
+      return std::cbrt(mean_mass / block.mass.mass);
+  }
+  return 1.0;
+}
+
+std::vector<CampaignBlock> all_of(const std::vector<Block>& blocks, const BlockScale& scale) {
+  double sum = 0.0;
+  for (const Block& block : blocks) sum += block.mass.mass;
+  std::vector<CampaignBlock> chosen;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const double factor = scale_of(scale, blocks[i], sum / static_cast<double>(blocks.size()));
+    chosen.push_back({blocks[i].id, i, factor, 0});
+  }
+  return chosen;
+}
+
+std::vector<CampaignBlock> drawn_from(const Campaign& campaign, const std::vector<Block>& blocks) {
+  const BlockDraw& draw = *campaign.blocks.draw;
+  // Every share with the blocks that it can be drawn from; without shares all in one.
+  std::vector<std::vector<std::size_t>> pools;
+  std::vector<double> shares;
+  if (draw.shares.empty()) {
+    pools.emplace_back(blocks.size());
+    std::iota(pools.back().begin(), pools.back().end(), std::size_t{0});
+    shares.push_back(1.0);
+  }
+  for (const auto& [name, share] : draw.shares) {
+    std::vector<std::size_t> pool;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      if (shape_class(draw.scheme, blocks[i].axes()) == name) pool.push_back(i);
+    }
+    if (pool.empty()) {
+      throw InputError(campaign.file.string() + ": [blocks] draw asks for blocks of class \"" +
+                       name + "\" by " + draw.scheme + ", but none is selected from " +
+                       campaign.blocks.library.string() +
+                       "; add such a block to the library or leave the class out");
+    }
+    pools.push_back(std::move(pool));
+    shares.push_back(share);
+  }
+  Random random(draw.seed);
+  std::vector<CampaignBlock> drawn;
+  const std::vector<std::size_t> counts = quotas(shares, draw.count);
+  for (std::size_t pool = 0; pool < pools.size(); ++pool) {
+    for (std::size_t i = 0; i < counts[pool]; ++i) {
+      const std::size_t block = pools[pool][random.below(pools[pool].size())];
+      const double mass = blocks[block].mass.mass;
+      const double scale = draw.mass ? std::cbrt(draw.mass->draw(random) / mass) : 1.0;
+      drawn.push_back({blocks[block].id + "#" + std::to_string(drawn.size() + 1), block, scale, 0});
+    }
+  }
+  return drawn;
+}
+
+void put_in_groups(const Campaign& campaign, BlockChoice& choice) {
+  for (std::size_t g = 0; g < campaign.groups.size(); ++g) {
+    const BlockGroup& group = campaign.groups[g];
+    bool any = false;
+    for (CampaignBlock& block : choice.blocks) {
+      if (!passes(group.filter, choice.library[block.library])) continue;
+      if (block.group != 0) {
+        throw InputError(campaign.file.string() + ": block " + block.id +
+                         " is in the block groups \"" + campaign.groups[block.group - 1].name +
+                         "\" and \"" + group.name + "\"; a block has one ground only");
+      }
+      block.group = g + 1;
+      any = true;
+    }
+    if (!any) {
+      throw InputError(campaign.file.string() + ": the block group \"" + group.name +
+                       "\" holds no block of the campaign; check its select");
+    }
+  }
+}
+
+// Draws need not touch every block of the library.
+void drop_unused(BlockChoice& choice) {
+  std::vector<std::size_t> place(choice.library.size(), choice.library.size());
+  std::vector<Block> used;
+  for (CampaignBlock& block : choice.blocks) {
+    std::size_t& at = place[block.library];
+    if (at == choice.library.size()) {
+      at = used.size();
+      used.push_back(std::move(choice.library[block.library]));
+    }
+    block.library = at;
+  }
+  choice.library = std::move(used);
+}
+
+}  // namespace
+
+BlockChoice choose_blocks(const Campaign& campaign) {
+  BlockChoice choice;
+  choice.library = selected_blocks(campaign);
+  choice.blocks = campaign.blocks.draw ? drawn_from(campaign, choice.library)
+                                       : all_of(choice.library, campaign.blocks.scale);
+  put_in_groups(campaign, choice);
+  drop_unused(choice);
+  return choice;
+}
+
+std::vector<std::size_t> quotas(const std::vector<double>& shares, std::size_t count) {
+  std::vector<std::size_t> whole;
+  std::vector<double> rest;
+  std::size_t given = 0;
+  for (const double share : shares) {
+    const double exact = share * static_cast<double>(count);
+    whole.push_back(static_cast<std::size_t>(exact));
+    rest.push_back(exact - static_cast<double>(whole.back()));
+    given += whole.back();
+  }
+  for (; given < count; ++given) {
+    const std::size_t next =
+        static_cast<std::size_t>(std::max_element(rest.begin(), rest.end()) - rest.begin());
+    ++whole[next];
+    rest[next] = -1.0;
+  }
+  return whole;
+}
+
+RigidBody scaled(RigidBody body, double factor) {
+  const double cube = factor * factor * factor;
+  body.shape = scaled(std::move(body.shape), factor);
+  body.mass *= cube;
+  body.moments *= cube * factor * factor;
+  body.smallest_side *= factor;
+  return body;
+}
+
+}  // namespace clast

@@ -1,0 +1,208 @@
+// [blocks], [[block_group]], [ground.NAME] and [ensemble] of a campaign file.
+#include <algorithm>
+#include <cmath>
+
+#include "classify/schemes.hpp"
+#include "core/error.hpp"
+#include "study/campaign_reading.hpp"
+
+namespace clast {
+namespace {
+
+// Shares written with three digits add up to one within this.
+constexpr double kShareSum = 2e-3;
+
+const std::vector<std::string> kSchemes = {"garcia", "sneed-folk", "zingg"};
+
+/// `select` of a table.
+BlockFilter read_filter(const TomlTable& table, const std::string& title) {
+  BlockFilter filter;
+  const TomlNode* select = table.find("select");
+  if (!select) return filter;
+  if (select->kind == TomlNode::Kind::kTable) {
+    const TomlTable by_class(*select, table.file(), title + " select", {"scheme", "class"});
+    by_class.required("scheme", "\"garcia\", \"sneed-folk\" or \"zingg\"");
+    filter.scheme = *choice(by_class, "scheme", kSchemes);
+    by_class.required("class", "a class of the scheme");
+    filter.shape_class = *choice(by_class, "class", class_names(filter.scheme));
+    return filter;
+  }
+  filter.ids = *table.texts("select");
+  for (std::size_t i = 0; i < filter.ids.size(); ++i) {
+    const auto here = filter.ids.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(filter.ids.begin(), here, *here) != here) {
+      table.refuse("select", element(*select, i), "the block is named twice");
+    }
+  }
+  return filter;
+}
+
+BlockScale read_scale(const TomlTable& table) {
+  const TomlNode* node = table.find("scale");
+  if (!node) return {};
+  const std::string expected = "must be \"equal-mass\", { mass_kg = M } or { volume_m3 = V }";
+  if (node->kind == TomlNode::Kind::kString && node->text == "equal-mass") {
+    return {BlockScale::Kind::kEqualMass, 0.0};
+  }
+  if (node->kind != TomlNode::Kind::kTable || node->table.size() != 1) {
+    table.refuse("scale", *node, expected);
+  }
+  const TomlTable scale(*node, table.file(), "[blocks] scale", {"mass_kg", "volume_m3"});
+  if (const std::optional<double> mass = scale.number("mass_kg", kPositive)) {
+    return {BlockScale::Kind::kMass, *mass};
+  }
+  return {BlockScale::Kind::kVolume, *scale.number("volume_m3", kPositive)};
+}
+
+std::vector<std::pair<std::string, double>> read_shares(const TomlTable& draw,
+                                                        const std::string& scheme) {
+  const TomlNode* node = draw.find("shares");
+  if (!node) return {};
+  const TomlTable table(*node, draw.file(), "[blocks] draw shares", class_names(scheme));
+  std::vector<std::pair<std::string, double>> shares;
+  double sum = 0.0;
+  for (const std::string& name : class_names(scheme)) {
+    const std::optional<double> share = table.number(name, kNotNegative);
+    if (!share || *share == 0.0) continue;
+    shares.emplace_back(name, *share);
+    sum += *share;
+  }
+  if (!(std::abs(sum - 1.0) <= kShareSum)) {
+    draw.refuse("shares", *node, "the shares must add up to 1, not " + std::to_string(sum));
+  }
+  for (auto& [name, share] : shares) share /= sum;
+  return shares;
+}
+
+BlockDraw read_draw(const TomlTable& blocks, const TomlNode& node) {
+  const TomlTable table(node, blocks.file(), "[blocks] draw",
+                        {"count", "seed", "scheme", "shares", "mass_kg"});
+  table.required("count", "how many blocks, a whole number");
+  BlockDraw draw;
+  draw.count = *table.count("count", 1, kMostPerSet);
+  draw.seed = table.count("seed", 0, INT64_MAX).value_or(draw.seed);
+  draw.scheme = choice(table, "scheme", kSchemes).value_or(draw.scheme);
+  draw.shares = read_shares(table, draw.scheme);
+  draw.mass = read_uncertain(table, "mass_kg", kPositive);
+  return draw;
+}
+
+GroundTable read_ground_table(const TomlTable& table) {
+  return {.energy_restitution = read_uncertain(table, "energy_restitution", kShare),
+          .friction = read_uncertain(table, "friction", kNotNegative),
+          .rolling_friction = read_uncertain(table, "rolling_friction", kNotNegative)};
+}
+
+/// The tables of a table [ground], by zone.
+std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::string& file,
+                                              const std::string& title, bool complete) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : node.table) names.push_back(name);
+  const TomlTable all(node, file, "[" + title + "]", names);
+  if (names.empty()) all.refuse("empty; write one table [" + title + ".NAME] per zone");
+  std::map<std::string, GroundTable> ground;
+  for (const auto& [name, value] : node.table) {
+    if (value.kind != TomlNode::Kind::kTable) {
+      all.refuse(name, value, "must be in the table of a zone, [" + title + ".NAME]");
+    }
+    const TomlTable table(value, file, "[" + title + "." + name + "]",
+                          {"energy_restitution", "friction", "rolling_friction"});
+    if (complete) {
+      table.required("energy_restitution", "e_n^2, more than zero and at most 1");
+      table.required("friction", "mu, zero or more");
+      table.required("rolling_friction", "mu_R, zero or more");
+    }
+    ground[name] = read_ground_table(table);
+  }
+  return ground;
+}
+
+bool uncertain(const std::map<std::string, GroundTable>& ground) {
+  return std::any_of(ground.begin(), ground.end(), [](const auto& zone) {
+    const GroundTable& table = zone.second;
+    return (table.energy_restitution && !table.energy_restitution->fixed()) ||
+           (table.friction && !table.friction->fixed()) ||
+           (table.rolling_friction && !table.rolling_friction->fixed());
+  });
+}
+
+}  // namespace
+
+BlockSelection read_blocks(const TomlTable& top) {
+  const TomlTable table = required_table(top, "blocks", {"library", "select", "scale", "draw"});
+  BlockSelection blocks;
+  const TomlNode& library = table.required("library", "a block library made by clast reconstruct");
+  table.text("library");
+  blocks.library = input_file(table, "library", library);
+  blocks.filter = read_filter(table, "[blocks]");
+  blocks.scale = read_scale(table);
+  if (const TomlNode* draw = table.find("draw")) {
+    if (const TomlNode* scale = table.find("scale")) {
+      table.refuse("scale", *scale, "drawn blocks are scaled by mass_kg of draw; leave scale out");
+    }
+    blocks.draw = read_draw(table, *draw);
+  }
+  return blocks;
+}
+
+std::map<std::string, GroundTable> read_ground(const TomlTable& top) {
+  const TomlNode* node = top.find("ground");
+  if (!node) {
+    throw InputError(top.file() + ": no ground: write one table [ground.NAME] per zone");
+  }
+  return read_zones(*node, top.file(), "ground", true);
+}
+
+std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign) {
+  std::vector<BlockGroup> groups;
+  for (const TomlNode* node : tables_of(top, "block_group")) {
+    const TomlTable table(*node, top.file(), "[[block_group]]", {"name", "select", "ground"});
+    table.required("name", "a text in quotes");
+    table.required("select", "ids, or { scheme = ..., class = ... }");
+    BlockGroup group;
+    group.name = *table.text("name");
+    for (const BlockGroup& other : groups) {
+      if (other.name == group.name) {
+        table.refuse("name", *table.find("name"), "another block group has this name");
+      }
+    }
+    group.filter = read_filter(table, "[[block_group]]");
+    const TomlNode& ground =
+        table.required("ground", "a table of zones, [block_group.ground.NAME]");
+    group.ground = read_zones(ground, top.file(), "block_group.ground", false);
+    for (const auto& [zone, parameters] : group.ground) {
+      if (!campaign.ground.contains(zone)) {
+        table.refuse("ground." + zone, *ground.find(zone),
+                     "the zone has no table [ground." + zone + "]");
+      }
+    }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
+  bool anything = uncertain(campaign.ground);
+  for (const BlockGroup& group : campaign.groups) anything = anything || uncertain(group.ground);
+  const TomlNode* node = top.find("ensemble");
+  if (!node) {
+    if (anything) {
+      throw InputError(top.file() +
+                       ": ground parameters are uncertain; say how often they are drawn, with "
+                       "[ensemble] members = N");
+    }
+    return {};
+  }
+  const TomlTable table(*node, top.file(), "[ensemble]", {"members", "seed"});
+  table.required("members", "how often the parameters are drawn, a whole number");
+  if (!anything) {
+    table.refuse(
+        "no ground parameter is uncertain; write for example friction = { uniform = [0.5, 0.8] }");
+  }
+  Ensemble ensemble;
+  ensemble.members = static_cast<std::uint32_t>(*table.count("members", 1, kMostPerSet));
+  ensemble.seed = table.count("seed", 0, INT64_MAX).value_or(ensemble.seed);
+  return ensemble;
+}
+
+}  // namespace clast

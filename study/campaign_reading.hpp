@@ -1,0 +1,55 @@
+#pragma once
+/// Pieces of a campaign file, read and checked.
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/campaign.hpp"
+#include "study/toml_reader.hpp"
+
+namespace clast {
+
+/// Far above any study, and low enough that a slip of the keyboard does not fill the memory.
+inline constexpr std::uint64_t kMostPerSet = 1'000'000;
+
+/// A file named in the campaign, which must be there. Relative to the campaign file; ${CLAST_DATA}
+/// is replaced.
+/// @param text  the path, when `node` holds more than that
+std::filesystem::path input_file(const TomlTable& table, const std::string& key,
+                                 const TomlNode& node, std::string text);
+std::filesystem::path input_file(const TomlTable& table, const std::string& key,
+                                 const TomlNode& node);
+
+/// The value itself where it is no list.
+const TomlNode& element(const TomlNode& node, std::size_t index);
+
+/// One of a few words.
+std::optional<std::string> choice(const TomlTable& table, const std::string& key,
+                                  const std::vector<std::string>& words);
+
+TomlTable required_table(const TomlTable& top, const std::string& name,
+                         std::vector<std::string> known_keys);
+
+/// The nodes of an array of tables [[name]], or of one table [name]; none when it is absent.
+std::vector<const TomlNode*> tables_of(const TomlTable& top, const std::string& name);
+
+/// A number, `{ uniform = [low, high] }`, `{ normal = [mean, std] }` or
+/// `{ log_normal = [median, sigma] }`, where sigma is the standard deviation of the natural
+/// logarithm.
+/// None when the key is absent.
+/// @param range  for the number, both bounds, or mean and median
+/// @throws InputError  anything else; file, line, key and value
+std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::string& key,
+                                        const NumberRange& range);
+
+BlockSelection read_blocks(const TomlTable& top);
+std::map<std::string, GroundTable> read_ground(const TomlTable& top);
+/// @param campaign  with its ground
+std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);
+/// @param campaign  with its ground and groups
+Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
+std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up);
+
+}  // namespace clast

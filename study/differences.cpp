@@ -1,0 +1,218 @@
+#include "study/differences.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "core/csv_text.hpp"
+#include "core/number_text.hpp"
+#include "core/sample_tests.hpp"
+#include "study/comparison.hpp"
+
+namespace clast {
+namespace {
+
+constexpr std::size_t kFewest = 3;  ///< values of a group
+/// Any seed is good; a fixed one gives the same interval every time.
+constexpr std::uint64_t kSeed = 20220310;
+
+constexpr std::size_t kMostDrawn = 20'000'000;  ///< numbers for one interval
+
+struct Quantity {
+  std::string name;
+  std::function<std::optional<double>(std::size_t row)> value;
+};
+
+std::vector<Quantity> quantities(const Comparison& comparison) {
+  const auto of_row = [&](std::string name, StopReason only, double (*value)(const RunRow&)) {
+    return Quantity{std::move(name), [&comparison, only, value](std::size_t index) {
+                      const RunRow& row = comparison.rows[index];
+                      const StopReason reason = row.record->result.stop_reason;
+                      const bool counts =
+                          only == StopReason::kRest ? reason == only : reason != StopReason::kError;
+                      return counts ? std::optional<double>(value(row)) : std::nullopt;
+                    }};
+  };
+  std::vector<Quantity> all = {
+      of_row("runout_m", StopReason::kRest, [](const RunRow& row) { return row.runout; }),
+      of_row("lateral_deg", StopReason::kRest,
+             [](const RunRow& row) { return row.lateral * 180.0 / kPi; }),
+      of_row("path_length_m", StopReason::kRest,
+             [](const RunRow& row) { return row.record->result.path_length; }),
+      of_row("max_speed_m_s", StopReason::kError,
+             [](const RunRow& row) { return row.record->result.max_speed; })};
+  for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
+    std::vector<const Crossing*> first(comparison.rows.size(), nullptr);
+    for (const CrossingRow& crossing : comparison.crossings) {
+      if (crossing.counted && crossing.barrier == line) first[crossing.row] = crossing.crossing;
+    }
+    const auto at_line = [&](const char* name, double (*value)(const Crossing&)) {
+      all.push_back({comparison.lines[line].name + " " + name,
+                     [first, value](std::size_t row) -> std::optional<double> {
+                       if (first[row] == nullptr) return std::nullopt;
+                       return value(*first[row]);
+                     }});
+    };
+    at_line("speed_m_s", [](const Crossing& c) { return c.velocity.norm(); });
+    at_line("total_energy_j",
+            [](const Crossing& c) { return c.translational_energy + c.rotational_energy; });
+    at_line("height_m", [](const Crossing& c) { return c.height; });
+  }
+  return all;
+}
+
+// Release points, numbered over all files.
+class Clusters {
+ public:
+  std::uint32_t of(const RunRow& row) {
+    const std::pair key(row.file, row.record->point);
+    return numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size())).first->second;
+  }
+  std::size_t count() const { return numbers_.size(); }
+
+ private:
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
+};
+
+ClusteredValues values_of(const Comparison& comparison, const Group& group,
+                          const Quantity& quantity, Clusters& clusters) {
+  ClusteredValues values;
+  for (const std::size_t row : group.rows) {
+    const std::optional<double> value = quantity.value(row);
+    if (!value || !std::isfinite(*value)) continue;
+    values.values.push_back(*value);
+    values.clusters.push_back(clusters.of(comparison.rows[row]));
+  }
+  return values;
+}
+
+std::optional<Difference> difference_of(const Comparison& comparison, std::size_t first,
+                                        std::size_t second, const Quantity& quantity) {
+  Clusters clusters;
+  const ClusteredValues a = values_of(comparison, comparison.groups[first], quantity, clusters);
+  const ClusteredValues b = values_of(comparison, comparison.groups[second], quantity, clusters);
+  if (a.values.size() < kFewest || b.values.size() < kFewest) return std::nullopt;
+  Difference found;
+  found.first = first;
+  found.second = second;
+  found.quantity = quantity.name;
+  found.first_runs = a.values.size();
+  found.second_runs = b.values.size();
+  found.points = clusters.count();
+  found.first_mean = summarise(a.values).mean;
+  found.second_mean = summarise(b.values).mean;
+  // Of one release point every run is drawn by itself, so large samples are drawn less often.
+  const std::size_t pieces = clusters.count() > 1 ? clusters.count() : a.values.size();
+  const std::size_t draws = std::clamp<std::size_t>(kMostDrawn / pieces, 200, 2000);
+  found.interval = bootstrap_difference(a, b, clusters.count(), kSeed, draws);
+  found.cliffs_delta = *cliffs_delta(a.values, b.values);
+  found.hedges_g = hedges_g(a.values, b.values);
+  const TestResult test = *two_sample_ks(a.values, b.values);
+  found.ks_distance = test.statistic;
+  found.p_value = test.p_value;
+  return found;
+}
+
+// Groups over all files, of every kind but "all"; those of one column are a kind.
+std::map<std::pair<GroupKind, std::string>, std::vector<std::size_t>> families(
+    const Comparison& comparison) {
+  std::map<std::pair<GroupKind, std::string>, std::vector<std::size_t>> kinds;
+  for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
+    const Group& group = comparison.groups[g];
+    if (group.kind == GroupKind::kAll || group.file) continue;
+    kinds[{group.kind, group.column}].push_back(g);
+  }
+  return kinds;
+}
+
+std::string number(double value) { return with_digits(value, 3); }
+
+}  // namespace
+
+std::vector<Difference> differences(const Comparison& comparison) {
+  const std::vector<Quantity> all = quantities(comparison);
+  std::vector<Difference> found;
+  for (const auto& [kind, groups] : families(comparison)) {
+    if (groups.size() > kMostGroups) continue;
+    std::vector<Difference> family;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      for (std::size_t k = i + 1; k < groups.size(); ++k) {
+        for (const Quantity& quantity : all) {
+          if (std::optional<Difference> one =
+                  difference_of(comparison, groups[i], groups[k], quantity)) {
+            family.push_back(std::move(*one));
+          }
+        }
+      }
+    }
+    std::vector<double> p_values;
+    for (const Difference& one : family) p_values.push_back(one.p_value);
+    const std::vector<double> corrected = holm(p_values);
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      family[i].p_holm = corrected[i];
+      family[i].tests = family.size();
+      found.push_back(std::move(family[i]));
+    }
+  }
+  return found;
+}
+
+std::string in_words(const Difference& difference, const Comparison& comparison) {
+  const std::string& a = comparison.groups[difference.first].name;
+  const std::string& b = comparison.groups[difference.second].name;
+  const double gap = difference.first_mean - difference.second_mean;
+  std::string words = difference.quantity + " of " + a + " is " + number(difference.first_mean) +
+                      " on average (" + std::to_string(difference.first_runs) + " runs), of " + b +
+                      " " + number(difference.second_mean) + " (" +
+                      std::to_string(difference.second_runs) + "): a difference of " + number(gap);
+  if (difference.interval) {
+    words +=
+        " (95 % interval " + number(difference.interval->low) + " to " +
+        number(difference.interval->high) + ", " +
+        (difference.points > 1 ? "from " + std::to_string(difference.points) + " release points"
+                               : "from the runs of one release point") +
+        ")";
+  }
+  words += ". The effect is " + std::string(words_for_delta(difference.cliffs_delta)) +
+           " (Cliff's delta " + number(difference.cliffs_delta) + "). ";
+  const std::string evidence = "Kolmogorov-Smirnov D " + number(difference.ks_distance) + ", p " +
+                               with_digits(difference.p_holm, 2) + " after Holm's correction for " +
+                               std::to_string(difference.tests) +
+                               (difference.tests == 1 ? " test" : " tests") + ").";
+  return words + (difference.found() ? "The distributions differ (" : "No difference is shown (") +
+         evidence;
+}
+
+std::string differences_csv(const Comparison& comparison) {
+  CsvText csv;
+  csv.header(
+      "first,second,quantity,first_runs,second_runs,release_points,first_mean,second_mean,"
+      "difference,difference_low,difference_high,cliffs_delta,hedges_g,ks_distance,p_value,p_holm,"
+      "tests,found,words");
+  for (const Difference& one : comparison.differences) {
+    csv.cell(std::string_view(comparison.groups[one.first].name));
+    csv.cell(std::string_view(comparison.groups[one.second].name));
+    csv.cell(std::string_view(one.quantity));
+    csv.count(one.first_runs);
+    csv.count(one.second_runs);
+    csv.count(one.points);
+    csv.cell(one.first_mean);
+    csv.cell(one.second_mean);
+    csv.cell(one.first_mean - one.second_mean);
+    csv.cell(one.interval ? one.interval->low : NAN);
+    csv.cell(one.interval ? one.interval->high : NAN);
+    csv.cell(one.cliffs_delta);
+    csv.cell(one.hedges_g.value_or(NAN));
+    csv.cell(one.ks_distance);
+    csv.cell(one.p_value);
+    csv.cell(one.p_holm);
+    csv.count(one.tests);
+    csv.count(one.found() ? 1 : 0);
+    csv.cell(std::string_view(in_words(one, comparison)));
+    csv.end_row();
+  }
+  return csv.take();
+}
+
+}  // namespace clast

@@ -1,0 +1,50 @@
+#pragma once
+/// Differences between groups of runs: how large, how sure, in words.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/group_differences.hpp"
+
+namespace clast {
+
+struct Comparison;
+
+/// Two groups of one kind in one quantity.
+struct Difference {
+  std::size_t first = 0;  ///< index into Comparison::groups
+  std::size_t second = 0;
+  std::string quantity;        ///< "runout_m", "EC11 speed_m_s"
+  std::size_t first_runs = 0;  ///< with the quantity
+  std::size_t second_runs = 0;
+  std::size_t points = 0;  ///< release points that either has, the clusters of the bootstrap
+  double first_mean = 0.0;
+  double second_mean = 0.0;
+  std::optional<Interval> interval;  ///< 95 %, of first_mean - second_mean
+  double cliffs_delta = 0.0;         ///< first against second
+  std::optional<double> hedges_g;
+  double ks_distance = 0.0;
+  double p_value = 1.0;   ///< of Kolmogorov's and Smirnov's test
+  double p_holm = 1.0;    ///< ... corrected for all differences of the same kind of group
+  std::size_t tests = 0;  ///< that it was corrected for
+
+  bool found() const { return p_holm < 0.05; }
+};
+
+/// Groups of one kind beyond this are not compared pair by pair.
+inline constexpr std::size_t kMostGroups = 12;
+
+/// All pairs of blocks, of classes and of the groups of every column, over all files. Of each pair:
+/// runout, lateral angle and path length of the runs that came to rest, largest speed of all that
+/// did not fail, and speed, energy and height at first crossings of every barrier. Pairs of which a
+/// group has fewer than three values are left out.
+std::vector<Difference> differences(const Comparison& comparison);
+
+/// A sentence to quote.
+std::string in_words(const Difference& difference, const Comparison& comparison);
+
+/// One row per difference; columns in docs/formats.md.
+std::string differences_csv(const Comparison& comparison);
+
+}  // namespace clast

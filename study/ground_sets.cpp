@@ -1,0 +1,83 @@
+#include "study/ground_sets.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "core/error.hpp"
+
+namespace clast {
+namespace {
+
+using Values = std::map<std::string, GroundParameters>;  ///< by zone
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+void check_zones(const Campaign& campaign, const std::vector<std::string>& zones) {
+  std::vector<std::string> tables;
+  for (const auto& [name, parameters] : campaign.ground) tables.push_back("[ground." + name + "]");
+  for (const std::string& zone : zones) {
+    if (campaign.ground.contains(zone)) continue;
+    throw InputError(campaign.file.string() + ": terrain zone \"" + zone +
+                     "\" has no parameters; add [ground." + zone + "] to " + listed(tables));
+  }
+  for (const auto& [name, parameters] : campaign.ground) {
+    if (std::find(zones.begin(), zones.end(), name) != zones.end()) continue;
+    throw InputError(campaign.file.string() + ": [ground." + name +
+                     "] belongs to no zone of the terrain; its zones are " + listed(zones));
+  }
+}
+
+// Puts the values of all that the tables name over `values`, each taken from its law by `take`.
+void put(const std::map<std::string, GroundTable>& tables,
+         const std::function<double(const Uncertain&)>& take, Values& values) {
+  for (const auto& [zone, table] : tables) {
+    GroundParameters& parameters = values[zone];
+    if (table.energy_restitution) parameters.energy_restitution = take(*table.energy_restitution);
+    if (table.friction) parameters.friction = take(*table.friction);
+    if (table.rolling_friction) parameters.rolling_friction = take(*table.rolling_friction);
+  }
+}
+
+std::vector<GroundParameters> in_order(const Values& values,
+                                       const std::vector<std::string>& zones) {
+  std::vector<GroundParameters> ordered;
+  for (const std::string& zone : zones) ordered.push_back(values.at(zone));
+  return ordered;
+}
+
+}  // namespace
+
+std::vector<GroundSet> ground_sets(const Campaign& campaign,
+                                   const std::vector<std::string>& zones) {
+  check_zones(campaign, zones);
+  const std::size_t groups = 1 + campaign.groups.size();
+  const std::uint32_t members = campaign.ensemble.members;
+  std::vector<GroundSet> sets(groups * members);
+  Random random(campaign.ensemble.seed);
+  const auto draw = [&](const Uncertain& number) { return number.draw(random); };
+  for (std::uint32_t member = 0; member < members; ++member) {
+    Values base;
+    put(campaign.ground, draw, base);
+    for (std::size_t g = 0; g < groups; ++g) {
+      Values values = base;
+      if (g > 0) put(campaign.groups[g - 1].ground, draw, values);
+      sets[g * members + member] = {g > 0 ? campaign.groups[g - 1].name : "", member,
+                                    in_order(values, zones)};
+    }
+  }
+  return sets;
+}
+
+std::vector<GroundParameters> central_ground(const Campaign& campaign,
+                                             const std::vector<std::string>& zones) {
+  Values values;
+  put(
+      campaign.ground, [](const Uncertain& number) { return number.central(); }, values);
+  return in_order(values, zones);
+}
+
+}  // namespace clast

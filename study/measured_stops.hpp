@@ -1,0 +1,56 @@
+#pragma once
+/// Stops that were surveyed in the field, held against simulated ones.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/statistics.hpp"
+#include "core/types.hpp"
+
+namespace clast {
+
+struct Comparison;
+
+/// A block found in the field.
+struct MeasuredStop {
+  Vec2 place = Vec2::Zero();  ///< map, m
+  std::optional<Vec2> start;  ///< where it was released; none: the mean of all release points
+  std::string block;          ///< empty when not known
+  std::string shape;          ///< compact or elongated, or empty
+  double runout = 0.0;        ///< m, along downslope
+  double lateral = 0.0;       ///< rad
+};
+
+/// Measured stops of a group against the simulated deposits of the same group.
+struct MeasuredGroup {
+  std::size_t group = 0;  ///< into Comparison::groups
+  std::size_t measured = 0;
+  std::size_t simulated = 0;      ///< runs of the group that came to rest
+  Summary runout, lateral;        ///< measured, m and rad
+  double simulated_runout = 0.0;  ///< mean, m
+  double cliffs_delta = 0.0;      ///< measured against simulated runout
+  double ks_distance = 0.0;
+  double p_value = 1.0;
+  double p_holm = 1.0;  ///< corrected for all groups
+};
+
+struct MeasuredStops {
+  std::filesystem::path file;
+  std::string sha256;
+  std::vector<MeasuredStop> stops;
+  std::vector<MeasuredGroup> groups;  ///< all, then blocks and shapes that the table names
+};
+
+/// Reads a table with columns x and y (m, map, z up), and optionally start_x and start_y, block and
+/// shape. Names may end in a unit: x_m.
+/// @throws InputError  no such file, no such columns, a place that is no number, no row
+MeasuredStops read_measured_stops(const std::filesystem::path& file);
+
+/// Runouts along the comparison's downslope direction, and the groups.
+void hold_against(const Comparison& comparison, MeasuredStops& measured);
+
+/// One row per group.
+std::string measured_csv(const Comparison& comparison);
+
+}  // namespace clast

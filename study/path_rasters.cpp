@@ -1,0 +1,107 @@
+#include "study/path_rasters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "study/path_samples.hpp"
+#include "study/report/ticks.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kCells = 400.0;
+constexpr double kNarrowest = 0.5;  ///< m
+
+using Cell = std::pair<std::int64_t, std::int64_t>;  ///< row and column from the map's origin
+
+struct Largest {
+  double energy = 0.0;
+  double speed = 0.0;
+  double height = -INFINITY;
+};
+struct Passed {
+  std::vector<double> energy, height;
+  double speed = 0.0;
+};
+
+/// A cell suits where the runs began and ended; how far they strayed is not known before.
+double cell_size(const Comparison& comparison) {
+  Bounds box;
+  for (const RunRow& row : comparison.rows) {
+    if (row.start.allFinite()) box.include(row.start);
+    if (row.stop.allFinite()) box.include(row.stop);
+  }
+  const double longer = (box.high - box.low).head<2>().maxCoeff();
+  return std::max(kNarrowest, longer > 0.0 ? round_up_to_nice(longer / kCells) : 0.0);
+}
+
+std::map<Cell, Passed> passages(const Comparison& comparison, double size) {
+  std::map<Cell, Passed> cells;
+  for_each_trajectory(comparison, [&](std::size_t index, const Trajectory& trajectory,
+                                      const TerrainSurface& ground) {
+    const RunRow& row = comparison.rows[index];
+    const Vec2 origin = comparison.results[row.file].frame.origin.head<2>();
+    std::map<Cell, Largest> of_run;
+    walk(trajectory, *row.block, ground, 0.5 * size, [&](const PathSample& sample) {
+      const Vec2 map = sample.position.head<2>() + origin;
+      Largest& here = of_run[{std::llround(std::floor(map.y() / size)),
+                              std::llround(std::floor(map.x() / size))}];
+      here.energy = std::max(here.energy, sample.energy);
+      here.speed = std::max(here.speed, sample.speed);
+      if (std::isfinite(sample.height)) here.height = std::max(here.height, sample.height);
+    });
+    for (const auto& [cell, largest] : of_run) {
+      Passed& passed = cells[cell];
+      passed.energy.push_back(largest.energy);
+      if (std::isfinite(largest.height)) passed.height.push_back(largest.height);
+      passed.speed = std::max(passed.speed, largest.speed);
+    }
+  });
+  return cells;
+}
+
+}  // namespace
+
+PathRasters path_rasters(const Comparison& comparison) {
+  PathRasters rasters;
+  rasters.cell = cell_size(comparison);
+  const std::map<Cell, Passed> cells = passages(comparison, rasters.cell);
+  if (cells.empty()) return rasters;
+  std::int64_t bottom = cells.begin()->first.first, top = cells.rbegin()->first.first;
+  std::int64_t left = cells.begin()->first.second, right = left;
+  for (const auto& [cell, passed] : cells) {
+    left = std::min(left, cell.second);
+    right = std::max(right, cell.second);
+  }
+  rasters.corner = rasters.cell * Vec2(static_cast<double>(left), static_cast<double>(bottom));
+  rasters.columns = static_cast<std::uint32_t>(right - left + 1);
+  rasters.rows = static_cast<std::uint32_t>(top - bottom + 1);
+  rasters.layers = {
+      {"Reach_probability", "share of runs started that pass the cell", {}},
+      {"Nr_passages", "runs that pass the cell", {}},
+      {"E_mean", "mean over runs of the largest kinetic energy in the cell, J", {}},
+      {"E_95", "95 % quantile of the same, J", {}},
+      {"E_max", "largest kinetic energy in the cell, J", {}},
+      {"Ph_95", "95 % quantile over runs of the largest height of the centre above ground, m", {}},
+      {"V_max", "largest speed of the centre in the cell, m/s", {}}};
+  const std::size_t size = std::size_t{rasters.columns} * rasters.rows;
+  for (RasterLayer& layer : rasters.layers) layer.value.assign(size, NAN);
+  const double started = static_cast<double>(comparison.rows.size());
+  for (const auto& [cell, passed] : cells) {
+    const std::size_t at = static_cast<std::size_t>(top - cell.first) * rasters.columns +
+                           static_cast<std::size_t>(cell.second - left);
+    const Summary energy = summarise(passed.energy);
+    const double count = static_cast<double>(passed.energy.size());
+    const double height = passed.height.empty() ? NAN : summarise(passed.height).p95;
+    const double values[] = {count / started, count,  energy.mean, energy.p95,
+                             energy.max,      height, passed.speed};
+    for (std::size_t i = 0; i < rasters.layers.size(); ++i) {
+      rasters.layers[i].value[at] = static_cast<float>(values[i]);
+    }
+  }
+  return rasters;
+}
+
+}  // namespace clast

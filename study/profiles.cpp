@@ -1,0 +1,99 @@
+#include "study/profiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/csv_text.hpp"
+#include "study/path_samples.hpp"
+#include "study/report/ticks.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kBins = 50.0;
+constexpr double kNarrowest = 0.5;  ///< m
+
+struct Largest {
+  double energy = 0.0;
+  double speed = 0.0;
+  double height = -INFINITY;
+};
+using Passage = std::map<int, Largest>;  ///< by number of the bin
+
+double bin_width(const Comparison& comparison) {
+  double longest = 0.0;
+  for (const RunRow& row : comparison.rows) {
+    if (std::isfinite(row.runout)) longest = std::max(longest, std::abs(row.runout));
+  }
+  return std::max(kNarrowest, longest > 0.0 ? round_up_to_nice(longest / kBins) : 0.0);
+}
+
+/// The passage of every row; empty where a run has no trajectory.
+std::vector<Passage> passages(const Comparison& comparison, double width) {
+  std::vector<Passage> all(comparison.rows.size());
+  for_each_trajectory(comparison, [&](std::size_t index, const Trajectory& trajectory,
+                                      const TerrainSurface& ground) {
+    const RunRow& row = comparison.rows[index];
+    const Vec2 start = row.record->start.position.head<2>();
+    walk(trajectory, *row.block, ground, 0.5 * width, [&](const PathSample& sample) {
+      const double along = (sample.position.head<2>() - start).dot(comparison.downslope);
+      Largest& here = all[index][static_cast<int>(std::floor(along / width))];
+      here.energy = std::max(here.energy, sample.energy);
+      here.speed = std::max(here.speed, sample.speed);
+      if (std::isfinite(sample.height)) here.height = std::max(here.height, sample.height);
+    });
+  });
+  return all;
+}
+
+}  // namespace
+
+std::vector<ProfileBin> profiles(const Comparison& comparison) {
+  const double width = bin_width(comparison);
+  const std::vector<Passage> all = passages(comparison, width);
+  std::vector<ProfileBin> bins;
+  for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
+    struct Values {
+      std::vector<double> energy, speed, height;
+    };
+    std::map<int, Values> by_bin;
+    for (const std::size_t row : comparison.groups[g].rows) {
+      for (const auto& [bin, largest] : all[row]) {
+        Values& values = by_bin[bin];
+        values.energy.push_back(largest.energy);
+        values.speed.push_back(largest.speed);
+        if (std::isfinite(largest.height)) values.height.push_back(largest.height);
+      }
+    }
+    for (const auto& [bin, values] : by_bin) {
+      bins.push_back({g, bin * width, (bin + 1) * width, values.energy.size(),
+                      summarise(values.energy), summarise(values.speed), summarise(values.height)});
+    }
+  }
+  return bins;
+}
+
+std::string profiles_csv(const Comparison& comparison) {
+  CsvText csv;
+  csv.header(
+      "group,from_m,to_m,runs,energy_mean_j,energy_p95_j,energy_max_j,speed_mean_m_s,"
+      "speed_p95_m_s,speed_max_m_s,height_mean_m,height_p95_m,height_max_m");
+  for (const ProfileBin& bin : profiles(comparison)) {
+    csv.cell(std::string_view(comparison.groups[bin.group].name));
+    csv.cell(bin.from);
+    csv.cell(bin.to);
+    csv.count(bin.runs);
+    for (const Summary* summary : {&bin.energy, &bin.speed, &bin.height}) {
+      if (summary->count == 0) {
+        csv.empty_cells(3);
+        continue;
+      }
+      for (const double value : {summary->mean, summary->p95, summary->max}) csv.cell(value);
+    }
+    csv.end_row();
+  }
+  return csv.take();
+}
+
+}  // namespace clast

@@ -1,0 +1,28 @@
+#pragma once
+/// How groups of runs fare along the slope: energy, speed and height against distance.
+#include <string>
+#include <vector>
+
+#include "study/comparison.hpp"
+
+namespace clast {
+
+/// Runs of a group that came by at a distance. Each run counts once in a bin, with its largest
+/// value there.
+struct ProfileBin {
+  std::size_t group = 0;  ///< into Comparison::groups
+  double from = 0.0;      ///< m along downslope from the run's own release point
+  double to = 0.0;
+  std::size_t runs = 0;
+  Summary energy;  ///< J
+  Summary speed;   ///< m/s
+  Summary height;  ///< of the centre above the ground, m: the envelope of passing heights
+};
+
+/// By group, then distance; from the stored trajectories, so empty where there are none. Bins are
+/// about a fiftieth of the longest runout and at least 0.5 m, a round number of metres.
+std::vector<ProfileBin> profiles(const Comparison& comparison);
+
+std::string profiles_csv(const Comparison& comparison);
+
+}  // namespace clast

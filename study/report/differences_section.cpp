@@ -1,0 +1,57 @@
+#include "core/number_text.hpp"
+#include "study/report/html_page.hpp"
+#include "study/report/report_sections.hpp"
+
+namespace clast {
+namespace {
+
+std::string number(double value) { return with_digits(value, 3); }
+
+std::string measured_table(const Comparison& comparison) {
+  HtmlTable table(
+      {"group", "measured", "simulated", "measured runout mean, m", "simulated runout mean, m",
+       "difference, m", "Cliff's delta", "KS distance", "p (Holm)"},
+      1);
+  for (const MeasuredGroup& group : comparison.measured->groups) {
+    table.row({comparison.groups[group.group].name, std::to_string(group.measured),
+               std::to_string(group.simulated), fixed(group.runout.mean, 1),
+               fixed(group.simulated_runout, 1),
+               fixed(group.runout.mean - group.simulated_runout, 1), number(group.cliffs_delta),
+               number(group.ks_distance), with_digits(group.p_holm, 2)});
+  }
+  return "<h3>Against stops measured in the field</h3>\n" + table.html();
+}
+
+}  // namespace
+
+std::string differences_section(const Comparison& comparison) {
+  HtmlTable table(
+      {"first", "second", "quantity", "first mean", "second mean", "difference", "95 % from",
+       "95 % to", "Cliff's delta", "Hedges' g", "KS distance", "p (Holm)", "found"},
+      3);
+  std::string sentences;
+  for (const Difference& one : comparison.differences) {
+    const Group& first = comparison.groups[one.first];
+    // Pairs of blocks are many; the table differences.csv has them.
+    if (first.kind != GroupKind::kGarcia && first.kind != GroupKind::kColumn) continue;
+    table.row({first.name, comparison.groups[one.second].name, one.quantity, number(one.first_mean),
+               number(one.second_mean), number(one.first_mean - one.second_mean),
+               one.interval ? number(one.interval->low) : "-",
+               one.interval ? number(one.interval->high) : "-", number(one.cliffs_delta),
+               one.hedges_g ? number(*one.hedges_g) : "-", number(one.ks_distance),
+               with_digits(one.p_holm, 2), one.found() ? "yes" : "no"});
+    if (first.kind == GroupKind::kGarcia) sentences += paragraph(in_words(one, comparison));
+  }
+  std::string html;
+  if (!sentences.empty()) {
+    html += paragraph(
+        "Intervals are from drawing whole release points, effect sizes from all pairs of runs, and "
+        "p from Kolmogorov's and Smirnov's test after Holm's correction for all tests of the same "
+        "kind of group. All pairs, also of blocks, are in differences.csv.");
+    html += table.html() + sentences;
+  }
+  if (comparison.measured) html += measured_table(comparison);
+  return html.empty() ? html : section("Differences", html);
+}
+
+}  // namespace clast

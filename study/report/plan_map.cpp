@@ -1,0 +1,34 @@
+#include "study/report/plan_map.hpp"
+
+#include "study/comparison.hpp"
+#include "study/report/html_page.hpp"
+#include "study/report/svg_map.hpp"
+
+namespace clast {
+
+std::string plan_map(const CampaignResults& header) {
+  // The map of a comparison in which every point has one run that has not moved.
+  Comparison plan;
+  plan.results.push_back(header);
+  CampaignResults& results = plan.results.front();
+  for (std::uint32_t point = 0; point < results.release_points.size(); ++point) {
+    RunRecord run;
+    run.point = point;
+    run.start.position = run.result.final_state.position = results.release_points[point];
+    results.runs.push_back(run);
+  }
+  for (const RunRecord& run : results.runs) {
+    RunRow row;
+    row.record = &run;
+    row.block = &results.blocks.front();
+    row.start = row.stop = results.frame.map(run.start.position);
+    plan.rows.push_back(row);
+  }
+  const Vec2 origin = results.frame.origin.head<2>();
+  for (const Barrier& barrier : results.barriers) {
+    plan.lines.push_back({barrier.name, barrier.from + origin, barrier.to + origin, {0}});
+  }
+  return svg_file(svg_map(plan));
+}
+
+}  // namespace clast

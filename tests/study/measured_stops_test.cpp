@@ -1,0 +1,68 @@
+#include "study/measured_stops.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/text_file.hpp"
+#include "tests/study/csv_reader.hpp"
+#include "tests/study/hand_made_results.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+Comparison against(const std::string& table, const ScratchFolder& folder) {
+  write_text_file(folder / "seen.csv", table);
+  std::vector<CampaignResults> all;
+  all.push_back(hand_made_results());
+  return compare(std::move(all), {.by = {}, .measured = folder / "seen.csv"});
+}
+
+// Runs start over (900000, 6500000) and stop 10, 20, 30, 40 m (compact) and 10, 20 m (elongated)
+// on.
+TEST(MeasuredStops, AreHeldAgainstSimulatedOnesOfTheirGroup) {
+  const ScratchFolder folder;
+  const Comparison comparison = against(
+      "x_m;y_m;shape\n900025;6500000;compact\n900035;6500000;compact\n900015;6500015;elongated\n",
+      folder);
+  const CsvTable table = read_csv(measured_csv(comparison));
+  const std::size_t all = table.find("group", "all");
+  EXPECT_EQ(table.rows[all].at("measured"), "3");
+  EXPECT_EQ(table.rows[all].at("simulated"), "6");
+  EXPECT_NEAR(table.number(all, "runout_mean_m"), 25.0, 1e-9);
+  EXPECT_NEAR(table.number(all, "simulated_runout_mean_m"), 130.0 / 6.0, 1e-9);
+  EXPECT_NEAR(table.number(all, "difference_m"), 25.0 - 130.0 / 6.0, 1e-9);
+  const std::size_t compact = table.find("group", "class compact");
+  EXPECT_NEAR(table.number(compact, "runout_mean_m"), 30.0, 1e-9);
+  EXPECT_NEAR(table.number(compact, "runout_std_m"), std::sqrt(50.0), 1e-9);
+  // 25 beats two of four, 35 three of four.
+  EXPECT_NEAR(table.number(compact, "cliffs_delta"), (2 - 2 + 3 - 1) / 8.0, 1e-12);
+  const std::size_t elongated = table.find("group", "class elongated");
+  EXPECT_NEAR(table.number(elongated, "lateral_mean_deg"), -45.0, 1e-6);
+  EXPECT_NE(provenance_json(comparison).find("seen.csv"), std::string::npos);
+}
+
+TEST(MeasuredStops, MayNameTheirOwnStart) {
+  const ScratchFolder folder;
+  const Comparison comparison =
+      against("x,y,start_x,start_y\n900025,6500000,900005,6500000\n", folder);
+  EXPECT_NEAR(comparison.measured->stops[0].runout, 20.0, 1e-9);
+}
+
+TEST(MeasuredStops, TablesThatAreNoneAreRefused) {
+  const ScratchFolder folder;
+  const auto refused = [&](const std::string& table) {
+    return refusal([&] { against(table, folder); });
+  };
+  EXPECT_TRUE(contains(refused(""), "is empty"));
+  EXPECT_TRUE(contains(refused("x,z\n1,2\n"), "seen.csv:1: has no column \"y\""));
+  EXPECT_TRUE(contains(refused("x,y\n1,two\n"), "seen.csv:2: y \"two\" is not a number"));
+  EXPECT_TRUE(contains(refused("x,y\n1\n"), "seen.csv:2: y \"\" is not a number"));
+  EXPECT_TRUE(contains(refused("x,y\n"), "holds no stop"));
+  EXPECT_TRUE(contains(refused("x,y,start_x\n1,2,3\n"), "start_x and start_y come together"));
+}
+
+}  // namespace
+}  // namespace clast
