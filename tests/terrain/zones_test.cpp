@@ -177,7 +177,9 @@ TEST_F(Zones, AZoneRasterOfAnotherMapSystemIsRefused) {
   write_map_raster(folder_ / "zones.tif", {700000.0, 6600000.0}, "EPSG:32631");
   const std::string message = refusal(TerrainOptions{.surface = {folder_ / "dem.tif"},
                                                      .zones = {(folder_ / "zones.tif").string()}});
-  EXPECT_TRUE(contains(message, "is in EPSG:32631, the ground in EPSG:2154"));
+  EXPECT_EQ(message, (folder_ / "zones.tif").string() +
+                         ": is in EPSG:32631, the ground in EPSG:2154; reproject one (gdalwarp "
+                         "-t_srs)");
 }
 
 TEST_F(Zones, PolygonsThatDoNotFitAreRefused) {
