@@ -7,6 +7,7 @@
 #include "classify/roundness.hpp"
 #include "classify/surface_indices.hpp"
 #include "core/error.hpp"
+#include "library/unseen_range.hpp"
 #include "shapes/edge_bend.hpp"
 #include "shapes/remeshing.hpp"
 
@@ -40,6 +41,27 @@ Json boxes_json(const Block& block) {
     json[name_of(convention)] = vector_json(block_box(block, convention).lengths);
   }
   return json;
+}
+
+Json unseen_json(const Block& block) {
+  const UnseenPart& unseen = *block.unseen;
+  const UnseenRange range = unseen_range(block);
+  const auto sides = [](const Axes& axes) { return Json{axes.L, axes.I, axes.S}; };
+  return {{"invented_share", unseen.invented_share},
+          {"volume_lower_m3", unseen.lower_volume},
+          {"volume_best_m3", unseen.best_volume},
+          {"volume_upper_m3", unseen.upper_volume},
+          {"mass_lower_kg", range.lower_mass},
+          {"mass_upper_kg", range.upper_mass},
+          {"density_lower_kg_m3", range.lower_density},
+          {"density_upper_kg_m3", range.upper_density},
+          {"box_lower_m", sides(unseen.lower_axes)},
+          {"box_upper_m", sides(unseen.upper_axes)},
+          {"s_c_lower", range.lower_s_c},
+          {"s_c_upper", range.upper_s_c},
+          {"sneed_folk", range.classes.at("sneed-folk")},
+          {"zingg", range.classes.at("zingg")},
+          {"shape", range.classes.at("garcia")}};
 }
 
 }  // namespace
@@ -107,6 +129,7 @@ Json block_json(const Block& block) {
                          {"body_to_scan", block.deviation.body_to_scan},
                          {"area_relative", block.deviation.area_relative},
                          {"moments_relative", block.deviation.moments_relative}};
+  if (block.unseen) json["unseen"] = unseen_json(block);
   json["warnings"] = block.warnings;
   const Json field = field_json(block.field);
   if (!field.empty()) json["field"] = field;

@@ -2,6 +2,7 @@
 // 0 done, 1 something failed, 2 misused.
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -76,15 +77,26 @@ int run(int argc, char** argv) {
   return 0;
 }
 
+/// A table that did not reach its file must not pass for done, whatever command printed it.
+int checked(int exit_code) {
+  std::cout.flush();
+  if (std::cout || exit_code != 0) return exit_code;
+  std::cerr << "clast: what was to be printed could not all be written; is the disk full?\n";
+  return kFailed;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return checked(run(argc, argv));
   } catch (const clast::Error& error) {
     std::cerr << "clast: " << error.what() << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << "clast: not enough memory; close other programs or use a smaller input\n";
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << "clast: " << error.path1().string() << ": " << error.code().message()
+              << "; check the path and its permissions\n";
   } catch (const std::exception& error) {
     std::cerr << "clast: unexpected failure, please report it with the command you gave: "
               << error.what() << "\n";

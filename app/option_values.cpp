@@ -1,6 +1,9 @@
 #include "app/option_values.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <sstream>
 
@@ -44,6 +47,28 @@ double length_unit(const std::string& text) {
                                             "the metres in one unit as a positive number");
 }
 
+double unit_from_length(const std::string& text) {
+  std::string commas = text;
+  std::replace(commas.begin(), commas.end(), ';', ',');
+  std::vector<double> numbers;
+  for (const std::string& piece : split_list(commas)) numbers.push_back(number_from(piece));
+  const auto refuse = [&](const std::string& what) {
+    throw CLI::ValidationError(
+        "--scale-length",
+        "\"" + text + "\" " + what +
+            "; expected two points of the scan and the metres between them, such as "
+            "\"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
+  };
+  if (numbers.size() != 7) refuse("has " + std::to_string(numbers.size()) + " numbers");
+  for (const double number : numbers) {
+    if (!std::isfinite(number)) refuse("holds what is no number");
+  }
+  const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
+  if (!(numbers[6] > 0.0)) refuse("gives a length that is not positive");
+  if (a == b) refuse("gives the same point twice");
+  return numbers[6] / (b - a).norm();
+}
+
 Axes axes_from(const std::string& text) {
   const std::vector<std::string> pieces = split_list(text);
   if (pieces.size() == 3) {
@@ -63,6 +88,17 @@ CLI::Validator up_axis() { return CLI::IsMember({"y", "z"}); }
 CLI::Validator positive_number() {
   return {[](const std::string& text) {
             return number_from(text) > 0.0 ? "" : "\"" + text + "\" is not a positive number";
+          },
+          ""};
+}
+
+CLI::Validator whole_number() {
+  return {[](const std::string& text) {
+            std::uint64_t value = 0;
+            const char* end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && stop == end) return std::string();
+            return "\"" + text + "\" is not a whole number, 0 or more";
           },
           ""};
 }

@@ -16,6 +16,11 @@ std::vector<std::string> split_list(const std::string& text);
 /// @throws CLI::ValidationError  anything else
 double length_unit(const std::string& text);
 
+/// Metres per unit of a scan from "x,y,z;x,y,z;metres": two points of it and how far apart they
+/// are. Commas and semicolons may stand for each other.
+/// @throws CLI::ValidationError  not seven numbers, points that are one, or a length not positive
+double unit_from_length(const std::string& text);
+
 /// "L,I,S" in metres, in any order.
 /// @throws CLI::ValidationError  not three positive numbers
 Axes axes_from(const std::string& text);
@@ -24,6 +29,8 @@ Axes axes_from(const std::string& text);
 CLI::Validator up_axis();
 /// Accepts finite numbers above zero.
 CLI::Validator positive_number();
+/// Accepts whole numbers from 0 to 2^64 - 1, in digits alone.
+CLI::Validator whole_number();
 /// Accepts finite numbers from `low` to `high`.
 CLI::Validator number_between(double low, double high);
 

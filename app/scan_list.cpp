@@ -1,11 +1,11 @@
 #include "app/scan_list.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
 #include "core/error.hpp"
+#include "core/text_file.hpp"
 #include "shapes/mesh_io.hpp"
 
 namespace clast {
@@ -14,16 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string lower_case_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 bool is_scan_file(const fs::path& path) {
-  const std::string extension = lower_case_extension(path);
+  const std::string extension = extension_of(path);
   if (extension == ".shp") return !is_map_file(path);
+  // In a folder .txt and .csv are more often tables than scans: those are taken by name only.
+  static const std::set<std::string> kClouds = {".las", ".laz", ".pcd", ".pts", ".xyz"};
+  if (kClouds.contains(extension)) return true;
   const std::vector<std::string>& known = readable_mesh_extensions();
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
@@ -34,7 +30,11 @@ std::vector<fs::path> scans_in(const fs::path& folder) {
   for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
        entry.increment(code)) {
     const bool hidden = entry->path().filename().string().starts_with(".");
-    if (!hidden && entry->is_regular_file() && is_scan_file(entry->path())) {
+    std::error_code unseen;
+    const bool file = entry->is_regular_file(unseen);
+    // A link to nothing is listed, so that it is missed when its turn comes.
+    const bool broken = !entry->exists(unseen);
+    if (!hidden && (file || broken) && is_scan_file(entry->path())) {
       found.push_back(entry->path());
     }
   }
@@ -42,8 +42,8 @@ std::vector<fs::path> scans_in(const fs::path& folder) {
   if (found.empty()) {
     std::string known;
     for (const std::string& extension : readable_mesh_extensions()) known += " " + extension;
-    throw InputError(folder.string() + ": no mesh file in this folder; known are" + known +
-                     " .shp");
+    throw InputError(folder.string() + ": no mesh or cloud file in this folder; known are" + known +
+                     " .las .pcd .pts .xyz .shp");
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -57,7 +57,7 @@ std::string folder_name(const fs::path& path) {
 std::string id_from_name(const std::string& name) {
   const bool is_path = name.find_first_of("/\\") != std::string::npos;
   const fs::path path = name.substr(is_path ? name.find_last_of("/\\") + 1 : 0);
-  const bool is_file = is_path || lower_case_extension(path) == ".stl";
+  const bool is_file = is_path || extension_of(path) == ".stl";
   return is_file ? path.stem().string() : name;
 }
 
@@ -78,7 +78,7 @@ std::vector<ScanFile> scans_of(const fs::path& path) {
 
 }  // namespace
 
-bool ScanFile::is_shp() const { return lower_case_extension(path) == ".shp"; }
+bool ScanFile::is_shp() const { return extension_of(path) == ".shp"; }
 
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   std::vector<ScanFile> scans;

@@ -8,6 +8,8 @@
 #include "app/text_table.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "library/unseen_range.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/self_intersection.hpp"
@@ -35,7 +37,8 @@ std::string likely_unit(double raw) {
   for (const auto& [name, unit] : units) {
     const double length = raw * unit;
     if (length >= 0.05 && length <= 20.0) {
-      return std::string("; --units ") + name + " would make it " + rounded(length, 3) + " m";
+      return std::string("; it is probably in ") + name + ": try --units " + name +
+             ", which makes it " + rounded(length, 3) + " m";
     }
   }
   return "";
@@ -179,14 +182,80 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
   return hull;
 }
 
+/// What the side that nobody saw leaves open.
+void add_unseen(Block& block, const Underside& side) {
+  const auto axes_of = [](const TriangleMesh& mesh) {
+    const Vec3 lengths = smallest_box(mesh.vertices).lengths;
+    return Axes{lengths[0], lengths[1], lengths[2]};
+  };
+  block.unseen = {.lower_volume = side.lower_volume,
+                  .best_volume = side.best_volume,
+                  .upper_volume = side.upper_volume,
+                  .invented_share = side.invented_share,
+                  .lower_axes = axes_of(side.lower),
+                  .upper_axes = axes_of(side.upper)};
+  block.warnings.insert(block.warnings.begin(), described(*block.unseen, unseen_range(block)));
+}
+
+/// Thins and measures one block of a scan.
+Block block_from(FieldBlock found, const std::string& id, BlockSource source,
+                 const ScanToBlockOptions& options,
+                 const std::function<void(const std::string&)>& begin) {
+  Scan& scan = found.scan;
+  check_size(bounds(scan.mesh), id, options);
+  if (scan.report.invented_share > 0.0) {
+    source.options += " invented_share=" + with_digits(scan.report.invented_share, 4);
+  }
+  if (options.block.convex) scan.mesh = hull_instead(scan.mesh, scan.notes);
+  const ScanSurface surface(scan.mesh);
+  Block block;
+  if (options.block.core) {
+    begin("measuring " + id);
+    block = make_block(id, scan.mesh, surface, std::move(source), options.block);
+  } else if (options.vertices) {
+    begin("thinning " + id);
+    const TriangleMesh thin = simplified(scan.mesh, {.target_vertices = *options.vertices});
+    begin("measuring " + id);
+    source.options += " vertices=" + std::to_string(*options.vertices);
+    block = make_block(id, thin, surface, std::move(source), options.block);
+  } else {
+    begin("thinning " + id);
+    LightestBlock search(id, surface, source);
+    begin("fitting " + id);
+    block = lightest_block(std::move(search), options);
+  }
+  // Thinning leaves no crossings, but a mesh that is taken as it is may have them.
+  const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
+  if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);
+  block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
+  if (found.underside && !options.block.convex) add_unseen(block, *found.underside);
+  return block;
+}
+
 }  // namespace
 
 void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options) {
   const double length = (box.high - box.low).maxCoeff();
   if (options.any_size || (length <= kLargestBlock && length >= kSmallestBlock)) return;
-  throw InputError("block " + id + " would be " + rounded(length, 3) +
-                   " m long, read with --units " + options.unit_name +
-                   likely_unit(length / options.scan.unit) + "; --any-size takes it as it is");
+  const std::string size = "block " + id + " would be " + rounded(length, 3) + " m long, ";
+  const std::string anyway = "; --any-size takes it as it is";
+  if (options.scaled_by_length) {
+    throw InputError(size + "scaled by --scale-length: check its two points and its metres" +
+                     anyway);
+  }
+  throw InputError(size + "read with --units " + options.unit_name +
+                   likely_unit(length * options.scale_factor / options.scan.unit) + anyway);
+}
+
+std::string scale_text(const ScanToBlockOptions& options) {
+  std::string text = "units=" + options.unit_name;
+  if (options.scaled_by_length) {
+    text = "unit_by_length_m=" + with_digits(options.scan.unit / options.scale_factor, 9);
+  }
+  if (options.scale_factor != 1.0) {
+    text += " scale_factor=" + with_digits(options.scale_factor, 9);
+  }
+  return text;
 }
 
 void warn_of_crossings(Block& block, const TriangleMesh& surface) {
@@ -204,41 +273,35 @@ void ScanToBlockOptions::check() const {
   block.check();
 }
 
-Block block_from_scan(const std::filesystem::path& path, const std::string& id,
-                      const ScanToBlockOptions& options,
-                      const std::function<void(const std::string&)>& stage) {
+std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std::string& id,
+                                    const ScanToBlockOptions& options,
+                                    const std::function<void(const std::string&)>& stage) {
   const auto begin = [&](const std::string& what) {
-    if (stage) stage(what + " " + id);
+    if (stage) stage(what);
   };
-  begin("reading");
-  Scan scan = read_scan(path, options.scan);
-  check_size(bounds(scan.mesh), id, options);
-  BlockSource source{path.string(), sha256_of_file(path),
-                     "units=" + options.unit_name + " up=" + options.scan.up, ""};
-  if (options.scan.keep_inner_shells) source.options += " inner_shells=kept";
-  if (options.block.convex) scan.mesh = hull_instead(scan.mesh, scan.notes);
-  const ScanSurface surface(scan.mesh);
-  Block block;
+  begin("reading " + id);
+  std::vector<FieldBlock> found;
   if (options.block.core) {
-    begin("measuring");
-    block = make_block(id, scan.mesh, surface, std::move(source), options.block);
-  } else if (options.vertices) {
-    begin("thinning");
-    const TriangleMesh thin = simplified(scan.mesh, {.target_vertices = *options.vertices});
-    begin("measuring");
-    source.options += " vertices=" + std::to_string(*options.vertices);
-    block = make_block(id, thin, surface, std::move(source), options.block);
+    ScanOptions reading = options.scan;
+    reading.repair.invent = false;  // every vertex of a core is meant
+    found.push_back({read_scan(path, reading), {}});
   } else {
-    begin("thinning");
-    LightestBlock search(id, surface, source);
-    begin("fitting");
-    block = lightest_block(std::move(search), options);
+    found = read_field_scan(path, {.scan = options.scan,
+                                   .up_given = options.up_given,
+                                   .find_ground = options.find_ground,
+                                   .split = options.split});
   }
-  // Thinning leaves no crossings, but a mesh that is taken as it is may have them.
-  const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
-  if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);
-  block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
-  return block;
+  BlockSource source{path.string(), sha256_of_file(path),
+                     scale_text(options) + " up=" + options.scan.up, ""};
+  if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
+  if (!options.find_ground) source.options += " ground=none";
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool several = options.split;
+    const std::string name = several ? id + "_" + std::to_string(i + 1) : id;
+    blocks.push_back(block_from(std::move(found[i]), name, source, options, begin));
+  }
+  return blocks;
 }
 
 }  // namespace clast

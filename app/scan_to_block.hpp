@@ -4,9 +4,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "library/make_block.hpp"
-#include "reconstruct/scan.hpp"
+#include "reconstruct/field_scan.hpp"
 #include "reconstruct/simplify.hpp"
 
 namespace clast {
@@ -14,31 +15,40 @@ namespace clast {
 /// Options of every step.
 struct ScanToBlockOptions {
   ScanOptions scan;
-  std::string unit_name = "m";  ///< as the user wrote it, for messages and the record
+  std::string unit_name = "m";    ///< as the user wrote it, for messages and the record
+  bool scaled_by_length = false;  ///< the unit comes from two points and their distance
+  double scale_factor = 1.0;      ///< what `scan.unit` holds beside the unit itself
   /// Vertices a block has at most, not used for a core. None: the fewest of 8 to 2000, to about a
   /// tenth, with which the block is within the tolerance; the radius is halved where none will do.
   std::optional<std::size_t> vertices;
   BlockOptions block;
   bool radius_given = false;  ///< the radius, or its share of S, is the user's and stays
   bool any_size = false;      ///< take blocks beyond the usual sizes
+  bool up_given = false;      ///< `scan.up` is the user's and holds whatever the ground says
+  bool find_ground = true;
+  bool split = false;  ///< every block that stands on the ground of a scan
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 /// Refuses a size that no rock block has (over 50 m or under 1 mm), which is a wrong unit most of
 /// the time. `box` is in metres.
-/// @throws InputError  naming the unit that would fit
+/// @throws InputError  naming the unit that is probably meant
 void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options);
+
+/// How a scan got its size, as "key=value" for the record.
+std::string scale_text(const ScanToBlockOptions& options);
 
 /// Adds a warning where the surface passes through itself.
 void warn_of_crossings(Block& block, const TriangleMesh& surface);
 
-/// Reads, mends, thins and measures one scan.
+/// Reads, mends, thins and measures one scan. With `split` its blocks are `id`_1, `id`_2, ...,
+/// in order of x, then y, of the file; else there is one, `id`.
 /// @param stage  called with the name of each step before it starts
 /// @throws InputError, GeometryError  with the file or the id in the message; also what
 ///         `check_size` throws
-Block block_from_scan(const std::filesystem::path& path, const std::string& id,
-                      const ScanToBlockOptions& options,
-                      const std::function<void(const std::string&)>& stage = {});
+std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std::string& id,
+                                    const ScanToBlockOptions& options,
+                                    const std::function<void(const std::string&)>& stage = {});
 
 }  // namespace clast

@@ -105,9 +105,9 @@ Block block_from_shape(const ShpShape& shape, const std::filesystem::path& path,
     ScanToBlockOptions taken = options;
     taken.block.core = true;
     taken.block.radius = radius_of(shape, options);
-    BlockSource source{
-        path.string(), sha256_of_file(path),
-        "units=" + options.unit_name + " up=" + options.scan.up + " shape=" + shape.name, ""};
+    taken.scan.repair.invent = false;
+    BlockSource source{path.string(), sha256_of_file(path),
+                       scale_text(options) + " up=" + options.scan.up + " shape=" + shape.name, ""};
     Block block;
     if (shape.body.faces.empty()) {
       block = block_from_skeleton(shape, *taken.block.radius, id, std::move(source), taken);

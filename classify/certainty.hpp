@@ -19,13 +19,13 @@ struct ClassCertainty {
   double distance = 0.0;            ///< between the two
   bool near_limit = false;          ///< closer than 0.05, or closer than the error of the axes
   bool survives = true;             ///< the class is the same for all axes within the error
-  std::vector<std::string> others;  ///< classes at the extremes of the error, without `name`
+  std::vector<std::string> others;  ///< every other class that axes within the error can have
 };
 
-/// Each axis may be off by `axis_error` either way, independently of the others. A class is the
-/// same for all such axes exactly if no ratio crosses a limit; each ratio is monotonic in every
-/// axis, so its extremes are at corners of the set of axes L >= I >= S within the error, and only
-/// those are looked at.
+/// Each axis may be off by `axis_error` either way, independently of the others. `others` is
+/// complete and holds nothing else: the ratios that axes L >= I >= S within the error can have are
+/// a convex polygon, which the limits of the scheme cut into pieces of one class each; see
+/// docs/theory.md.
 /// @param axis_error  m, zero or positive
 /// @throws InputError  unknown scheme, or error negative or not finite
 ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, double axis_error,

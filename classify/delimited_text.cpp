@@ -44,6 +44,8 @@ char separator_of(std::string_view line) {
   return bare.find(',') == std::string::npos || has_decimal_commas(trimmed(bare)) ? ' ' : ',';
 }
 
+}  // namespace
+
 void check_is_text(std::string_view text, const std::string& name) {
   if (text.starts_with("PK\x03\x04") || text.starts_with("\xd0\xcf\x11\xe0")) {
     throw InputError(name + ": is a workbook, not a text table; save the sheet as CSV (UTF-8)");
@@ -55,11 +57,8 @@ void check_is_text(std::string_view text, const std::string& name) {
   }
 }
 
-}  // namespace
-
 DelimitedText::DelimitedText(std::string_view text, std::string name)
     : text_(text), name_(std::move(name)) {
-  check_is_text(text_, name_);
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
   for (std::size_t at = 0; at < text_.size();) {

@@ -14,14 +14,17 @@ struct Record {
   std::vector<std::string_view> fields;
 };
 
+/// @param name  of the file, for messages
+/// @throws InputError  not text in an encoding that has ASCII in it, such as a workbook or UTF-16
+void check_is_text(std::string_view text, const std::string& name);
+
 /// Walks over the rows of a text. Blank rows and rows that begin with # are passed over.
 class DelimitedText {
  public:
   /// Finds the separator on the first row: a line "sep=;" as Excel writes it, else a semicolon, tab
   /// or comma that is there, else blanks.
-  /// @param text  outlives this
+  /// @param text  that passed `check_is_text`; outlives this
   /// @param name  of the file, for messages
-  /// @throws InputError  not text in an encoding that has ASCII in it, such as a workbook or UTF-16
   DelimitedText(std::string_view text, std::string name);
 
   /// False at the end.

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
+#include "core/utf8.hpp"
 
 namespace clast {
 namespace {
@@ -24,10 +25,10 @@ std::string lower_case(std::string_view text) {
 }
 
 std::optional<double> number_of(std::string_view field, char separator) {
-  constexpr std::size_t kLongest = 64;  // no number anyone writes is longer
+  constexpr std::size_t kMostDigits = 64;  // no number anyone writes is longer
   if (separator == ',' || field.find(',') == std::string_view::npos) return number_in(field);
-  if (field.size() > kLongest) return std::nullopt;
-  std::array<char, kLongest> text;
+  if (field.size() > kMostDigits) return std::nullopt;
+  std::array<char, kMostDigits> text;
   std::replace_copy(field.begin(), field.end(), text.begin(), ',', '.');
   return number_in({text.data(), field.size()});
 }
@@ -111,13 +112,30 @@ class Header {
   const ColumnName& name(std::size_t column) const { return names_[column]; }
   const std::string& text(std::size_t column) const { return fields_[column]; }
 
-  std::optional<std::size_t> find(const std::string& wanted) const {
-    if (!is_one_) return std::nullopt;
-    const std::string name = column_name(wanted).name;
+  /// Columns that are called so: to the letter, or, where none is, but for the unit.
+  std::vector<std::size_t> all(const std::string& wanted) const {
+    std::vector<std::size_t> exact, found;
+    if (!is_one_) return found;
+    const std::string text = lower_case(wanted), name = column_name(wanted).name;
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (names_[i].name == name) return i;
+      if (lower_case(fields_[i]) == text) exact.push_back(i);
+      if (names_[i].name == name) found.push_back(i);
     }
-    return std::nullopt;
+    return exact.empty() ? found : exact;
+  }
+  std::optional<std::size_t> find(const std::string& wanted) const {
+    const std::vector<std::size_t> found = all(wanted);
+    if (found.size() > 1) {
+      std::string numbers;
+      for (const std::size_t column : found) {
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(column + 1);
+      }
+      throw InputError(file_ + ": " + std::to_string(found.size()) + " columns are called \"" +
+                       wanted + "\", numbers " + numbers +
+                       "; give the number of the one you mean in --columns");
+    }
+    if (found.empty()) return std::nullopt;
+    return found.front();
   }
   std::size_t required(const std::string& wanted) const {
     if (const auto found = find(wanted)) return *found;
@@ -162,6 +180,20 @@ double unit_of(const Header& header, const Layout& layout, const std::optional<d
   return asked ? *asked : named ? named->factor : 1.0;
 }
 
+/// One column can't be two quantities.
+void check_columns_differ(const Layout& layout, const std::string& file) {
+  std::vector<std::size_t> columns(layout.axes.begin(), layout.axes.end());
+  if (layout.mass) columns.push_back(*layout.mass);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (columns[i] != columns[k]) continue;
+      const auto name = [](std::size_t n) { return std::string(n < 3 ? kAxisNames[n] : "mass"); };
+      throw InputError(file + ": column " + std::to_string(columns[i] + 1) + " was given as " +
+                       name(k) + " and as " + name(i) + "; each needs a column of its own");
+    }
+  }
+}
+
 Layout layout_of(const Header& header, char separator, const DimensionColumns& columns,
                  const std::string& file, std::vector<std::string>& notes) {
   Layout layout;
@@ -178,11 +210,21 @@ Layout layout_of(const Header& header, char separator, const DimensionColumns& c
     layout.name = header.required(*columns.name);
   } else {
     for (const char* usual : {"id", "name", "block"}) {
-      if (!layout.name) layout.name = header.find(usual);
+      const std::vector<std::size_t> found = header.all(usual);
+      if (!layout.name && !found.empty()) layout.name = found.front();
     }
   }
+  check_columns_differ(layout, file);
   return layout;
 }
+
+// What is outside is no block and no mass of one; squares and ratios of what is inside stay far
+// from the ends of a double.
+constexpr double kShortest = 1e-9, kLongest = 1e9;     // m
+constexpr double kLightest = 1e-30, kHeaviest = 1e30;  // kg
+
+// Longer blocks are rarer than units that were mistaken, m.
+constexpr double kDoubtful = 50.0;
 
 /// A positive number, or why there is none.
 struct Cell {
@@ -190,7 +232,16 @@ struct Cell {
   std::string trouble;
 };
 
-Cell positive_cell(const Record& record, std::size_t column, char separator, const char* quantity) {
+/// How much a cell may hold in its unit.
+struct CellRange {
+  double factor = 1.0;  ///< of the unit
+  double low = 0.0;
+  double high = 0.0;
+  const char* unit = "";
+};
+
+Cell positive_cell(const Record& record, std::size_t column, char separator, const char* quantity,
+                   const CellRange& range) {
   const std::string name = quantity;
   if (column >= record.fields.size() || record.fields[column].empty()) {
     return {0.0, name + " is missing"};
@@ -201,6 +252,12 @@ Cell positive_cell(const Record& record, std::size_t column, char separator, con
   if (!(*value > 0.0) || !std::isfinite(*value)) {
     return {0.0, name + " = " + std::string(field) + " is not a positive, finite number"};
   }
+  const double size = *value * range.factor;
+  if (!(size >= range.low && size <= range.high)) {
+    return {0.0, name + " = " + std::string(field) + " is " + (size < range.low ? "less" : "more") +
+                     " than " + with_digits(size < range.low ? range.low : range.high, 3) + " " +
+                     range.unit};
+  }
   return {*value, {}};
 }
 
@@ -208,7 +265,8 @@ void read_row(const Record& record, const Layout& layout, DimensionTable& table)
   const auto row = [&] { return "row " + std::to_string(record.line); };
   std::array<double, 3> values{};
   for (int axis = 0; axis < 3; ++axis) {
-    const Cell cell = positive_cell(record, layout.axes[axis], layout.separator, kAxisNames[axis]);
+    const Cell cell = positive_cell(record, layout.axes[axis], layout.separator, kAxisNames[axis],
+                                    {layout.unit, kShortest, kLongest, "m"});
     if (!cell.trouble.empty()) {
       ++table.skipped;
       table.notes.push_back(row() + " skipped: " + cell.trouble);
@@ -226,7 +284,8 @@ void read_row(const Record& record, const Layout& layout, DimensionTable& table)
   const Axes& sorted = block.as_written;
   block.axes = {sorted.L * layout.unit, sorted.I * layout.unit, sorted.S * layout.unit};
   if (layout.mass) {
-    const Cell mass = positive_cell(record, *layout.mass, layout.separator, "mass");
+    const Cell mass = positive_cell(record, *layout.mass, layout.separator, "mass",
+                                    {layout.mass_unit, kLightest, kHeaviest, "kg"});
     if (mass.trouble.empty()) {
       block.mass = mass.value * layout.mass_unit;
     } else {
@@ -240,6 +299,36 @@ void read_row(const Record& record, const Layout& layout, DimensionTable& table)
   table.blocks.push_back(std::move(block));
 }
 
+/// " (0.9 m in cm, 0.09 m in mm)": what a length would be in units that give a block or a pebble.
+std::string in_other_units(double length) {
+  constexpr double kPebble = 1e-3;  // m
+  std::string text;
+  for (const auto& [name, factor] : {Unit{"cm", 1e-2}, Unit{"mm", 1e-3}, Unit{"um", 1e-6}}) {
+    if (length * factor > kDoubtful || length * factor < kPebble) continue;
+    text += (text.empty() ? " (" : ", ") + with_digits(length * factor, 3) + " m in " + name;
+  }
+  return text.empty() ? text : text + ")";
+}
+
+/// A unit that was mistaken, or a slip in single rows; empty where neither is likely.
+std::string length_note(const DimensionTable& table, bool unit_is_known) {
+  std::vector<double> lengths;
+  for (const MeasuredBlock& block : table.blocks) lengths.push_back(block.axes.L);
+  std::sort(lengths.begin(), lengths.end());
+  if (lengths.empty() || lengths.back() <= kDoubtful) return {};
+  const double median = lengths[lengths.size() / 2];
+  if (median <= kDoubtful) {
+    const auto beyond = lengths.end() - std::upper_bound(lengths.begin(), lengths.end(), kDoubtful);
+    return std::to_string(beyond) + (beyond == 1 ? " block is" : " blocks are") + " longer than " +
+           with_digits(kDoubtful, 3) + " m, up to " + with_digits(lengths.back(), 3) +
+           " m: are these slips of the pen?";
+  }
+  const std::string half = "half of the blocks are " + with_digits(median, 3) + " m long or longer";
+  if (unit_is_known) return half + ": check the unit, which is as --units or the header says";
+  return "axes were read in metres, as neither the header nor --units names a unit, and " + half +
+         in_other_units(median) + "; give the unit with --units";
+}
+
 }  // namespace
 
 DimensionTable read_dimension_table(const std::filesystem::path& path,
@@ -249,13 +338,21 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
                      " m: must be positive, for example 0.01 for a table in centimetres");
   }
   const std::string file = path.string();
-  const std::string content = read_text_file(path);
+  std::string content = read_text_file(path);
+  check_is_text(content, file);  // before bytes that are no text are taken for letters
+  const bool latin = !is_utf8(content);
+  if (latin) content = utf8_from_latin1(content);
   DelimitedText text(content, file);
   Record record;
   if (!text.next(record)) throw InputError(file + ": the table is empty");
   const Header header(record, text.separator(), file);
 
   DimensionTable table;
+  if (latin) {
+    table.notes.push_back(
+        "the file is not UTF-8 and was read as Windows-1252 (Latin-1); where letters with accents "
+        "look wrong, save it as CSV (UTF-8)");
+  }
   const Layout layout = layout_of(header, text.separator(), columns, file, table.notes);
   if (!layout.has_header) read_row(record, layout, table);
   while (text.next(record)) read_row(record, layout, table);
@@ -263,6 +360,13 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
     throw InputError(file + ": no usable row" +
                      (table.notes.empty() ? std::string() : "; " + table.notes.back()));
   }
+  const bool unit_is_known =
+      columns.unit.has_value() ||
+      std::any_of(layout.axes.begin(), layout.axes.end(), [&](std::size_t column) {
+        return header.is_one() && header.name(column).length != nullptr;
+      });
+  const std::string doubt = length_note(table, unit_is_known);
+  if (!doubt.empty()) table.notes.insert(table.notes.begin(), doubt);
   return table;
 }
 

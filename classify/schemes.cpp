@@ -51,7 +51,14 @@ struct Scheme {
   std::vector<std::string> classes;
   std::string (*shape_class)(const Axes&, const SchemeOptions&);
   std::vector<SchemeRatio> (*ratios)(const Axes&, const SchemeOptions&);
+  std::vector<SchemeLimit> (*limits)(const SchemeOptions&);
 };
+
+SchemeLimit limit_of_I_L(double value) { return {.one = -value, .i = 1.0}; }
+SchemeLimit limit_of_S_L(double value) { return {.one = -value, .s = 1.0}; }
+SchemeLimit limit_of_S_I(double value) { return {.i = -value, .s = 1.0}; }
+/// (1 - I/L) = value (1 - S/L)
+SchemeLimit limit_of_disc_rod(double value) { return {.one = 1.0 - value, .i = -1.0, .s = value}; }
 
 std::vector<SchemeRatio> sneed_folk_ratios(const Axes& a, const SchemeOptions& options) {
   std::vector<SchemeRatio> ratios = {{"S/L", a.S / a.L, {0.3, 0.5, 0.7}}};
@@ -67,54 +74,80 @@ std::vector<SchemeRatio> blott_pye_ratios(const Axes& a, const SchemeOptions&) {
   return {{"I/L", a.I / a.L, limits}, {"S/I", a.S / a.I, limits}};
 }
 
+std::vector<SchemeLimit> blott_pye_limits(const SchemeOptions&) {
+  std::vector<SchemeLimit> limits;
+  for (int step = 0; step < 4; ++step) {
+    limits.push_back(limit_of_I_L(blott_pye_limit(step)));
+    limits.push_back(limit_of_S_I(blott_pye_limit(step)));
+  }
+  return limits;
+}
+
 const std::vector<Scheme>& schemes() {
   using A = Axes;
   using O = SchemeOptions;
   using Ratios = std::vector<SchemeRatio>;
+  using Limits = std::vector<SchemeLimit>;
   static const std::vector<Scheme> all = {
       {"sneed-folk",
        {"C", "CP", "CB", "CE", "P", "B", "E", "VP", "VB", "VE"},
        sneed_folk_class,
-       sneed_folk_ratios},
+       sneed_folk_ratios,
+       [](const O& options) -> Limits {
+         const auto [low, high] = sneed_folk_limits(options);
+         return {limit_of_S_L(0.3), limit_of_S_L(0.5), limit_of_S_L(0.7), limit_of_disc_rod(low),
+                 limit_of_disc_rod(high)};
+       }},
       {"zingg",
        {"disc", "spheroid", "blade", "rod"},
        [](const A& a, const O&) { return zingg_class(a); },
        [](const A& a, const O&) -> Ratios {
          return {{"I/L", a.I / a.L, {kZinggLimit}}, {"S/I", a.S / a.I, {kZinggLimit}}};
+       },
+       [](const O&) -> Limits {
+         return {limit_of_I_L(kZinggLimit), limit_of_S_I(kZinggLimit)};
        }},
       {"garcia",
        {"compact", "elongated"},
        [](const A& a, const O&) { return garcia_class(a); },
        [](const A& a, const O&) -> Ratios {
          return {{"s_c", elongation_s_c(a), {kGarciaLimit}}};
-       }},
+       },
+       [](const O&) -> Limits { return {limit_of_I_L(1.0 / (1.0 + kGarciaLimit))}; }},
       {"williams",
        {"oblate", "neither", "prolate"},
        [](const A& a, const O&) { return williams_class(a); },
        [](const A& a, const O&) -> Ratios {
          return {{"W", williams_w(a), {0.0}}};
-       }},
+       },
+       [](const O&) -> Limits { return {{.s = -1.0, .ii = 1.0}}; }},
       {"erdogan",
        {"platy", "elongated", "undetermined"},
        erdogan_class,
        [](const A& a, const O& options) -> Ratios {
          return {{"L/I", a.L / a.I, {options.erdogan_limit}},
                  {"I/S", a.I / a.S, {options.erdogan_limit}}};
+       },
+       [](const O& options) -> Limits {
+         return {limit_of_I_L(1.0 / options.erdogan_limit),
+                 limit_of_S_I(1.0 / options.erdogan_limit)};
        }},
       {"blott-pye", blott_pye_names(), [](const A& a, const O&) { return blott_pye_class(a); },
-       blott_pye_ratios},
+       blott_pye_ratios, blott_pye_limits},
       {"en-933-4",
        {"cubical", "non-cubical"},
        [](const A& a, const O&) { return en_933_4_class(a); },
        [](const A& a, const O&) -> Ratios {
          return {{"L/S", a.L / a.S, {kNonCubical}}};
-       }},
+       },
+       [](const O&) -> Limits { return {limit_of_S_L(1.0 / kNonCubical)}; }},
       {"flakiness",
        {"not flaky", "flaky"},
        [](const A& a, const O&) { return flakiness_class(a); },
        [](const A& a, const O&) -> Ratios {
          return {{"S/I", a.S / a.I, {kFlaky}}};
-       }},
+       },
+       [](const O&) -> Limits { return {limit_of_S_I(kFlaky)}; }},
   };
   return all;
 }
@@ -207,6 +240,10 @@ std::string shape_class(const std::string& scheme, const Axes& axes, const Schem
 std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& axes,
                                        const SchemeOptions& options) {
   return scheme_named(scheme).ratios(axes, options);
+}
+
+std::vector<SchemeLimit> scheme_limits(const std::string& scheme, const SchemeOptions& options) {
+  return scheme_named(scheme).limits(options);
 }
 
 }  // namespace clast

@@ -60,4 +60,19 @@ struct SchemeRatio {
 std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& axes,
                                        const SchemeOptions& options = {});
 
+/// The values of I/L and S/L where one + I/L i + S/L s + (I/L)^2 ii is zero: on one side of it the
+/// scheme may give another class than on the other.
+struct SchemeLimit {
+  double one = 0.0;
+  double i = 0.0;
+  double s = 0.0;
+  double ii = 0.0;
+};
+
+/// All limits of the scheme; between them the class is the same. Straight lines, but for Williams'
+/// parabola, which is the only limit of its scheme.
+/// @throws InputError  unknown scheme
+std::vector<SchemeLimit> scheme_limits(const std::string& scheme,
+                                       const SchemeOptions& options = {});
+
 }  // namespace clast

@@ -12,4 +12,5 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/clastConfig.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/clastConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/clastConfig.cmake ${PROJECT_BINARY_DIR}/clastConfigVersion.cmake
+        ${PROJECT_SOURCE_DIR}/cmake/FindPclCore.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clast)

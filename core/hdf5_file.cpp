@@ -3,6 +3,8 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <new>
 #include <utility>
 
@@ -381,8 +383,11 @@ Hdf5Group Hdf5File::root() const {
 }
 
 void Hdf5File::flush() {
+  errno = 0;
   if (H5Fflush(handle_->get(), H5F_SCOPE_GLOBAL) < 0) {
-    throw InputError(handle_->file + ": can't be written; is the disk full?" + reason());
+    const std::string why = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : reason();
+    throw InputError(handle_->file + ": can't be written" + why +
+                     "; free some space on the disk or name another place");
   }
 }
 

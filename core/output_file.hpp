@@ -4,12 +4,15 @@
 
 namespace clast {
 
-/// A file that is written beside its target and renamed over it by `commit`. Without `commit` the
-/// temporary file is removed and the target stays as it was.
+/// A file that is written beside its target and renamed over it by `commit`, with the permissions
+/// of the file it replaces. Without `commit` the temporary file is removed and the target stays as
+/// it was. Links are followed.
 class OutputFile {
  public:
   /// Makes missing parent folders.
-  /// @throws InputError  the target is a folder, or its folder can't be made or written to
+  /// @throws InputError  the target is empty, a folder, a device, write-protected or a broken link,
+  /// or
+  ///                     its folder can't be made or written to
   explicit OutputFile(std::filesystem::path target);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;

@@ -136,19 +136,9 @@ class Release {
     resting_ = 0.0;
     ++result_.flight_pieces;
     meet_ground(moving_.motion(), 0.0);
-    result_.energy.reassigned += first_kick();
+    result_.energy.reassigned += moving_.first_kick(settings_.stiffness.time_step, load_.force,
+                                                    load_.torque, {0.0, 0.0, -settings_.gravity});
     advance(begin, duration, true);
-  }
-
-  /// What Verlet steps lose when they begin with contact loads that no step has ended with (a
-  /// dashpot acts from the first touch on), J (docs/theory.md).
-  double first_kick() const {
-    if (load_.force.isZero() && load_.torque.isZero()) return 0.0;
-    const double dt = settings_.stiffness.time_step;
-    const Vec3 weight(0.0, 0.0, -body_.mass * settings_.gravity);
-    const double push = (load_.force + weight).squaredNorm() - weight.squaredNorm();
-    return 0.125 * dt * dt *
-           (push / body_.mass + load_.torque.dot(moving_.motion().turned_by(load_.torque)));
   }
 
   /// Goes back from a time with contact to the first touch: Newton's method on the overlap from the

@@ -28,6 +28,16 @@ struct FieldNotes {
   std::optional<double> weighed_mass;  ///< kg
 };
 
+/// What is not known of a block because nobody saw a part of its surface: the side it lies on. The
+/// scan was closed three ways (reconstruct/underside.hpp); the block is the best of them.
+struct UnseenPart {
+  double lower_volume = 0.0;    ///< m^3, filled straight across the rim
+  double best_volume = 0.0;     ///< m^3, of the closed scan the block was made from
+  double upper_volume = 0.0;    ///< m^3, walls continued down
+  double invented_share = 0.0;  ///< of the closed scan's area
+  Axes lower_axes, upper_axes;  ///< smallest boxes of the lower and the upper shape, m
+};
+
 /// A block. Everything geometric is in the frame of the stored mesh (the source's, scaled to metres
 /// and turned z up), except the principal moments.
 struct Block {
@@ -42,6 +52,7 @@ struct Block {
   OrientedBox box;      ///< smallest box of the rounded body
   Deviation deviation;  ///< rounded body against the whole scan; zero for a core
   bool from_core = false;
+  std::optional<UnseenPart> unseen;  ///< none: the scan was closed, or nearly
   std::vector<std::string> warnings;
   FieldNotes field;
 

@@ -2,154 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
 #include "core/output_file.hpp"
-#include "shapes/edge_bend.hpp"
+#include "library/body_record.hpp"
+#include "library/detail/hdf5_records.hpp"
 
 namespace clast {
+
+using namespace detail;
 
 namespace {
 
 constexpr int kSchema = 1;
 const std::string kFormat = "clast block library";
-
-/// Throws when a value of the file can't be: `where` is "blocks.h5: block B017".
-void require(bool fine, const std::string& where, const std::string& what) {
-  if (!fine) throw InputError(where + ": " + what + "; the file is damaged");
-}
-
-void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixXd& values,
-                  const std::string& unit) {
-  std::vector<double> flat;
-  for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    for (Eigen::Index j = 0; j < values.cols(); ++j) flat.push_back(values(i, j));
-  }
-  std::vector<std::size_t> shape = {static_cast<std::size_t>(values.rows())};
-  if (values.cols() > 1) shape.push_back(static_cast<std::size_t>(values.cols()));
-  group.write<double>(name, flat, shape);
-  group.set_unit(name, unit);
-}
-
-std::vector<double> read_numbers(const Hdf5Group& group, const std::string& name,
-                                 const std::vector<std::size_t>& shape, const std::string& where) {
-  std::vector<double> values = group.read<double>(name);
-  require(group.shape(name) == shape, where, name + " has the wrong shape");
-  for (const double value : values) require(std::isfinite(value), where, name + " is not finite");
-  return values;
-}
-
-Vec3 read_vector(const Hdf5Group& group, const std::string& name, const std::string& where) {
-  const std::vector<double> v = read_numbers(group, name, {3}, where);
-  return {v[0], v[1], v[2]};
-}
-
-Mat3 read_matrix(const Hdf5Group& group, const std::string& name, const std::string& where) {
-  const std::vector<double> v = read_numbers(group, name, {3, 3}, where);
-  Mat3 matrix;
-  matrix << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
-  return matrix;
-}
-
-double read_scalar(const Hdf5Group& group, const std::string& name, double least,
-                   const std::string& where) {
-  const double value = group.attribute<double>(name);
-  require(std::isfinite(value) && value >= least, where,
-          name + " can't be " + std::to_string(value));
-  return value;
-}
-
-void write_points(Hdf5Group group, const std::string& name, const std::vector<Vec3>& points) {
-  std::vector<double> flat;
-  flat.reserve(3 * points.size());
-  for (const Vec3& point : points) flat.insert(flat.end(), point.data(), point.data() + 3);
-  group.write<double>(name, flat, {points.size(), 3});
-  group.set_unit(name, "m");
-}
-
-std::vector<Vec3> read_points(const Hdf5Group& group, const std::string& name,
-                              const std::string& where) {
-  const std::vector<std::size_t> shape = group.shape(name);
-  require(shape.size() == 2, where, name + " has the wrong shape");
-  const std::vector<double> flat = read_numbers(group, name, {shape[0], 3}, where);
-  std::vector<Vec3> points(shape[0]);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};
-  }
-  return points;
-}
-
-template <std::size_t N>
-void write_indices(Hdf5Group group, const std::string& name,
-                   const std::vector<std::array<std::uint32_t, N>>& rows) {
-  std::vector<std::uint32_t> flat;
-  flat.reserve(N * rows.size());
-  for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
-  group.write<std::uint32_t>(name, flat, {rows.size(), N});
-  group.set_unit(name, "1");
-}
-
-void check_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices,
-                   const std::string& name, const std::string& where) {
-  for (const std::uint32_t index : indices) {
-    require(index < vertices, where, name + " names a vertex that is not there");
-  }
-}
-
-template <std::size_t N>
-std::vector<std::array<std::uint32_t, N>> read_indices(const Hdf5Group& group,
-                                                       const std::string& name,
-                                                       std::size_t vertices,
-                                                       const std::string& where) {
-  const std::vector<std::uint32_t> flat = group.read<std::uint32_t>(name);
-  require(group.shape(name) == std::vector<std::size_t>{flat.size() / N, N}, where,
-          name + " has the wrong shape");
-  check_indices(flat, vertices, name, where);
-  std::vector<std::array<std::uint32_t, N>> rows(flat.size() / N);
-  for (std::size_t i = 0; i < flat.size(); ++i) rows[i / N][i % N] = flat[i];
-  return rows;
-}
-
-void write_body(Hdf5Group group, const SpheroPolyhedron& body) {
-  group.set_attribute("minkowski_radius_m", body.radius);
-  write_points(group, "vertices", body.vertices);
-  write_indices<2>(group, "edges", body.edges);
-  std::vector<std::uint32_t> sizes, corners;
-  for (const SpheroPolyhedron::Face& face : body.faces) {
-    sizes.push_back(static_cast<std::uint32_t>(face.size()));
-    corners.insert(corners.end(), face.begin(), face.end());
-  }
-  group.write<std::uint32_t>("face_sizes", sizes);
-  group.write<std::uint32_t>("face_vertices", corners);
-  std::vector<std::uint8_t> bends;
-  for (const EdgeBend bend : edge_bends(body)) bends.push_back(static_cast<std::uint8_t>(bend));
-  group.write<std::uint8_t>("edge_bends", bends);
-  group.set_unit("edge_bends", "1");
-  group.set_unit("face_sizes", "1");
-  group.set_unit("face_vertices", "1");
-}
-
-SpheroPolyhedron read_body(const Hdf5Group& group, const std::string& where) {
-  SpheroPolyhedron body;
-  body.radius = read_scalar(group, "minkowski_radius_m", 0.0, where);
-  body.vertices = read_points(group, "vertices", where);
-  require(!body.vertices.empty(), where, "core has no vertices");
-  body.edges = read_indices<2>(group, "edges", body.vertices.size(), where);
-  const std::vector<std::uint32_t> sizes = group.read<std::uint32_t>("face_sizes");
-  const std::vector<std::uint32_t> corners = group.read<std::uint32_t>("face_vertices");
-  check_indices(corners, body.vertices.size(), "face_vertices", where);
-  require(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == corners.size(), where,
-          "face_sizes and face_vertices do not fit each other");
-  auto corner = corners.begin();
-  for (const std::uint32_t size : sizes) {
-    require(size >= 3, where, "a face has fewer than three vertices");
-    body.faces.emplace_back(corner, corner + size);
-    corner += size;
-  }
-  return body;
-}
 
 void write_field_notes(Hdf5Group group, const FieldNotes& field) {
   group.set_attribute("site", field.site);
@@ -174,6 +41,34 @@ FieldNotes read_field_notes(const Hdf5Group& group, const std::string& where) {
     field.taped = Axes{taped[0], taped[1], taped[2]};
   }
   return field;
+}
+
+void write_unseen(Hdf5Group group, const UnseenPart& unseen) {
+  group.set_attribute("volume_lower_m3", unseen.lower_volume);
+  group.set_attribute("volume_best_m3", unseen.best_volume);
+  group.set_attribute("volume_upper_m3", unseen.upper_volume);
+  group.set_attribute("invented_share", unseen.invented_share);
+  const auto vector = [](const Axes& axes) { return Vec3(axes.L, axes.I, axes.S); };
+  write_matrix(group, "box_lower", vector(unseen.lower_axes), "m");
+  write_matrix(group, "box_upper", vector(unseen.upper_axes), "m");
+}
+
+UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
+  constexpr double kPositive = 1e-300;
+  UnseenPart unseen;
+  unseen.lower_volume = read_scalar(group, "volume_lower_m3", kPositive, where);
+  unseen.best_volume = read_scalar(group, "volume_best_m3", unseen.lower_volume, where);
+  unseen.upper_volume = read_scalar(group, "volume_upper_m3", unseen.best_volume, where);
+  unseen.invented_share = read_scalar(group, "invented_share", 0.0, where);
+  require(unseen.invented_share <= 1.0, where, "invented_share is more than 1");
+  const auto axes = [&](const std::string& name) {
+    const Vec3 sides = read_vector(group, name, where);
+    require(sides.minCoeff() > 0.0, where, name + " is not positive");
+    return Axes{sides[0], sides[1], sides[2]};
+  };
+  unseen.lower_axes = axes("box_lower");
+  unseen.upper_axes = axes("box_upper");
+  return unseen;
 }
 
 void write_block(Hdf5Group group, const Block& block) {
@@ -217,6 +112,7 @@ void write_block(Hdf5Group group, const Block& block) {
   group.write<std::string>("warnings", block.warnings);
   group.set_unit("warnings", "1");
   write_field_notes(group.create_group("field"), block.field);
+  if (block.unseen) write_unseen(group.create_group("unseen"), *block.unseen);
 }
 
 Block read_block(const Hdf5Group& group, const std::string& id, const std::string& where) {
@@ -264,6 +160,7 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   }
   block.warnings = group.read<std::string>("warnings");
   block.field = read_field_notes(group.group("field"), where);
+  if (group.has("unseen")) block.unseen = read_unseen(group.group("unseen"), where);
   return block;
 }
 

@@ -23,7 +23,8 @@ namespace {
 constexpr double kLargestRadiusShare =
     0.25;                                 ///< of S; beyond it rounding, not the rock, is the shape
 constexpr double kLargestMassGap = 0.05;  ///< relative; scales and densities are not that far off
-constexpr int kVolumeSteps = 4;           ///< the volume is close to a cubic; two or three do
+constexpr double kLightestRock = 500.0, kHeaviestRock = 8000.0;  ///< kg/m^3
+constexpr int kVolumeSteps = 4;  ///< the volume is close to a cubic; two or three do
 /// Share of the tolerance at which a fit ends: the scaling to the volume takes the rest.
 constexpr double kFitShare = 0.93;
 /// Shares of the radius by which the scan is moved in where walls are too thin for the whole; the
@@ -118,13 +119,16 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
                        {.good_enough = kFitShare * largest_distance, .hopeless = largest_distance});
   }
   if (convex) body = sphero_polyhedron(convex_hull(body.vertices), radius);
-  if (radius > 0.0 &&
-      std::abs(sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0) > kLargestVolumeGap) {
+  if (radius == 0.0) return body;
+  const double gap = sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0;
+  if (std::abs(gap) > kLargestVolumeGap) {
     // Says what is wrong in nearly all cases; else the surface is not the scan's.
     rounded_core(surface, radius);
-    throw GeometryError(
-        "the volume of the rounded body is more than 3 % off the scan's; give a "
-        "smaller radius or more --vertices");
+    throw GeometryError("rounded with a radius of " + number(radius) + " m, " +
+                        std::to_string(surface.vertices.size()) + " vertices have a volume " +
+                        number(100.0 * std::abs(gap)) + " % " + (gap > 0.0 ? "above" : "below") +
+                        " the scan's, and 3 % is the most that scaling mends; give a smaller "
+                        "radius or more --vertices");
   }
   return body;
 }
@@ -136,6 +140,17 @@ void warn_of_thin_walls(Block& block) {
                            " m is more than half the thinnest wall, " + number(wall->thickness) +
                            " m near " + place(wall->place) +
                            ": the block is thicker there than the rock");
+}
+
+/// Lighter than pumice or heavier than ore: a unit was mistaken, or a mass.
+void warn_of_density(Block& block) {
+  if (block.density >= kLightestRock && block.density <= kHeaviestRock) return;
+  std::string advice = "; check mass and scale";
+  if (block.density >= 1e-3 * kLightestRock && block.density <= 1e-3 * kHeaviestRock) {
+    advice = "; if that is in g/cm3 or t/m3, give --density " + number(1000.0 * block.density);
+  }
+  block.warnings.push_back("the density " + number(block.density) +
+                           " kg/m3 is not that of a rock, 500 to 8000 kg/m3" + advice);
 }
 
 void add_warnings(Block& block, const BlockOptions& options) {
@@ -158,6 +173,7 @@ void add_warnings(Block& block, const BlockOptions& options) {
                              " m): corners and edges are mostly rounding");
   }
   if (!block.from_core) warn_of_thin_walls(block);
+  warn_of_density(block);
   if (block.deviation.moments_relative > kMomentsTolerance) {
     block.warnings.push_back(
         "a principal moment differs by " + number(100.0 * block.deviation.moments_relative) +

@@ -14,7 +14,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "reconstruct/detail/mend.hpp"
+#include "reconstruct/detail/pieces.hpp"
 #include "shapes/detail/cgal_mesh.hpp"
 #include "shapes/detail/edge_collapse.hpp"
 #include "shapes/mesh_topology.hpp"

@@ -16,14 +16,19 @@ namespace clast {
 ///                     that are not finite (the message names the first such vertex)
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
+/// The same, but a file with vertices and no triangles is fine too.
+TriangleMesh read_mesh_or_points(const std::filesystem::path& path);
+
 /// Formats that `read_mesh` knows, as lower-case extensions with the dot.
 const std::vector<std::string>& readable_mesh_extensions();
 
 /// Writes by extension: .stl (binary), .obj, .ply (binary), .glb, .vtp. Written through a
 /// temporary file; coordinates as they are, whatever a format says about its up axis. OBJ, PLY and
-/// VTP keep every bit of a double, STL and GLB hold floats.
+/// VTP keep every bit of a double. STL and GLB hold floats: a mesh too far from the origin for them
+/// is written less an origin of whole metres near it, which "<path>.origin.txt" tells.
+/// @return what was taken off the coordinates, m; zero nearly always
 /// @throws InputError     unknown extension, or the folder can't be written to
 /// @throws GeometryError  the mesh has no triangles
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
+Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 }  // namespace clast

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -22,8 +23,8 @@ using detail::TriangleTree;
 /// The search for the largest distance ends when no patch can hold one larger than the largest met
 /// by more than this share of the scan's diagonal.
 constexpr double kGap = 2e-4;
-/// Nor where the bound is below this share of the diagonal: no scanner is that good.
-constexpr double kFine = 2e-3;
+/// Height above a core face, as a share of the diagonal, that still lies in its plane.
+constexpr double kInPlane = 1e-9;
 /// Patches looked at before the search ends with the bound it has.
 constexpr std::size_t kMostPatches = 1'000'000;
 /// Share of the radius by which a point may lie inside the body and still count as on its skin.
@@ -84,14 +85,10 @@ struct Bounded {
   bool counts = true;      ///< the centre belongs to the surface
 };
 
-/// When bounds are near enough, m.
-struct Gap {
-  double width, fine;
-};
-
-/// Branch and bound: an upper bound of the largest distance over all patches.
+/// Branch and bound: an upper bound of the largest distance over all patches, by at most `gap` (m)
+/// too large unless `kMostPatches` ends the search.
 template <typename Bound>
-double largest_over(std::vector<Patch> patches, double known, const Gap& gap, const Bound& bound) {
+double largest_over(std::vector<Patch> patches, double known, double gap, const Bound& bound) {
   struct Open {
     double most;
     std::size_t index;
@@ -109,14 +106,33 @@ double largest_over(std::vector<Patch> patches, double known, const Gap& gap, co
     }
   };
   look();
-  while (!open.empty() && open.top().most > std::max(known + gap.width, gap.fine) &&
-         patches.size() < kMostPatches) {
+  while (!open.empty() && open.top().most > known + gap && patches.size() < kMostPatches) {
     const std::array<Patch, 4> quarters = patches[open.top().index].quarters();
     open.pop();
     patches.insert(patches.end(), quarters.begin(), quarters.end());
     look();
   }
   return open.empty() ? known : std::max(known, open.top().most);
+}
+
+/// How far any point of a flat patch of the scan is from the skin, by the plane of the core face
+/// nearest to its centre. Where nothing of the core near by rises above that plane, the skin over
+/// it is bare: a point inside the body is at most its depth under the raised plane away from it.
+std::optional<double> most_by_plane(const Patch& patch, const TriangleTree& core, double radius,
+                                    double in_plane) {
+  const Vec3& normal = core.face_normal(patch.near);
+  const double height = normal.dot(core.corner(patch.near));
+  double deepest = 0.0;
+  for (const Vec3& point : patch.points) {
+    deepest = std::max(deepest, radius - (normal.dot(point) - height));
+  }
+  const Vec3 centre = patch.foot();
+  const Vec3 raised = centre + (radius - (normal.dot(centre) - height)) * normal;
+  if (core.rises_above(normal, height + in_plane, raised, patch.reach(0.0) + radius)) {
+    return std::nullopt;
+  }
+  const double outside = patch.farthest_from(core, patch.near, 0.0) - radius;
+  return std::max(deepest + in_plane, outside);
 }
 
 std::vector<Patch> patches_of(const TriangleMesh& mesh) {
@@ -185,7 +201,7 @@ std::vector<std::vector<Vec3>> edge_directions(const TriangleMesh& core) {
 }
 
 double skin_to_scan(const ScanSurface& scan, const TriangleMesh& core, const TriangleTree& tree,
-                    double radius, const Gap& gap) {
+                    double radius, double gap) {
   const std::vector<std::vector<Vec3>> edges = edge_directions(core);
   return largest_over(skin_patches(core, radius), 0.0, gap, [&](Patch& patch, double known) {
     const Bounded none{0.0, -1.0, false};
@@ -222,8 +238,9 @@ Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& bod
   const TriangleMesh core = core_mesh(body);
   const TriangleTree tree(core);
   Bounds both = bounds(scan.mesh());
-  const Gap gap{kGap * both.diagonal(), kFine * both.diagonal()};
+  const double gap = kGap * both.diagonal();
   for (const Vec3& vertex : core.vertices) both.include(vertex);
+  const double in_plane = kInPlane * both.diagonal();
   const detail::SkinDistance skin(tree, body.radius, both.diagonal() + body.radius);
 
   Deviation result;
@@ -248,6 +265,8 @@ Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& bod
         double most = std::abs(distance) + reach;
         if (distance >= reach || body.radius == 0.0) {  // nowhere under the skin
           most = std::min(most, patch.farthest_from(tree, patch.near, 0.0) - body.radius);
+        } else if (const auto flat = most_by_plane(patch, tree, body.radius, in_plane)) {
+          most = std::min(most, *flat);
         }
         return Bounded{std::abs(distance), most};
       });

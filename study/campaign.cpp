@@ -35,10 +35,10 @@ void read_terrain_table(const TomlTable& top, Campaign& campaign) {
     if (std::optional<ZoneFile> file = named_zone_file(table, node, *zones)) {
       file->path = input_file(table, "zones", element(node, 0), file->path.string());
       campaign.terrain.zones = file->zones();
-    } else if (zones->size() != files.size()) {
+    } else if (zones->size() != files.size() && !are_zone_rules(*zones)) {
       table.refuse("zones", node,
                    "must name one zone per surface file (" + std::to_string(files.size()) +
-                       "), or one zone raster or GeoJSON file");
+                       "), or one zone raster or GeoJSON file, or rules by slope and height");
     }
   }
   campaign.terrain.up = choice(table, "up", {"z", "y"}).value_or("z");

@@ -37,11 +37,11 @@ BlockSummary summary_of(const CampaignBlock& chosen, const Block& block, const R
           shape_class("garcia", axes),
           shape_class("sneed-folk", axes),
           shape_class("zingg", axes),
+          body.shape,
           block.id,
           chosen.group > 0 ? groups[chosen.group - 1].name : "",
           scale,
           scale * scale * scale * block.mass.volume,
-          static_cast<std::uint32_t>(chosen.library),
           body.moments};
 }
 
@@ -300,9 +300,6 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
     const CampaignBlock& chosen = prepared.choice.blocks[i];
     header.blocks.push_back(summary_of(chosen, prepared.choice.library[chosen.library],
                                        prepared.bodies[i], campaign.groups));
-  }
-  for (const Block& block : prepared.choice.library) {
-    header.shapes.push_back(rigid_body(block).shape);
   }
   const Vec2 origin = terrain.frame.origin.head<2>();
   for (Barrier barrier : campaign.barriers) {

@@ -11,13 +11,28 @@
 
 namespace clast {
 
+/// A file that was read.
+struct InputFile {
+  std::string file;  ///< as it was named
+  std::string sha256;
+};
+
+/// How the axes of a population were asked for; what was not given or does not apply is none.
+struct ReadingOptions {
+  std::optional<std::string> box = {};      ///< convention, for blocks of libraries
+  std::optional<std::string> columns = {};  ///< of tables
+  std::optional<std::string> units = {};    ///< of tables
+  std::optional<double> axis_error = {};    ///< m
+};
+
 /// A population with where it came from.
 struct ReportedPopulation {
   Population population;
   PopulationSummary summary;
   std::string measured;  ///< how L, I, S were taken: "sides of the smallest box", "as in the table"
-  std::vector<std::string> inputs;  ///< path and SHA-256, a blank between
-  std::vector<std::string> notes;   ///< what was wrong with the input
+  ReadingOptions reading;
+  std::vector<InputFile> inputs;
+  std::vector<std::string> notes;  ///< what was wrong with the input
 };
 
 /// One population or two; two are compared.
@@ -49,7 +64,8 @@ using Diagrams = std::map<std::string, std::string>;
 Diagrams population_diagrams(const PopulationReport& report);
 
 /// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, the diagrams as .svg and
-/// report.html, one page that needs no network, to `folder`.
+/// report.html, one page that needs no network, to `folder`. Diagrams that an earlier
+/// report left there and this one does not have are removed once the new files are there.
 /// @throws InputError  the folder can't be made or written to
 void write_population_report(const PopulationReport& report, const std::filesystem::path& folder);
 

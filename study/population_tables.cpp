@@ -69,7 +69,7 @@ void size_rows(CsvText& csv, const std::string& population, const SizeDistributi
   }
 }
 
-nlohmann::ordered_json provenance(const PopulationReport& report) {
+nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams& diagrams) {
   nlohmann::ordered_json json;
   json["program_version"] = version();
   json["options"] = {{"size", name_of(report.options.size)},
@@ -78,14 +78,45 @@ nlohmann::ordered_json provenance(const PopulationReport& report) {
                      {"sneed_folk_thirds", report.options.limits.sneed_folk_thirds},
                      {"erdogan_limit", report.options.limits.erdogan_limit}};
   json["populations"] = nlohmann::ordered_json::array();
+  const auto or_null = [](const auto& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  };
   for (const ReportedPopulation& reported : report.populations) {
+    const ReadingOptions& reading = reported.reading;
+    auto inputs = nlohmann::ordered_json::array();
+    for (const InputFile& input : reported.inputs) {
+      inputs.push_back({{"file", input.file}, {"sha256", input.sha256}});
+    }
     json["populations"].push_back({{"name", reported.population.name},
                                    {"blocks", reported.population.blocks.size()},
                                    {"axes", reported.measured},
-                                   {"inputs", reported.inputs},
+                                   {"box", or_null(reading.box)},
+                                   {"columns", or_null(reading.columns)},
+                                   {"units", or_null(reading.units)},
+                                   {"axis_error_m", or_null(reading.axis_error)},
+                                   {"inputs", inputs},
                                    {"notes", reported.notes}});
   }
+  json["diagrams"] = nlohmann::ordered_json::array();
+  for (const auto& [name, svg] : diagrams) json["diagrams"].push_back(name + ".svg");
   return json;
+}
+
+/// Diagrams that the report in the folder says it wrote there; empty when there is none.
+std::vector<std::filesystem::path> earlier_diagrams(const std::filesystem::path& folder) {
+  std::error_code code;
+  const std::filesystem::path path = folder / "provenance.json";
+  if (!std::filesystem::is_regular_file(path, code)) return {};
+  const auto json = nlohmann::json::parse(read_text_file(path), nullptr, false);
+  std::vector<std::filesystem::path> files;
+  if (!json.is_object() || !json.contains("diagrams")) return files;
+  for (const auto& name : json["diagrams"]) {
+    if (!name.is_string()) continue;
+    const std::filesystem::path file = name.get<std::string>();
+    // Whatever someone wrote into that file: nothing but a picture in the folder is ours.
+    if (file == file.filename() && file.extension() == ".svg") files.push_back(folder / file);
+  }
+  return files;
 }
 
 }  // namespace
@@ -216,20 +247,25 @@ void write_population_report(const PopulationReport& report, const std::filesyst
   if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
     throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
   }
+  const std::vector<std::filesystem::path> before = earlier_diagrams(folder);
+  const Diagrams diagrams = population_diagrams(report);
   write_classes_csv(report, folder / "classes.csv");
   write_text_file(folder / "shares.csv", shares_csv(report));
   write_text_file(folder / "sizes.csv", sizes_csv(report));
   write_text_file(folder / "tests.csv", tests_csv(report));
-  // Names may hold bytes that are not UTF-8; they must not stop the tables.
-  write_text_file(
-      folder / "provenance.json",
-      provenance(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-          "\n");
-  const Diagrams diagrams = population_diagrams(report);
   for (const auto& [name, svg] : diagrams) {
     write_text_file(folder / (name + ".svg"), svg_file(svg));
   }
   write_text_file(folder / "report.html", population_page(report, diagrams));
+  for (const std::filesystem::path& diagram : before) {
+    if (!diagrams.contains(diagram.stem().string())) std::filesystem::remove(diagram, code);
+  }
+  // Last, so that a report that was cut short leaves the list of the one before. Names may hold
+  // bytes that are not UTF-8; they must not stop it.
+  write_text_file(folder / "provenance.json",
+                  provenance(report, diagrams)
+                          .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                      "\n");
 }
 
 }  // namespace clast

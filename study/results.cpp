@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
 #include "core/output_file.hpp"
+#include "library/body_record.hpp"
 #include "study/results_file.hpp"
 #include "study/results_layout.hpp"
 
@@ -69,24 +70,6 @@ void write_terrain_group(Hdf5Group group, const Terrain& terrain, const MapFrame
   group.set_attribute<std::string>("crs", frame.crs);
 }
 
-// Cores of the library blocks in their principal frame, as the block library keeps them.
-void write_shapes(Hdf5Group group, const std::vector<SpheroPolyhedron>& shapes) {
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    Hdf5Group shape = group.create_group(std::to_string(i));
-    write_vectors(shape, "vertices_m", "m", shapes[i].vertices);
-    std::vector<std::uint32_t> edges, sizes, corners;
-    for (const auto& edge : shapes[i].edges) edges.insert(edges.end(), edge.begin(), edge.end());
-    for (const SpheroPolyhedron::Face& face : shapes[i].faces) {
-      sizes.push_back(static_cast<std::uint32_t>(face.size()));
-      corners.insert(corners.end(), face.begin(), face.end());
-    }
-    shape.write<std::uint32_t>("edges", edges, {shapes[i].edges.size(), 2});
-    shape.write<std::uint32_t>("face_sizes", sizes);
-    shape.write<std::uint32_t>("face_vertices", corners);
-    shape.set_attribute<double>("radius_m", shapes[i].radius);
-  }
-}
-
 void write_ground_sets(Hdf5Group group, const CampaignResults& header) {
   const std::vector<GroundSet>& sets = header.ground_sets;
   write_column(group, "group", "", sets, [](const GroundSet& set) { return set.group; });
@@ -131,11 +114,16 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   write_column(blocks, "group", "", list, [](const BlockSummary& b) { return b.group; });
   write_column(blocks, "scale", "", list, [](const BlockSummary& b) { return b.scale; });
   write_column(blocks, "volume_m3", "m^3", list, [](const BlockSummary& b) { return b.volume; });
-  write_column(blocks, "shape", "", list, [](const BlockSummary& b) { return b.shape; });
   std::vector<Vec3> moments;
   for (const BlockSummary& block : list) moments.push_back(block.moments);
   write_vectors(blocks, "principal_moments_kg_m2", "kg m^2", moments);
-  write_shapes(root.create_group("shapes"), header.shapes);
+
+  Hdf5Group bodies = blocks.create_group(kBodies);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!list[i].body.vertices.empty()) {
+      write_body(bodies.create_group(std::to_string(i)), list[i].body);
+    }
+  }
 
   Hdf5Group barriers = root.create_group("barriers");
   std::vector<Vec2> from, to;

@@ -9,6 +9,7 @@
 
 #include "classify/form.hpp"
 #include "dem/release.hpp"
+#include "shapes/sphero_polyhedron.hpp"
 #include "study/barrier.hpp"
 #include "study/impact.hpp"
 #include "terrain/terrain.hpp"
@@ -35,11 +36,11 @@ struct BlockSummary {
   std::string garcia;  ///< compact or elongated
   std::string sneed_folk;
   std::string zingg;
+  SpheroPolyhedron body;        ///< body frame, as run
   std::string library_id = {};  ///< of the library block it was made from; empty: `id`
   std::string group = {};       ///< block group; empty: none
   double scale = 1.0;           ///< of lengths, against the library block
   double volume = 0.0;          ///< m^3
-  std::uint32_t shape = 0;      ///< index into CampaignResults::shapes
   Vec3 moments = Vec3::Zero();  ///< principal, kg m^2
 
   const std::string& library_block() const { return library_id.empty() ? id : library_id; }
@@ -78,7 +79,6 @@ struct CampaignResults {
   std::vector<Vec3> release_points;         ///< local frame; z as started for the first orientation
   std::vector<std::string> release_sets;    ///< names; one without a name when there is one
   std::vector<std::uint32_t> set_of_point;  ///< index into `release_sets`
-  std::vector<SpheroPolyhedron> shapes;     ///< of library blocks, body frame, unscaled
   std::vector<std::string> zone_names;
   std::vector<GroundParameters> ground;  ///< by zone, without groups; uncertain ones in the middle
   std::vector<GroundSet> ground_sets;
@@ -106,7 +106,8 @@ class TrajectoryFile {
   ~TrajectoryFile();
   TrajectoryFile(TrajectoryFile&&) noexcept;
 
-  bool has(std::uint32_t run) const;
+  /// How many states are stored of a run; 0 for none.
+  std::size_t frames(std::uint32_t run) const;
   /// @throws InputError  no such run, or trajectories were not stored
   Trajectory read(std::uint32_t run) const;
 

@@ -11,6 +11,8 @@ namespace clast::results_layout {
 
 inline constexpr const char* kFormat = "clast results";
 inline constexpr int kSchemaVersion = 2;
+/// Group in /blocks with the body of each row, by number.
+inline constexpr const char* kBodies = "bodies";
 
 /// A column and the field of a row that it holds.
 template <class Row, class T>

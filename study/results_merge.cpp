@@ -105,7 +105,7 @@ void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
     run.crossings.assign(crossings.begin(), crossings.end());
     const auto impacts = events_of(part.results.impacts, place.run, place.first_impact);
     run.impacts.assign(impacts.begin(), impacts.end());
-    if (part.trajectories.has(place.run)) run.trajectory = part.trajectories.read(place.run);
+    if (part.trajectories.frames(place.run) > 0) run.trajectory = part.trajectories.read(place.run);
     return run;
   });
 }

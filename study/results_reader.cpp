@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
+#include "library/body_record.hpp"
 #include "study/results.hpp"
 #include "study/results_layout.hpp"
 
@@ -69,32 +70,6 @@ struct Reader {
   }
 };
 
-void read_shapes(const Reader& reader, CampaignResults& results) {
-  const std::size_t count = reader.group.names().size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Reader item = reader.into(std::to_string(i));
-    SpheroPolyhedron shape;
-    shape.vertices = item.vectors<Vec3>("vertices_m");
-    shape.radius = item.group.attribute<double>("radius_m");
-    const auto edges = item.group.read<std::uint32_t>("edges");
-    const auto corners = item.group.read<std::uint32_t>("face_vertices");
-    item.check_below("edges", edges, shape.vertices.size());
-    item.check_below("face_vertices", corners, shape.vertices.size());
-    if (edges.size() % 2 != 0) item.damaged("edges", "is not a table of 2 columns");
-    for (std::size_t k = 0; k < edges.size(); k += 2)
-      shape.edges.push_back({edges[k], edges[k + 1]});
-    std::size_t at = 0;
-    for (const std::uint32_t size : item.group.read<std::uint32_t>("face_sizes")) {
-      if (size > corners.size() - at)
-        item.damaged("face_sizes", "name more corners than there are");
-      const auto first = corners.begin() + static_cast<std::ptrdiff_t>(at);
-      shape.faces.emplace_back(first, first + static_cast<std::ptrdiff_t>(size));
-      at += size;
-    }
-    results.shapes.push_back(std::move(shape));
-  }
-}
-
 void read_ground_sets(const Reader& reader, CampaignResults& results) {
   const auto groups = reader.group.read<std::string>("group");
   const std::size_t zones = results.zone_names.size();
@@ -140,8 +115,6 @@ void read_blocks(const Reader& reader, CampaignResults& results) {
   const auto group = reader.column<std::string>("group", rows);
   const auto scale = reader.column<double>("scale", rows);
   const auto volume = reader.column<double>("volume_m3", rows);
-  const auto shape = reader.column<std::uint32_t>("shape", rows);
-  reader.check_below("shape", shape, results.shapes.size());
   const auto moments = reader.vectors<Vec3>("principal_moments_kg_m2");
   if (moments.size() != rows)
     reader.damaged("principal_moments_kg_m2", "has not one row per block");
@@ -152,12 +125,19 @@ void read_blocks(const Reader& reader, CampaignResults& results) {
                               garcia[i],
                               sneed_folk[i],
                               zingg[i],
+                              {},
                               library_id[i],
                               group[i],
                               scale[i],
                               volume[i],
-                              shape[i],
                               moments[i]});
+  }
+  const Reader bodies = reader.into(kBodies);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::string name = std::to_string(i);
+    if (!bodies.group.has(name)) continue;
+    results.blocks[i].body =
+        read_body(bodies.group.group(name), bodies.file + ": " + bodies.path + "/" + name);
   }
 }
 
@@ -325,7 +305,6 @@ CampaignResults read_results(const fs::path& path) {
   results.release_sets = root.group.read<std::string>("release_sets");
   results.set_of_point = root.column<std::uint32_t>("set_of_point", results.release_points.size());
   root.check_below("set_of_point", results.set_of_point, results.release_sets.size());
-  read_shapes(root.into("shapes"), results);
   read_blocks(root.into("blocks"), results);
   read_barriers(root.into("barriers"), results);
   read_ground(root.into("ground"), results);
@@ -349,41 +328,45 @@ CampaignResults read_results(const fs::path& path) {
 }
 
 struct TrajectoryFile::Impl {
-  std::string path;
+  explicit Impl(const fs::path& path)
+      : file(Hdf5File::open(path, kFormat, kSchemaVersion)),
+        reader{path.string(), "/trajectories", file.root().group("trajectories")} {}
   Hdf5File file;
-  Hdf5Group group;
+  Reader reader;
 };
 
-TrajectoryFile::TrajectoryFile(const fs::path& path) {
-  const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
-  impl_ = std::make_unique<Impl>(Impl{path.string(), file, file.root().group("trajectories")});
-}
+TrajectoryFile::TrajectoryFile(const fs::path& path) : impl_(std::make_unique<Impl>(path)) {}
 TrajectoryFile::~TrajectoryFile() = default;
 TrajectoryFile::TrajectoryFile(TrajectoryFile&&) noexcept = default;
 
-bool TrajectoryFile::has(std::uint32_t run) const { return impl_->group.has(trajectory_name(run)); }
-
-Trajectory TrajectoryFile::read(std::uint32_t run) const {
-  const Reader reader{impl_->path, "/trajectories", impl_->group};
+std::size_t TrajectoryFile::frames(std::uint32_t run) const {
+  const Reader& reader = impl_->reader;
   const std::string name = trajectory_name(run);
-  if (!has(run)) {
-    const bool any = !reader.group.names().empty();
-    throw InputError(impl_->path + ": no trajectory of run " + std::to_string(run) + "; " +
-                     (any ? "there is no such run"
-                          : "none were stored, set [run] trajectory_interval_s above zero"));
-  }
-  const std::vector<double> rows = reader.group.read<double>(name);
+  if (!reader.group.has(name)) return 0;
   const std::vector<std::size_t> shape = reader.group.shape(name);
   if (shape.size() != 2 || shape[0] != kTrajectoryRows) {
     reader.damaged(name, "is not a table of " + std::to_string(kTrajectoryRows) + " rows");
   }
-  const std::size_t frames = shape[1];
+  return shape[1];
+}
+
+Trajectory TrajectoryFile::read(std::uint32_t run) const {
+  const Reader& reader = impl_->reader;
+  const std::string name = trajectory_name(run);
+  const std::size_t count = frames(run);
+  if (!reader.group.has(name)) {
+    const bool any = !reader.group.names().empty();
+    throw InputError(reader.file + ": no trajectory of run " + std::to_string(run) + "; " +
+                     (any ? "there is no such run"
+                          : "none were stored, set [run] trajectory_interval_s above zero"));
+  }
+  const std::vector<double> rows = reader.group.read<double>(name);
   Trajectory trajectory;
-  trajectory.time.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(frames));
-  for (std::size_t i = 0; i < frames; ++i) {
+  trajectory.time.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count));
+  for (std::size_t i = 0; i < count; ++i) {
     RigidState state;
     for (std::size_t k = 1; k < kTrajectoryRows; ++k) {
-      kStateValues[k - 1].field(state) = rows[k * frames + i];
+      kStateValues[k - 1].field(state) = rows[k * count + i];
     }
     trajectory.states.push_back(state);
   }

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "shapes/mesh_io.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/raw_surface.hpp"
+#include "terrain/relief.hpp"
 #include "terrain/terrain_file.hpp"
 
 namespace clast {
@@ -30,36 +30,15 @@ detail::HeightGrid sampled(const Terrain& terrain, double cell, const std::files
   grid.rows = std::max<std::size_t>(1, static_cast<std::size_t>(count.y()));
   grid.step = {cell, cell};
   grid.first = (first + Vec2(0.5, 0.5)) * cell;
-  grid.heights.assign(grid.columns * grid.rows, std::numeric_limits<double>::quiet_NaN());
-  // In the local frame, where nothing is lost to large coordinates.
-  const Vec2 local_first = grid.first - terrain.frame.origin.head<2>();
-  const auto cells = [&](double from, double to, double start, std::size_t most) {
-    const double last = std::min(std::floor((to - start) / cell), static_cast<double>(most) - 1.0);
-    const double begin = std::max(std::ceil((from - start) / cell), 0.0);
-    return std::pair{static_cast<long>(begin), static_cast<long>(last)};
-  };
-  for (const auto& [ia, ib, ic] : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[ia], &b = mesh.vertices[ib], &c = mesh.vertices[ic];
-    const Vec3 ab = b - a, ac = c - a;
-    const double area = ab.x() * ac.y() - ab.y() * ac.x();
-    if (area == 0.0) continue;  // upright: its neighbours have the heights
-    const auto [x_low, x_high] = std::minmax({a.x(), b.x(), c.x()});
-    const auto [y_low, y_high] = std::minmax({a.y(), b.y(), c.y()});
-    const auto [first_column, last_column] = cells(x_low, x_high, local_first.x(), grid.columns);
-    const auto [first_row, last_row] = cells(y_low, y_high, local_first.y(), grid.rows);
-    for (long j = first_row; j <= last_row; ++j) {
-      for (long i = first_column; i <= last_column; ++i) {
-        const double x = local_first.x() + cell * static_cast<double>(i) - a.x();
-        const double y = local_first.y() + cell * static_cast<double>(j) - a.y();
-        const double v = (x * ac.y() - y * ac.x()) / area;
-        const double w = (ab.x() * y - ab.y() * x) / area;
-        constexpr double kEdge = -1e-12;  // centres on an edge belong to both sides
-        if (v < kEdge || w < kEdge || v + w > 1.0 - kEdge) continue;
-        const double height = a.z() + v * ab.z() + w * ac.z() + terrain.frame.origin.z();
-        double& known =
-            grid.heights[static_cast<std::size_t>(j) * grid.columns + static_cast<std::size_t>(i)];
-        if (!(known >= height)) known = height;
-      }
+  grid.heights.resize(grid.columns * grid.rows);
+  const Vec2 south_west = first * cell - terrain.frame.origin.head<2>();
+  const Vec2 size(static_cast<double>(grid.columns) * cell, static_cast<double>(grid.rows) * cell);
+  const Relief relief = clast::sampled(terrain, {south_west, south_west + size},
+                                       static_cast<std::uint32_t>(grid.columns));
+  for (std::size_t j = 0; j < grid.rows; ++j) {
+    for (std::size_t i = 0; i < grid.columns; ++i) {
+      grid.heights[j * grid.columns + i] =
+          relief.height[(grid.rows - 1 - j) * grid.columns + i] + terrain.frame.origin.z();
     }
   }
   return grid;

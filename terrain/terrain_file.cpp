@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
@@ -15,12 +16,18 @@ const std::string kFormat = "clast terrain";
 constexpr int kSchema = 1;
 
 /// The counts of a report under the names they have in the file.
-constexpr std::array<std::pair<const char*, std::size_t TerrainReport::*>, 7> kCounts = {{
+constexpr std::array<std::pair<const char*, std::size_t TerrainReport::*>, 13> kCounts = {{
     {"triangles_read", &TerrainReport::triangles_read},
     {"welded_vertices", &TerrainReport::welded_vertices},
     {"dropped_degenerate", &TerrainReport::dropped_degenerate},
     {"dropped_duplicates", &TerrainReport::dropped_duplicates},
     {"turned_triangles", &TerrainReport::turned_triangles},
+    {"closed_cracks", &TerrainReport::closed_cracks},
+    {"filled_holes", &TerrainReport::filled_holes},
+    {"open_holes", &TerrainReport::open_holes},
+    {"levelled_spikes", &TerrainReport::levelled_spikes},
+    {"dropped_pieces", &TerrainReport::dropped_pieces},
+    {"slivers", &TerrainReport::slivers},
     {"boundary_edges", &TerrainReport::boundary_edges},
     {"components", &TerrainReport::components},
 }};
@@ -128,6 +135,8 @@ Terrain read_terrain_file(const std::filesystem::path& path) {
   terrain.sources = root.read<std::string>("sources");
   const Hdf5Group report = root.group("report");
   for (const auto& [name, count] : kCounts) {
+    // Files written before a check existed do not hold its count.
+    if (!report.has_attribute(name) && std::string_view(name) != "triangles_read") continue;
     terrain.report.*count = static_cast<std::size_t>(report.attribute<std::int64_t>(name));
   }
   terrain.report.notes = report.read<std::string>("notes");

@@ -8,9 +8,17 @@
 #include "core/text_file.hpp"
 #include "shapes/mesh_io.hpp"
 #include "shapes/point_cloud.hpp"
+#include "terrain/detail/breaklines.hpp"
 #include "terrain/detail/cloud_input.hpp"
+#include "terrain/detail/cracks.hpp"
 #include "terrain/detail/gdal_raster.hpp"
+#include "terrain/detail/grid_holes.hpp"
+#include "terrain/detail/layers.hpp"
 #include "terrain/detail/mending.hpp"
+#include "terrain/detail/spikes.hpp"
+#include "terrain/detail/surface_holes.hpp"
+#include "terrain/detail/thinning.hpp"
+#include "terrain/detail/triangle_links.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_source.hpp"
 #include "terrain/terrain_file.hpp"
@@ -23,6 +31,8 @@ using detail::RawSurface;
 
 // Beyond this, coordinates are moved to a local origin.
 constexpr double kLargeCoordinate = 1e4;  // m
+// Holes of a mesh up to so many median edges are filled unless told else.
+constexpr double kMeshHole = 3.0;
 // A ground smaller or larger than this is rather one in other units.
 constexpr double kSmallGround = 2.0, kLargeGround = 1e5;  // m
 
@@ -79,6 +89,7 @@ RawSurface surface_of(const detail::HeightGrid& grid, const fs::path& path) {
   RawSurface surface;
   surface.mesh = detail::grid_surface(grid, path);
   surface.source.assign(surface.mesh.triangles.size(), 0);
+  surface.cell = grid.step.minCoeff();
   const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
                                    [](double height) { return !std::isfinite(height); });
   if (empty > 0) {
@@ -99,6 +110,7 @@ std::string cells_of(double size) {
 RawSurface read_one_raster(const TerrainOptions& options) {
   const fs::path& path = options.surface.front();
   detail::Raster raster = detail::read_raster(path);
+  std::vector<std::string> notes;
   if (options.resolution) {
     const detail::HeightGrid& grid = raster.grid;
     const double own = grid.step.maxCoeff();
@@ -115,77 +127,59 @@ RawSurface read_one_raster(const TerrainOptions& options) {
     }
     if (points.empty()) throw InputError(path.string() + ": holds no heights, only nodata");
     raster.grid = detail::binned(points, *options.resolution, path);
-    raster.notes.push_back(path.string() + ": made coarser, means over " +
-                           cells_of(*options.resolution));
+    notes.push_back(path.string() + ": made coarser, means over " + cells_of(*options.resolution));
   } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
                           [](double height) { return std::isfinite(height); })) {
     throw InputError(path.string() + ": holds no heights, only nodata");
   }
+  if (options.fill) {
+    const detail::HolesFilled filled = detail::fill_holes(raster.grid, *options.fill);
+    if (filled.cells > 0) {
+      notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
+                      " cells without a height were filled from their surroundings, in " +
+                      std::to_string(filled.holes) + " holes");
+    }
+  }
   RawSurface surface = surface_of(raster.grid, path);
   surface.crs = raster.crs;
-  surface.notes.insert(surface.notes.begin(), raster.notes.begin(), raster.notes.end());
-  return surface;
-}
-
-/// The points of one cloud; of a classified one those on the ground.
-std::vector<Vec3> ground_points(const fs::path& path, RawSurface& surface) {
-  std::vector<Vec3> all, ground;
-  const CloudSummary summary = stream_cloud(path, [&](const PointBatch& batch) {
-    all.insert(all.end(), batch.points.begin(), batch.points.end());
-    for (std::size_t i = 0; i < batch.classes.size(); ++i) {
-      if (batch.classes[i] == kGroundClass) ground.push_back(batch.points[i]);
-    }
-  });
-  if (!summary.crs.empty()) surface.crs = summary.crs;
-  const auto note = [&](std::size_t count, const std::string& what) {
-    if (count > 0) surface.notes.push_back(path.string() + ": " + std::to_string(count) + what);
-  };
-  note(summary.withheld, " points flagged as noise or withheld were left out");
-  note(summary.without_place, " points without finite coordinates were left out");
-  if (ground.empty()) return all;
-  note(all.size() - ground.size(), " points not classed as ground were left out");
-  return ground;
-}
-
-RawSurface read_clouds(const TerrainOptions& options) {
-  std::vector<Vec3> points;
-  RawSurface cloud;
-  for (const fs::path& path : options.surface) {
-    const std::vector<Vec3> more = ground_points(path, cloud);
-    points.insert(points.end(), more.begin(), more.end());
-  }
-  if (options.up == "y") {
-    for (Vec3& point : points) point = detail::turned_z_up(point);
-  }
-  const fs::path& path = options.surface.front();
-  const double cell = options.resolution.value_or(detail::default_cell(points));
-  detail::HeightGrid grid = detail::binned(points, cell, path);
-  const std::size_t filled = detail::fill_pinholes(grid);
-  RawSurface surface = surface_of(grid, path);
-  surface.crs = cloud.crs;
-  std::vector<std::string> notes = std::move(cloud.notes);
-  notes.push_back(path.string() + ": " + std::to_string(points.size()) +
-                  " points, mean heights over " + cells_of(cell));
-  if (filled > 0) {
-    notes.push_back(path.string() + ": " + std::to_string(filled) +
-                    " cells without points were filled from their neighbours");
-  }
   surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
   return surface;
 }
 
+RawSurface read_clouds(const TerrainOptions& options) {
+  detail::CloudGrid cloud = detail::cloud_grid(options);
+  RawSurface surface = surface_of(cloud.grid, options.surface.front());
+  surface.crs = std::move(cloud.crs);
+  surface.notes.insert(surface.notes.begin(), cloud.notes.begin(), cloud.notes.end());
+  return surface;
+}
+
+void mend(RawSurface& raw, const std::vector<std::string>& files,
+          const std::vector<std::uint16_t>& zone_of_file, const TerrainOptions& options,
+          TerrainReport& report) {
+  detail::weld(raw, report);
+  detail::drop_useless_triangles(raw, files, zone_of_file, report);
+  detail::close_cracks(raw, options.crack, report);
+  detail::drop_unused_vertices(raw.mesh);
+  detail::orient_upwards(raw, report);
+  detail::drop_double_ground(raw, report);
+  detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * detail::median_edge(raw.mesh)),
+                             report);
+  detail::note_slivers(raw, report);
+}
+
 /// Zone of every surface file, and the names in order of first appearance.
 std::vector<std::uint16_t> zones_of_files(const TerrainOptions& options, Kind kind,
-                                          bool has_zone_file, std::vector<std::string>& names) {
+                                          bool assigned_later, std::vector<std::string>& names) {
   const std::size_t files = options.surface.size();
-  if (options.zones.empty() || has_zone_file) {
-    if (!has_zone_file) names = {"ground"};
+  if (options.zones.empty() || assigned_later) {
+    if (!assigned_later) names = {"ground"};
     return std::vector<std::uint16_t>(files, 0);
   }
   if (options.zones.size() != files) {
-    throw InputError("zones: " + std::to_string(options.zones.size()) + " names for " +
-                     std::to_string(files) +
-                     " surface files; give one for each, or one zone raster or polygon file");
+    throw InputError(
+        "zones: " + std::to_string(options.zones.size()) + " names for " + std::to_string(files) +
+        " surface files; give one for each, one zone raster or polygon file, or rules");
   }
   if (kind == Kind::kCloud && files > 1) {
     throw InputError(
@@ -242,6 +236,7 @@ void note_doubts(Terrain& terrain) {
 void check_files(const TerrainOptions& options, const std::optional<ZoneFile>& zones) {
   std::vector<fs::path> files = options.surface;
   if (zones) files.push_back(zones->path);
+  files.insert(files.end(), options.breaklines.begin(), options.breaklines.end());
   for (const fs::path& file : files) {
     std::error_code code;
     if (!fs::exists(file, code)) {
@@ -262,6 +257,25 @@ void TerrainOptions::check() const {
   if (resolution && !(*resolution > 0.0 && std::isfinite(*resolution))) {
     throw InputError("resolution = " + std::to_string(*resolution) + " m; must be more than 0");
   }
+  if (percentile && !(*percentile >= 0.0 && *percentile <= 100.0)) {
+    throw InputError("percentile = " + std::to_string(*percentile) + "; must be from 0 to 100");
+  }
+  if (outliers && !(*outliers > 0.0 && std::isfinite(*outliers))) {
+    throw InputError("outliers = " + std::to_string(*outliers) + " m; must be more than 0");
+  }
+  const auto check_not_negative = [](const char* name, double value) {
+    if (value >= 0.0 && std::isfinite(value)) return;
+    throw InputError(std::string(name) + " = " + std::to_string(value) + "; must be 0 or more");
+  };
+  check_not_negative("crack", crack);
+  check_not_negative("spike_steepness", spike_steepness);
+  check_not_negative("smoothing", smoothing);
+  if (tolerance && !(*tolerance > 0.0 && std::isfinite(*tolerance))) {
+    throw InputError("tolerance = " + std::to_string(*tolerance) + " m; must be more than 0");
+  }
+  if (fill && !(*fill >= 0.0 && std::isfinite(*fill))) {
+    throw InputError("fill = " + std::to_string(*fill) + " m; must be 0 or more");
+  }
   for (const std::string& zone : zones) {
     if (zone.empty()) throw InputError("zones: an empty name; every zone needs one");
   }
@@ -270,15 +284,31 @@ void TerrainOptions::check() const {
 Terrain read_terrain(const TerrainOptions& options) {
   options.check();
   const std::optional<ZoneFile> zones = zone_file(options.zones);
+  const bool rules = are_zone_rules(options.zones);
+  if (options.cut_zones && !(zones && detail::is_polygon_file(zones->path))) {
+    throw InputError(
+        "cut_zones: only the borders of polygons can be cut into the ground; give a "
+        "polygon file as zones");
+  }
   check_files(options, zones);
   const Kind kind = common_kind(options.surface);
   if (options.up == "y" && (kind == Kind::kRaster || kind == Kind::kTerrain)) {
     throw InputError(options.surface.front().string() +
                      ": rasters and terrain files are z up; leave out up = \"y\"");
   }
-  if (options.resolution && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
+  if ((options.percentile || options.outliers) && kind != Kind::kCloud) {
     throw InputError(options.surface.front().string() +
-                     ": resolution is for rasters and clouds; leave it out");
+                     ": percentile and outliers are for clouds; leave them out");
+  }
+  if (!options.breaklines.empty() && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
+    throw InputError(options.surface.front().string() +
+                     ": breaklines are for rasters and clouds; a mesh has its edges already");
+  }
+  if (options.resolution && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
+    throw InputError(
+        options.surface.front().string() +
+        ": resolution is for rasters and clouds; leave it out, or thin the mesh with a "
+        "tolerance");
   }
   std::vector<std::string> digests;
   const auto digest = [](const fs::path& file) {
@@ -286,7 +316,13 @@ Terrain read_terrain(const TerrainOptions& options) {
   };
   for (const fs::path& file : options.surface) digests.push_back(digest(file));
   if (zones) digests.push_back(digest(zones->path));
+  for (const fs::path& file : options.breaklines) digests.push_back(digest(file));
   if (kind == Kind::kTerrain) {
+    if (options.tolerance || options.smoothing > 0 || options.fill) {
+      throw InputError(options.surface.front().string() +
+                       ": a terrain file is checked and mended already; leave out fill, smoothing "
+                       "and tolerance, or start from the survey");
+    }
     if (!options.zones.empty()) {
       throw InputError(options.surface.front().string() +
                        ": a terrain file has its zones already; leave zones out");
@@ -298,7 +334,7 @@ Terrain read_terrain(const TerrainOptions& options) {
 
   Terrain terrain;
   const std::vector<std::uint16_t> zone_of_file =
-      zones_of_files(options, kind, zones.has_value(), terrain.zone_names);
+      zones_of_files(options, kind, zones || rules, terrain.zone_names);
   RawSurface raw = kind == Kind::kMesh     ? read_meshes(options)
                    : kind == Kind::kRaster ? read_one_raster(options)
                                            : read_clouds(options);
@@ -308,15 +344,28 @@ Terrain read_terrain(const TerrainOptions& options) {
   if (kind == Kind::kMesh) {
     std::vector<std::string> files;
     for (const fs::path& file : options.surface) files.push_back(file.string());
-    detail::weld(raw, terrain.report);
-    detail::drop_useless_triangles(raw, files, zone_of_file, terrain.report);
+    mend(raw, files, zone_of_file, options, terrain.report);
+  } else {
+    detail::orient_upwards(raw, terrain.report);
   }
-  detail::orient_upwards(raw, terrain.report);
+  detail::level_spikes(raw, options.spike_steepness, terrain.report);
+  detail::smooth(raw.mesh, options.smoothing, terrain.report);
+  if (!options.breaklines.empty()) {
+    std::vector<detail::MapLine> lines;
+    for (const fs::path& file : options.breaklines) {
+      const std::vector<detail::MapLine> more = detail::read_map_lines(file, raw.crs);
+      lines.insert(lines.end(), more.begin(), more.end());
+    }
+    detail::add_breaklines(raw, lines, raw.cell, terrain.report);
+  }
+  if (options.tolerance) detail::thin(raw, *options.tolerance, terrain.report);
   terrain.surface = std::move(raw.mesh);
   terrain.frame.crs = raw.crs;
   move_to_local_origin(terrain);
   if (zones) {
-    detail::assign_zones(terrain, *zones);
+    detail::assign_zones(terrain, *zones, options.cut_zones);
+  } else if (rules) {
+    detail::assign_zones(terrain, options.zones);
   } else {
     for (const std::uint16_t file : raw.source) terrain.zone.push_back(zone_of_file[file]);
   }

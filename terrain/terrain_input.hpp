@@ -17,12 +17,37 @@ struct TerrainOptions {
   std::vector<std::filesystem::path> surface = {};
   /// A name per mesh, or one zone raster, or one file of polygons (GeoJSON, GeoPackage, Shapefile)
   /// with a property "zone". A raster holds class numbers; they are the names, or get them by
-  /// "zones.asc:1=blue,2=gray". Empty: one zone, "ground".
+  /// "zones.asc:1=blue,2=gray". Or rules, of which the first that holds decides: "rock=slope>60",
+  /// "scree=height<1450&slope>=30", "soil=else". Empty: one zone, "ground".
   std::vector<std::string> zones = {};
   std::string up = "z";  ///< of meshes and clouds: "z" or "y"; "y" turns (x, y, z) to (x, -z, y)
   /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), and
   /// of a raster that is to be made coarser.
   std::optional<double> resolution = {};
+  /// Height of a cloud's cell: this percentile of the points in it, 0 the lowest, 100 the highest;
+  /// their mean when absent.
+  std::optional<double> percentile = {};
+  /// Points of a cloud farther than this above or below the median of the ground around (5 x 5
+  /// cells) are left out, m. Must be more than the relief within a cell; absent: all count.
+  std::optional<double> outliers = {};
+  /// Holes up to this length and width are filled, m; wider ones stay open. Absent: of clouds
+  /// three cells, of meshes three median edges, of rasters none, whose gaps are meant.
+  std::optional<double> fill = {};
+  /// Cracks between the tiles of a mesh are closed up to this width, m; 0: none.
+  double crack = 0.01;
+  /// A single vertex of any ground that is off the plane through its neighbours by more than this
+  /// many times their mean distance is levelled; 0: none.
+  double spike_steepness = 3.0;
+  /// Rounds of smoothing, each halfway to the plane through the neighbours; 0: none.
+  int smoothing = 0;
+  /// Vertices of any ground are left out where the surface keeps within this height of all the
+  /// vertices and midpoints of edges it had, m. Overhangs stay as they are.
+  std::optional<double> tolerance = {};
+  /// Files of lines with heights (GeoJSON, GeoPackage, Shapefile) that become edges of the surface
+  /// of a raster or cloud.
+  std::vector<std::filesystem::path> breaklines = {};
+  /// Polygon borders are cut into the triangles, so that zones end where the polygons do.
+  bool cut_zones = false;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -40,14 +65,17 @@ struct ZoneFile {
 /// @throws InputError  a mapping that can't be read
 std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones);
 
-/// Reads, turns z up, welds, drops degenerate and duplicate triangles, turns normals out of the
-/// ground, and assigns zones.
-/// Rasters: heights are at cell centres; the surface joins the centres with two triangles per cell,
-/// none at nodata. Clouds are binned to the mean height per cell; empty cells between known ones
-/// are filled from their neighbours, larger gaps stay open. Zone files are in map coordinates and
-/// decide by the centroid of each triangle, seen from above.
+/// True when `zones` are rules by slope and height and not names or a file.
+bool are_zone_rules(const std::vector<std::string>& zones);
+
+/// Reads, turns z up, checks and mends, turns normals out of the ground, and assigns zones.
+/// Meshes: vertices are welded, degenerate and duplicate triangles dropped, cracks closed, holes
+/// filled. Rasters: heights are at cell centres; the surface joins the centres with two triangles
+/// per cell, none at nodata. Clouds are streamed into a grid of cells. Every mend is in the report,
+/// with a count and a place. A triangle has the zone that covers most of its plan area.
 /// @throws InputError     a file that can't be read or a zone source that does not fit; names it
-/// @throws GeometryError  a surface that can't be mended, or triangles without a zone, with a place
+/// @throws GeometryError  a surface that can't be mended (edges of three triangles, one side only,
+///                        ground that lies double), or triangles without a zone, with a place
 Terrain read_terrain(const TerrainOptions& options);
 
 }  // namespace clast

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -12,8 +14,10 @@
 #include "app/text_table.hpp"
 #include "classify/certainty.hpp"
 #include "classify/dimension_table.hpp"
+#include "classify/population_notes.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/utf8.hpp"
 #include "library/block_library.hpp"
 #include "study/population_report.hpp"
 
@@ -70,6 +74,9 @@ std::vector<std::string> schemes_from(const std::string& text) {
   const std::vector<std::string> schemes = split_list(text);
   if (schemes.empty()) throw CLI::ValidationError("--scheme", "names no scheme");
   for (const std::string& scheme : schemes) {
+    if (std::count(schemes.begin(), schemes.end(), scheme) > 1) {
+      throw CLI::ValidationError("--scheme", "names " + scheme + " more than once");
+    }
     try {
       class_names(scheme);
     } catch (const InputError& error) {
@@ -82,6 +89,7 @@ std::vector<std::string> schemes_from(const std::string& text) {
 DimensionColumns columns_from(const std::string& text, const std::string& units) {
   DimensionColumns columns;
   if (!units.empty()) columns.unit = length_unit(units);
+  std::map<std::string, std::string> quantities, given;  // by each other
   for (const std::string& piece : split_list(text)) {
     const std::size_t equals = piece.find('=');
     const std::string quantity = piece.substr(0, equals);
@@ -92,6 +100,14 @@ DimensionColumns columns_from(const std::string& text, const std::string& units)
                                                   "\" is not understood; expected something like "
                                                   "L=5,I=6,S=7,mass=4 or L=length,I=width,S=height,"
                                                   "name=label");
+    }
+    if (!given.emplace(quantity, column).second) {
+      throw CLI::ValidationError("--columns", quantity + " is given as column " + given[quantity] +
+                                                  " and as column " + column);
+    }
+    if (quantity != "name" && !quantities.emplace(column, quantity).second) {
+      throw CLI::ValidationError("--columns", "column " + column + " is given as " +
+                                                  quantities[column] + " and as " + quantity);
     }
     if (axis) {
       (quantity == "L" ? columns.L : quantity == "I" ? columns.I : columns.S) = column;
@@ -118,7 +134,7 @@ void add_library(Source& source, const ClassifyArgs& args, const std::string& pa
       by_box.push_back({sides[0], sides[1], sides[2]});
     }
     const Axes axes = by_box[static_cast<std::size_t>(box_convention(args.box))];
-    MeasuredBlock measured = measured_block(block.id, axes, block.mass.mass);
+    MeasuredBlock measured = measured_block(as_utf8(block.id), axes, block.mass.mass);
     measured.by_box = std::move(by_box);
     // The scan's extents are within twice the deviation of the block's.
     measured.axis_error =
@@ -166,14 +182,39 @@ void add_table(Source& source, const ClassifyArgs& args, const std::string& path
   source.said += notes_text(path, table);
 }
 
+/// Says it where files are the same, which counts their blocks as often.
+std::vector<std::string> same_file_notes(const std::vector<InputFile>& inputs) {
+  std::map<std::string, std::vector<std::string>> names;  // by content
+  for (const InputFile& input : inputs) names[input.sha256].push_back(input.file);
+  std::vector<std::string> notes;
+  for (const InputFile& input : inputs) {
+    const std::vector<std::string>& same = names[input.sha256];
+    if (same.size() < 2) continue;
+    std::string all;
+    for (const std::string& name : same) all += (all.empty() ? "" : ", ") + name;
+    notes.push_back("the same file was given " + std::to_string(same.size()) + " times (" + all +
+                    "): its blocks are counted " + std::to_string(same.size()) + " times");
+    names[input.sha256].clear();  // said once
+  }
+  return notes;
+}
+
+/// Which files a population is made of, and how to read them.
+struct PopulationArgs {
+  std::vector<std::string> inputs;
+  std::string columns;
+  std::string units;
+};
+
 /// One population out of several files.
-Source read_population(const ClassifyArgs& args, const std::vector<std::string>& inputs,
-                       const DimensionColumns& columns) {
+Source read_population(const ClassifyArgs& args, const PopulationArgs& asked) {
+  const DimensionColumns columns = columns_from(asked.columns, asked.units);
+  const std::vector<std::string>& inputs = asked.inputs;
   Source source;
   ReportedPopulation& reported = source.reported;
   bool tables = false, libraries = false;
   for (const std::string& input : inputs) {
-    const std::string stem = std::filesystem::path(input).stem().string();
+    const std::string stem = as_utf8(std::filesystem::path(input).stem().string());
     if (is_library(input)) {
       libraries = true;
       source.surfaces.resize(reported.population.blocks.size());
@@ -183,7 +224,7 @@ Source read_population(const ClassifyArgs& args, const std::vector<std::string>&
       add_table(source, args, input, columns, inputs.size() > 1 ? stem : std::string());
     }
     reported.population.name += (reported.population.name.empty() ? "" : " + ") + stem;
-    reported.inputs.push_back(input + " " + sha256_of_file(input));
+    reported.inputs.push_back({as_utf8(input), sha256_of_file(input)});
   }
   source.surfaces.resize(reported.population.blocks.size());
   const std::string box_words = "sides of the " + args.box + " box of the rounded body";
@@ -191,6 +232,19 @@ Source read_population(const ClassifyArgs& args, const std::vector<std::string>&
   reported.measured = libraries && tables ? box_words + ", or as measured"
                       : libraries         ? box_words
                                           : "as measured";
+  ReadingOptions& reading = reported.reading;
+  if (libraries) reading.box = args.box;
+  if (tables) reading.columns = asked.columns;
+  if (tables && !asked.units.empty()) reading.units = asked.units;
+  if (args.axis_error >= 0.0) reading.axis_error = args.axis_error;
+  std::vector<std::string> notes = same_file_notes(reported.inputs);
+  for (std::string& note : population_notes(reported.population.blocks)) {
+    notes.push_back(std::move(note));
+  }
+  for (const std::string& note : notes) {
+    reported.notes.push_back(note);
+    source.said += reported.population.name + ": " + note + "\n";
+  }
   return source;
 }
 
@@ -212,10 +266,7 @@ void print_tables(const PopulationReport& report, const std::vector<Source>& sou
   if (report.comparison) std::cout << comparison_text(*report.comparison);
 }
 
-std::string one_line(const Json& json) {
-  // Names may hold bytes that are not UTF-8.
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string one_line(const Json& json) { return json.dump(); }
 
 /// The members of one population, without the braces around them; a line per block, so that a
 /// million of them are never in memory as JSON.
@@ -249,28 +300,73 @@ void print_json(const PopulationReport& report, const std::vector<Source>& sourc
   std::cout << "\n}\n";
 }
 
+/// A file that is in both populations makes them alike.
+void note_shared_files(std::vector<Source>& sources) {
+  ReportedPopulation& second = sources[1].reported;
+  for (const InputFile& a : sources[0].reported.inputs) {
+    for (const InputFile& b : second.inputs) {
+      if (a.sha256 != b.sha256) continue;
+      second.notes.push_back("both populations hold the same file, " + a.file +
+                             (a.file == b.file ? "" : " and " + b.file));
+      sources[1].said += second.population.name + ": " + second.notes.back() + "\n";
+    }
+  }
+}
+
+/// An option that changes nothing here was meant for something: it is refused.
+void check_options_apply(const ClassifyArgs& args, const CLI::App& command) {
+  const auto given = [&](const char* option) { return command.count(option) > 0; };
+  const auto any = [](const std::vector<std::string>& inputs, bool library) {
+    return std::any_of(inputs.begin(), inputs.end(),
+                       [&](const std::string& input) { return is_library(input) == library; });
+  };
+  const auto need = [&](const char* option, bool applies, const char* reason) {
+    if (given(option) && !applies) throw CLI::ValidationError(option, reason);
+  };
+  const auto names = [&](const char* scheme) {
+    const std::vector<std::string> schemes = schemes_from(args.schemes);
+    return std::count(schemes.begin(), schemes.end(), scheme) > 0;
+  };
+  need("--output", !args.output.empty(), "names no folder");
+  for (const auto& [option, value] :
+       {std::pair{"--columns", &args.columns}, std::pair{"--units", &args.units},
+        std::pair{"--against-columns", &args.against_columns},
+        std::pair{"--against-units", &args.against_units}}) {
+    need(option, !value->empty(), "is empty");
+  }
+  for (const char* option : {"--columns", "--units"}) {
+    need(option, any(args.inputs, false) || any(args.against, false),
+         "is for tables, and every input is a library, whose axes are in metres");
+  }
+  for (const char* option : {"--against-columns", "--against-units"}) {
+    need(option, any(args.against, false), "is for tables, and --against names none");
+  }
+  need("--roundness", any(args.inputs, true) || any(args.against, true),
+       "is measured on the surface of a library's blocks, and no input is a library");
+  need("--roundness", args.json, "is printed with --json only");
+  need("--erdogan-limit", args.json || names("erdogan"), "is for the scheme erdogan: add --scheme");
+  need("--thirds", args.json || !args.output.empty() || names("sneed-folk"),
+       "is for the scheme sneed-folk: add --scheme");
+}
+
 void check_has_blocks(const Source& source) {
   if (!source.reported.population.blocks.empty()) return;
-  throw InputError(
-      source.reported.inputs.front().substr(0, source.reported.inputs.front().rfind(' ')) +
-      ": there is no block in it to classify");
+  throw InputError(source.reported.inputs.front().file + ": there is no block in it to classify");
 }
 
 void classify(const ClassifyArgs& args) {
-  check_usage([&] { args.limits.check(); });
   PopulationReport report;
   report.options = {.size = args.size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean,
                     .seed = args.seed,
                     .schemes = schemes_from(args.schemes),
                     .limits = args.limits};
-  const DimensionColumns columns = columns_from(args.columns, args.units);
   std::vector<Source> sources;
-  sources.push_back(read_population(args, args.inputs, columns));
+  sources.push_back(read_population(args, {args.inputs, args.columns, args.units}));
   if (!args.against.empty()) {
     sources.push_back(read_population(
-        args, args.against,
-        columns_from(args.against_columns.empty() ? args.columns : args.against_columns,
-                     args.against_units.empty() ? args.units : args.against_units)));
+        args, {args.against, args.against_columns.empty() ? args.columns : args.against_columns,
+               args.against_units.empty() ? args.units : args.against_units}));
+    note_shared_files(sources);
   }
   for (Source& source : sources) {
     check_has_blocks(source);
@@ -328,7 +424,7 @@ void add_classify(CLI::App& app) {
       ->add_option("--axis-error", args->axis_error,
                    "What the axes are known to, m; default: 0.05 for a table (tape), twice the "
                    "deviation from the scan for a library")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_between(0.0, 1e6))
       ->type_name("M");
   command->add_flag("--thirds", args->limits.sneed_folk_thirds,
                     "Limits 1/3 and 2/3 for the second letter of Sneed & Folk, not 0.33 and 0.67");
@@ -370,6 +466,7 @@ void add_classify(CLI::App& app) {
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--seed", args->seed, "Seed of the random samples behind p-values of fits")
+      ->check(whole_number())
       ->type_name("N")
       ->capture_default_str();
   command
@@ -384,6 +481,8 @@ void add_classify(CLI::App& app) {
       "  clast classify talus.csv --against blocks.h5 -o classes");
   command->callback([args, command] {
     args->box_given = command->count("--box") > 0;
+    check_usage([&] { args->limits.check(); });
+    check_options_apply(*args, *command);
     classify(*args);
   });
 }

@@ -21,6 +21,7 @@ struct CompareArgs {
 };
 
 void compare_results(const CompareArgs& args) {
+  if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
   std::vector<CampaignResults> results;
   for (const std::string& file : args.results) results.push_back(read_results(file));
   CompareOptions options;

@@ -8,6 +8,7 @@
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "library/block_library.hpp"
 #include "shapes/coplanar_faces.hpp"
 #include "shapes/mesh_io.hpp"
@@ -68,6 +69,7 @@ std::vector<std::pair<std::string, TriangleMesh>> chosen_meshes(const Block& blo
 }
 
 void export_blocks(const ExportArgs& args) {
+  if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
   const std::vector<std::string> formats = split_list(args.formats);
   for (const std::string& format : formats) {
     if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end()) {
@@ -87,6 +89,7 @@ void export_blocks(const ExportArgs& args) {
     for (const Block& block : library.blocks()) blocks.push_back(&block);
   }
 
+  if (blocks.empty()) throw InputError(args.library + ": there is no block in it to export");
   std::size_t written = 0;
   for (const Block* block : blocks) {
     std::vector<std::pair<std::string, TriangleMesh>> meshes;
@@ -106,8 +109,15 @@ void export_blocks(const ExportArgs& args) {
         continue;
       }
       for (const auto& [suffix, mesh] : meshes) {
-        write_mesh(std::filesystem::path(args.folder) / (block->id + suffix + "." + format), mesh);
+        const std::filesystem::path file =
+            std::filesystem::path(args.folder) / (block->id + suffix + "." + format);
+        const Vec3 origin = write_mesh(file, mesh);
         ++written;
+        if (!origin.isZero(0.0)) {
+          std::cerr << file.string() << ": its floats can't hold coordinates this far out, so "
+                    << place(origin) << " was taken off (" << file.filename().string()
+                    << ".origin.txt says so); obj, ply and vtp keep them\n";
+        }
       }
     }
   }

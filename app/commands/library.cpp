@@ -58,6 +58,7 @@ struct RemoveArgs {
 
 void remove_blocks(const RemoveArgs& args) {
   BlockLibrary library = BlockLibrary::read(args.library);
+  for (const std::string& id : args.ids) library.block(id);  // all are there, or none is removed
   for (const std::string& id : args.ids) library.remove(id);
   library.write(args.library);
   std::cout << args.library << ": " << counted(args.ids.size(), "block") << " removed, "

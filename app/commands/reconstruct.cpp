@@ -3,17 +3,22 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <utility>
 
 #include "app/block_report.hpp"
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
+#include "app/ordered_jobs.hpp"
 #include "app/progress.hpp"
 #include "app/scan_list.hpp"
 #include "app/scan_to_block.hpp"
 #include "app/shape_to_block.hpp"
 #include "app/text_table.hpp"
+#include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "library/block_library.hpp"
 
@@ -25,88 +30,188 @@ struct ReconstructArgs {
   std::vector<std::string> scans;
   std::string library = "blocks.h5";
   std::string units = "m";
+  std::string scale_length;
+  double scale_factor = 1.0;
+  unsigned jobs = 1;
+  std::string ground = "auto";
   bool replace = false;
+  bool resume = false;
   bool json = false;
   ScanToBlockOptions options;
 };
 
-Block block_from(const ScanFile& scan, const ScanToBlockOptions& options,
-                 const std::function<void(const std::string&)>& stage) {
-  if (!scan.is_shp()) return block_from_scan(scan.path, scan.id, options, stage);
+/// What became of a scan: blocks, or the reason why there is none, or neither where the library has
+/// its block already.
+struct Outcome {
+  std::vector<Block> blocks;
+  std::string failure;
+};
+
+std::vector<Block> blocks_from(const ScanFile& scan, const ScanToBlockOptions& options,
+                               const std::function<void(const std::string&)>& stage) {
+  if (!scan.is_shp()) return blocks_from_scan(scan.path, scan.id, options, stage);
   const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
-  return block_from_shape(shape, scan.path, scan.id, options, stage);
+  return {block_from_shape(shape, scan.path, scan.id, options, stage)};
 }
+
+/// A short name of everything that was asked of a scan, for `--resume` to know it again.
+std::string request(const ReconstructArgs& args) {
+  const ScanToBlockOptions& o = args.options;
+  const auto number = [](double value) { return with_digits(value, 17) + " "; };
+  const auto optional = [&](const auto& value) {
+    return value ? number(static_cast<double>(*value)) : std::string("- ");
+  };
+  const BlockOptions& b = o.block;
+  std::string text = number(o.scan.unit) + o.scan.up + " " + optional(o.vertices);
+  text += optional(b.radius) + number(b.radius_share) + number(b.density) + optional(b.mass);
+  text += number(b.accuracy) + number(b.tolerance);
+  for (const bool flag : {o.radius_given, b.density_given, b.core, b.convex,
+                          o.scan.repair.keep_inner_shells, o.up_given, o.find_ground, o.split}) {
+    text += flag ? "y" : "n";
+  }
+  return "request=" + sha256(text).substr(0, 16);
+}
+
+/// A batch of scans on its way into a library.
+class Batch {
+ public:
+  explicit Batch(const ReconstructArgs& args)
+      : args_(args),
+        scans_(list_scans(args.scans)),
+        request_(request(args)),
+        progress_("steps", kStages * scans_.size()) {
+    if (args.options.block.mass && scans_.size() > 1) {
+      throw CLI::ValidationError("--mass", "is the mass of one block, but " +
+                                               std::to_string(scans_.size()) + " scans are given");
+    }
+    if (std::filesystem::exists(args.library)) library_ = BlockLibrary::read(args.library);
+    // A place that can't be written is refused before the work and not after it.
+    const OutputFile trial(args.library);
+  }
+
+  void run() {
+    ordered_jobs(
+        scans_.size(), args_.jobs, [&](std::size_t i) { return made(scans_[i]); },
+        [&](std::size_t i, Outcome& outcome) { take(scans_[i], outcome); });
+    progress_.clear();
+    if (!made_.empty()) library_.write(args_.library);
+    print_end();
+    if (failed_.empty()) return;
+    if (scans_.size() == 1) throw InputError(last_failure_);
+    throw InputError(std::to_string(failed_.size()) + " of " + std::to_string(scans_.size()) +
+                     " scans gave no block; the reasons are above");
+  }
+
+ private:
+  static constexpr std::size_t kStages = 3;
+  /// A batch that is killed loses little; a write for every block would copy the library each time.
+  static constexpr std::chrono::seconds kBetweenWrites{60};
+
+  void tell(const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    progress_.update(std::min(steps_++, kStages * scans_.size()), what);
+  }
+
+  /// True where the block in the library was made of the same bytes by the same options.
+  bool is_done(const ScanFile& scan) {
+    check_block_id(scan.id);
+    const std::string first = args_.options.split && !scan.is_shp() ? scan.id + "_1" : scan.id;
+    const std::lock_guard lock(mutex_);
+    if (!library_.has(first)) return false;
+    const BlockSource& source = library_.block(first).source;
+    if (args_.resume && source.options.ends_with(request_) &&
+        source.sha256 == sha256_of_file(scan.path)) {
+      return true;
+    }
+    if (args_.replace) return false;
+    throw InputError("block " + first + " is in " + args_.library +
+                     " already; use --replace to put the new one in its place");
+  }
+
+  Outcome made(const ScanFile& scan) {
+    try {
+      if (is_done(scan)) return {};
+      std::vector<Block> blocks =
+          blocks_from(scan, args_.options, [&](const std::string& what) { tell(what); });
+      for (Block& block : blocks) block.source.options += " " + request_;
+      return {std::move(blocks), ""};
+    } catch (const Error& error) {  // one bad scan never costs the batch
+      return {{}, error.what()};
+    }
+  }
+
+  void take(const ScanFile& scan, Outcome& outcome) {
+    const std::lock_guard lock(mutex_);
+    progress_.clear();
+    steps_ = std::max(steps_, kStages * ++taken_);
+    if (!outcome.blocks.empty()) {
+      for (const Block& block : outcome.blocks) add(block);
+    } else if (outcome.failure.empty()) {
+      ++skipped_;
+    } else {
+      const std::string path = scan.path.string();
+      const std::string& reason = outcome.failure;
+      failed_.push_back({{"scan", path}, {"reason", reason}});
+      last_failure_ = reason.find(path) == std::string::npos ? path + ": " + reason : reason;
+      if (scans_.size() > 1) std::cerr << "clast: " << last_failure_ << "\n";
+    }
+  }
+
+  void add(const Block& block) {
+    library_.add(block, args_.replace);
+    if (std::chrono::steady_clock::now() - written_ > kBetweenWrites) {
+      library_.write(args_.library);
+      written_ = std::chrono::steady_clock::now();
+    }
+    made_.push_back(block_json(block));
+    if (args_.json) return;
+    std::cout << block_line(block) << "\n";
+    for (const std::string& warning : block.warnings) std::cout << "  note: " << warning << "\n";
+    std::cout.flush();
+  }
+
+  void print_end() const {
+    if (args_.json) {
+      nlohmann::ordered_json json = {{"blocks", made_}, {"failed", failed_}};
+      if (args_.resume) json["skipped"] = skipped_;
+      std::cout << json.dump(2) << "\n";
+      return;
+    }
+    if (skipped_ > 0) {
+      std::cout << args_.library << ": " << counted(skipped_, "scan")
+                << " skipped, in the library already with the same file and options\n";
+    }
+    if (made_.empty()) return;
+    std::cout << args_.library << ": " << counted(made_.size(), "block") << " written, "
+              << library_.blocks().size() << " in all\n";
+  }
+
+  const ReconstructArgs& args_;
+  std::vector<ScanFile> scans_;
+  std::string request_;
+  Progress progress_;
+  BlockLibrary library_;
+  std::mutex mutex_;  ///< of all below, the library and the progress
+  std::size_t steps_ = 0, taken_ = 0, skipped_ = 0;
+  nlohmann::ordered_json made_ = nlohmann::ordered_json::array();
+  nlohmann::ordered_json failed_ = nlohmann::ordered_json::array();
+  std::string last_failure_;
+  std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
+};
 
 void reconstruct(ReconstructArgs args) {
   ScanToBlockOptions& options = args.options;
   options.unit_name = args.units;
-  options.scan.unit = length_unit(args.units);
+  options.scale_factor = args.scale_factor;
+  options.scaled_by_length = !args.scale_length.empty();
+  options.scan.unit =
+      (options.scaled_by_length ? unit_from_length(args.scale_length) : length_unit(args.units)) *
+      args.scale_factor;
   check_usage([&] { options.check(); });
-  const std::vector<ScanFile> scans = list_scans(args.scans);
-  if (options.block.mass && scans.size() > 1) {
-    throw CLI::ValidationError("--mass", "is the mass of one block, but " +
-                                             std::to_string(scans.size()) + " scans are given");
+  if (options.block.mass && options.split) {
+    throw CLI::ValidationError("--mass", "is the mass of one block, but --split may make several");
   }
-  BlockLibrary library;
-  if (std::filesystem::exists(args.library)) library = BlockLibrary::read(args.library);
-  // A place that can't be written is refused before the work and not after it.
-  { const OutputFile trial(args.library); }
-
-  constexpr std::size_t kStages = 3;
-  Progress progress("steps", kStages * scans.size());
-  std::size_t steps = 0;
-  nlohmann::ordered_json made = nlohmann::ordered_json::array();
-  nlohmann::ordered_json failed = nlohmann::ordered_json::array();
-  std::string last_failure;
-  // A batch that is killed loses little; a write for every block would copy the library every time.
-  constexpr std::chrono::seconds kBetweenWrites(60);
-  auto written = std::chrono::steady_clock::now();
-  const auto reconstruct_one = [&](const ScanFile& scan) {
-    check_block_id(scan.id);
-    if (library.has(scan.id) && !args.replace) {
-      throw InputError("block " + scan.id + " is in " + args.library +
-                       " already; use --replace to put the new one in its place");
-    }
-    Block block =
-        block_from(scan, options, [&](const std::string& what) { progress.update(steps++, what); });
-    progress.clear();
-    library.add(block, args.replace);
-    if (std::chrono::steady_clock::now() - written > kBetweenWrites) {
-      library.write(args.library);
-      written = std::chrono::steady_clock::now();
-    }
-    made.push_back(block_json(block));
-    if (!args.json) std::cout << block_line(block) << "\n";
-    for (const std::string& warning : block.warnings) {
-      if (!args.json) std::cout << "  note: " << warning << "\n";
-    }
-    std::cout.flush();
-  };
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    try {
-      reconstruct_one(scans[i]);
-    } catch (const Error& error) {  // one bad scan never costs the batch
-      progress.clear();
-      const std::string path = scans[i].path.string();
-      const std::string reason = error.what();
-      failed.push_back({{"scan", path}, {"reason", reason}});
-      last_failure = reason.find(path) == std::string::npos ? path + ": " + reason : reason;
-      if (scans.size() > 1) std::cerr << "clast: " << last_failure << "\n";
-    }
-    steps = kStages * (i + 1);
-  }
-
-  if (!made.empty()) library.write(args.library);
-  if (args.json) {
-    std::cout << nlohmann::ordered_json{{"blocks", made}, {"failed", failed}}.dump(2) << "\n";
-  } else if (!made.empty()) {
-    std::cout << args.library << ": " << counted(made.size(), "block") << " written, "
-              << library.blocks().size() << " in all\n";
-  }
-  if (failed.empty()) return;
-  if (scans.size() == 1) throw InputError(last_failure);
-  throw InputError(std::to_string(failed.size()) + " of " + std::to_string(scans.size()) +
-                   " scans gave no block; the reasons are above");
+  Batch(args).run();
 }
 
 }  // namespace
@@ -114,12 +219,14 @@ void reconstruct(ReconstructArgs args) {
 void add_reconstruct(CLI::App& app) {
   const auto args = std::make_shared<ReconstructArgs>();
   ScanToBlockOptions& options = args->options;
-  CLI::App* command =
-      app.add_subcommand("reconstruct", "Turn scans (closed meshes) into blocks of a library");
+  CLI::App* command = app.add_subcommand(
+      "reconstruct",
+      "Turn scans (meshes and point clouds) into blocks of a library, mending what is dirty");
   command
       ->add_option("scans", args->scans,
-                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), Rockable or ExaDEM "
-                   "shapes (shp: cores with their radius), or folders of them")
+                   "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), point clouds (ply, pcd, "
+                   "las, xyz, txt, csv), Rockable or ExaDEM shapes (shp: cores with their "
+                   "radius), or folders of them")
       ->required()
       ->type_name("SCAN");
   command
@@ -134,10 +241,35 @@ void add_reconstruct(CLI::App& app) {
                    "Length unit of the scans: m, cm, mm, km, in, ft, or metres per unit")
       ->type_name("UNIT")
       ->capture_default_str();
-  command->add_option("--up", options.scan.up, "Axis of the scans that points up: y or z")
-      ->check(up_axis())
-      ->type_name("AXIS")
+  command
+      ->add_option("--scale-length", args->scale_length,
+                   "Scale from a length that was measured: two points of the scan in its own "
+                   "coordinates, and the metres between them, as \"x,y,z;x,y,z;metres\"")
+      ->excludes("--units")
+      ->type_name("A;B;M");
+  command
+      ->add_option("--scale-factor", args->scale_factor,
+                   "Factor on all lengths, after --units or --scale-length")
+      ->check(positive_number())
+      ->type_name("F")
       ->capture_default_str();
+  CLI::Option* up =
+      command
+          ->add_option("--up", options.scan.up,
+                       "Axis of the scans that points up: y or z; without it z, or away from the "
+                       "ground where a scan holds ground")
+          ->check(up_axis())
+          ->type_name("AXIS");
+  command
+      ->add_option(
+          "--ground", args->ground,
+          "auto: take away the ground around a block; none: the scan is of the block alone")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->type_name("WHICH")
+      ->capture_default_str();
+  command->add_flag("--split", options.split,
+                    "Make a block of everything that stands on the ground of a scan, as ID_1, ID_2 "
+                    "... in order of x, and not only of what stands near its middle");
   command
       ->add_option("--vertices", options.vertices,
                    "Vertices a block has at most, 4 or more; default: the fewest up to 2000 with "
@@ -159,9 +291,12 @@ void add_reconstruct(CLI::App& app) {
           ->type_name("SHARE")
           ->capture_default_str();
   command
-      ->add_flag("--core", options.block.core,
-                 "The mesh is the core that the sphere is swept over, not the rock's surface")
-      ->needs(radius);
+      ->add_flag(
+          "--core", options.block.core,
+          "The mesh is the core that the sphere is swept over, not the rock's surface; it is "
+          "taken as it is")
+      ->needs(radius)
+      ->excludes("--vertices");
   command
       ->add_flag("--convex", options.block.convex,
                  "Take the convex hull of each scan, for example to compare with simpler models")
@@ -190,17 +325,33 @@ void add_reconstruct(CLI::App& app) {
       ->check(number_between(1e-6, 1.0))
       ->type_name("SHARE")
       ->capture_default_str();
-  command->add_flag("--keep-inner-shells", options.scan.keep_inner_shells,
-                    "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
-                    "them. Their number and volume are told either way");
+  command
+      ->add_flag("--keep-inner-shells", options.scan.repair.keep_inner_shells,
+                 "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
+                 "them. Their number and volume are told either way")
+      ->excludes("--convex");
   command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");
+  command
+      ->add_option("--jobs", args->jobs,
+                   "Scans that are worked on at the same time, 0: one per core; each takes its own "
+                   "memory, and the results are the same for any number")
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_flag("--resume", args->resume,
+                    "Skip scans whose block is in the library already, made of the same file with "
+                    "the same options");
   command->add_flag("--json", args->json, "Print the blocks as JSON");
   command->footer(
       "Examples:\n"
       "  clast reconstruct scans/ -o blocks.h5 --units mm --density 2650\n"
+      "  clast reconstruct scans/ -o blocks.h5 --units mm --jobs 4 --resume\n"
+      "  clast reconstruct rock.ply --scale-length \"0.2,1.1,0;3.9,1.3,0.4;0.52\"\n"
       "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342\n"
+      "  clast reconstruct slope.las -o blocks.h5 --split\n"
       "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
-  command->callback([args, density, radius, share] {
+  command->callback([args, density, radius, share, up] {
+    args->options.up_given = up->count() > 0;
+    args->options.find_ground = args->ground == "auto";
     args->options.radius_given = radius->count() + share->count() > 0;
     args->options.block.density_given = density->count() > 0;
     reconstruct(*args);

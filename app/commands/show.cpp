@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <array>
 #include <iostream>
 #include <memory>
 
@@ -7,6 +8,7 @@
 #include "app/text_table.hpp"
 #include "classify/equilibria.hpp"
 #include "library/block_library.hpp"
+#include "library/unseen_range.hpp"
 
 namespace clast {
 
@@ -36,6 +38,30 @@ std::string overview(const std::vector<const Block*>& blocks) {
 
 std::string vector_text(const Vec3& v) {
   return rounded(v[0], 6) + "  " + rounded(v[1], 6) + "  " + rounded(v[2], 6);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// What the unseen side leaves open, as names with values.
+std::vector<std::array<std::string, 2>> unseen_lines(const Block& block) {
+  const UnseenPart& unseen = *block.unseen;
+  const UnseenRange range = unseen_range(block);
+  const auto between = [](double low, double high, int digits) {
+    return rounded(low, digits) + " to " + rounded(high, digits);
+  };
+  return {{"surface filled in %", rounded(100.0 * unseen.invented_share, 2)},
+          {"volume m3", between(unseen.lower_volume, unseen.upper_volume, 4) + ", best " +
+                            rounded(unseen.best_volume)},
+          {"mass kg", between(range.lower_mass, range.upper_mass, 4)},
+          {"density kg/m3", between(range.lower_density, range.upper_density, 4)},
+          {"s_c", between(range.lower_s_c, range.upper_s_c, 3)},
+          {"classes", listed(range.classes.at("sneed-folk")) + "; " +
+                          listed(range.classes.at("zingg")) + "; " +
+                          listed(range.classes.at("garcia"))}};
 }
 
 /// What the overview leaves out.
@@ -68,6 +94,9 @@ std::string details(const Block& block) {
   line("volume against scan", rounded(block.deviation.volume_relative, 2));
   line("area against scan", rounded(block.deviation.area_relative, 2));
   line("moments against scan", rounded(block.deviation.moments_relative, 2));
+  if (block.unseen) {
+    for (const auto& [name, value] : unseen_lines(block)) line(name, value);
+  }
   const FieldNotes& field = block.field;
   if (!field.site.empty()) line("site", field.site);
   if (field.taped) {

@@ -17,7 +17,9 @@ constexpr double kSameNormal = 1.0 - 1e-12;
 /// A new contact's closing speed explains its overlap when it leaves no more than this share of it.
 constexpr double kExplained = 1e-6;
 
-Vec3 turned_into_plane(const Vec3& vector, const Vec3& normal) {
+/// A vector perpendicular to `before` turned to be perpendicular to `normal`, as long as it was.
+Vec3 turned_into_plane(const Vec3& vector, const Vec3& before, const Vec3& normal) {
+  if (normal == before) return vector;
   const double length = vector.norm();
   const Vec3 flat = vector - vector.dot(normal) * normal;
   const double flat_length = flat.norm();
@@ -25,8 +27,8 @@ Vec3 turned_into_plane(const Vec3& vector, const Vec3& normal) {
 }
 
 void limit(Vec3& vector, double largest) {
-  const double length = vector.norm();
-  if (length > largest) vector *= largest / length;
+  const double squared = vector.squaredNorm();
+  if (squared > largest * largest) vector *= largest / std::sqrt(squared);
 }
 
 }  // namespace
@@ -40,6 +42,8 @@ ContactForces::ContactForces(std::span<const GroundParameters> zones,
       zone_of_face_(zone_of_face),
       patches_(block, weights),
       stiffness_(stiffness),
+      tangential_give_(1.0 / stiffness.tangential),
+      rolling_give_(1.0 / stiffness.rolling),
       near_(kHandOverShare * size) {
   std::visit(
       [&]<class Law>(const Law&) {
@@ -69,14 +73,18 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
   ContactLoad load;
   const double k_t = stiffness_.tangential, k_r = stiffness_.rolling;
   const Vec3 spin = block.angular_velocity - other.angular_velocity;
+  const bool other_moves = other.moves();
   const auto mean_velocity = [&](const Vec3& place) {
-    return Vec3(block.velocity_at(place) - other.velocity_at(place));
+    return other_moves ? Vec3(block.velocity_at(place) - other.velocity_at(place))
+                       : block.velocity_at(place);
   };
   const auto mean_velocity_from = [&](const Vec3& place) {
-    return Vec3(block.velocity_from(place) - other.velocity_from(place));
+    return other_moves ? Vec3(block.velocity_from(place) - other.velocity_from(place))
+                       : block.velocity_from(place);
   };
   const auto begin_velocity = [&](const Vec3& place) {
-    return Vec3(block.begin_velocity_at(place) - other.begin_velocity_at(place));
+    return other_moves ? Vec3(block.begin_velocity_at(place) - other.begin_velocity_at(place))
+                       : block.begin_velocity_at(place);
   };
   const auto take_event = [&](const NormalResponse& response, double weight, const Vec3& normal,
                               const Vec3& place) {
@@ -99,12 +107,10 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
   match(points);
   const std::span<const double> weights = patches_.share(points, block.world_from_body.rotation);
   std::vector<Contact>& now = now_;
-  now.assign(points.size(), {});
+  now.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    now[i].point = points[i];
-    now[i].weight = weights[i];
-    now[i].zone = zone_of_face_.empty() ? 0 : zone_of_face_[points[i].ground_face];
-    now[i].place = points[i].point();
+    now.emplace_back(points[i], zone_of_face_.empty() ? 0 : zone_of_face_[points[i].ground_face],
+                     weights[i]);
   }
   if constexpr (Law::kNeedsEffectiveMass) find_effective_masses(block, other);
 
@@ -137,10 +143,9 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
       path.rate = same ? -begin_velocity(previous.place).dot(previous.point.normal)
                        : (path.after - path.before) / duration;
       normal_before = previous.normal;
-      tangential_before = turned_into_plane(previous.tangential, n);
+      tangential_before = turned_into_plane(previous.tangential, previous.point.normal, n);
       rolling_before = previous.rolling;
-      stored_before =
-          previous.weight * (laws[previous.zone].stored(path.before) + wound_up(previous));
+      stored_before = previous.stored;
       const Vec3 force = previous.normal * previous.point.normal + previous.tangential;
       power_before = -previous.weight *
                      (force.dot(mean_velocity_from(previous.place)) + previous.rolling.dot(spin));
@@ -165,10 +170,12 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
     limit(contact.tangential, ground.friction * contact.normal);
     if (ground.rolling_friction > 0.0) {
       contact.rolling = rolling_before - k_r * duration * spin;
-      const double length = contact.rolling.norm();
-      // The arm of Eq. 5 is perpendicular to the axis about which the block rolls.
-      const double lever = length > 0.0 ? arm.cross(contact.rolling).norm() / length : 0.0;
-      limit(contact.rolling, ground.rolling_friction * lever * contact.normal);
+      // The arm of Eq. 5 is perpendicular to the axis about which the block rolls: the length of
+      // the moment times the arm is that of the product of both.
+      const double squared = contact.rolling.squaredNorm();
+      const double largest =
+          ground.rolling_friction * contact.normal * arm.cross(contact.rolling).norm();
+      if (squared > largest) contact.rolling *= largest / squared;
     }
 
     const Vec3 force = w * (contact.normal * n + contact.tangential);
@@ -183,14 +190,17 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
     const double law_before = law.stored(std::max(0.0, path.before));
     const double normal = w * (response.work - law.stored(overlap) + law_before);
     const double tangential_squared = tangential_before.squaredNorm();
-    const double friction = -0.5 * w *
-                            (duration * (tangential_before + contact.tangential).dot(sliding) +
-                             (contact.tangential.squaredNorm() - tangential_squared) / k_t);
-    const double rolling = -0.5 * w *
-                           (duration * (rolling_before + contact.rolling).dot(spin) +
-                            (contact.rolling.squaredNorm() - rolling_before.squaredNorm()) / k_r);
+    const double friction =
+        -0.5 * w *
+        (duration * (tangential_before + contact.tangential).dot(sliding) +
+         (contact.tangential.squaredNorm() - tangential_squared) * tangential_give_);
+    const double rolling =
+        -0.5 * w *
+        (duration * (rolling_before + contact.rolling).dot(spin) +
+         (contact.rolling.squaredNorm() - rolling_before.squaredNorm()) * rolling_give_);
     const double power = -force.dot(moving) - w * contact.rolling.dot(spin);
-    const double stored_more = w * (law.stored(overlap) + wound_up(contact)) - stored_before;
+    contact.stored = stored_in(contact, law);
+    const double stored_more = contact.stored - stored_before;
     ledger.normal += normal;
     ledger.friction += friction;
     ledger.rolling += rolling;
@@ -206,7 +216,6 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
     const Vec3 moving = mean_velocity_from(gone.place);
     const double closing = -moving.dot(n);
     const double overlap = gone.point.overlap;
-    const double stored = gone.weight * (law.stored(overlap) + wound_up(gone));
     const double taken = -0.5 * duration * gone.weight *
                          ((gone.normal * n + gone.tangential).dot(moving) + gone.rolling.dot(spin));
     const OverlapPath path{duration, overlap, overlap + closing * duration,
@@ -216,17 +225,18 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
       const NormalResponse response = law.along(path, gone.normal, gone.effective_mass);
       take_event(response, gone.weight, n, gone.place);
       const double normal = gone.weight * (response.work + law.stored(overlap));
-      const double friction =
+      const double friction = -0.5 * gone.weight *
+                              (duration * gone.tangential.dot(moving) -
+                               gone.tangential.squaredNorm() * tangential_give_);
+      const double rolling =
           -0.5 * gone.weight *
-          (duration * gone.tangential.dot(moving) - gone.tangential.squaredNorm() / k_t);
-      const double rolling = -0.5 * gone.weight *
-                             (duration * gone.rolling.dot(spin) - gone.rolling.squaredNorm() / k_r);
+          (duration * gone.rolling.dot(spin) - gone.rolling.squaredNorm() * rolling_give_);
       ledger.normal += normal;
       ledger.friction += friction;
       ledger.rolling += rolling;
       own = normal + friction + rolling;
     }
-    ledger.reassigned += taken + stored - own;
+    ledger.reassigned += taken + gone.stored - own;
   }
   std::swap(contacts_, now_);
   if (load.event && other.inverse_mass == 0.0) shift_overlaps(laws, *load.event, block, ledger);
@@ -313,30 +323,24 @@ void ContactForces::shift_overlaps(const std::vector<Law>& laws, const EventLoad
   const Vec3 turn = block.turned_by(event.angular_moment);
   for (Contact& contact : contacts_) {
     const Vec3 moved = shift + turn.cross(contact.place - block.world_from_body.translation);
-    double& overlap = contact.point.overlap;
-    const double shifted = std::max(0.0, overlap - moved.dot(contact.point.normal));
-    const Law& law = laws[contact.zone];
-    ledger.reassigned -= contact.weight * (law.stored(shifted) - law.stored(overlap));
-    overlap = shifted;
+    const double before = contact.stored;
+    contact.point.overlap = std::max(0.0, contact.point.overlap - moved.dot(contact.point.normal));
+    contact.stored = stored_in(contact, laws[contact.zone]);
+    ledger.reassigned -= contact.stored - before;
   }
 }
 
-double ContactForces::wound_up(const Contact& contact) const {
-  return 0.5 * (contact.tangential.squaredNorm() / stiffness_.tangential +
-                contact.rolling.squaredNorm() / stiffness_.rolling);
+template <class Law>
+double ContactForces::stored_in(const Contact& contact, const Law& law) const {
+  return contact.weight * (law.stored(contact.point.overlap) +
+                           0.5 * (contact.tangential.squaredNorm() * tangential_give_ +
+                                  contact.rolling.squaredNorm() * rolling_give_));
 }
 
 double ContactForces::stored_energy() const {
-  return std::visit(
-      [&](const auto& by_zone) {
-        double sum = 0.0;
-        for (const Contact& contact : contacts_) {
-          sum += contact.weight *
-                 (by_zone.laws[contact.zone].stored(contact.point.overlap) + wound_up(contact));
-        }
-        return sum;
-      },
-      laws_);
+  double sum = 0.0;
+  for (const Contact& contact : contacts_) sum += contact.stored;
+  return sum;
 }
 
 double ContactForces::max_overlap() const {

@@ -34,6 +34,11 @@ struct BodyMotion {
   Vec3 begin_velocity_at(const Vec3& point) const {
     return begin_velocity + begin_angular_velocity.cross(point - begin_position);
   }
+  /// False for what stood still all the step, as the ground does.
+  bool moves() const {
+    return !(velocity.isZero(0.0) && angular_velocity.isZero(0.0) && begin_velocity.isZero(0.0) &&
+             begin_angular_velocity.isZero(0.0));
+  }
   /// Inverse inertia times a torque, both in world axes.
   Vec3 turned_by(const Vec3& torque) const {
     const Vec3 in_body = world_from_body.rotation.conjugate() * torque;
@@ -99,14 +104,17 @@ class ContactForces {
  private:
   /// A contact point with its loads before weighting.
   struct Contact {
+    Contact(const ContactPoint& at, std::uint16_t ground_zone, double share)
+        : point(at), zone(ground_zone), weight(share), place(at.point()) {}
     ContactPoint point;
-    std::uint16_t zone = 0;
-    double weight = 1.0;
+    std::uint16_t zone;
+    double weight;
     double normal = 0.0;             ///< N
     Vec3 tangential = Vec3::Zero();  ///< N
     Vec3 rolling = Vec3::Zero();     ///< N m
-    Vec3 place = Vec3::Zero();       ///< where the force acts
+    Vec3 place;                      ///< where the force acts
     double effective_mass = 0.0;     ///< of its law, kg; only where a law asks for it
+    double stored = 0.0;             ///< with its weight, J
   };
   /// What the unit force of one law does through all its points.
   struct LawAction {
@@ -135,14 +143,16 @@ class ContactForces {
   template <class Law>
   void shift_overlaps(const std::vector<Law>& laws, const EventLoad& event, const BodyMotion& block,
                       EnergyLedger& ledger);
-  /// Energy in the springs of friction and rolling, per unit of weight, J.
-  double wound_up(const Contact& contact) const;
+  /// Energy in all springs of the contact, with its weight, J.
+  template <class Law>
+  double stored_in(const Contact& contact, const Law& law) const;
 
   std::span<const GroundParameters> zones_;
   std::span<const std::uint16_t> zone_of_face_;
   LawsOf<ContactLaw>::Type laws_;
   ContactPatches patches_;
   ContactStiffness stiffness_;
+  double tangential_give_, rolling_give_;  ///< 1/k_t, 1/k_r
   double near_;  ///< contacts closer than this may hand their history on, m
   std::vector<Contact> contacts_;
 

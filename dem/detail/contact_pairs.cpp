@@ -34,13 +34,29 @@ void ContactSearch::look_at_side(std::uint32_t s, double until, double within) {
   if (std::min(state.list_until, state.others_clear_until) <= until && !list_holds(s, until)) {
     list_pairs(s, within);
   }
+  if (state.sleepers_due <= until) list_awake_pairs(state, std::max(until, moved_ + list_ahead()));
   double& due = side_due_[s];
-  due = state.list_until;
-  state.clear_until = state.others_clear_until;
-  for (Pair& pair : state.pairs) {
+  due = std::min(state.list_until, state.sleepers_due);
+  state.clear_until = std::min(state.others_clear_until, state.sleepers_clear_until);
+  for (const std::uint32_t p : state.awake) {
+    Pair& pair = state.pairs[p];
     if (pair.due <= until) look_at_pair(parts_.sides[s].feature, pair);
     due = std::min(due, pair.due);
     state.clear_until = std::min(state.clear_until, pair.clear_until);
+  }
+}
+
+void ContactSearch::list_awake_pairs(SideState& state, double horizon) const {
+  state.awake.clear();
+  state.sleepers_due = state.sleepers_clear_until = 1e300;
+  for (std::uint32_t p = 0; p < state.pairs.size(); ++p) {
+    const Pair& pair = state.pairs[p];
+    if (pair.due <= horizon) {
+      state.awake.push_back(p);
+    } else {
+      state.sleepers_due = std::min(state.sleepers_due, pair.due);
+      state.sleepers_clear_until = std::min(state.sleepers_clear_until, pair.clear_until);
+    }
   }
 }
 
@@ -62,6 +78,7 @@ void ContactSearch::list_pairs(std::uint32_t s, double within) {
   const LocalGround& ground = part_states_[state.part].ground;
   const Vec3 middle = placed(side.middle);
   state.pairs.clear();
+  state.sleepers_due = -1.0;
   const double complete = completeness(part_states_[state.part]);
   const double by_plane = std::min(ground.plane.clearance(middle) - side.radius, complete);
   const auto hold = [&](double list_holds, double others_clear) {

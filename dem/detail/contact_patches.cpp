@@ -63,18 +63,21 @@ void ContactPatches::link(const std::vector<ContactPoint>& points) {
   features_.clear();
   links_.clear();
   on_joint_.clear();
+  farther_.clear();
   last_on_joint_.resize(block_.faces.size() + block_.edges.size(), kNoFeature);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     features_.emplace_back(points[i].kind, points[i].block_feature);
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
-      for (std::uint32_t j = last_on_joint_[joint]; j != kNoFeature; j = on_joint_[j].before) {
-        links_.push_back({i, on_joint_[j].point, joint});
+      const std::uint32_t last = last_on_joint_[joint];
+      for (std::uint32_t j = last; j != kNoFeature; j = on_joint_[j].before) {
+        (j == last ? links_ : farther_).push_back({i, on_joint_[j].point, joint});
       }
       on_joint_.push_back({i, joint, last_on_joint_[joint]});
       last_on_joint_[joint] = static_cast<std::uint32_t>(on_joint_.size() - 1);
     }
   }
+  links_.insert(links_.end(), farther_.begin(), farther_.end());
   for (const OnJoint& entry : on_joint_) last_on_joint_[entry.joint] = kNoFeature;
 }
 
@@ -101,12 +104,16 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
     while (law_[point] != point) point = law_[point] = law_[law_[point]];
     return point;
   };
+  // Neighbours mostly join all there is; then the many other links can't add anything.
+  std::size_t patches = points.size();
   for (const Link& link : links_) {
+    if (patches == 1) break;
     const std::size_t a = name(link.point), b = name(link.earlier);
     if (a == b) continue;
     if (wall(link.joint, link.point) || wall(link.joint, link.earlier)) continue;
     if (smooth_between(points[link.point], points[link.earlier])) {
       law_[std::max(a, b)] = std::min(a, b);
+      --patches;
     }
   }
   for (std::size_t i = 0; i < law_.size(); ++i) law_[i] = law_[law_[i]];

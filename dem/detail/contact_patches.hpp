@@ -50,9 +50,10 @@ class ContactPatches {
   std::vector<double> law_overlap_;
   std::vector<Vec3> normals_in_body_;
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< of the block, by point
-  std::vector<Link> links_;
+  std::vector<Link> links_;  ///< neighbours in the order of points first, then all others
   // Scratch of `link`, kept to spare the allocations.
   std::vector<OnJoint> on_joint_;
+  std::vector<Link> farther_;
   std::vector<std::uint32_t> last_on_joint_;  ///< entry of `on_joint_`, by joint
 };
 

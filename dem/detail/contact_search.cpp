@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dem/detail/deep_contacts.hpp"
+#include "dem/detail/flying_ball.hpp"
 
 namespace clast {
 namespace {
@@ -23,6 +24,10 @@ constexpr double kPairMargins = 3.0;
 /// What is due is listed for this many calls like the last, but for this share of a margin at
 /// least.
 constexpr double kListCalls = 16.0, kShortest = 1.0 / 16.0;
+/// What the ball around the block can fly is taken as it is when it is this many times what is
+/// worthwhile: less than what it costs to look closer.
+constexpr double kBallSteps = 16.0;
+constexpr double kLongestFlight = 60.0;  ///< s
 /// Looking for a longer flight starts at the first of these many margins and goes on in strides.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
 
@@ -103,9 +108,12 @@ void ContactSearch::wake() {
       relist = relist || part.near != was_near;
     }
   }
-  if (relist)
-    return list_awake(moved_ + std::clamp(kListCalls * last_move_, kShortest * margin_, margin_));
+  if (relist) return list_awake(moved_ + list_ahead());
   survey_parts();
+}
+
+double ContactSearch::list_ahead() const {
+  return std::clamp(kListCalls * last_move_, kShortest * margin_, margin_);
 }
 
 void ContactSearch::survey_parts() {
@@ -235,14 +243,24 @@ void ContactSearch::list_awake(double horizon) {
 }
 
 double ContactSearch::safe_travel() {
-  if (!contacts_.empty()) return travel_;
+  if (!contacts_.empty() || moved_ < search_at_) return travel_;
   // At a speed of 1 the time is the distance.
-  return travel_ + search_time({.acceleration = 1e300, .top_speed = 1.0}, kFirstLook * margin_);
+  const double first = kFirstLook * margin_;
+  const double distance = search_time({.acceleration = 1e300, .top_speed = 1.0}, first);
+  if (distance < first) search_at_ = moved_ + 0.5 * distance;
+  return travel_ + distance;
 }
 
 double ContactSearch::safe_time(const FlightBounds& flight, double worthwhile) {
   if (!contacts_.empty() || moved_ < search_at_) return 0.0;
-  const double time = search_time(flight, worthwhile);
+  const double ball = clear_time(ground_.grid,
+                                 {.centre = position_,
+                                  .velocity = flight.velocity,
+                                  .gravity = flight.gravity,
+                                  .radius = bounding_radius_ + reach_},
+                                 kLongestFlight);
+  if (ball >= kBallSteps * worthwhile) return ball;
+  const double time = std::max(ball, search_time(flight, worthwhile));
   if (time < worthwhile) search_at_ = moved_ + 0.5 * time * flight.top_speed;
   return time;
 }

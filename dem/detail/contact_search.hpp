@@ -58,11 +58,12 @@ class ContactSearch {
   /// smaller than in the call before
   const std::vector<ContactPoint>& contacts(const Pose& ground_from_body, double travel);
 
-  /// No contact can come before the travel has grown beyond this (valid after `contacts`).
+  /// No contact can come before the travel has grown beyond this (valid after `contacts`). Where a
+  /// search for it has found little it is not repeated at once, as in `safe_time`.
   double safe_travel();
-  /// How long no contact can come on such a flight (valid after `contacts`), s. The search for it
-  /// costs as much as several steps, so it is not repeated at once where one has found too little:
-  /// then 0.
+  /// How long no contact can come on such a flight (valid after `contacts`), s. Away from the
+  /// ground that is told by the ball around the block. Near it the search costs as much as several
+  /// steps, so it is not repeated at once where one has found too little: then 0.
   /// @param worthwhile  s: a shorter time is of no use to the caller
   double safe_time(const FlightBounds& flight, double worthwhile);
 
@@ -102,8 +103,11 @@ class ContactSearch {
   struct SideState {
     std::uint32_t part = 0;
     double clear_until = -1.0;
-    // Pairs listed, until when the list holds, and until when what is not listed cannot touch.
+    // Pairs listed, which of them are due soon, and of the others what `Pair` tells of each: for
+    // the first of them. Until when the list holds, and until when what is not listed cannot touch.
     std::vector<Pair> pairs;
+    std::vector<std::uint32_t> awake;
+    double sleepers_due = -1.0, sleepers_clear_until = -1.0;
     double list_until = -1.0;
     double others_clear_until = -1.0;
     // Both again as movement from where the middle was when listed, and `turned_` then.
@@ -117,6 +121,8 @@ class ContactSearch {
   bool sleep_whole();
   /// Makes `local_` hold everything that near a block moved no farther than so.
   void take_up_ground(double complete);
+  /// How far lists of what is due look ahead, m.
+  double list_ahead() const;
   /// Until when it must be known whether the part can touch.
   void look_at_part(std::uint32_t p, double until);
   void gather(std::uint32_t p, double distance);
@@ -131,8 +137,9 @@ class ContactSearch {
   void look_at_vertex(std::uint32_t vertex, double until);
   bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre);
   void measure_vertex(std::uint32_t vertex, const Vec3& centre);
-  /// Direction in which a vertex inside the ground is pushed to the surface point.
-  static Vec3 push_of(const NearestPoint& nearest, const Vec3& centre);
+  /// Direction in which a vertex inside the ground is pushed: to the surface point, or up to the
+  /// plane in which a ground that ends there goes on.
+  Vec3 push_of(const NearestPoint& nearest, const Vec3& centre) const;
   /// True when the push would drag the block's vertex out through the block: beside the edge of a
   /// ground that ends where the block does, the nearest way out may be the ground's wall.
   bool pushes_backwards(std::uint32_t vertex, const Vec3& push) const;
@@ -145,6 +152,7 @@ class ContactSearch {
   /// Everything of the side that is due until then; lists pairs within a distance.
   void look_at_side(std::uint32_t s, double until, double within);
   bool list_holds(std::uint32_t s, double until);
+  void list_awake_pairs(SideState& state, double horizon) const;
   void list_pairs(std::uint32_t s, double within);
   void look_at_edges(std::uint32_t block_edge, Pair& pair);
   void look_at_edge_vertex(std::uint32_t block_edge, Pair& pair);

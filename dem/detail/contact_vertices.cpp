@@ -71,9 +71,10 @@ void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
   add_inside_contact(v, centre, backwards ? nearest_forwards(v, centre, nearest) : nearest);
 }
 
-Vec3 ContactSearch::push_of(const NearestPoint& nearest, const Vec3& centre) {
-  // On the surface itself, and above a face, the direction to it is its normal.
-  return nearest.within_face || nearest.distance > -1e-9
+Vec3 ContactSearch::push_of(const NearestPoint& nearest, const Vec3& centre) const {
+  // On the surface itself, and above a face, the direction to it is its normal. So it is beyond the
+  // border of a survey: the way back to the border would lead down where the ground falls to it.
+  return nearest.within_face || nearest.distance > -1e-9 || on_border(ground_.features, nearest)
              ? nearest.normal
              : Vec3((nearest.point - centre) / -nearest.distance);
 }
@@ -133,8 +134,9 @@ void ContactSearch::add_inside_contact(std::uint32_t v, const Vec3& centre,
   contact.block_feature = parts_.vertices[v];
   contact.ground_feature = contact.ground_face = nearest.face;
   contact.normal = push_of(nearest, centre);
-  contact.overlap = reach_ - nearest.distance;
-  contact.foot = nearest.point + ground_.radius * contact.normal;
+  const double height = contact.normal.dot(centre - nearest.point);
+  contact.overlap = reach_ - height;
+  contact.foot = centre + (ground_.radius - height) * contact.normal;
   contacts_.push_back(contact);
 }
 

@@ -37,8 +37,6 @@ NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
     return best;
   }
   double nearest = std::numeric_limits<double>::infinity();
-  const SurfaceEdge* on_edge = nullptr;  // else the nearest point is a vertex
-  std::uint32_t vertex = 0;
   for (int k = 0; k < 3; ++k) {
     if (depth[k] >= 0.0) continue;
     const SurfaceEdge& edge = surface.edges[f.edges[k]];
@@ -51,14 +49,23 @@ NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
     if (squared_distance < nearest) {
       nearest = squared_distance;
       best.point = point;
-      on_edge = inner ? &edge : nullptr;
-      vertex = end;
+      best.edge = inner ? f.edges[k] : kNoFeature;
+      best.vertex = inner ? kNoFeature : end;
     }
   }
   nearest = std::sqrt(nearest);
-  best.normal = on_edge ? surface.edge_normal(*on_edge) : surface.vertex_normals[vertex];
+  best.normal = best.edge != kNoFeature ? surface.edge_normal(surface.edges[best.edge])
+                                        : surface.vertex_normals[best.vertex];
   best.distance = std::copysign(nearest, best.normal.dot(query - best.point));
   return best;
+}
+
+bool on_border(const SurfaceFeatures& surface, const NearestPoint& nearest) {
+  const auto border = [&](std::uint32_t e) { return surface.edges[e].kind == EdgeKind::kBorder; };
+  if (nearest.edge != kNoFeature) return border(nearest.edge);
+  if (nearest.vertex == kNoFeature) return false;
+  const std::span<const std::uint32_t> edges = surface.edges_at(nearest.vertex);
+  return std::any_of(edges.begin(), edges.end(), border);
 }
 
 PlanGrid::PlanGrid(const SurfaceFeatures& surface) {

@@ -17,8 +17,13 @@ struct NearestPoint {
   Vec3 normal = Vec3::UnitZ();  ///< out of the solid: of the face, edge or vertex hit
   double distance = 0.0;        ///< signed: negative inside the solid
   std::uint32_t face = kNoFeature;
-  bool within_face = false;  ///< the foot of the query lies on the face, not on its border
+  bool within_face = false;           ///< the foot of the query lies on the face, not on its border
+  std::uint32_t edge = kNoFeature;    ///< else it lies on this edge of the face ...
+  std::uint32_t vertex = kNoFeature;  ///< ... or on this vertex
 };
+
+/// True when the point nearest to a query lies where an open surface ends.
+bool on_border(const SurfaceFeatures& surface, const NearestPoint& nearest);
 
 /// Nearest point of one face to `query`; `distance` is signed by the normal of the feature hit.
 NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
@@ -41,6 +46,15 @@ class PlanGrid {
   };
   Range range(double x_low, double x_high, double y_low, double y_high) const;
   Cell cell(int column, int row) const;
+  /// Top of the height range of a cell, m; -infinity where it lists no face.
+  double high(int column, int row) const {
+    return highs_[static_cast<std::size_t>(row) * columns_ + column];
+  }
+  /// Distance of a point from a cell in plan, m.
+  double distance(int column, int row, const Vec2& point) const {
+    const Vec2 low = corner_ + size_ * Vec2(column, row);
+    return (low - point).cwiseMax(point - low - Vec2::Constant(size_)).cwiseMax(0.0).norm();
+  }
   double cell_size() const { return size_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }

@@ -51,6 +51,14 @@ double MovingBody::correct(const Vec3& impulse, const Vec3& angular_impulse, con
   return kinetic_energy() - before - body_.mass * gravity.dot(shift);
 }
 
+double MovingBody::first_kick(double duration, const Vec3& force, const Vec3& torque,
+                              const Vec3& gravity) const {
+  if (force.isZero() && torque.isZero()) return 0.0;
+  const Vec3 weight = body_.mass * gravity;
+  const double push = (force + weight).squaredNorm() - weight.squaredNorm();
+  return 0.125 * duration * duration * (push / body_.mass + torque.dot(motion().turned_by(torque)));
+}
+
 BodyMotion MovingBody::motion() const {
   return {state_.world_from_body(), state_.velocity,
           state_.angular_velocity,  state_.position,

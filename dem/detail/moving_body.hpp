@@ -26,6 +26,11 @@ class MovingBody {
   double correct(const Vec3& impulse, const Vec3& angular_impulse, const Vec3& moment,
                  const Vec3& angular_moment, const Vec3& gravity);
 
+  /// What Verlet steps lose when they begin with contact loads that no step has ended with (a
+  /// dashpot acts from the first touch on), J (docs/theory.md).
+  double first_kick(double duration, const Vec3& force, const Vec3& torque,
+                    const Vec3& gravity) const;
+
   /// Where it is and how it moves, without a step.
   BodyMotion motion() const;
   double kinetic_energy() const;  ///< J

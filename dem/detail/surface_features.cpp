@@ -44,7 +44,9 @@ bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec
   for (const std::uint32_t e : surface.edges_at(vertex)) {
     if (direction.dot(surface.ray(e, vertex)) > slack) return false;
   }
-  return true;
+  // At the bottom of a pit all edges rise away from a direction into the solid, too. The
+  // angle-weighted normal tells the two apart without exception (Baerentzen & Aanaes 2005).
+  return !(direction.dot(surface.vertex_normals[vertex]) < 0.0);
 }
 
 void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {

@@ -80,7 +80,8 @@ bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3&
 /// little.
 bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
 
-/// True when no edge leaving the vertex rises along `direction`: it lies in the normal cone.
+/// True when no edge leaving the vertex rises along `direction`, and it points out of the solid: it
+/// lies in the normal cone.
 bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);
 /// The same with such a slack, from the largest angle between the vertex's faces and its normal.
 bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);

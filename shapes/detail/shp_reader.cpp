@@ -328,7 +328,6 @@ std::vector<ShpShape> shp_shapes(std::string_view content) {
   if (content.starts_with(kMapFileMark)) {
     throw InputError("is a map file (ESRI shapefile), not a Rockable shape; both are called .shp");
   }
-  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
   return ShpReader(content).shapes();
 }
 

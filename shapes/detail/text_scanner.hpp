@@ -7,10 +7,12 @@
 
 namespace clast::detail {
 
-/// A cursor over text. Lines end with LF, CR LF or CR.
+/// A cursor over text. Lines end with LF, CR LF or CR; a byte order mark before the first is passed
+/// over.
 class TextScanner {
  public:
-  explicit TextScanner(std::string_view text) : text_(text) {}
+  explicit TextScanner(std::string_view text)
+      : text_(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text) {}
 
   /// Moves to the next line; false at the end.
   bool next_line();

@@ -119,6 +119,31 @@ double TriangleTree::distance_to(std::uint32_t triangle, const Vec3& point) cons
   return (closest_on(a, mesh_.vertices[t[1]], mesh_.vertices[t[2]], point).point - point).norm();
 }
 
+bool TriangleTree::rises_above(const Vec3& normal, double height, const Vec3& centre,
+                               double radius) const {
+  std::array<std::uint32_t, 64> open;  // the tree is balanced: depth under 32
+  std::size_t size = 0;
+  open[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t index = open[--size];
+    const Node& node = nodes_[index];
+    const Vec3 highest = (normal.array() > 0.0).select(node.box.high, node.box.low);
+    if (normal.dot(highest) <= height) continue;
+    if (squared_distance(node.box, centre) > radius * radius) continue;
+    if (node.count == 0) {
+      open[size++] = index + 1;
+      open[size++] = node.right;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      for (const std::uint32_t v : mesh_.triangles[order_[i]]) {
+        if (normal.dot(mesh_.vertices[v]) > height) return true;
+      }
+    }
+  }
+  return false;
+}
+
 TriangleTree::Closest TriangleTree::closest(const Vec3& point, std::uint32_t hint) const {
   Closest best;
   // A hair above the hint's distance, so that of equally near triangles the same one is found.

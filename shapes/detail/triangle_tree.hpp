@@ -25,6 +25,14 @@ class TriangleTree {
   Closest closest(const Vec3& point, std::uint32_t hint = 0) const;
 
   double distance_to(std::uint32_t triangle, const Vec3& point) const;
+  const Vec3& corner(std::uint32_t triangle) const {  ///< the first
+    return mesh_.vertices[mesh_.triangles[triangle][0]];
+  }
+  const Vec3& face_normal(std::uint32_t triangle) const { return face_normals_[triangle]; }
+
+  /// Does anything of the surface within `radius` of `centre` rise above the plane
+  /// normal.x = height? Triangles count whole where a part of their box is that near.
+  bool rises_above(const Vec3& normal, double height, const Vec3& centre, double radius) const;
 
   /// Distance to the surface, negative inside: the side is told by the angle-weighted normal of
   /// the face, edge or vertex that is closest.

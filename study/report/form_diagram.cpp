@@ -110,7 +110,9 @@ std::string opened(const std::string& title, double height) {
 }
 
 std::string title_with_count(const std::string& what, const Population& population) {
-  return what + ": " + population.name + " (" + std::to_string(population.blocks.size()) + ")";
+  constexpr std::size_t kMostCharacters = 28;
+  return what + ": " + shortened(population.name, kMostCharacters) + " (" +
+         std::to_string(population.blocks.size()) + ")";
 }
 
 /// Geometry of the triangle.

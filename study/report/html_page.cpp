@@ -18,6 +18,7 @@ h1{font-size:27px;line-height:1.2;margin:0 0 4px}
 h2{font-size:19px;margin:38px 0 10px;padding-bottom:5px;border-bottom:2px solid var(--ink)}
 h3{font-size:15.5px;margin:22px 0 6px}
 p{margin:6px 0 10px;max-width:86ch}
+h1,h2,h3,p,li,dt{overflow-wrap:anywhere}
 .lead{color:var(--soft);margin-bottom:16px}
 .note{color:var(--soft);font-size:13.5px}
 dl.facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(225px,1fr));gap:1px;margin:14px 0}
@@ -36,13 +37,24 @@ th:hover,th:focus{background:#e3e8ed;outline:none}
 th[aria-sort=ascending]::after{content:" \25B4"}
 th[aria-sort=descending]::after{content:" \25BE"}
 th.t,td.t{text-align:left}
-td.wrap{white-space:normal;min-width:24ch}
+td.t{white-space:normal;overflow-wrap:break-word}
+td.wrap{min-width:22ch;overflow-wrap:anywhere}
 tbody tr:hover{background:#f7f9fb}
 svg{display:block;width:100%;height:auto;font-family:inherit}
-.charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(440px,1fr));gap:18px 26px;margin:8px 0}
+.charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(440px,100%),1fr));gap:18px 26px;margin:8px 0}
+.beside{display:grid;grid-template-columns:minmax(0,4fr) minmax(0,5fr);gap:18px 20px;margin:8px 0;align-items:start}
+.beside th,.beside td{padding:4px 6px}
+.beside td.wrap{min-width:14ch}
+table.wide{font-size:12px}
+table.wide th,table.wide td{padding:3px 4px}
+table.wide td.wrap{min-width:15ch}
 figure{margin:0}
 figcaption{font-size:13.5px;color:var(--soft);margin-top:4px}
 .key{cursor:pointer}
+#scene .view{min-height:320px;background:var(--band);line-height:0}
+#scene .bar{display:flex;flex-wrap:wrap;gap:6px 16px;align-items:center;padding:7px 0;font-size:14px}
+#scene input[type=range]{flex:1;min-width:160px}
+#scene output{min-width:6ch;text-align:right;font-variant-numeric:tabular-nums}
 .key.off{opacity:.35}
 .hidden{display:none}
 .stop:hover,.block:hover,.lit{stroke:#000;stroke-width:2}
@@ -51,6 +63,8 @@ summary{cursor:pointer;font-weight:600}
 pre{background:var(--band);padding:12px;overflow-x:auto;font-size:12.5px;line-height:1.4}
 code{font-size:12.5px;overflow-wrap:anywhere}
 footer{margin-top:40px;border-top:1px solid var(--line);padding-top:10px;color:var(--soft);font-size:13px}
+@media (max-width:1000px){.beside{grid-template-columns:minmax(0,1fr)}}
+@media (max-width:600px){main{padding:16px 10px 40px}h1{font-size:22px}th:first-child,td:first-child{position:sticky;left:0;background:#fff;box-shadow:1px 0 0 var(--line)}th:first-child{background:var(--band)}td:first-child{max-width:38vw}.beside table{font-size:11px}.beside th,.beside td{padding:3px;white-space:normal;min-width:0}}
 @media print{@page{margin:14mm}body{font-size:11px}main{padding:0;max-width:none}table{font-size:9.5px}th,td{padding:2px 5px}.scroll{overflow:visible}.note,figcaption,footer,code,pre{font-size:9.5px}h2{break-after:avoid}figure,tr,.warnings,.facts div{break-inside:avoid}.charts{grid-template-columns:1fr 1fr}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
 )";
 
@@ -135,6 +149,16 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+std::string shortened(std::string_view text, std::size_t most) {
+  std::size_t characters = 0, end = 0;  // up to and with the last character that has room
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xc0) == 0x80) continue;
+    if (++characters == most) end = i;
+    if (characters > most) return std::string(text.substr(0, end)) + "\xE2\x80\xA6";
+  }
+  return std::string(text);
+}
+
 std::string fixed(double value, int decimals) {
   return number_text(value, std::chars_format::fixed, decimals);
 }
@@ -155,7 +179,7 @@ HtmlTable::HtmlTable(std::vector<std::string> heads, std::size_t text_columns)
     : heads_(std::move(heads)), text_columns_(text_columns) {}
 
 HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
-  constexpr std::size_t kLongText = 60;  // wrapped from here on
+  constexpr std::size_t kLongText = 24;  // broken anywhere from here on, if there is no room
   rows_ += "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const bool text = i < text_columns_;
@@ -169,7 +193,9 @@ HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
 }
 
 std::string HtmlTable::html() const {
-  std::string html = "<div class=\"scroll\"><table><thead><tr>";
+  constexpr std::size_t kWide = 10;  // columns from which a table is set closer
+  std::string html = "<div class=\"scroll\"><table";
+  html += heads_.size() >= kWide ? " class=\"wide\"><thead><tr>" : "><thead><tr>";
   for (std::size_t i = 0; i < heads_.size(); ++i) {
     html += i < text_columns_ ? "<th class=\"t\">" : "<th>";
     html += escaped(heads_[i]) + "</th>";

@@ -9,6 +9,10 @@ namespace clast {
 /// Text for element content and quoted attributes: & < > " ' escaped, control characters dropped.
 std::string escaped(std::string_view text);
 
+/// UTF-8 text of so many characters at most, the last a … where some were cut off: for names in
+/// pictures, which don't grow with them.
+std::string shortened(std::string_view text, std::size_t most);
+
 /// A number with so many decimals; "-" when it is not finite.
 std::string fixed(double value, int decimals);
 /// A number with so many significant digits, with an exponent only when very large or small.

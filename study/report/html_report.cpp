@@ -2,6 +2,7 @@
 
 #include "study/report/html_page.hpp"
 #include "study/report/report_sections.hpp"
+#include "study/report/scene_section.hpp"
 
 namespace clast {
 
@@ -13,10 +14,10 @@ std::string html_report(const Comparison& comparison) {
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
   return page(title, head_section(comparison) + class_section(comparison) +
-                         map_section(comparison) + runout_section(comparison) +
-                         differences_section(comparison) + barrier_section(comparison) +
-                         block_section(comparison) + quality_section(comparison) +
-                         provenance_section(comparison));
+                         map_section(comparison) + scene_section(comparison) +
+                         runout_section(comparison) + differences_section(comparison) +
+                         barrier_section(comparison) + block_section(comparison) +
+                         quality_section(comparison) + provenance_section(comparison));
 }
 
 }  // namespace clast

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "study/report/marks.hpp"
-#include "study/report/relief.hpp"
+#include "terrain/relief.hpp"
 
 namespace clast {
 

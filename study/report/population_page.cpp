@@ -16,7 +16,9 @@ namespace {
 
 constexpr std::size_t kMostRows = 500;  // of the table of blocks
 constexpr std::size_t kMostNotes = 20;
-constexpr double kGarciaLimit = 0.3;  // s_c above which a block is elongated
+constexpr std::size_t kMostTitle = 44;  // characters of a name over a diagram
+constexpr std::size_t kMostHead = 14;   // and over a column
+constexpr double kGarciaLimit = 0.3;    // s_c above which a block is elongated
 
 std::string s_c_chart(const PopulationReport& report) {
   std::vector<Series> all;
@@ -90,9 +92,9 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
   for (const SizeLaw& law : size.by_number.laws) {
     curves.push_back(law_curve(law, *smallest, *largest));
   }
-  return cumulative_chart(
-      {"Size: " + reported.population.name, "size " + name_of(size.measure) + ", m", true}, series,
-      false, curves);
+  return cumulative_chart({"Size: " + shortened(reported.population.name, kMostTitle),
+                           "size " + name_of(size.measure) + ", m", true},
+                          series, false, curves);
 }
 
 /// "22.8-41.7 %", with a dash that is no minus
@@ -208,7 +210,7 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
   const std::size_t schemes = report.populations.front().summary.schemes.size();
   for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
     html += "<h3>" + escaped(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
-    html += "<div class=\"charts\">" + figure(diagrams.at(shares_name(report, scheme))) + "<div>";
+    html += "<div class=\"beside\">" + figure(diagrams.at(shares_name(report, scheme))) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
       const bool weighed = reported.summary.weighed > 0;
       std::vector<std::string> heads = {"class", "blocks", "share", "95 % interval"};
@@ -280,7 +282,9 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     const SizeDistribution& size = reported.summary.size;
-    HtmlTable percentiles({reported.population.name, "blocks", "d10, m", "d50, m", "d90, m"}, 1);
+    HtmlTable percentiles(
+        {shortened(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
+        1);
     const auto add = [&](const std::string& name, const SizeCurve& curve) {
       percentiles.row({name, std::to_string(curve.blocks), significant(curve.d10, 3),
                        significant(curve.d50, 3), significant(curve.d90, 3)});
@@ -332,7 +336,7 @@ std::string boxes_section(const PopulationReport& report) {
     if (report.populations.size() > 1) html += paragraph(reported.population.name);
     html += "<ul>\n" + words + "</ul>\n";
     if (blocks.size() > kMostRows) continue;
-    std::vector<std::string> heads = {reported.population.name};
+    std::vector<std::string> heads = {shortened(reported.population.name, kMostHead)};
     for (const BoxConvention box : kBoxConventions) heads.push_back("s_c, " + name_of(box));
     for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
     HtmlTable table(heads, 1);
@@ -361,7 +365,7 @@ std::string blocks_section(const PopulationReport& report) {
                         ", all of them in classes.csv.");
       continue;
     }
-    std::vector<std::string> heads = {reported.population.name};
+    std::vector<std::string> heads = {shortened(reported.population.name, kMostHead)};
     for (const SchemeShares& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
     const std::string& first = reported.summary.schemes.front().scheme;
     heads.push_back("how sure (" + first + ")");
@@ -393,8 +397,8 @@ std::string blocks_section(const PopulationReport& report) {
 std::string sources_section(const PopulationReport& report) {
   std::string html = "<ul class=\"note\">\n";
   for (const ReportedPopulation& reported : report.populations) {
-    for (const std::string& input : reported.inputs) {
-      html += "<li><code>" + escaped(input) + "</code></li>\n";
+    for (const InputFile& input : reported.inputs) {
+      html += "<li><code>" + escaped(input.file + " " + input.sha256) + "</code></li>\n";
     }
   }
   return section("Inputs", html + "</ul>\n") + "<footer>Made by clast " + escaped(version()) +

@@ -12,6 +12,38 @@ constexpr double kWidth = 520.0, kRight = 64.0, kTop = 34.0, kBar = 11.0, kGap =
 constexpr double kCharacter = 6.6;  // px, of a name at the font size below
 constexpr const char* kSmall = "font-size=\"12\" fill=\"#33404d\"";
 
+struct Legend {
+  std::string svg;
+  double bottom = 0.0;
+};
+
+/// What the colours and the whiskers are, in as many rows as it takes from `top` on.
+Legend legend_from(const std::vector<ShareSeries>& series, double top) {
+  constexpr std::size_t kMostCharacters = 64;
+  constexpr double kRow = 20.0;
+  std::string svg;
+  double x = 8.0;
+  const auto place = [&](double width) {
+    if (x > 8.0 && x + width > kWidth - 8.0) {
+      x = 8.0;
+      top += kRow;
+    }
+  };
+  for (const ShareSeries& one : series) {
+    const std::string name = shortened(one.name, kMostCharacters);
+    const double width = 18.0 + kCharacter * static_cast<double>(name.size());
+    place(width);
+    svg += "<rect x=\"" + fixed(x, 1) + "\" y=\"" + fixed(top, 1) +
+           "\" width=\"12\" height=\"12\" fill=\"" + one.colour + "\" fill-opacity=\".75\"/>" +
+           svg_text(x + 18, top + 10, name, kSmall);
+    x += width + 16.0;
+  }
+  const std::string whiskers = "whiskers: 95 % interval";
+  place(kCharacter * static_cast<double>(whiskers.size()));
+  svg += svg_text(x, top + 10, whiskers, kSmall);
+  return {svg, top + kRow};
+}
+
 }  // namespace
 
 std::string share_chart(const std::string& title, const std::vector<std::string>& classes,
@@ -27,8 +59,9 @@ std::string share_chart(const std::string& title, const std::vector<std::string>
   const double scale = (kWidth - left - kRight) / (100.0 * std::max(highest, 0.01));  // px per %
   const double row = kBar * static_cast<double>(series.size()) + kGap;
   const double bottom = kTop + row * static_cast<double>(classes.size());
+  const Legend legend = legend_from(series, bottom + 40);
 
-  std::string svg = svg_open(kWidth, bottom + 64, title) +
+  std::string svg = svg_open(kWidth, legend.bottom + 4, title) +
                     svg_text(8, 18, title, "font-size=\"14\" font-weight=\"600\" fill=\"#1d2733\"");
   for (const double value : marks.values) {
     const double x = left + scale * value;
@@ -56,14 +89,7 @@ std::string share_chart(const std::string& title, const std::vector<std::string>
              "</g>\n";
     }
   }
-  double x = 8.0;
-  for (const ShareSeries& one : series) {
-    svg += "<rect x=\"" + fixed(x, 1) + "\" y=\"" + fixed(bottom + 40, 1) +
-           "\" width=\"12\" height=\"12\" fill=\"" + one.colour + "\" fill-opacity=\".75\"/>" +
-           svg_text(x + 18, bottom + 50, one.name, kSmall);
-    x += 34.0 + kCharacter * static_cast<double>(one.name.size());
-  }
-  return svg + svg_text(x, bottom + 50, "whiskers: 95 % interval", kSmall) + "</svg>\n";
+  return svg + legend.svg + "</svg>\n";
 }
 
 }  // namespace clast

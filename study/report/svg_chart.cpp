@@ -87,8 +87,12 @@ std::string x_axis(const Range& range, double top, double bottom, const std::str
                         std::string(kSmall) + " text-anchor=\"middle\"");
 }
 
+// In half of the chart's width.
+constexpr std::size_t kMostCharacters = 24;
+
 std::string name_with_count(const Series& series) {
-  return series.name + " (" + std::to_string(series.values.size()) + ")";
+  return shortened(series.name, kMostCharacters) + " (" + std::to_string(series.values.size()) +
+         ")";
 }
 
 std::string dash_style(const std::string& dash) {
@@ -201,6 +205,46 @@ std::string names_in_bin(const std::vector<std::string>& names) {
   return text;
 }
 
+// A value is a hair beside the edge of a bin by rounding alone: 1.3/1.0 - 1 is above 0.3.
+constexpr double kOnEdge = 1e-9;  // widths of a bin
+
+bool is_whole(double number) { return std::abs(number - std::round(number)) < kOnEdge; }
+
+/// Bins of a histogram. A value on an edge is in the bin below it, as classes are: up to a limit.
+struct Bins {
+  double low = 0.0;
+  double width = 1.0;
+  std::size_t count = 1;
+
+  std::size_t of(double value) const {
+    const double place = std::ceil((value - low) / width - kOnEdge) - 1.0;
+    return std::min(static_cast<std::size_t>(std::max(place, 0.0)), count - 1);
+  }
+};
+
+/// About two dozen bins with round edges; up to five dozen where limits are on edges only then.
+Bins bins_of(const Range& data, const std::vector<Limit>& limits) {
+  constexpr double kUsual = 24.0, kMost = 60.0;
+  Bins bins;
+  bins.width = round_up_to_nice((data.high - data.low) / kUsual);
+  const auto fit = [&](double width) {
+    return std::all_of(limits.begin(), limits.end(),
+                       [&](const Limit& limit) { return is_whole(limit.value / width); });
+  };
+  for (double width = bins.width; (data.high - data.low) / width <= kMost;
+       width = round_up_to_nice(0.4 * width)) {
+    if (!fit(width)) continue;
+    bins.width = width;
+    break;
+  }
+  // Nothing is below a zero at the end: it is in the bin above it.
+  const double first = data.low == 0.0 ? 0.0 : std::ceil(data.low / bins.width - kOnEdge) - 1.0;
+  const double last = std::ceil(data.high / bins.width - kOnEdge);
+  bins.low = first * bins.width;
+  bins.count = static_cast<std::size_t>(std::max(1.0, last - first));
+  return bins;
+}
+
 }  // namespace
 
 std::string cumulative_chart(const ChartText& text, const std::vector<Series>& series,
@@ -251,20 +295,17 @@ std::string cumulative_chart(const ChartText& text, const std::vector<Series>& s
 
 std::string histogram_chart(const ChartText& text, const std::vector<Series>& series) {
   constexpr double kRow = 92.0, kGap = 24.0;
-  const Range data = range_of(series);
-  const double bin = round_up_to_nice((data.high - data.low) / 24.0);
-  const Range range{std::floor(data.low / bin) * bin, (std::floor(data.high / bin) + 1.0) * bin};
-  const std::size_t bins = static_cast<std::size_t>(std::lround((range.high - range.low) / bin));
+  const Bins bins = bins_of(range_of(series), text.limits);
+  const Range range{bins.low, bins.low + bins.width * static_cast<double>(bins.count)};
 
   std::vector<std::vector<double>> shares;
   std::vector<std::vector<std::vector<std::string>>> names;  // by series and bin
   double highest = 0.0;
   for (const Series& one : series) {
-    std::vector<double> share(bins, 0.0);
-    names.emplace_back(bins);
+    std::vector<double> share(bins.count, 0.0);
+    names.emplace_back(bins.count);
     for (std::size_t i = 0; i < one.values.size(); ++i) {
-      const double place = std::floor((one.values[i] - range.low) / bin);
-      const std::size_t k = std::min(static_cast<std::size_t>(std::max(place, 0.0)), bins - 1);
+      const std::size_t k = bins.of(one.values[i]);
       share[k] += 1.0 / static_cast<double>(one.values.size());
       if (!one.names.empty()) names.back()[k].push_back(one.names[i]);
     }
@@ -285,15 +326,15 @@ std::string histogram_chart(const ChartText& text, const std::vector<Series>& se
       svg += svg_text(kLeft - 6, y + 4, fixed(level, levels.decimals) + " %",
                       std::string(kSmall) + " text-anchor=\"end\"");
     }
-    for (std::size_t k = 0; k < bins; ++k) {
+    for (std::size_t k = 0; k < bins.count; ++k) {
       if (shares[i][k] == 0.0) continue;
-      const double low = range.low + bin * static_cast<double>(k);
-      const double x = x_at(range, low), width = x_at(range, low + bin) - x;
+      const double low = range.low + bins.width * static_cast<double>(k);
+      const double x = x_at(range, low), width = x_at(range, low + bins.width) - x;
       const double height = kRow * shares[i][k] / highest;
       svg += "<rect x=\"" + fixed(x + 0.5, 1) + "\" y=\"" + fixed(base - height, 1) +
              "\" width=\"" + fixed(width - 1.0, 1) + "\" height=\"" + fixed(height, 1) +
              "\" fill=\"" + series[i].colour + "\"><title>" +
-             escaped(significant(low, 4) + " to " + significant(low + bin, 4) + ": " +
+             escaped(significant(low, 4) + " to " + significant(low + bins.width, 4) + ": " +
                      percent(shares[i][k]) + names_in_bin(names[i][k])) +
              "</title></rect>";
     }

@@ -47,7 +47,8 @@ inline constexpr std::size_t kMostNamedMarks = 500;
 std::string cumulative_chart(const ChartText& text, const std::vector<Series>& series,
                              bool exceeding = false, const std::vector<Curve>& curves = {});
 
-/// One row of bars per sample over common bins, each in per cent of its sample.
+/// One row of bars per sample over common bins, each in per cent of its sample. A value on the edge
+/// of a bin is in the bin below; limits are edges where that takes no more than sixty bins.
 std::string histogram_chart(const ChartText& text, const std::vector<Series>& series);
 
 }  // namespace clast

@@ -9,8 +9,8 @@
 #include "study/report/html_page.hpp"
 #include "study/report/map_legend.hpp"
 #include "study/report/map_marks.hpp"
-#include "study/report/relief.hpp"
 #include "study/report/ticks.hpp"
+#include "terrain/relief.hpp"
 
 namespace clast {
 namespace {

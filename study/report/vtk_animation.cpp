@@ -121,8 +121,7 @@ std::vector<MovingBlock> moving_blocks(const Comparison& comparison, std::size_t
         if (!chosen.contains(index)) return;
         const RunRow& row = comparison.rows[index];
         const CampaignResults& results = comparison.results[row.file];
-        const SpheroPolyhedron shape = scaled(results.shapes[row.block->shape], row.block->scale);
-        blocks.push_back({&row, results.frame.origin, outline(shape), trajectory});
+        blocks.push_back({&row, results.frame.origin, outline(row.block->body), trajectory});
       });
   return blocks;
 }

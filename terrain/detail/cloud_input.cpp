@@ -1,99 +1,305 @@
 #include "terrain/detail/cloud_input.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
+#include "shapes/point_cloud.hpp"
+#include "terrain/detail/grid_holes.hpp"
 
 namespace clast::detail {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr double kMostCells = 2e9;
+constexpr std::uint32_t kMostHeights = 64;  // kept per cell
+constexpr double kPinholes = 3.0;           // cells: holes up to this are filled unless told else
+constexpr long kOutlierReach = 2;           // cells on every side whose medians are compared
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-}  // namespace
+/// Cells on multiples of their size that cover a plan box.
+struct Cells {
+  double size;
+  Vec2 first;
+  std::size_t columns, rows;
 
-HeightGrid binned(std::span<const Vec3> points, double cell, const std::filesystem::path& path) {
-  Vec2 low = points[0].head<2>(), high = low;
-  for (const Vec3& point : points) {
-    low = low.cwiseMin(point.head<2>());
-    high = high.cwiseMax(point.head<2>());
-  }
-  const Vec2 first_cell = (low / cell).array().floor();
-  const Vec2 count = (high / cell).array().floor() - first_cell.array() + 1.0;
-  if (!(count.prod() < kMostCells)) {
-    throw InputError(path.string() + ": cells of " + std::to_string(cell) + " m over " +
-                     std::to_string((high - low).x()) + " x " + std::to_string((high - low).y()) +
-                     " m are too many; use a larger --resolution");
-  }
-  HeightGrid grid;
-  grid.columns = static_cast<std::size_t>(count.x());
-  grid.rows = static_cast<std::size_t>(count.y());
-  grid.step = {cell, cell};
-  grid.first = (first_cell + Vec2(0.5, 0.5)) * cell;
-  grid.heights.assign(grid.columns * grid.rows, 0.0);
-  std::vector<std::uint32_t> hits(grid.heights.size(), 0);
-  for (const Vec3& point : points) {
-    const Vec2 at = (point.head<2>() / cell).array().floor() - first_cell.array();
-    const std::size_t index =
-        static_cast<std::size_t>(at.y()) * grid.columns + static_cast<std::size_t>(at.x());
-    grid.heights[index] += point.z();
-    ++hits[index];
-  }
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    grid.heights[i] =
-        hits[i] > 0 ? grid.heights[i] / hits[i] : std::numeric_limits<double>::quiet_NaN();
-  }
-  return grid;
-}
-
-std::size_t fill_pinholes(HeightGrid& grid) {
-  constexpr std::array<std::pair<long, long>, 4> kHalf = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
-  constexpr int kRounds = 2;
-  constexpr int kLeastKnown = 5;  // so that at least one pair of opposite neighbours is known
-  const long columns = static_cast<long>(grid.columns), rows = static_cast<long>(grid.rows);
-  const auto height = [&](long i, long j) {
-    const bool inside = i >= 0 && j >= 0 && i < columns && j < rows;
-    return inside ? grid.heights[static_cast<std::size_t>(j * columns + i)]
-                  : std::numeric_limits<double>::quiet_NaN();
-  };
-  std::size_t total = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    std::vector<std::pair<std::size_t, double>> filled;
-    for (std::size_t cell = 0; cell < grid.heights.size(); ++cell) {
-      if (std::isfinite(grid.heights[cell])) continue;
-      const long i = static_cast<long>(cell) % columns, j = static_cast<long>(cell) / columns;
-      int known = 0, pairs = 0;
-      double sum = 0.0;
-      for (const auto& [di, dj] : kHalf) {
-        const double one = height(i + di, j + dj), other = height(i - di, j - dj);
-        known += std::isfinite(one) + std::isfinite(other);
-        if (!std::isfinite(one) || !std::isfinite(other)) continue;
-        sum += (one + other) / 2.0;
-        ++pairs;
-      }
-      if (known >= kLeastKnown) filled.emplace_back(cell, sum / pairs);
+  Cells(const Vec2& low, const Vec2& high, double cell, const fs::path& path)
+      : size(cell), first((low / cell).array().floor()) {
+    const Vec2 count = (high / cell).array().floor() - first.array() + 1.0;
+    if (!(count.prod() < kMostCells)) {
+      throw InputError(path.string() + ": cells of " + std::to_string(cell) + " m over " +
+                       std::to_string((high - low).x()) + " x " + std::to_string((high - low).y()) +
+                       " m are too many; use a larger --resolution");
     }
-    for (const auto& [cell, value] : filled) grid.heights[cell] = value;
-    total += filled.size();
+    columns = static_cast<std::size_t>(count.x());
+    rows = static_cast<std::size_t>(count.y());
   }
-  return total;
+  std::size_t count() const { return columns * rows; }
+  std::size_t at(const Vec3& point) const {
+    const auto column = static_cast<std::size_t>(std::floor(point.x() / size) - first.x());
+    const auto row = static_cast<std::size_t>(std::floor(point.y() / size) - first.y());
+    return row * columns + column;
+  }
+  HeightGrid grid() const {
+    return {.columns = columns,
+            .rows = rows,
+            .first = (first + Vec2(0.5, 0.5)) * size,
+            .step = {size, size},
+            .heights = std::vector<double>(count(), 0.0)};
+  }
+};
+
+/// One cloud file, as often as it is needed.
+struct Cloud {
+  fs::path path;
+  bool y_up = false;
+  bool only_ground = false;
+
+  template <class Take>  // Take(const Vec3&), on the map, z up
+  CloudSummary each_point(const Take& take) const {
+    return stream_cloud(path, [&](const PointBatch& batch) {
+      for (std::size_t i = 0; i < batch.points.size(); ++i) {
+        if (only_ground && batch.classes[i] != kGroundClass) continue;
+        take(y_up ? turned_z_up(batch.points[i]) : batch.points[i]);
+      }
+    });
+  }
+};
+
+struct Survey {
+  std::vector<Cloud> clouds;
+  Bounds box;
+  std::size_t points = 0;
+};
+
+/// First reading: where the points are, how many, and whether ground is classed.
+Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
+  Survey survey;
+  for (const fs::path& path : options.surface) {
+    Cloud cloud{.path = path, .y_up = options.up == "y"};
+    Bounds all_box, ground_box;
+    std::size_t all = 0, ground = 0;
+    const CloudSummary summary = stream_cloud(path, [&](const PointBatch& batch) {
+      all += batch.points.size();
+      for (const Vec3& point : batch.points) {
+        all_box.include(cloud.y_up ? turned_z_up(point) : point);
+      }
+      for (std::size_t i = 0; i < batch.classes.size(); ++i) {
+        if (batch.classes[i] != kGroundClass) continue;
+        ++ground;
+        ground_box.include(cloud.y_up ? turned_z_up(batch.points[i]) : batch.points[i]);
+      }
+    });
+    if (!summary.crs.empty()) result.crs = summary.crs;
+    const auto note = [&](std::size_t count, const std::string& what) {
+      if (count > 0) result.notes.push_back(path.string() + ": " + std::to_string(count) + what);
+    };
+    note(summary.withheld, " points flagged as noise or withheld were left out");
+    note(summary.without_place, " points without finite coordinates were left out");
+    cloud.only_ground = ground > 0;
+    if (cloud.only_ground) note(all - ground, " points not classed as ground were left out");
+    const Bounds& box = cloud.only_ground ? ground_box : all_box;
+    survey.points += cloud.only_ground ? ground : all;
+    survey.box.include(box.low);
+    survey.box.include(box.high);
+    survey.clouds.push_back(std::move(cloud));
+  }
+  return survey;
 }
 
-double default_cell(std::span<const Vec3> points) {
-  Bounds box;
-  for (const Vec3& point : points) box.include(point);
-  const double area = (box.high - box.low).head<2>().prod();
-  const double wanted = 2.0 * std::sqrt(area / static_cast<double>(points.size()));
+/// About four points per cell over the plan box, rounded up to 1, 2 or 5 times a power of ten.
+double default_cell(const Survey& survey) {
+  const double area = (survey.box.high - survey.box.low).head<2>().prod();
+  const double wanted = 2.0 * std::sqrt(area / static_cast<double>(survey.points));
   if (!(wanted > 0.0)) return 1.0;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
   for (const double digit : {1.0, 2.0, 5.0}) {
     if (digit * decade >= wanted * (1.0 - 1e-9)) return digit * decade;
   }
   return 10.0 * decade;
+}
+
+/// Linear between the sorted heights, as spreadsheets do it; `heights` are put in order.
+double percentile_of(std::span<double> heights, double percentile) {
+  std::sort(heights.begin(), heights.end());
+  const double rank = percentile / 100.0 * static_cast<double>(heights.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  if (below + 1 >= heights.size()) return heights.back();
+  return heights[below] + (rank - std::floor(rank)) * (heights[below + 1] - heights[below]);
+}
+
+/// Heights of the points of every cell, at most `kMostHeights` of each.
+struct CellHeights {
+  std::vector<std::uint64_t> offsets;
+  std::vector<double> heights;
+
+  std::span<double> of(std::size_t cell) {
+    return {heights.data() + offsets[cell], heights.data() + offsets[cell + 1]};
+  }
+};
+
+CellHeights cell_heights(const Survey& survey, const Cells& cells,
+                         const std::vector<std::uint32_t>& hits) {
+  CellHeights result;
+  result.offsets.assign(hits.size() + 1, 0);
+  for (std::size_t c = 0; c < hits.size(); ++c) {
+    result.offsets[c + 1] = result.offsets[c] + std::min(hits[c], kMostHeights);
+  }
+  result.heights.resize(result.offsets.back());
+  std::vector<std::uint32_t> seen(hits.size(), 0);
+  for (const Cloud& cloud : survey.clouds) {
+    cloud.each_point([&](const Vec3& point) {
+      const std::size_t c = cells.at(point);
+      const std::uint64_t k = seen[c]++, kept = std::min(hits[c], kMostHeights);
+      // The k-th of n goes to place k kept / n, and the last to come to a place stays there.
+      result.heights[result.offsets[c] + k * kept / hits[c]] = point.z();
+    });
+  }
+  return result;
+}
+
+/// Drops the heights that are farther than `distance` from the median of the cell medians around.
+void drop_outliers(CellHeights& stored, const Cells& cells, double distance, const fs::path& path,
+                   std::vector<std::string>& notes) {
+  std::vector<double> medians(cells.count(), kUnknown);
+  for (std::size_t c = 0; c < medians.size(); ++c) {
+    if (!stored.of(c).empty()) medians[c] = percentile_of(stored.of(c), 50.0);
+  }
+  std::size_t low = 0, high = 0, write = 0;
+  double farthest = 0.0;
+  Vec3 farthest_at = Vec3::Zero();
+  const long columns = static_cast<long>(cells.columns), rows = static_cast<long>(cells.rows);
+  std::vector<double> around;
+  for (std::size_t c = 0; c < medians.size(); ++c) {
+    const std::uint64_t begin = stored.offsets[c], end = stored.offsets[c + 1];
+    stored.offsets[c] = write;
+    if (begin == end) continue;
+    const long i = static_cast<long>(c) % columns, j = static_cast<long>(c) / columns;
+    around.clear();
+    for (long dj = -kOutlierReach; dj <= kOutlierReach; ++dj) {
+      for (long di = -kOutlierReach; di <= kOutlierReach; ++di) {
+        if (i + di < 0 || j + dj < 0 || i + di >= columns || j + dj >= rows) continue;
+        const double median = medians[static_cast<std::size_t>((j + dj) * columns + i + di)];
+        if (std::isfinite(median)) around.push_back(median);
+      }
+    }
+    const double ground = percentile_of(around, 50.0);
+    for (std::uint64_t k = begin; k < end; ++k) {
+      const double off = stored.heights[k] - ground;
+      if (std::abs(off) <= distance) {
+        stored.heights[write++] = stored.heights[k];
+        continue;
+      }
+      ++(off < 0.0 ? low : high);
+      if (std::abs(off) <= farthest) continue;
+      farthest = std::abs(off);
+      const Vec2 centre =
+          (cells.first + Vec2(0.5 + static_cast<double>(i), 0.5 + static_cast<double>(j))) *
+          cells.size;
+      farthest_at = {centre.x(), centre.y(), stored.heights[k]};
+    }
+  }
+  stored.offsets.back() = write;
+  if (write == 0) {
+    throw InputError(path.string() + ": all points are outliers by more than " +
+                     with_digits(distance, 6) + " m; use a larger --outliers");
+  }
+  if (low + high == 0) return;
+  notes.push_back(path.string() + ": " + std::to_string(low) + " points more than " +
+                  with_digits(distance, 6) + " m below and " + std::to_string(high) +
+                  " above the ground around were left out, the farthest, by " +
+                  with_digits(farthest, 4) + " m, near " + place(farthest_at));
+}
+
+std::string cell_value(const TerrainOptions& options) {
+  if (!options.percentile) return "mean heights";
+  if (*options.percentile == 0.0) return "lowest heights";
+  return "percentile " + with_digits(*options.percentile, 4) + " of the heights";
+}
+
+void note_fill(const HolesFilled& filled, double widest, CloudGrid& result, const fs::path& path) {
+  if (filled.cells > 0) {
+    result.notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
+                           " cells without points were filled from their surroundings, in " +
+                           std::to_string(filled.holes) + " holes");
+  }
+  if (filled.left > 0) {
+    result.notes.push_back(path.string() + ": " + std::to_string(filled.left) +
+                           " holes wider than " + with_digits(widest, 6) +
+                           " m were left open, the widest, " + with_digits(filled.widest_left, 4) +
+                           " m, around " + place(filled.left_at));
+  }
+}
+
+}  // namespace
+
+HeightGrid binned(std::span<const Vec3> points, double cell, const fs::path& path) {
+  Bounds box;
+  for (const Vec3& point : points) box.include(point);
+  const Cells cells(box.low.head<2>(), box.high.head<2>(), cell, path);
+  HeightGrid grid = cells.grid();
+  std::vector<std::uint32_t> hits(cells.count(), 0);
+  for (const Vec3& point : points) {
+    const std::size_t c = cells.at(point);
+    grid.heights[c] += point.z();
+    ++hits[c];
+  }
+  for (std::size_t c = 0; c < hits.size(); ++c) {
+    grid.heights[c] = hits[c] > 0 ? grid.heights[c] / hits[c] : kUnknown;
+  }
+  return grid;
+}
+
+CloudGrid cloud_grid(const TerrainOptions& options) {
+  CloudGrid result;
+  const Survey survey = surveyed(options, result);
+  const fs::path& path = options.surface.front();
+  const double size = options.resolution.value_or(default_cell(survey));
+  const Cells cells(survey.box.low.head<2>(), survey.box.high.head<2>(), size, path);
+  result.notes.push_back(path.string() + ": " + std::to_string(survey.points) + " points, " +
+                         cell_value(options) + " over cells of " + with_digits(size, 9) + " m");
+  HeightGrid& grid = result.grid;
+  grid = cells.grid();
+  std::vector<std::uint32_t> hits(cells.count(), 0);
+  const bool lowest = options.percentile == 0.0;
+  for (const Cloud& cloud : survey.clouds) {
+    cloud.each_point([&](const Vec3& point) {
+      const std::size_t c = cells.at(point);
+      double& height = grid.heights[c];
+      height = !lowest        ? height + point.z()
+               : hits[c] == 0 ? point.z()
+                              : std::min(height, point.z());
+      ++hits[c];
+    });
+  }
+  if (options.outliers || (options.percentile && !lowest)) {
+    CellHeights stored = cell_heights(survey, cells, hits);
+    if (options.outliers) drop_outliers(stored, cells, *options.outliers, path, result.notes);
+    for (std::size_t c = 0; c < hits.size(); ++c) {
+      const std::span<double> heights = stored.of(c);
+      hits[c] = static_cast<std::uint32_t>(heights.size());
+      if (heights.empty()) continue;
+      if (options.percentile) {
+        grid.heights[c] = percentile_of(heights, *options.percentile);
+      } else {
+        grid.heights[c] = 0.0;
+        for (const double height : heights) grid.heights[c] += height;
+      }
+    }
+  }
+  for (std::size_t c = 0; c < hits.size(); ++c) {
+    if (hits[c] == 0) {
+      grid.heights[c] = kUnknown;
+    } else if (!options.percentile) {
+      grid.heights[c] /= hits[c];
+    }
+  }
+  const double widest = options.fill.value_or(kPinholes * size);
+  note_fill(fill_holes(grid, widest), widest, result, path);
+  return result;
 }
 
 }  // namespace clast::detail

@@ -1,25 +1,31 @@
 #pragma once
-/// Point clouds to grids of mean heights.
+/// Point clouds to grids of heights, streamed: what is held grows with the grid, not with the
+/// cloud.
 #include <filesystem>
-#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "terrain/detail/raw_surface.hpp"
+#include "terrain/terrain_input.hpp"
 
 namespace clast::detail {
 
+/// Heights of one or more clouds, with what was left out, in words.
+struct CloudGrid {
+  HeightGrid grid;
+  std::string crs;
+  std::vector<std::string> notes;
+};
+
+/// Reads the clouds of `options` two or three times: for extent and density, for the number of
+/// points per cell, and, where a percentile or outliers are asked, for their heights. Of these at
+/// most 64 per cell are kept, spread evenly over the order of the file: all of them in a survey of
+/// usual density. Cells lie on multiples of their size. Of a cloud with classes only ground counts.
+/// @throws InputError  unreadable, without points, too many cells, or nothing but outliers
+CloudGrid cloud_grid(const TerrainOptions& options);
+
 /// Mean height per square cell; cells lie on multiples of `cell`.
 HeightGrid binned(std::span<const Vec3> points, double cell, const std::filesystem::path& path);
-
-/// Gives empty cells with at least five known neighbours out of eight the mean over the pairs of
-/// opposite neighbours (exact on a plane), in two rounds: scattered points leave pinholes even
-/// where there are several per cell, real gaps stay.
-/// @return  how many cells were filled
-std::size_t fill_pinholes(HeightGrid& grid);
-
-/// The cell size for a cloud when none is asked: about four points per cell over the plan box,
-/// rounded up to 1, 2 or 5 times a power of ten.
-double default_cell(std::span<const Vec3> points);
 
 }  // namespace clast::detail

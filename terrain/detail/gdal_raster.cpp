@@ -30,13 +30,12 @@ void check_units(const std::filesystem::path& path, const OGRSpatialReference* s
   }
 }
 
-std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesystem::path& path,
-                                         Raster& raster) {
-  std::array<double, 6> transform = {0.0, 1.0, 0.0, 0.0, 0.0, -1.0};
+std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesystem::path& path) {
+  std::array<double, 6> transform{};
   if (dataset.GetGeoTransform(transform.data()) != CE_None) {
-    transform = {0.0, 1.0, 0.0, static_cast<double>(dataset.GetRasterYSize()), 0.0, -1.0};
-    raster.notes.push_back(path.string() +
-                           ": no georeference; cells of 1 m with the south-west corner at 0, 0");
+    throw InputError(path.string() +
+                     ": has no georeference, so that its place and cell size are not known; give "
+                     "it one (gdal_translate -a_ullr WEST NORTH EAST SOUTH -a_srs EPSG:CODE)");
   }
   const double largest = std::max(std::abs(transform[1]), std::abs(transform[5]));
   if (std::abs(transform[2]) > 1e-9 * largest || std::abs(transform[4]) > 1e-9 * largest) {
@@ -107,7 +106,7 @@ Raster read_raster(const std::filesystem::path& path) {
   Raster raster;
   check_units(path, dataset->GetSpatialRef());
   raster.crs = crs_name(dataset->GetSpatialRef());
-  const std::array<double, 6> transform = north_up_transform(*dataset, path, raster);
+  const std::array<double, 6> transform = north_up_transform(*dataset, path);
 
   HeightGrid& grid = raster.grid;
   grid.columns = static_cast<std::size_t>(band.GetXSize());

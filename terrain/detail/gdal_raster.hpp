@@ -12,11 +12,11 @@ namespace clast::detail {
 struct Raster {
   HeightGrid grid;
   std::string crs;  ///< "EPSG:2154" or WKT; empty when there is none
-  std::vector<std::string> notes;
 };
 
 /// Reads a raster with one band; rows that run north are turned over.
-/// @throws InputError  not a raster, several bands, rotated, in degrees, not in metres, too small
+/// @throws InputError  not a raster, without georeference, several bands, rotated, in degrees, not
+/// in metres, too small
 Raster read_raster(const std::filesystem::path& path);
 
 /// Writes heights as GeoTIFF (float, deflated, nodata -9999), north up.

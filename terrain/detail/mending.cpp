@@ -4,9 +4,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <tuple>
 
 #include "core/error.hpp"
+#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::detail {
 namespace {
@@ -75,6 +75,14 @@ class PointTable {
   std::vector<std::uint32_t> next_;
 };
 
+bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
+  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return !((b - a).cross(c - a).norm() >= kLeastHeight * longest) || longest == 0.0;
+}
+
+}  // namespace
+
 void drop_unused_vertices(TriangleMesh& mesh) {
   std::vector<std::uint32_t> number(mesh.vertices.size(), kNone);
   for (const Triangle& t : mesh.triangles) {
@@ -91,82 +99,6 @@ void drop_unused_vertices(TriangleMesh& mesh) {
     for (std::uint32_t& corner : t) corner = number[corner];
   }
 }
-
-bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
-  const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  return !((b - a).cross(c - a).norm() >= kLeastHeight * longest) || longest == 0.0;
-}
-
-Vec3 centroid(const TriangleMesh& mesh, std::uint32_t triangle) {
-  const Triangle& t = mesh.triangles[triangle];
-  return (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
-}
-
-/// A side of a triangle, as the edge it lies on.
-struct Side {
-  std::uint32_t low, high;  ///< vertices of the edge
-  std::uint32_t triangle;
-  bool forward;  ///< the triangle runs from low to high
-};
-
-std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), t, a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return sides;
-}
-
-/// Neighbours of every triangle over its edges, and whether both run the same way along the edge.
-struct Neighbours {
-  struct Link {
-    std::uint32_t triangle = kNone;
-    bool same_way = false;
-  };
-  std::vector<std::array<Link, 3>> links;
-  std::size_t border_edges = 0;
-};
-
-Neighbours find_neighbours(const TriangleMesh& mesh) {
-  const std::vector<Side> sides = sorted_sides(mesh);
-  Neighbours result;
-  result.links.resize(mesh.triangles.size());
-  std::vector<std::uint8_t> used(mesh.triangles.size(), 0);
-  std::size_t crowded = 0;
-  Vec3 crowded_at = Vec3::Zero();
-  for (std::size_t begin = 0, end; begin < sides.size(); begin = end) {
-    for (end = begin + 1; end < sides.size() && sides[end].low == sides[begin].low &&
-                          sides[end].high == sides[begin].high;) {
-      ++end;
-    }
-    if (end - begin == 1) ++result.border_edges;
-    if (end - begin > 2 && crowded++ == 0) {
-      crowded_at = (mesh.vertices[sides[begin].low] + mesh.vertices[sides[begin].high]) / 2.0;
-    }
-    if (end - begin != 2) continue;
-    const Side &one = sides[begin], &two = sides[begin + 1];
-    const bool same_way = one.forward == two.forward;
-    result.links[one.triangle][used[one.triangle]++] = {two.triangle, same_way};
-    result.links[two.triangle][used[two.triangle]++] = {one.triangle, same_way};
-  }
-  if (crowded > 0) {
-    throw GeometryError("the ground has " + std::to_string(crowded) +
-                        " edges where more than two triangles meet, the first at " +
-                        place(crowded_at) +
-                        "; surfaces overlap or cross there, remove one of them");
-  }
-  return result;
-}
-
-}  // namespace
 
 void weld(RawSurface& surface, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
@@ -211,12 +143,13 @@ void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>&
     }
   }
   std::size_t count = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  Vec3 degenerate_at = Vec3::Zero(), copy_at = Vec3::Zero();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const bool degenerate = is_degenerate(mesh, mesh.triangles[t]);
     if (degenerate) {
-      ++report.dropped_degenerate;
+      if (report.dropped_degenerate++ == 0) degenerate_at = centroid(mesh, t);
     } else if (is_copy[t]) {
-      ++report.dropped_duplicates;
+      if (report.dropped_duplicates++ == 0) copy_at = centroid(mesh, t);
     } else {
       mesh.triangles[count] = mesh.triangles[t];
       surface.source[count++] = surface.source[t];
@@ -225,13 +158,26 @@ void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>&
   mesh.triangles.resize(count);
   surface.source.resize(count);
   if (count == 0) throw GeometryError(files[0] + ": no triangle has an area; there is no ground");
+  const auto note = [&](std::size_t dropped, const std::string& what, const Vec3& at) {
+    if (dropped == 0) return;
+    report.notes.push_back(std::to_string(dropped) + what + " were dropped, the first at " +
+                           place(at));
+  };
+  note(report.dropped_degenerate, " triangles without an area", degenerate_at);
+  note(report.dropped_duplicates, " copies of triangles", copy_at);
   drop_unused_vertices(mesh);
 }
 
 void orient_upwards(RawSurface& surface, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
-  const Neighbours neighbours = find_neighbours(mesh);
-  report.boundary_edges = neighbours.border_edges;
+  const TriangleLinks links = triangle_links(mesh);
+  report.boundary_edges = links.border_edges;
+  if (links.crowded_edges > 0) {
+    throw GeometryError("the ground has " + std::to_string(links.crowded_edges) +
+                        " edges where more than two triangles meet, the first at " +
+                        place(links.crowded_at) +
+                        "; surfaces overlap or cross there, remove one of them");
+  }
 
   enum : std::uint8_t { kUnseen, kKept, kTurned };
   std::vector<std::uint8_t> state(mesh.triangles.size(), kUnseen);
@@ -241,15 +187,19 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
     state[seed] = kKept;
     piece.assign(1, seed);
     for (std::size_t i = 0; i < piece.size(); ++i) {
-      for (const Neighbours::Link& link : neighbours.links[piece[i]]) {
-        if (link.triangle == kNone) continue;
-        const bool turned = (state[piece[i]] == kTurned) != link.same_way;
-        const std::uint8_t wanted = turned ? kTurned : kKept;
-        if (state[link.triangle] == kUnseen) {
-          state[link.triangle] = wanted;
-          piece.push_back(link.triangle);
-        } else if (state[link.triangle] != wanted) {
-          throw GeometryError("the ground at " + place(centroid(mesh, link.triangle)) +
+      const Triangle& triangle = mesh.triangles[piece[i]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = links.across[piece[i]][k];
+        if (other == kNoTriangle) continue;
+        const Triangle& beside = mesh.triangles[other];
+        const std::size_t side = side_between(beside, triangle[k], triangle[(k + 1) % 3]);
+        const bool same_way = beside[side] == triangle[k];
+        const std::uint8_t wanted = (state[piece[i]] == kTurned) != same_way ? kTurned : kKept;
+        if (state[other] == kUnseen) {
+          state[other] = wanted;
+          piece.push_back(other);
+        } else if (state[other] != wanted) {
+          throw GeometryError("the ground at " + place(centroid(mesh, other)) +
                               " is twisted into itself and has no upper side; cut it there");
         }
       }
@@ -273,10 +223,16 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
       for (const std::uint32_t t : piece) state[t] = state[t] == kTurned ? kKept : kTurned;
     }
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  Vec3 first_turned = Vec3::Zero();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (state[t] != kTurned) continue;
+    if (report.turned_triangles++ == 0) first_turned = centroid(mesh, t);
     std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-    ++report.turned_triangles;
+  }
+  if (report.turned_triangles > 0) {
+    report.notes.push_back(std::to_string(report.turned_triangles) +
+                           " triangles faced into the ground and were turned, the first at " +
+                           place(first_turned));
   }
 }
 

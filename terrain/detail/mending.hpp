@@ -19,6 +19,8 @@ void weld(RawSurface& surface, TerrainReport& report);
 void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>& files,
                             const std::vector<std::uint16_t>& zone_of_file, TerrainReport& report);
 
+void drop_unused_vertices(TriangleMesh& mesh);
+
 /// Turns triangles so that neighbours agree and every piece faces up over most of its plan area;
 /// counts border edges and pieces.
 /// @throws GeometryError  an edge with more than two triangles, or a piece with one side only

@@ -14,6 +14,7 @@ struct RawSurface {
   std::vector<std::uint16_t> source;  ///< of every triangle, index of the surface file
   std::string crs;
   std::vector<std::string> notes;
+  double cell = 0.0;  ///< of the grid it was made from, the shorter side, m; 0 for meshes
 };
 
 /// Heights on a regular grid, row by row from the south, NaN where unknown.

@@ -1,67 +1,37 @@
 #include "terrain/detail/zone_polygons.hpp"
 
-#include <ogrsf_frmts.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
-#include "terrain/detail/gdal_session.hpp"
+#include "terrain/detail/plan_clip.hpp"
 #include "terrain/detail/raw_surface.hpp"
+#include "terrain/detail/vector_layer.hpp"
 
 namespace clast::detail {
 namespace {
-
-struct DestroyFeature {
-  void operator()(OGRFeature* feature) const { OGRFeature::DestroyFeature(feature); }
-};
-struct DestroyTransformation {
-  void operator()(OGRCoordinateTransformation* t) const {
-    OGRCoordinateTransformation::DestroyCT(t);
-  }
-};
-using Transformation = std::unique_ptr<OGRCoordinateTransformation, DestroyTransformation>;
-
-/// From the layer's system to the terrain's; none when they agree or one is unknown. GeoJSON that
-/// names no system counts as WGS 84 degrees, but is often written in map metres: numbers beyond
-/// degrees are taken as they are.
-Transformation transformation(OGRLayer& layer, const std::string& crs,
-                              const std::filesystem::path& path) {
-  const OGRSpatialReference* from = layer.GetSpatialRef();
-  OGREnvelope extent;
-  if (!from || crs.empty() || layer.GetExtent(&extent) != OGRERR_NONE) return nullptr;
-  const bool degrees = std::max(std::abs(extent.MinX), std::abs(extent.MaxX)) <= 180.0 &&
-                       std::max(std::abs(extent.MinY), std::abs(extent.MaxY)) <= 90.0;
-  if (from->IsGeographic() && !degrees) return nullptr;
-  OGRSpatialReference to;
-  if (to.SetFromUserInput(crs.c_str()) != OGRERR_NONE || to.IsSame(from)) return nullptr;
-  to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  OGRSpatialReference source(*from);
-  source.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  Transformation result(OGRCreateCoordinateTransformation(&source, &to));
-  if (!result) {
-    throw InputError(path.string() + ": can't be brought into the terrain's coordinate system (" +
-                     GdalSession::message() + "); save it in " + crs.substr(0, 40));
-  }
-  return result;
-}
 
 void add_rings(const OGRPolygon& polygon, ZonePolygon& zone) {
   for (const OGRLinearRing* ring : polygon) {
     std::vector<Vec2> points;
     for (int i = 0; i < ring->getNumPoints(); ++i)
       points.emplace_back(ring->getX(i), ring->getY(i));
+    const bool is_outline = ring == polygon.getExteriorRing();
+    if ((signed_area(points) > 0.0) != is_outline) std::reverse(points.begin(), points.end());
     zone.rings.push_back(std::move(points));
   }
 }
 
-std::string feature_name(const OGRFeature& feature, const std::filesystem::path& path) {
-  return path.string() + ": feature " + std::to_string(feature.GetFID());
-}
+/// A polygon as GDAL has it, on the map of the terrain, and as we have it.
+struct ReadPolygon {
+  ZonePolygon polygon;
+  std::unique_ptr<OGRGeometry> geometry;
+};
 
-ZonePolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransformation* transform,
+ReadPolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransformation* transform,
                        const std::filesystem::path& path) {
   ZonePolygon result;
   if (feature.IsFieldSetAndNotNull(field)) result.zone = feature.GetFieldAsString(field);
@@ -69,7 +39,7 @@ ZonePolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransf
     throw InputError(feature_name(feature, path) + " has an empty property \"zone\"");
   }
   const OGRGeometry* stored = feature.GetGeometryRef();
-  const std::unique_ptr<OGRGeometry> geometry(stored ? stored->clone() : nullptr);
+  std::unique_ptr<OGRGeometry> geometry(stored ? stored->clone() : nullptr);
   if (geometry && transform && geometry->transform(transform) != OGRERR_NONE) {
     throw InputError(feature_name(feature, path) + " can't be projected (" +
                      GdalSession::message() + ")");
@@ -95,7 +65,39 @@ ZonePolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransf
       result.high = result.high.cwiseMax(point);
     }
   }
-  return result;
+  if (!geometry->IsValid()) {
+    throw InputError(feature_name(feature, path) + " (zone \"" + result.zone +
+                     "\") crosses itself (" + GdalSession::message() +
+                     "); repair it, for example with \"Fix geometries\" of QGIS");
+  }
+  return {std::move(result), std::move(geometry)};
+}
+
+/// Overlaps narrower than this are what digitising leaves, m.
+constexpr double kSlop = 0.01;
+
+void check_overlaps(const std::vector<ReadPolygon>& polygons, const std::filesystem::path& path) {
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    for (std::size_t j = i + 1; j < polygons.size(); ++j) {
+      const ZonePolygon &one = polygons[i].polygon, &two = polygons[j].polygon;
+      if (one.zone == two.zone || (one.low.array() > two.high.array()).any() ||
+          (two.low.array() > one.high.array()).any()) {
+        continue;
+      }
+      const std::unique_ptr<OGRGeometry> common(
+          polygons[i].geometry->Intersection(polygons[j].geometry.get()));
+      if (!common || common->IsEmpty()) continue;
+      const double area = OGR_G_Area(OGRGeometry::ToHandle(common.get()));
+      OGREnvelope box;
+      common->getEnvelope(&box);
+      if (area <= kSlop * std::hypot(box.MaxX - box.MinX, box.MaxY - box.MinY)) continue;
+      OGRPoint inside;
+      common->Centroid(&inside);
+      throw InputError(path.string() + ": zones \"" + one.zone + "\" and \"" + two.zone +
+                       "\" overlap on " + with_digits(area, 4) + " m2 around " +
+                       place({inside.getX(), inside.getY(), 0.0}) + "; cut one of the polygons");
+    }
+  }
 }
 
 std::string field_names(OGRFeatureDefn& fields) {
@@ -127,16 +129,7 @@ bool ZonePolygon::contains(const Vec2& point) const {
 std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
                                             const std::string& crs) {
   const GdalSession session;
-  const DatasetPointer dataset(
-      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
-  if (!dataset || dataset->GetLayerCount() < 1) {
-    throw InputError(path.string() + ": holds no polygons that GDAL can read (" +
-                     GdalSession::message() + ")");
-  }
-  if (dataset->GetLayerCount() > 1) {
-    throw InputError(path.string() + ": " + std::to_string(dataset->GetLayerCount()) +
-                     " layers; save the one with the zones by itself");
-  }
+  const DatasetPointer dataset = open_layer(path, "polygons");
   OGRLayer& layer = *dataset->GetLayer(0);
   const int field = layer.GetLayerDefn()->GetFieldIndex("zone");
   if (field < 0) {
@@ -144,11 +137,14 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
                      field_names(*layer.GetLayerDefn()) + ")");
   }
   const Transformation transform = transformation(layer, crs, path);
-  std::vector<ZonePolygon> polygons;
+  std::vector<ReadPolygon> read;
   layer.ResetReading();
-  while (const std::unique_ptr<OGRFeature, DestroyFeature> feature{layer.GetNextFeature()}) {
-    polygons.push_back(polygon_of(*feature, field, transform.get(), path));
+  while (const FeaturePointer feature{layer.GetNextFeature()}) {
+    read.push_back(polygon_of(*feature, field, transform.get(), path));
   }
+  check_overlaps(read, path);
+  std::vector<ZonePolygon> polygons;
+  for (ReadPolygon& each : read) polygons.push_back(std::move(each.polygon));
   if (polygons.empty()) throw InputError(path.string() + ": holds no polygons");
   return polygons;
 }

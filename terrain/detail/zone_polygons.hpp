@@ -12,7 +12,7 @@ namespace clast::detail {
 /// of times. A point on an edge shared by two polygons is in exactly one of them.
 struct ZonePolygon {
   std::string zone;
-  std::vector<std::vector<Vec2>> rings;  ///< on the map, m
+  std::vector<std::vector<Vec2>> rings;  ///< on the map, m; holes run clockwise, outlines do not
   Vec2 low = Vec2::Zero();
   Vec2 high = Vec2::Zero();
 
@@ -22,7 +22,9 @@ struct ZonePolygon {
 /// Reads GeoJSON, GeoPackage or Shapefile polygons with a text or number property "zone", and
 /// reprojects them when both sides name a coordinate system and they differ.
 /// @param crs  of the terrain; empty when unknown: coordinates are then taken as they are
-/// @throws InputError  unreadable, no property "zone", something that is not a polygon
+/// @throws InputError  unreadable, no property "zone", something that is not a polygon, one that
+///                     crosses itself, or two of different zones that overlap by more than a strip
+///                     of 1 cm, which is what digitising by hand leaves
 std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
                                             const std::string& crs);
 

@@ -5,34 +5,52 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "terrain/detail/gdal_raster.hpp"
+#include "terrain/detail/plan_clip.hpp"
+#include "terrain/detail/plan_index.hpp"
+#include "terrain/detail/triangle_links.hpp"
+#include "terrain/detail/zone_cut.hpp"
 #include "terrain/detail/zone_polygons.hpp"
+#include "terrain/detail/zone_rules.hpp"
 
 namespace clast::detail {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::size_t kMostZones = 65535;
+constexpr double kUpright = 1e-6;  // of plan area in area, under which the centroid decides
 
-/// What lies over a place, as an index into `labels`; kNone where nothing does.
+/// Plan areas by label.
+using Shares = std::vector<std::pair<std::uint32_t, double>>;
+
+void add_share(Shares& shares, std::uint32_t label, double area) {
+  for (auto& [known, sum] : shares) {
+    if (known == label) {
+      sum += area;
+      return;
+    }
+  }
+  shares.emplace_back(label, area);
+}
+
+/// What lies over the plan, as an index into `labels`.
 struct ZoneMap {
   std::vector<std::string> labels;
-  std::function<std::uint32_t(const Vec3&)> at;
+  PlanBox extent;                                   ///< on the map
+  std::function<std::uint32_t(const Vec2&)> at;     ///< kNone where nothing is
+  std::function<Shares(const PlanTriangle&)> over;  ///< of a triangle on the map
+  std::vector<std::array<Vec2, 2>> borders;         ///< of polygons
 };
 
-ZoneMap raster_zones(const ZoneFile& source, const std::string& crs,
-                     std::vector<std::string>& notes) {
-  Raster raster = read_raster(source.path);
-  if (!crs.empty() && !raster.crs.empty() && !same_crs(crs, raster.crs)) {
-    throw InputError(source.path.string() + ": is in " + raster.crs.substr(0, 60) +
-                     ", the ground in " + crs.substr(0, 60) + "; reproject one (gdalwarp -t_srs)");
-  }
-  notes.insert(notes.end(), raster.notes.begin(), raster.notes.end());
+/// Labels of the classes of a zone raster.
+std::map<long, std::uint32_t> classes_of(const HeightGrid& grid, const ZoneFile& source,
+                                         ZoneMap& map) {
   std::map<long, std::uint32_t> label_of;
-  for (std::size_t i = 0; i < raster.grid.heights.size(); ++i) {
-    const double value = raster.grid.heights[i];
+  for (std::size_t i = 0; i < grid.heights.size(); ++i) {
+    const double value = grid.heights[i];
     if (std::isnan(value)) continue;
-    const Vec2 centre = raster.grid.centre(i % raster.grid.columns, i / raster.grid.columns);
+    const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
     if (value != std::round(value) || std::abs(value) > 1e9) {
       throw InputError(source.path.string() + ": " + std::to_string(value) + " at " +
                        place({centre.x(), centre.y(), 0.0}) +
@@ -44,7 +62,6 @@ ZoneMap raster_zones(const ZoneFile& source, const std::string& crs,
                      place({centre.x(), centre.y(), 0.0}) + " has no name; add " +
                      std::to_string(entry->first) + "=NAME to the zones");
   }
-  ZoneMap map;
   for (auto& [number, label] : label_of) {
     const std::string name =
         source.names.empty() ? std::to_string(number) : source.names.at(number);
@@ -52,86 +69,256 @@ ZoneMap raster_zones(const ZoneFile& source, const std::string& crs,
     label = static_cast<std::uint32_t>(known - map.labels.begin());
     if (known == map.labels.end()) map.labels.push_back(name);
   }
-  map.at = [grid = std::move(raster.grid), label_of](const Vec3& point) {
-    const Vec2 cell = ((point.head<2>() - grid.first).cwiseQuotient(grid.step)).array() + 0.5;
-    if (!(cell.x() >= 0.0 && cell.y() >= 0.0 && cell.x() < static_cast<double>(grid.columns) &&
-          cell.y() < static_cast<double>(grid.rows))) {
-      return kNone;
+  return label_of;
+}
+
+ZoneMap raster_zones(const ZoneFile& source, const std::string& crs) {
+  Raster raster = read_raster(source.path);
+  if (!crs.empty() && !raster.crs.empty() && !same_crs(crs, raster.crs)) {
+    throw InputError(source.path.string() + ": is in " + raster.crs.substr(0, 60) +
+                     ", the ground in " + crs.substr(0, 60) + "; reproject one (gdalwarp -t_srs)");
+  }
+  ZoneMap map;
+  const std::map<long, std::uint32_t> label_of = classes_of(raster.grid, source, map);
+  std::vector<std::uint32_t> cells(raster.grid.heights.size(), kNone);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double value = raster.grid.heights[i];
+    if (!std::isnan(value)) cells[i] = label_of.at(static_cast<long>(value));
+  }
+  raster.grid.heights = {};
+  const HeightGrid grid = raster.grid;
+  const Vec2 corner = grid.first - grid.step / 2.0;
+  const auto columns = static_cast<long>(grid.columns), rows = static_cast<long>(grid.rows);
+  map.extent.include(corner);
+  map.extent.include(grid.centre(grid.columns, grid.rows) - grid.step / 2.0);
+  const auto label = [cells = std::move(cells), columns, rows](long i, long j) {
+    return i < 0 || j < 0 || i >= columns || j >= rows
+               ? kNone
+               : cells[static_cast<std::size_t>(j * columns + i)];
+  };
+  const auto column_and_row = [corner, step = grid.step](const Vec2& point) {
+    const Vec2 cell = (point - corner).cwiseQuotient(step).array().floor();
+    const Vec2 within = cell.cwiseMax(-1e9).cwiseMin(1e9);
+    return std::pair(static_cast<long>(within.x()), static_cast<long>(within.y()));
+  };
+  map.at = [label, column_and_row](const Vec2& point) {
+    const auto [i, j] = column_and_row(point);
+    return label(i, j);
+  };
+  map.over = [label, column_and_row, corner, step = grid.step, columns,
+              rows](const PlanTriangle& triangle) {
+    PlanBox box;
+    for (const Vec2& point : triangle) box.include(point);
+    const auto [low_i, low_j] = column_and_row(box.low);
+    const auto [high_i, high_j] = column_and_row(box.high);
+    Shares shares;
+    for (long j = std::max(low_j, 0L); j <= std::min(high_j, rows - 1); ++j) {
+      for (long i = std::max(low_i, 0L); i <= std::min(high_i, columns - 1); ++i) {
+        const std::uint32_t here = label(i, j);
+        if (here == kNone) continue;
+        const Vec2 low =
+            corner + step.cwiseProduct(Vec2(static_cast<double>(i), static_cast<double>(j)));
+        const Vec2 high = low + step;
+        const std::array<Vec2, 4> cell = {low, Vec2(high.x(), low.y()), high,
+                                          Vec2(low.x(), high.y())};
+        const double area = area_within(cell, triangle);
+        if (area > 0.0) add_share(shares, here, area);
+      }
     }
-    const double value = grid.heights[static_cast<std::size_t>(cell.y()) * grid.columns +
-                                      static_cast<std::size_t>(cell.x())];
-    return std::isnan(value) ? kNone : label_of.at(static_cast<long>(value));
+    return shares;
   };
   return map;
 }
 
 ZoneMap polygon_zones(const ZoneFile& source, const std::string& crs) {
-  const std::vector<ZonePolygon> polygons = read_zone_polygons(source.path, crs);
+  std::vector<ZonePolygon> polygons = read_zone_polygons(source.path, crs);
   ZoneMap map;
   std::vector<std::uint32_t> label_of;
+  std::vector<PlanBox> sides;
   for (const ZonePolygon& polygon : polygons) {
     const auto known = std::find(map.labels.begin(), map.labels.end(), polygon.zone);
     label_of.push_back(static_cast<std::uint32_t>(known - map.labels.begin()));
     if (known == map.labels.end()) map.labels.push_back(polygon.zone);
-  }
-  map.at = [polygons, label_of, labels = map.labels, path = source.path](const Vec3& point) {
-    std::uint32_t found = kNone;
-    for (std::size_t i = 0; i < polygons.size(); ++i) {
-      if (label_of[i] == found || !polygons[i].contains(point.head<2>())) continue;
-      if (found != kNone) {
-        throw InputError(path.string() + ": zones \"" + labels[found] + "\" and \"" +
-                         labels[label_of[i]] + "\" overlap at " + place(point) +
-                         "; cut one of the polygons");
+    map.extent.include(polygon.low);
+    map.extent.include(polygon.high);
+    for (const std::vector<Vec2>& ring : polygon.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        map.borders.push_back({a, b});
+        sides.emplace_back();
+        sides.back().include(a);
+        sides.back().include(b);
       }
-      found = label_of[i];
     }
-    return found;
+  }
+  map.at = [polygons, label_of](const Vec2& point) {
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      if (polygons[i].contains(point)) return label_of[i];
+    }
+    return kNone;
+  };
+  map.over = [polygons, label_of, at = map.at,
+              index = PlanIndex(sides)](const PlanTriangle& triangle) {
+    PlanBox box;
+    for (const Vec2& point : triangle) box.include(point);
+    Shares shares;
+    if (index.near(box).empty()) {
+      const std::uint32_t label = at((triangle[0] + triangle[1] + triangle[2]) / 3.0);
+      if (label != kNone) shares.emplace_back(label, signed_area(triangle));
+      return shares;
+    }
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      const ZonePolygon& polygon = polygons[i];
+      if ((polygon.low.array() > box.high.array()).any() ||
+          (polygon.high.array() < box.low.array()).any()) {
+        continue;
+      }
+      double area = 0.0;
+      for (const std::vector<Vec2>& ring : polygon.rings) area += area_within(ring, triangle);
+      if (area > 0.0) add_share(shares, label_of[i], area);
+    }
+    return shares;
   };
   return map;
 }
 
+void cut_borders(Terrain& terrain, const ZoneMap& map) {
+  std::vector<std::array<Vec2, 2>> borders = map.borders;
+  for (std::array<Vec2, 2>& border : borders) {
+    for (Vec2& end : border) end -= terrain.frame.origin.head<2>();
+  }
+  const std::size_t added = cut_along(terrain.surface, borders);
+  if (added > 0) {
+    terrain.report.notes.push_back("cutting the zone borders into the ground added " +
+                                   std::to_string(added) + " triangles");
+  }
+}
+
+/// Ground that no zone is for.
+struct Bare {
+  std::size_t triangles = 0;
+  double area = 0.0;       ///< in plan, m^2
+  double partial = 0.0;    ///< the rest of triangles that are covered by more than half, m^2
+  Vec3 at = Vec3::Zero();  ///< the first, on the map
+};
+
+void refuse_bare(const Bare& bare, const Terrain& terrain, const std::string& who,
+                 const std::string& advice) {
+  if (bare.triangles == 0) return;
+  throw GeometryError(who + ": leaves " + std::to_string(bare.triangles) + " of " +
+                      std::to_string(terrain.surface.triangles.size()) + " triangles (" +
+                      std::to_string(bare.area) + " m2 in plan) without a zone, the first at " +
+                      place(bare.at) + "; " + advice);
+}
+
+/// Numbers for the labels that are used, in their order.
+void number_zones(Terrain& terrain, const std::vector<std::string>& labels,
+                  const std::vector<std::uint32_t>& label) {
+  std::vector<bool> used(labels.size(), false);
+  for (const std::uint32_t l : label) used[l] = true;
+  std::vector<std::uint16_t> number(labels.size(), 0);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (!used[i]) continue;
+    number[i] = static_cast<std::uint16_t>(terrain.zone_names.size());
+    terrain.zone_names.push_back(labels[i]);
+  }
+  for (const std::uint32_t l : label) terrain.zone.push_back(number[l]);
+}
+
+void check_extent(const ZoneMap& map, const Terrain& terrain, const ZoneFile& source) {
+  const Bounds box = bounds(terrain.surface);
+  const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
+  if ((map.extent.low.array() <= high.head<2>().array()).all() &&
+      (map.extent.high.array() >= low.head<2>().array()).all()) {
+    return;
+  }
+  const auto span = [](const Vec2& from, const Vec2& to) {
+    return "x " + with_digits(from.x(), 9) + " to " + with_digits(to.x(), 9) + ", y " +
+           with_digits(from.y(), 9) + " to " + with_digits(to.y(), 9);
+  };
+  throw InputError(source.path.string() + ": the zones lie at " +
+                   span(map.extent.low, map.extent.high) + ", the ground at " +
+                   span(low.head<2>(), high.head<2>()) +
+                   "; bring both into one map system (zones in z-up map coordinates)");
+}
+
 }  // namespace
 
-void assign_zones(Terrain& terrain, const ZoneFile& source) {
-  const ZoneMap map = is_polygon_file(source.path)
-                          ? polygon_zones(source, terrain.frame.crs)
-                          : raster_zones(source, terrain.frame.crs, terrain.report.notes);
+void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
+  const ZoneMap map = is_polygon_file(source.path) ? polygon_zones(source, terrain.frame.crs)
+                                                   : raster_zones(source, terrain.frame.crs);
   if (map.labels.size() > kMostZones) {
     throw InputError(source.path.string() + ": " + std::to_string(map.labels.size()) +
                      " zones; is it a raster of heights?");
   }
+  check_extent(map, terrain, source);
+  if (cut) cut_borders(terrain, map);
   const TriangleMesh& mesh = terrain.surface;
-  std::vector<std::uint32_t> label(mesh.triangles.size());
-  std::vector<bool> used(map.labels.size(), false);
-  std::size_t bare = 0;
-  double bare_area = 0.0;
-  Vec3 bare_at = Vec3::Zero();
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Vec3 centroid = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
-    const Vec3 on_map = terrain.frame.map(centroid);
-    label[t] = map.at(on_map);
-    if (label[t] != kNone) {
-      used[label[t]] = true;
-      continue;
+  std::vector<std::uint32_t> label(mesh.triangles.size(), kNone);
+  Bare bare;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 area = area_vector(mesh, t);
+    const Vec3 middle = terrain.frame.map(centroid(mesh, t));
+    const double plan = std::abs(area.z()) / 2.0;
+    double covered = 0.0;
+    if (std::abs(area.z()) < kUpright * area.norm()) {
+      label[t] = map.at(middle.head<2>());
+    } else {
+      PlanTriangle triangle;
+      for (std::size_t k = 0; k < 3; ++k) {
+        triangle[k] = terrain.frame.map(mesh.vertices[mesh.triangles[t][k]]).head<2>();
+      }
+      if (area.z() < 0.0) std::swap(triangle[1], triangle[2]);
+      double most = 0.0;
+      for (const auto& [zone, share] : map.over(triangle)) {
+        covered += share;
+        if (share > most || (share == most && zone < label[t])) {
+          most = share;
+          label[t] = zone;
+        }
+      }
+      if (covered < 0.5 * plan) label[t] = kNone;
     }
-    if (bare++ == 0) bare_at = on_map;
-    const Vec3 ab = mesh.vertices[b] - mesh.vertices[a], ac = mesh.vertices[c] - mesh.vertices[a];
-    bare_area += std::abs(ab.x() * ac.y() - ab.y() * ac.x()) / 2.0;
+    if (label[t] == kNone) {
+      if (bare.triangles++ == 0) bare.at = middle;
+      bare.area += std::max(0.0, plan - covered);
+    } else {
+      bare.partial += std::max(0.0, plan - covered);
+    }
   }
-  if (bare > 0) {
-    throw GeometryError(source.path.string() + ": leaves " + std::to_string(bare) + " of " +
-                        std::to_string(mesh.triangles.size()) + " triangles (" +
-                        std::to_string(bare_area) + " m2 in plan) without a zone, the first at " +
-                        place(bare_at) + "; extend the zones or cut the ground");
+  refuse_bare(bare, terrain, source.path.string(), "extend the zones or cut the ground");
+  if (bare.partial > 1e-6) {
+    terrain.report.notes.push_back(source.path.string() + ": " + with_digits(bare.partial, 3) +
+                                   " m2 beside the zones took the zone of the triangle's rest");
   }
-  std::vector<std::uint16_t> number(map.labels.size(), 0);
-  for (std::size_t i = 0; i < map.labels.size(); ++i) {
-    if (!used[i]) continue;
-    number[i] = static_cast<std::uint16_t>(terrain.zone_names.size());
-    terrain.zone_names.push_back(map.labels[i]);
+  number_zones(terrain, map.labels, label);
+}
+
+void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
+  const std::vector<ZoneRule> rules = zone_rules(texts);
+  std::vector<std::string> labels;
+  std::vector<std::uint32_t> label_of;
+  for (const ZoneRule& rule : rules) {
+    const auto known = std::find(labels.begin(), labels.end(), rule.zone);
+    label_of.push_back(static_cast<std::uint32_t>(known - labels.begin()));
+    if (known == labels.end()) labels.push_back(rule.zone);
   }
-  for (const std::uint32_t l : label) terrain.zone.push_back(number[l]);
+  const TriangleMesh& mesh = terrain.surface;
+  std::vector<std::uint32_t> label(mesh.triangles.size(), kNone);
+  Bare bare;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 area = area_vector(mesh, t);
+    const Vec3 middle = terrain.frame.map(centroid(mesh, t));
+    const double slope = std::atan2(area.head<2>().norm(), area.z());
+    for (std::size_t r = 0; r < rules.size() && label[t] == kNone; ++r) {
+      if (rules[r].holds(slope, middle.z())) label[t] = label_of[r];
+    }
+    if (label[t] != kNone) continue;
+    if (bare.triangles++ == 0) bare.at = middle;
+    bare.area += std::abs(area.z()) / 2.0;
+  }
+  refuse_bare(bare, terrain, "the zone rules", "end them with NAME=else");
+  number_zones(terrain, labels, label);
 }
 
 }  // namespace clast::detail

@@ -1,7 +1,10 @@
 // clast classify on tables: populations, comparison, report.
 #include <nlohmann/json.hpp>
 
+#include "classify/schemes.hpp"
+#include "core/utf8.hpp"
 #include "tests/app/command_support.hpp"
+#include "tests/library/block_samples.hpp"
 #include "tests/support/markup.hpp"
 
 namespace clast {
@@ -170,6 +173,158 @@ TEST(Tables, ATableOfAxesHasNoBoxToChoose) {
   const ScratchFolder folder;
   write_text_file(folder / "talus.csv", "L,I,S\n3,2,1\n");
   expect_refused(folder, {"classify", "talus.csv", "--box", "feret"}, 2, "talus.csv");
+}
+
+// What would change nothing, or could mean two things.
+TEST_F(Talus, OptionsThatDontApplyAreRefused) {
+  expect_refused(folder, {"classify", "a.h5", "--units", "mm"}, 2, "--units");
+  expect_refused(folder, {"classify", "a.h5", "--columns", "L=1,I=2,S=3"}, 2, "--columns");
+  expect_refused(folder, {"classify", "a.h5", "--against", "b.h5", "--against-units", "mm"}, 2,
+                 "--against-units");
+  expect_refused(folder, {"classify", "east.csv", "--against-columns", "L=1"}, 2,
+                 "--against-columns");
+  expect_refused(folder, {"classify", "a.h5", "--roundness", "0.1"}, 2, "--json");
+  expect_refused(folder, {"classify", "east.csv", "--roundness", "0.1", "--json"}, 2, "library");
+  expect_refused(folder, {"classify", "east.csv", "--erdogan-limit", "1.5"}, 2, "erdogan");
+  expect_refused(folder, {"classify", "east.csv", "--thirds", "--scheme", "zingg"}, 2,
+                 "sneed-folk");
+  expect_refused(folder, {"classify", "east.csv", "--scheme", "zingg,garcia,zingg"}, 2,
+                 "zingg more than once");
+  expect_refused(folder, {"classify", "east.csv", "-o", ""}, 2, "--output");
+  expect_refused(folder, {"classify", "east.csv", "--units", ""}, 2, "--units");
+  // Where one of the inputs is a table they do apply.
+  EXPECT_EQ(run_clast({"classify", "east.csv", "--units", "cm"}, folder.path()).exit_code, 0);
+}
+
+TEST_F(Talus, NumbersThatAreNoneAreRefused) {
+  for (const char* number : {"nan", "-inf", "x"}) {
+    expect_refused(folder, {"classify", "east.csv", "--axis-error", number}, 2, "--axis-error");
+    expect_refused(folder,
+                   {"classify", "east.csv", "--scheme", "erdogan", "--erdogan-limit", number}, 2,
+                   "erdogan");
+    expect_refused(folder, {"classify", "a.h5", "--json", "--roundness", number}, 2, "--roundness");
+    expect_refused(folder, {"classify", "east.csv", "--seed", number}, 2, "--seed");
+    expect_refused(folder, {"classify", "east.csv", "--units", number}, 2, "--units");
+  }
+  for (const char* number : {"-1", "1.5", "18446744073709551616"}) {
+    expect_refused(folder, {"classify", "east.csv", "--seed", number}, 2, "--seed");
+  }
+}
+
+TEST_F(Talus, AColumnIsOneQuantity) {
+  expect_refused(folder, {"classify", "east.csv", "--columns", "L=1,I=1,S=3"}, 2, "L and as I");
+  expect_refused(folder, {"classify", "east.csv", "--columns", "L=1,L=2"}, 2, "column 2");
+  expect_refused(folder, {"classify", "east.csv", "--columns", "L=L_cm,I=2,S=S_cm"}, 1,
+                 "L and as I");
+  write_text_file(folder / "twice.csv", "L,I,S,L\n3,2,1,4\n");
+  expect_refused(folder, {"classify", "twice.csv"}, 1, "1, 4");
+}
+
+TEST_F(Talus, BlocksThatAreCountedTwiceAreTold) {
+  const Json twice = json_of({"east.csv", "east.csv"});
+  EXPECT_EQ(twice["blocks"].size(), 8u);
+  EXPECT_TRUE(contains(err, "the same file was given 2 times") && contains(err, "counted 2 times"));
+  EXPECT_TRUE(contains(twice["notes"].dump(), "counted 2 times"));
+  // By content, whatever the name.
+  fs::copy_file(folder / "east.csv", folder / "copy.csv");
+  EXPECT_TRUE(contains(json_of({"east.csv", "copy.csv"})["notes"].dump(), "east.csv, copy.csv"));
+  EXPECT_TRUE(contains(json_of({"east.csv", "--against", "copy.csv"})["against"]["notes"].dump(),
+                       "both populations hold the same file"));
+  write_text_file(folder / "a.csv", "id,L,I,S\nA,3,2,1\nA,3,2,1\nB,3,2,1\nA,3,2,1\n");
+  EXPECT_TRUE(contains(json_of({"a.csv"})["notes"].dump(), "A 3 times"));
+}
+
+TEST_F(Talus, DoubtfulUnitsAndErrorsAreTold) {
+  write_text_file(folder / "cm.csv", "L,I,S\n90,70,50\n");
+  EXPECT_TRUE(contains(json_of({"cm.csv"})["notes"].dump(), "0.9 m in cm"));
+  EXPECT_TRUE(contains(err, "--units"));
+  write_text_file(folder / "pebbles.csv", "L_mm,I_mm,S_mm\n20,15,10\n");
+  EXPECT_TRUE(contains(json_of({"pebbles.csv"})["notes"].dump(), "--axis-error"));
+  EXPECT_EQ(json_of({"pebbles.csv", "--axis-error", "0.001"})["notes"].size(), 1u);  // the unit
+}
+
+// As Excel saves accents: everything written is UTF-8 all the same.
+TEST_F(Talus, NamesInLatin1ComeOutAsUtf8) {
+  write_text_file(folder / "\xe9t\xe9.csv", "id;L;I;S\nCh\xe2teau;3;2;1\n\xc9tang;3;1;1\n");
+  EXPECT_EQ(json_of({"\xe9t\xe9.csv"})["blocks"][1]["id"], "\xc3\x89tang");
+  EXPECT_TRUE(contains(err, "Windows-1252"));
+  ASSERT_EQ(run_clast({"classify", "\xe9t\xe9.csv", "-o", "out"}, folder.path()).exit_code, 0);
+  for (const std::string& name : names_in(folder / "out")) {
+    const std::string text = read_text_file(folder / "out" / name);
+    EXPECT_TRUE(is_utf8(text)) << name;
+  }
+  EXPECT_TRUE(contains(read_text_file(folder / "out" / "classes.csv"), "\xc3\xa9t\xc3\xa9,Ch"));
+}
+
+TEST_F(Talus, ProvenanceHoldsEveryOption) {
+  ASSERT_EQ(run_clast({"classify", "east.csv", "--columns", "L=2,I=3,S=4", "--units", "mm",
+                       "--axis-error", "0.001", "--against", "west.csv", "--against-units", "cm",
+                       "-o", "out"},
+                      folder.path())
+                .exit_code,
+            0);
+  const Json json = Json::parse(read_text_file(folder / "out" / "provenance.json"));
+  const Json& east = json["populations"][0];
+  EXPECT_EQ(east["columns"], "L=2,I=3,S=4");
+  EXPECT_EQ(east["units"], "mm");
+  EXPECT_EQ(east["axis_error_m"], 0.001);
+  EXPECT_TRUE(east["box"].is_null());
+  EXPECT_EQ(json["populations"][1]["units"], "cm");
+  EXPECT_EQ(east["inputs"][0]["file"], "east.csv");
+  EXPECT_EQ(east["inputs"][0]["sha256"].get<std::string>().size(), 64u);
+}
+
+TEST_F(Talus, AnEarlierReportLeavesNoDiagramBehind) {
+  run_clast({"classify", "east.csv", "-o", "out"}, folder.path());
+  EXPECT_TRUE(names_in(folder / "out").count("size.svg"));
+  run_clast({"classify", "east.csv", "--against", "west.csv", "-o", "out"}, folder.path());
+  run_clast({"classify", "east.csv", "--against", "west.csv", "-o", "fresh"}, folder.path());
+  EXPECT_EQ(names_in(folder / "out"), names_in(folder / "fresh"));
+}
+
+/// Names of the members of every object in `json`; of maps by scheme, box or index the name of the
+/// map and what is below, since their names are data.
+void add_keys(const Json& json, std::set<std::string>& keys, bool names_are_data = false) {
+  static const std::set<std::string> kMaps = {"classes", "population", "indices", "formulas",
+                                              "boxes_m"};
+  if (json.is_array()) {
+    for (const Json& item : json) add_keys(item, keys);
+  }
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    if (!names_are_data) keys.insert(key);
+    add_keys(value, keys, !names_are_data && kMaps.count(key) > 0);
+  }
+}
+
+TEST_F(Talus, EveryKeyOfTheJsonIsDocumented) {
+  write_obj(folder / "rock.obj", cuboid(0.5, 0.4, 0.3));
+  const ProgramRun made = run_clast({"reconstruct", "rock.obj", "-o", "rock.h5"}, folder.path());
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Json json = json_of(
+      {"rock.h5", "east.csv", "--against", "west.csv", "--scheme", "all", "--roundness", "0.1"});
+  std::set<std::string> keys;
+  add_keys(json, keys);
+  EXPECT_GT(keys.size(), 60u);
+  const std::string formats = read_text_file(fs::path(CLAST_SOURCE_DIR) / "docs" / "formats.md");
+  const std::size_t begin = formats.find("`clast classify INPUT --json` is an object");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string section = formats.substr(begin, formats.find("\n## ", begin) - begin);
+  for (const std::string& key : keys) {
+    EXPECT_NE(section.find("`" + key + "`"), std::string::npos) << key << " is not in formats.md";
+  }
+  // Names that are data: boxes beside the key, schemes and indices in the theory.
+  for (const auto& [box, axes] : json["blocks"][0]["boxes_m"].items()) {
+    EXPECT_NE(section.find("`" + box + "`"), std::string::npos) << box;
+  }
+  const std::string theory = read_text_file(fs::path(CLAST_SOURCE_DIR) / "docs" / "theory.md");
+  for (const auto& [scheme, shares] : json["population"].items()) {
+    EXPECT_NE(theory.find("`" + scheme + "`"), std::string::npos) << scheme;
+  }
+  for (const auto& [index, formula] : json["formulas"].items()) {
+    EXPECT_NE(theory.find("`" + index + "`"), std::string::npos) << index;
+  }
+  EXPECT_EQ(json["population"].size(), scheme_names().size());
 }
 
 TEST(Tables, TablesThatCantBeReadAreRefused) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -47,39 +48,112 @@ TEST(Certainty, AnErrorLargerThanTheAxesIsNoTrouble) {
   }
 }
 
-// Second method: thousands of axes drawn within the error, and put in order.
-TEST(Certainty, AgreesWithAxesDrawnWithinTheError) {
-  Random random(11);
-  int surviving = 0, lost = 0;
-  for (int block = 0; block < 60; ++block) {
-    const Axes axes = Axes::sorted(random.uniform(0.2, 1.0), random.uniform(0.2, 1.0), 1.0);
-    const double error = random.uniform(0.0, 0.05);
-    for (const std::string& scheme : scheme_names()) {
-      const ClassCertainty certainty = class_certainty(scheme, axes, error);
-      bool all_same = true;
-      for (int draw = 0; draw < 2000; ++draw) {
-        // Every other draw at the ends of the ranges, where classes change first.
-        const auto off = [&] {
-          return draw % 2 ? random.uniform(-error, error)
-                          : (random.below(2) ? 1.0 : -1.0) * error * random.uniform(0.99, 1.0);
-        };
-        const Axes drawn = Axes::sorted(axes.L + off(), axes.I + off(), axes.S + off());
-        all_same = all_same && shape_class(scheme, drawn) == certainty.name;
-      }
-      if (certainty.survives) {
-        EXPECT_TRUE(all_same) << scheme << " " << axes.L << " " << axes.I << " " << axes.S;
-        ++surviving;
-      } else if (!all_same) {
-        ++lost;
-      } else {
-        // Nothing drawn, yet said to be possible: the corner that says so must be that close.
-        EXPECT_FALSE(class_certainty(scheme, axes, error).survives);
-        EXPECT_LT(certainty.distance, 0.2);
+/// Classes of all axes on a grid of `steps` values over the range of each axis, put in order.
+std::set<std::string> scanned_classes(const std::string& scheme, const Axes& axes, double error,
+                                      int steps) {
+  std::set<std::string> found;
+  const auto at = [&](double axis, int k) { return axis + error * (2.0 * k / (steps - 1) - 1.0); };
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j < steps; ++j) {
+      for (int k = 0; k < steps; ++k) {
+        found.insert(
+            shape_class(scheme, Axes::sorted(at(axes.L, i), at(axes.I, j), at(axes.S, k))));
       }
     }
   }
-  EXPECT_GT(surviving, 50);
-  EXPECT_GT(lost, 50);
+  return found;
+}
+
+std::set<std::string> said_classes(const ClassCertainty& certainty) {
+  std::set<std::string> said(certainty.others.begin(), certainty.others.end());
+  said.insert(certainty.name);
+  return said;
+}
+
+// Blocks of the Authume quarry whose corners of the error miss a class that lies between them.
+TEST(Certainty, ClassesBetweenTheExtremesArePossibleToo) {
+  const auto others = [](const Axes& axes) {
+    return class_certainty("sneed-folk", axes, kTapeError).others;
+  };
+  const auto holds = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  // (0.95, 0.75, 0.53): q = 0.558, d = 0.476; (0.93, 0.65, 0.46): q = 0.495, d = 0.596;
+  // (0.97, 0.65, 0.48): q = 0.495, d = 0.653; (1.0, 0.65, 0.49): q = 0.49, d = 0.686, which is E.
+  EXPECT_TRUE(holds(others({0.95, 0.7, 0.5}), "E"));
+  // (0.6, 0.55, 0.41): q = 0.683, d = 0.263, which is CP.
+  EXPECT_TRUE(holds(others({0.6, 0.5, 0.45}), "CP"));
+}
+
+// Second method, and from both sides. A scan of the axes must find no class that is not said; and
+// each class said must be found by a scan, if need be a fine one: ratios don't change when all axes
+// grow by one factor, so every reachable ratio is reached with one axis at its largest.
+TEST(Certainty, IsCompleteAndHoldsNothingElse) {
+  Random random(11);
+  std::size_t compared = 0, more_than_one = 0;
+  for (int block = 0; block < 40; ++block) {
+    const Axes axes = Axes::sorted(random.uniform(0.2, 1.0), random.uniform(0.2, 1.0), 1.0);
+    const double error = random.uniform(0.0, 0.08);
+    for (const std::string& scheme : scheme_names()) {
+      const ClassCertainty certainty = class_certainty(scheme, axes, error);
+      std::set<std::string> said = said_classes(certainty);
+      EXPECT_EQ(certainty.survives, said.size() == 1);
+      if (scheme == "williams") {
+        // A line between the other two: a grid does not meet it.
+        EXPECT_EQ(said.erase("neither"), said.size() == 3 ? 1u : 0u);
+      }
+      for (const std::string& name : scanned_classes(scheme, axes, error, 11)) {
+        EXPECT_TRUE(said.count(name)) << scheme << " " << name << " " << axes.I << " " << axes.S;
+        said.erase(name);
+        ++compared;
+      }
+      more_than_one += !certainty.survives;
+      constexpr int kFine = 500;
+      for (int face = 0; face < 3 && !said.empty(); ++face) {
+        for (int i = 0; i <= kFine; ++i) {
+          for (int k = 0; k <= kFine; ++k) {
+            const double one = error * (2.0 * i / kFine - 1.0),
+                         other = error * (2.0 * k / kFine - 1.0);
+            said.erase(shape_class(scheme, Axes::sorted(axes.L + (face == 0 ? error : one),
+                                                        axes.I + (face == 1   ? error
+                                                                  : face == 0 ? one
+                                                                              : other),
+                                                        axes.S + (face == 2 ? error : other))));
+          }
+        }
+      }
+      EXPECT_TRUE(said.empty()) << scheme << " " << *said.begin() << " is not possible for 1, "
+                                << axes.I << ", " << axes.S << " +- " << error;
+    }
+  }
+  EXPECT_GT(compared, 500u);
+  EXPECT_GT(more_than_one, 100u);
+}
+
+// 1.05/0.35 is the limit of 3 itself, where a block is still cubical: nothing else is possible.
+TEST(Certainty, AClassThatOnlyTouchesItsLimitSurvives) {
+  const ClassCertainty certainty = class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.05);
+  EXPECT_EQ(certainty.name, "cubical");
+  EXPECT_TRUE(certainty.survives);
+  EXPECT_TRUE(certainty.others.empty());
+  // A hair more and 1.0501/0.3499 is above it.
+  EXPECT_FALSE(class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.0501).survives);
+}
+
+// I^2 = L S between oblate and prolate is a class of its own, if one without an area.
+TEST(Certainty, TheLineOfWilliamsIsPossibleWhereItIsCrossed) {
+  const std::vector<std::string> others =
+      class_certainty("williams", {1.0, 0.72, 0.5}, 0.05).others;
+  EXPECT_EQ(others, (std::vector<std::string>{"neither", "prolate"}));
+  // 0.84^2 > 1.01 * 0.51: far from the line.
+  EXPECT_TRUE(class_certainty("williams", {1.0, 0.85, 0.5}, 0.01).survives);
+}
+
+TEST(Certainty, HoldsForAxesOfAnySize) {
+  for (const double size : {1e-9, 1e-3, 1e3, 1e9}) {
+    EXPECT_EQ(class_certainty("sneed-folk", {size, 0.85 * size, 0.69 * size}, 0.01 * size).others,
+              std::vector<std::string>{"C"});
+  }
 }
 
 // Between two cells of "undetermined" lie other classes.

@@ -196,5 +196,69 @@ TEST_F(Tables, WhatCannotBeReadIsRefused) {
   EXPECT_NE(refusal("L,I,S\n3,2,1\n", {.unit = 0.0}).find("unit"), std::string::npos);
 }
 
+// As Excel saves a sheet with accents in western Europe.
+TEST_F(Tables, TextThatIsNotUtf8IsTakenForWindows1252) {
+  const DimensionTable table =
+      read("nom;L (\xb5m);I (\xb5m);S (\xb5m)\r\nCh\xe2teau \x96 \xc9tang;3;2;1\r\n\xe9;1;0;1\r\n",
+           {.name = "nom"});
+  ASSERT_EQ(table.blocks.size(), 1u);
+  EXPECT_EQ(table.blocks[0].name, "Ch\xc3\xa2teau \xe2\x80\x93 \xc3\x89tang");
+  EXPECT_NEAR(table.blocks[0].axes.L, 3e-6, 1e-20);
+  ASSERT_FALSE(table.notes.empty());
+  EXPECT_TRUE(contains(table.notes[0], "Windows-1252"));
+  // UTF-8 stays as it is, without a word.
+  const DimensionTable utf8 = read("name,L,I,S\nCh\xc3\xa2teau,3,2,1\n");
+  EXPECT_EQ(utf8.blocks[0].name, "Ch\xc3\xa2teau");
+  EXPECT_TRUE(utf8.notes.empty());
+}
+
+TEST_F(Tables, AColumnIsOneQuantity) {
+  EXPECT_TRUE(contains(refusal("3 2 1\n", {.L = "1", .I = "1", .S = "3"}), "L and as I"));
+  EXPECT_TRUE(contains(refusal("L,I,S\n3,2,1\n", {.S = "L"}), "L and as S"));
+  EXPECT_TRUE(contains(refusal("L,I,S\n3,2,1\n", {.mass = "2"}), "I and as mass"));
+}
+
+TEST_F(Tables, AColumnThatStandsTwiceIsAskedFor) {
+  for (const char* header : {"L,I,S,l", "L_m,I,S,L (m)"}) {
+    const std::string said = refusal(std::string(header) + "\n3,2,1,9\n");
+    EXPECT_TRUE(contains(said, "\"L\"") && contains(said, "1, 4")) << said;
+  }
+  EXPECT_TRUE(contains(refusal("L,I,S,mass,Mass_kg,MASS\n3,2,1,9,9,9\n"), "mass"));
+  expect_axes(read("L,I,S,L\n3,2,1,9\n", {.L = "4"}).blocks.at(0), 9, 2, 1);
+  // A name to the letter is no question.
+  expect_axes(read("L_m,L_tape,I,S\n3,9,2,1\n", {.L = "L_tape"}).blocks.at(0), 9, 2, 1);
+  expect_axes(read("L_cm,I_cm,S_cm,L_m\n300,200,100,3\n", {.L = "L_cm"}).blocks.at(0), 3, 2, 1);
+}
+
+TEST_F(Tables, AxesThatNoBlockHasAreSkipped) {
+  const DimensionTable table = read(
+      "L,I,S,mass\n1e301,2,1,5\n3,2,1e-301,5\n1.1e9,1,1,5\n1,1,0.9e-9,5\n1e9,1,1e-9,5\n1,1,1,"
+      "1e200\n");
+  ASSERT_EQ(table.blocks.size(), 2u);
+  EXPECT_EQ(table.skipped, 4u);
+  EXPECT_EQ(table.unweighed, 1u);
+  for (const char* part :
+       {"row 2 skipped: L = 1e301 is more than 1e+09 m",
+        "row 5 skipped: S = 0.9e-9 is less than 1e-09 m", "row 7: mass = 1e200"}) {
+    bool said = false;
+    for (const std::string& note : table.notes) said = said || note.find(part) != note.npos;
+    EXPECT_TRUE(said) << part;
+  }
+  // The range is of metres, whatever the unit.
+  EXPECT_EQ(read("L,I,S\n2e12,2e12,2e12\n", {.unit = 1e-6}).blocks.size(), 1u);
+}
+
+TEST_F(Tables, AUnitThatMakesHugeBlocksIsDoubted) {
+  const std::string note = read("L,I,S\n90,70,50\n80,60,50\n").notes.at(0);
+  EXPECT_TRUE(contains(note, "90 m") && contains(note, "(0.9 m in cm, 0.09 m in mm)") &&
+              contains(note, "--units"));
+  EXPECT_TRUE(contains(read("L,I,S\n90,70,50\n", {.unit = 1.0}).notes.at(0), "90 m"));
+  EXPECT_TRUE(contains(read("L_m,I_m,S_m\n90,70,50\n").notes.at(0), "90 m"));
+  EXPECT_TRUE(contains(read("L,I,S\n0.9,0.7,0.5\n0.9,0.7,0.5\n0.9,70,0.5\n").notes.at(0),
+                       "1 block is longer than 50 m, up to 70 m"));
+  EXPECT_TRUE(read("L,I,S\n90,70,50\n", {.unit = 0.01}).notes.empty());
+  EXPECT_TRUE(read("L,I,S\n50,40,30\n").notes.empty());
+}
+
 }  // namespace
 }  // namespace clast

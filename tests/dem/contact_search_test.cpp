@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dem/detail/flying_ball.hpp"
 #include "dem/detail/segment_distance.hpp"
 #include "dem/detail/terrain_impl.hpp"
 #include "dem/release.hpp"
@@ -124,6 +125,44 @@ TEST(SafeTime, NoContactBeforeIt) {
   EXPECT_GT(flown, 1.2 * by_top_speed);
 }
 
+// Told by cells alone, so never too long, and on flat ground too short by one piece of the path.
+TEST(FlyingBall, TouchesNothingBeforeItsClearTime) {
+  Random random(3);
+  double flown = 0.0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const TerrainSurface terrain =
+        ground(rough_slope(24, 0.5, random.uniform(0.0, 0.8), 0.1, seed));
+    const IndexedSurface& surface = terrain.impl().surface;
+    FlyingBall ball{.centre = {random.uniform(-4.0, 4.0), random.uniform(-4.0, 4.0), 0.0},
+                    .velocity = random.uniform(0.0, 15.0) * random.direction(),
+                    .gravity = seed % 5 == 0 ? 0.0 : 9.81,
+                    .radius = random.uniform(0.1, 1.0)};
+    ball.centre.z() = *terrain.height(ball.centre.x(), ball.centre.y(), 0.0) + ball.radius +
+                      random.uniform(0.0, 3.0);
+    const double time = clear_time(surface.grid, ball, 3.0);
+    flown += time;
+    for (int i = 1; i <= 40; ++i) {
+      const double t = time * i / 40.0;
+      const Vec3 centre =
+          ball.centre + t * ball.velocity - Vec3(0.0, 0.0, 0.5 * ball.gravity * t * t);
+      const std::optional<NearestPoint> nearest = surface.nearest(centre, 2.0 * ball.radius);
+      const double distance = nearest ? nearest->distance : 2.0 * ball.radius;
+      EXPECT_TRUE(time == 0.0 || distance >= ball.radius) << seed;
+    }
+  }
+  EXPECT_GT(flown, 20.0);  // s
+  const TerrainSurface flat = ground(plane_mesh(20.0, 80));
+  const FlyingBall falling{
+      .centre = {0.3, 0.2, 3.0}, .velocity = Vec3::Zero(), .gravity = 9.81, .radius = 0.5};
+  const double root = std::sqrt(2.0 * 2.5 / 9.81);
+  const double time = clear_time(flat.impl().surface.grid, falling, 3.0);
+  EXPECT_LE(time, root);
+  EXPECT_GT(9.81 * time * time / 2.0, 2.5 - 0.5);
+  const FlyingBall leaving{
+      .centre = {0.0, 0.0, 3.0}, .velocity = {30.0, 0.0, 0.0}, .gravity = 0.0, .radius = 0.5};
+  EXPECT_NEAR(clear_time(flat.impl().surface.grid, leaving, 9.0), 20.0 / 30.0, 1.0 / 30.0);
+}
+
 TEST(LocalGround, AgreesWithTheWholeGround) {
   Random random(6);
   const TerrainSurface terrain = ground(rough_slope(30, 0.35, 0.5, 0.10));
@@ -212,6 +251,44 @@ TEST(Contacts, FourKindsAreFound) {
   ASSERT_EQ(contacts.size(), 1u);
   EXPECT_EQ(contacts[0].kind, ContactKind::kVertexGround);
   EXPECT_NEAR(contacts[0].overlap, 0.01, 1e-12);
+}
+
+// Where the survey ends the ground goes on as the plane of its last faces: what hangs over the
+// border is carried as it was before, and not drawn down to a border that lies lower.
+TEST(Contacts, BeyondTheBorderAreThoseOfThePlane) {
+  const double slope = 0.6, half = 2.0;
+  const TerrainSurface falling = ground(plane_mesh(half, 4, slope));
+  const Vec3 normal(std::sin(slope), 0.0, std::cos(slope));
+  const RigidBody body = ball(1.0, 0.25);
+  for (const double uphill : {-1.0, 1.0}) {
+    for (const double beyond : {-0.01, 0.001, 0.05, 0.3}) {
+      for (const double across : {0.3, half + 0.2}) {  // over a side, and over a corner
+        const double x = uphill * (half + beyond), depth = 0.1;
+        const Vec3 on_plane(x, across, -std::tan(slope) * x);
+        const Pose pose{on_plane - depth * normal, Quat::Identity()};
+        const std::vector<ContactPoint> contacts = from_scratch(falling, body, pose);
+        ASSERT_EQ(contacts.size(), 1u) << x;
+        EXPECT_LT((contacts[0].normal - normal).norm(), 1e-9);
+        EXPECT_NEAR(contacts[0].overlap, depth + 0.25, 1e-9);
+        EXPECT_LT((contacts[0].foot - on_plane).norm(), 1e-9);
+      }
+    }
+  }
+}
+
+// All edges rise from the bottom of a pit, so the vertex there owns no direction, neither up into
+// the air nor down into the solid.
+TEST(NormalCone, OfAPitIsEmpty) {
+  TriangleMesh pit;
+  pit.vertices = {{-1, -1, 1}, {0, -1, 1.5}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {0, 0, 0}};
+  pit.triangles = {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 0, 5}};
+  const SurfaceFeatures surface = surface_features(pit);
+  Random random(1);
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(in_cone(surface, 5, random.direction()));
+  EXPECT_FALSE(in_cone(surface, 5, -Vec3::UnitZ()));
+  EXPECT_FALSE(near_cone(surface, 5, -Vec3::UnitZ()));
+  for (Vec3& vertex : pit.vertices) vertex.z() = -vertex.z();
+  EXPECT_TRUE(in_cone(surface_features(pit), 5, Vec3::UnitZ()));
 }
 
 TEST(GroundGap, CubeOverAPlaneAndARidge) {

@@ -59,6 +59,13 @@ TEST(BlockLibrary, EveryMemberOfABlockComesBack) {
   EXPECT_EQ(is.deviation.area_relative, was.deviation.area_relative);
   EXPECT_EQ(is.deviation.moments_relative, was.deviation.moments_relative);
   EXPECT_EQ(is.from_core, was.from_core);
+  ASSERT_TRUE(is.unseen.has_value());
+  EXPECT_EQ(is.unseen->lower_volume, was.unseen->lower_volume);
+  EXPECT_EQ(is.unseen->best_volume, was.unseen->best_volume);
+  EXPECT_EQ(is.unseen->upper_volume, was.unseen->upper_volume);
+  EXPECT_EQ(is.unseen->invented_share, was.unseen->invented_share);
+  EXPECT_EQ(is.unseen->lower_axes.S, was.unseen->lower_axes.S);
+  EXPECT_EQ(is.unseen->upper_axes.I, was.unseen->upper_axes.I);
   EXPECT_EQ(is.warnings, was.warnings);
   EXPECT_EQ(is.field.site, was.field.site);
   EXPECT_EQ(is.field.note, was.field.note);
@@ -77,6 +84,16 @@ TEST(BlockLibrary, WhatWasNotMeasuredInTheFieldStaysUnknown) {
   const BlockLibrary read = BlockLibrary::read(folder / "blocks.h5");
   EXPECT_FALSE(read.block("SP1A").field.taped.has_value());
   EXPECT_FALSE(read.block("SP1A").field.weighed_mass.has_value());
+}
+
+TEST(BlockLibrary, ABlockSeenFromAllSidesHasNoBracketAndSoHaveOlderFiles) {
+  const ScratchFolder folder;
+  Block block = filled_block("SP1A");
+  block.unseen.reset();  // what is written then is what older versions wrote
+  BlockLibrary library;
+  library.add(block);
+  library.write(folder / "blocks.h5");
+  EXPECT_FALSE(BlockLibrary::read(folder / "blocks.h5").block("SP1A").unseen.has_value());
 }
 
 TEST(BlockLibrary, BlocksAreInOrderOfIdAndFoundByIt) {
@@ -185,13 +202,17 @@ TEST(BlockLibrary, ImpossibleContentIsRefusedWithTheBlocksName) {
                          group.group("core").write<std::uint32_t>("face_sizes", far);
                        }),
                        "face_sizes"));
+  EXPECT_TRUE(contains(refused_after([&](Hdf5Group group) {
+                         group.group("unseen").set_attribute<double>("volume_upper_m3", 5.9);
+                       }),
+                       "volume_upper_m3"));
 }
 
 TEST(BlockLibrary, EveryDatasetHasAUnit) {
   const ScratchFolder folder;
   const auto path = written(folder);
   const Hdf5Group block = writable_block(Hdf5File::open(path, "clast block library", 1));
-  for (const char* group : {"surface", "core", "field"}) {
+  for (const char* group : {"surface", "core", "field", "unseen"}) {
     for (const std::string& name : block.group(group).names()) {
       EXPECT_NE(block.group(group).unit(name), "") << group << "/" << name;
     }

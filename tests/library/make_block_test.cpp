@@ -144,6 +144,23 @@ TEST(MakeBlock, MassAloneSetsTheDensity) {
   EXPECT_EQ(block.field.weighed_mass, 5000.0);
 }
 
+TEST(MakeBlock, ADensityNoRockHasIsToldOfWithTheLikelyUnit) {
+  const auto warned = [](double density) {
+    BlockOptions options;
+    options.core = true;
+    options.radius = 0.0;
+    options.density = density;
+    const Block block = make_block("box", cuboid(3, 2, 1), cuboid(3, 2, 1), source(), options);
+    return block.warnings.empty() ? std::string() : block.warnings.front();
+  };
+  EXPECT_TRUE(
+      contains(warned(2.65),
+               "the density 2.65 kg/m3 is not that of a rock, 500 to 8000 kg/m3; if that is "
+               "in g/cm3 or t/m3, give --density 2650"));
+  EXPECT_TRUE(contains(warned(20000.0), "is not that of a rock, 500 to 8000 kg/m3; check mass"));
+  EXPECT_EQ(warned(2650.0), "");
+}
+
 TEST(MakeBlock, MassBesideDensityIsACheck) {
   BlockOptions options;
   options.core = true;

@@ -138,15 +138,16 @@ TEST(ReferenceMeshes, ScansDropInnerShellsUnlessTheyAreToBeKept) {
     const double outer = value(row, pieces ? "largest_component_volume" : "volume");
     const Scan dropped = cleaned_scan(mesh, row.at("file"));
     EXPECT_NEAR(solid_mass_properties(dropped.mesh, 1.0).volume / outer, 1.0, kBar);
-    EXPECT_EQ(dropped.inner_shells > 0, pieces);
+    EXPECT_EQ(dropped.report.inner_shells > 0, pieces);
     if (!pieces) return;
-    const Scan kept = cleaned_scan(turned_over(mesh), row.at("file"), {.keep_inner_shells = true});
+    const Scan kept =
+        cleaned_scan(turned_over(mesh), row.at("file"), {.repair = {.keep_inner_shells = true}});
     const double volume = solid_mass_properties(kept.mesh, 1.0).volume;
-    EXPECT_NEAR((volume + kept.inner_shell_volume) / outer, 1.0, kBar);
-    EXPECT_EQ(kept.inner_shells, dropped.inner_shells);
-    EXPECT_EQ(kept.inner_shell_volume, dropped.inner_shell_volume);
+    EXPECT_NEAR((volume + kept.report.inner_shell_volume) / outer, 1.0, kBar);
+    EXPECT_EQ(kept.report.inner_shells, dropped.report.inner_shells);
+    EXPECT_EQ(kept.report.inner_shell_volume, dropped.report.inner_shell_volume);
     // One of the fourteen is a scrap of 0.04 mm3 outside the skin, and is dropped all the same.
-    EXPECT_EQ(kept.inner_shells, 13u);
+    EXPECT_EQ(kept.report.inner_shells, 13u);
     EXPECT_NEAR(volume / value(row, "volume"), 1.0, 2e-7);
   });
 }

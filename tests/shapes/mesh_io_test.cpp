@@ -89,6 +89,40 @@ TEST_F(MeshFiles, GlbIsReadBackByAssimp) {
   }
 }
 
+// Floats are 0.5 m apart at 6.7e6 m: of a rock of 2 m nothing would be left.
+TEST_F(MeshFiles, FloatsFarOutAreWrittenNearAnOriginThatIsTold) {
+  const TriangleMesh rock = awkward_rock();
+  for (const std::string name : {"far.stl", "far.glb"}) {
+    const Vec3 origin = write_mesh(folder_ / name, rock);
+    EXPECT_LT((origin - Vec3(888600, 6671301, 212)).cwiseAbs().maxCoeff(), 1.5);
+    EXPECT_EQ(origin, origin.array().round().matrix());
+    const TriangleMesh back = read_mesh(folder_ / name);
+    ASSERT_EQ(back.triangles.size(), rock.triangles.size());
+    for (std::size_t t = 0; t < rock.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 place = back.vertices[back.triangles[t][k]] + origin;
+        EXPECT_LT((place - rock.vertices[rock.triangles[t][k]]).norm(), 1e-6);
+      }
+    }
+    const std::string told = read_text_file(folder_ / (name + ".origin.txt"));
+    EXPECT_TRUE(contains(told, std::to_string(static_cast<int>(origin.x())) + ", "));
+  }
+  EXPECT_EQ(write_mesh(folder_ / "far.ply", rock), Vec3(Vec3::Zero()));
+  EXPECT_EQ(write_mesh(folder_ / "near.stl", random_rock(12, 2)), Vec3(Vec3::Zero()));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "near.stl.origin.txt"));
+}
+
+TEST_F(MeshFiles, AByteOrderMarkIsNoPartOfTheFirstLine) {
+  for (const auto& [name, text] : {std::pair{"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+                                   std::pair{"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+                                   std::pair{"a.tab", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"}}) {
+    const TriangleMesh mesh = read(name, std::string("\xEF\xBB\xBF") + text);
+    ASSERT_EQ(mesh.vertices.size(), 3u) << name;
+    EXPECT_EQ(mesh.triangles.size(), 1u) << name;
+    EXPECT_EQ(mesh.vertices[1], Vec3(1, 0, 0)) << name;
+  }
+}
+
 TEST_F(MeshFiles, VtpHoldsCountsAndTheLastOffset) {
   write_mesh(folder_ / "box.vtp", box_mesh({1, 2, 3}));
   const std::string text = read_text_file(folder_ / "box.vtp");

@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{
             "zones = [\"blue\", \"gray\"]", "zones = [\"blue\"]",
             "campaign.toml:7: [terrain] zones = [\"blue\"]: must name one zone per surface file "
-            "(2), or one zone raster or GeoJSON file"},
+            "(2), or one zone raster or GeoJSON file, or rules by slope and height"},
         Refused{"\"gray.stl\"]", "\"grey.stl\"]",
                 "campaign.toml:6: [terrain] surface = \"grey.stl\": no such file: grey.stl"},
         Refused{"[ground.gray]", "[ground.blue]",

@@ -4,6 +4,7 @@
 
 #include "study/comparison.hpp"
 #include "study/results.hpp"
+#include "tests/shapes/shape_samples.hpp"
 
 namespace clast {
 
@@ -57,13 +58,22 @@ inline CampaignResults hand_made_results() {
   results.campaign_sha256 = std::string(64, 'c');
   results.inputs = {"blocks.h5 " + std::string(64, 'b'), "slope.stl " + std::string(64, 'a')};
   results.program_version = "0.1.0";
-  results.blocks = {{"round<1>", 300.0, {1.0, 0.9, 0.8}, "compact", "C", "spheroid"},
-                    {"long, \"2\"", 500.0, {2.0, 1.0, 0.9}, "elongated", "VE", "rod"}};
+  results.blocks = {{"round<1>", 300.0, {1.0, 0.9, 0.8}, "compact", "C", "spheroid", {}},
+                    {"long, \"2\"", 500.0, {2.0, 1.0, 0.9}, "elongated", "VE", "rod", {}}};
+  for (BlockSummary& block : results.blocks) {
+    const Vec3 sides(block.axes.L, block.axes.I, block.axes.S);
+    TriangleMesh box = box_mesh(sides);
+    for (Vec3& vertex : box.vertices) vertex -= 0.5 * sides;
+    block.body = sphero_polyhedron(box, 0.0);
+  }
   results.barriers = {{"B<1>", Vec2(10.0, -20.0), Vec2(10.0, 20.0)},
                       {"B2", Vec2(35.0, -20.0), Vec2(35.0, 20.0)}};
   results.release_points = {Vec3(0.0, 0.0, 2.0)};
   results.zone_names = {"blue", "scree"};
+  results.release_sets = {""};
+  results.set_of_point = {0};
   results.ground = {{0.01, 0.7, 0.35}, {0.01, 0.3, 0.0}};
+  results.ground_sets = {{"", 0, results.ground}};
   results.stiffness = {1e8, 1e8, 1e7, 2e-5};
   results.frame.origin = kMapOrigin;
   results.downslope = Vec2(2.0, 0.0);

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/random.hpp"
 #include "core/text_file.hpp"
+#include "core/utf8.hpp"
 #include "study/report/form_diagram.hpp"
 #include "study/report/html_page.hpp"
 #include "study/report/population_page.hpp"
+#include "study/report/share_chart.hpp"
 #include "study/report/svg_chart.hpp"
 #include "study/report/ticks.hpp"
 #include "tests/study/csv_reader.hpp"
@@ -41,7 +44,7 @@ PopulationReport report_of(std::vector<Population> populations) {
     reported.summary = summarised(population, report.options);
     reported.population = std::move(population);
     reported.measured = "as in the table";
-    reported.inputs = {"talus.csv " + std::string(64, 'a')};
+    reported.inputs = {{"talus.csv", std::string(64, 'a')}};
     reported.notes = {"row 7 skipped: S is missing"};
     report.populations.push_back(std::move(reported));
   }
@@ -270,9 +273,118 @@ TEST(PopulationReports, AreWrittenWhole) {
       "is a file"));
 }
 
+// Everything that shaped the tables can be read from the file beside them.
+TEST(PopulationReports, ProvenanceHoldsTheOptionsOfEveryPopulation) {
+  const ScratchFolder folder;
+  PopulationReport report = report_of({blocks("scans", 9), blocks("talus", 5)});
+  report.options.limits.erdogan_limit = 1.4;
+  report.populations[0].reading = {.box = "feret", .axis_error = 0.01};
+  report.populations[1].reading = {.columns = "L=5,I=6,S=7", .units = "cm"};
+  write_population_report(report, folder / "out");
+  const auto json = nlohmann::json::parse(read_text_file(folder / "out" / "provenance.json"));
+  EXPECT_EQ(json["options"]["erdogan_limit"], 1.4);
+  const auto& scans = json["populations"][0];
+  const auto& talus = json["populations"][1];
+  EXPECT_EQ(scans["box"], "feret");
+  EXPECT_EQ(scans["axis_error_m"], 0.01);
+  EXPECT_TRUE(scans["columns"].is_null() && scans["units"].is_null());
+  EXPECT_EQ(talus["columns"], "L=5,I=6,S=7");
+  EXPECT_EQ(talus["units"], "cm");
+  EXPECT_TRUE(talus["box"].is_null() && talus["axis_error_m"].is_null());
+  EXPECT_EQ(talus["inputs"][0]["file"], "talus.csv");
+  EXPECT_EQ(talus["inputs"][0]["sha256"], std::string(64, 'a'));
+}
+
+TEST(PopulationReports, DiagramsOfAnEarlierReportAreRemoved) {
+  const ScratchFolder folder;
+  const auto names = [&] {
+    std::set<std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "out")) {
+      all.insert(entry.path().filename());
+    }
+    return all;
+  };
+  const PopulationReport one = report_of({blocks("talus", 9)});
+  PopulationReport two = report_of({blocks("talus", 9), blocks("scree", 5)});
+  // Files of the user's own stay, also one called as a diagram that clast did not write.
+  write_text_file(folder / "out" / "size_1.svg", "mine");
+  write_text_file(folder / "out" / "notes.svg", "mine");
+  write_population_report(one, folder / "out");
+  EXPECT_EQ(read_text_file(folder / "out" / "size_1.svg"), "mine");
+  const std::set<std::string> of_one = names();
+  write_population_report(two, folder / "out");
+  EXPECT_FALSE(names().count("size.svg") || names().count("zingg.svg"));
+  EXPECT_TRUE(names().count("size_1.svg") && names().count("sizes.svg"));
+  two.options.schemes = {"zingg"};
+  for (ReportedPopulation& reported : two.populations) {
+    reported.summary = summarised(reported.population, two.options);
+  }
+  write_population_report(two, folder / "out");
+  EXPECT_FALSE(names().count("shares_shape.svg"));
+  EXPECT_TRUE(names().count("shares_zingg.svg"));
+  write_population_report(one, folder / "out");
+  std::set<std::string> expected = of_one;
+  expected.erase("size_1.svg");
+  EXPECT_EQ(names(), expected);
+}
+
 TEST(LogTicks, AreRoundAndFew) {
   EXPECT_EQ(log_ticks(0.09, 2.0, 9), (std::vector<double>{0.1, 0.2, 0.5, 1.0, 2.0}));
   EXPECT_EQ(log_ticks(0.001, 1000.0, 9).size(), 7u);
+}
+
+// 1.3/1.0 - 1 is a hair above 0.3 in binary and compact all the same: its bar ends at the limit.
+TEST(Histogram, AValueOnALimitIsBelowIt) {
+  for (const double highest : {0.5, 0.9, 2.0, 4.0}) {
+    for (const double lowest : {0.0, 0.3}) {
+      Series series{"talus", "#000000", "", {lowest, 1.3 / 1.0 - 1.0, 0.301, highest}};
+      series.names = {"low", "edge", "over", "high"};
+      const std::string svg = histogram_chart({"s_c", "s_c", false, {{0.3, "limit"}}}, {series});
+      const double limit = number_after(svg, "stroke-dasharray", " x1=\"");
+      const auto bar = [&](const std::string& name) {
+        const std::size_t rect = svg.rfind("<rect", svg.find("\n" + name));
+        const std::string element = svg.substr(rect, svg.find("/rect>", rect) - rect);
+        const double x = number_after(element, " x=\"", " x=\"");
+        return std::pair(x, x + number_after(element, " width=\"", " width=\""));
+      };
+      EXPECT_LE(bar("edge").second, limit + 0.1) << highest << " " << lowest;
+      EXPECT_GE(bar("over").first, limit - 0.1) << highest << " " << lowest;
+      EXPECT_GE(bar("low").first, 56.0);  // left end of the axis
+      EXPECT_LE(bar("high").second, 508.5);
+    }
+  }
+}
+
+// What is drawn stays in the picture, however long the names are.
+TEST(PopulationPage, LongNamesStayInThePictures) {
+  const std::string name = "Ch\xc3\xa2teau " + std::string(150, 'n');
+  const PopulationReport report = report_of({blocks(name + "1", 9), blocks(name + "2", 9)});
+  for (const auto& [file, svg] : population_diagrams(report)) {
+    for (std::size_t at = svg.find("<text "); at != std::string::npos;
+         at = svg.find("<text ", at + 1)) {
+      const std::size_t begin = svg.find('>', at) + 1;
+      EXPECT_LT(svg.find('<', begin) - begin, 80u) << file << svg.substr(begin, 200);
+    }
+    EXPECT_TRUE(is_utf8(svg)) << file;
+  }
+  const std::string shares =
+      share_chart("t", {"C"},
+                  {{std::string(60, 'a'), "#000000", {{0.5, 0.4, 0.6, ""}}},
+                   {std::string(60, 'b'), "#000000", {{0.5, 0.4, 0.6, ""}}}});
+  // Two names and the whiskers, a row each, inside the height.
+  const double a = number_after(shares, "aaaa</text>", " y=\"");
+  const double b = number_after(shares, "bbbb</text>", " y=\"");
+  const double whiskers = number_after(shares, ">whiskers", " y=\"");
+  EXPECT_LT(a, b);
+  EXPECT_LT(b, whiskers);
+  EXPECT_LT(whiskers, std::strtod(shares.c_str() + shares.find("0 0 520 ") + 8, nullptr));
+}
+
+TEST(Html, ShortenedTextKeepsItsCharactersWhole) {
+  EXPECT_EQ(shortened("talus", 5), "talus");
+  EXPECT_EQ(shortened("taluses", 5), "talu\xe2\x80\xa6");
+  EXPECT_EQ(shortened("\xc3\xa9\xc3\xa9\xc3\xa9", 3), "\xc3\xa9\xc3\xa9\xc3\xa9");
+  EXPECT_EQ(shortened("\xc3\xa9\xc3\xa9\xc3\xa9", 2), "\xc3\xa9\xe2\x80\xa6");
 }
 
 // Half of the mass lies up to 2 m: the step to 50 % stands where the axis has 2 m.

@@ -79,6 +79,9 @@ TEST(Results, DamageIsNamed) {
                        "bad.h5: /crossings/barrier holds 7, which must be below 2"));
   EXPECT_TRUE(contains(replaced("terrain", "triangles", std::vector<std::uint32_t>{0, 1, 4}),
                        "bad.h5: /terrain/triangles holds 4, which must be below 4"));
+  EXPECT_TRUE(
+      contains(replaced("blocks/bodies/0", "face_vertices", std::vector<std::uint32_t>(36, 8)),
+               "bad.h5: /blocks/bodies/0: face_vertices names a vertex that is not there"));
   EXPECT_TRUE(contains(replaced("blocks", "mass_kg", std::vector<double>{1.0}),
                        "bad.h5: /blocks/mass_kg has 1 values where 2 belong"));
   EXPECT_TRUE(contains(replaced("barriers", "to_m", std::vector<double>{1.0, 2.0}, {1, 2}),

@@ -8,7 +8,7 @@
 #include "core/version.hpp"
 #include "study/results.hpp"
 #include "study/results_journal.hpp"
-#include "tests/library/block_samples.hpp"
+#include "tests/shapes/shape_samples.hpp"
 #include "tests/study/results_equal.hpp"
 
 namespace clast {
@@ -19,22 +19,28 @@ inline CampaignResults sample_header() {
   header.campaign_sha256 = std::string(64, 'a');
   header.inputs = {"some folder/b.h5 " + std::string(64, 'b'), "t.stl " + std::string(64, 'c')};
   header.program_version = version();
-  header.blocks = {{"B1", 343.68, {1.1, 0.9, 0.5}, "compact", "CB", "blade"},
+  header.blocks = {{"B1",
+                    343.68,
+                    {1.1, 0.9, 0.5},
+                    "compact",
+                    "CB",
+                    "blade",
+                    sphero_polyhedron(box_mesh({1.1, 0.9, 0.5}), 0.01)},
                    {"B2",
                     514.14,
                     {2.1, 0.9, 0.5},
                     "elongated",
                     "E",
                     "rod",
+                    {},
                     "B",
                     "hard",
                     1.25,
                     0.2,
-                    1,
                     {3, 4, 5}}};
-  header.shapes.resize(2);
-  header.shapes[0].vertices = {{0, 0, 0}};
-  header.shapes[1] = sphero_polyhedron(cuboid(2.9, 1.9, 0.9), 0.05);
+  header.blocks[1].body.vertices = {{-0.6, 0, 0}, {0.6, 0, 0}};  // a capsule
+  header.blocks[1].body.edges = {{0, 1}};
+  header.blocks[1].body.radius = 0.45;
   header.barriers = {{"EC11", {25, -400}, {25, -340}}, {"EC12", {36, -400}, {36, -340}}};
   header.release_points = {{1, 2, 3}, {4, 5, 6}};
   header.release_sets = {"crest", "bench"};

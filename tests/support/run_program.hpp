@@ -23,7 +23,7 @@ struct ProgramRun {
 /// A program at work; output goes through files, so that any amount fits.
 class RunningProgram {
  public:
-  /// @param words  path of the program, and its arguments
+  /// @param words  the program, a path or a name that is looked up in PATH, and its arguments
   RunningProgram(std::vector<std::string> words, const std::filesystem::path& folder) {
     const std::string out = captured_ / "out";
     const std::string err = captured_ / "err";
@@ -35,7 +35,7 @@ class RunningProgram {
       const bool ready = ::chdir(folder.c_str()) == 0 && std::freopen("/dev/null", "r", stdin) &&
                          std::freopen(out.c_str(), "w", stdout) &&
                          std::freopen(err.c_str(), "w", stderr);
-      if (ready) ::execv(argv[0], argv.data());
+      if (ready) ::execvp(argv[0], argv.data());
       ::_exit(126);
     }
   }

@@ -65,6 +65,20 @@ inline RigidBody box(double mass, const Vec3& sides, double radius = 0.0, int cu
   return body;
 }
 
+/// Two triangles for each of cells x cells squares, whose corners are numbered row by row.
+inline std::vector<TriangleMesh::Triangle> halved_squares(int cells) {
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < cells; ++i) {
+      const auto a = static_cast<std::uint32_t>(j * (cells + 1) + i);
+      const auto b = a + 1, c = a + static_cast<std::uint32_t>(cells) + 2, d = c - 1;
+      triangles.push_back({a, b, c});
+      triangles.push_back({a, c, d});
+    }
+  }
+  return triangles;
+}
+
 /// A plane through the origin that falls by `slope` (rad) along +x, `half` wide to each side in
 /// plan, as cells x cells squares of two triangles. Inner nodes are moved in the plane at random.
 inline TriangleMesh plane_mesh(double half, int cells, double slope = 0.0, std::uint64_t seed = 1) {
@@ -81,14 +95,7 @@ inline TriangleMesh plane_mesh(double half, int cells, double slope = 0.0, std::
       mesh.vertices.emplace_back(x, y, -std::tan(slope) * x);
     }
   }
-  for (int j = 0; j < cells; ++j) {
-    for (int i = 0; i < cells; ++i) {
-      const auto a = static_cast<std::uint32_t>(j * (cells + 1) + i);
-      const auto b = a + 1, c = a + static_cast<std::uint32_t>(cells) + 2, d = c - 1;
-      mesh.triangles.push_back({a, b, c});
-      mesh.triangles.push_back({a, c, d});
-    }
-  }
+  mesh.triangles = halved_squares(cells);
   return mesh;
 }
 

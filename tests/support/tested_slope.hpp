@@ -30,14 +30,7 @@ inline TriangleMesh tested_slope(int cells) {
           x, y, -std::tan(kTestedSlope) * std::min(x, 0.0) + kRoughness * random.normal());
     }
   }
-  for (int j = 0; j < cells; ++j) {
-    for (int i = 0; i < cells; ++i) {
-      const auto a = static_cast<std::uint32_t>(j * (cells + 1) + i);
-      const auto b = a + 1, c = a + static_cast<std::uint32_t>(cells) + 2, d = c - 1;
-      mesh.triangles.push_back({a, b, c});
-      mesh.triangles.push_back({a, c, d});
-    }
-  }
+  mesh.triangles = halved_squares(cells);
   return mesh;
 }
 

@@ -102,9 +102,113 @@ TEST_F(CloudGround, GapsStayOpen) {
   const auto pond = [](int i, int j) { return i >= 6 && i < 14 && j >= 6 && j < 14; };
   const Terrain terrain =
       read_terrain({.surface = {cloud(plane_without({}, pond))}, .resolution = 1.0});
-  // Only the four corners of the gap have five known neighbours.
-  EXPECT_EQ(terrain.surface.vertices.size(), 400u - 64u + 4u);
-  EXPECT_TRUE(contains(terrain.report.notes.at(2), "60 of 400 cells have no height"));
+  EXPECT_EQ(terrain.surface.vertices.size(), 400u - 64u);
+  EXPECT_TRUE(contains(terrain.report.notes.at(1), "1 holes wider than 3 m were left open"));
+  EXPECT_TRUE(contains(terrain.report.notes.at(1), "the widest, 8 m, around x 10.000, y 10.000"));
+  EXPECT_TRUE(contains(terrain.report.notes.at(2), "64 of 400 cells have no height"));
+}
+
+TEST_F(CloudGround, HolesUpToTheAskedWidthAreFilledAndAPlaneStaysOne) {
+  const Plane plane;
+  const auto pond = [](int i, int j) {
+    return (i >= 2 && i < 7 && j >= 3 && j < 5) || (i >= 10 && i < 18 && j >= 6 && j < 14);
+  };
+  const auto path = cloud(plane_without(plane, pond));
+  const Terrain all = read_terrain({.surface = {path}, .resolution = 1.0, .fill = 8.0});
+  EXPECT_EQ(all.surface.vertices.size(), 400u);
+  for (const Vec3& v : all.surface.vertices) EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-9);
+  const Terrain some = read_terrain({.surface = {path}, .resolution = 1.0, .fill = 7.9});
+  EXPECT_EQ(some.surface.vertices.size(), 400u - 64u);
+  const Terrain none = read_terrain({.surface = {path}, .resolution = 1.0, .fill = 0.0});
+  EXPECT_EQ(none.surface.vertices.size(), 400u - 64u - 10u);
+}
+
+// z = x^2 - y^2 has the mean of its four neighbours in every cell, so it is its own membrane.
+TEST_F(CloudGround, AFilledHoleIsAMembrane) {
+  std::ostringstream text;
+  text.precision(17);
+  for (int j = 0; j < 20; ++j) {
+    for (int i = 0; i < 20; ++i) {
+      const bool pond = (i - 10) * (i - 10) + (j - 9) * (j - 9) < 30;
+      if (!pond) text << i + 0.5 << ' ' << j + 0.5 << ' ' << i * i - j * j << '\n';
+    }
+  }
+  const Terrain terrain =
+      read_terrain({.surface = {cloud(text.str())}, .resolution = 1.0, .fill = 12.0});
+  ASSERT_EQ(terrain.surface.vertices.size(), 400u);
+  for (const Vec3& v : terrain.surface.vertices) {
+    const double i = v.x() - 0.5, j = v.y() - 0.5;
+    EXPECT_NEAR(v.z(), i * i - j * j, 1e-9) << v.transpose();
+  }
+}
+
+// Four heights per cell, as ranks: the percentile p of 0, 1, 2, 3 is 3 p / 100.
+TEST_F(CloudGround, APercentileOfTheHeightsInACell) {
+  std::string text;
+  for (const char* corner : {"0.5 0.5", "1.5 0.5", "0.5 1.5", "1.5 1.5"}) {
+    for (const char* height : {"3", "1", "0", "2"}) {
+      text += std::string(corner) + " " + height + "\n";
+    }
+  }
+  const auto path = cloud(text);
+  for (const double percentile : {0.0, 10.0, 50.0, 75.0, 100.0}) {
+    const Terrain terrain =
+        read_terrain({.surface = {path}, .resolution = 1.0, .percentile = percentile});
+    for (const Vec3& v : terrain.surface.vertices) {
+      EXPECT_NEAR(v.z(), 3.0 * percentile / 100.0, 1e-12) << percentile;
+    }
+  }
+}
+
+// A thousand points in each cell, many more than the 64 that are kept of it, at heights that rise
+// evenly from 0 to 1 along the file: an even sample of that is off by a step of it at most.
+TEST_F(CloudGround, APercentileOfCrowdedCellsIsThatOfAnEvenSample) {
+  std::ostringstream text;
+  for (int k = 0; k < 1000; ++k) {
+    const double height = (k + 0.5) / 1000.0;
+    for (const char* corner : {"0.5 0.5", "1.5 0.5", "0.5 1.5", "1.5 1.5"}) {
+      text << corner << ' ' << height << '\n';
+    }
+  }
+  const auto path = cloud(text.str());
+  for (const double percentile : {0.0, 20.0, 50.0, 90.0}) {
+    const Terrain terrain =
+        read_terrain({.surface = {path}, .resolution = 1.0, .percentile = percentile});
+    for (const Vec3& v : terrain.surface.vertices) {
+      EXPECT_NEAR(v.z(), percentile / 100.0, percentile == 0.0 ? 6e-4 : 1.0 / 64) << percentile;
+    }
+  }
+}
+
+TEST_F(CloudGround, OutliersAreLeftOutWithTheirNumberAndAPlace) {
+  const Plane plane;
+  std::string text = plane_points(plane, 20);
+  text += "3.5 3.5 20\n7.5 9.5 140\n7.6 9.5 139\n12.5 12.5 -50\n";
+  const Terrain terrain =
+      read_terrain({.surface = {cloud(text)}, .resolution = 1.0, .outliers = 3.0});
+  EXPECT_EQ(terrain.surface.vertices.size(), 400u);
+  for (const Vec3& v : terrain.surface.vertices) EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-9);
+  EXPECT_TRUE(contains(terrain.report.notes.at(1),
+                       "2 points more than 3 m below and 2 above the ground around were left out"));
+  EXPECT_TRUE(contains(terrain.report.notes.at(1), "near x 12.500, y 12.500, z -50.000"));
+  // They count where nothing is said.
+  const Terrain all =
+      read_terrain({.surface = {cloud(text)}, .resolution = 1.0, .spike_steepness = 0.0});
+  EXPECT_LT(bounds(all.surface).low.z(), plane.at(20.0, 0.0) - 3.0);
+}
+
+TEST_F(CloudGround, OptionsOfCloudsAreRefusedWhenTheyAreNoneOrElsewhere) {
+  const auto path = cloud("0 0 0\n");
+  const auto refused_with = [&](const TerrainOptions& options) { return refusal(options); };
+  EXPECT_TRUE(contains(refused_with({.surface = {path}, .percentile = 101.0}),
+                       "percentile = 101.000000; must be from 0 to 100"));
+  EXPECT_TRUE(contains(refused_with({.surface = {path}, .outliers = 0.0}),
+                       "outliers = 0.000000 m; must be more than 0"));
+  EXPECT_TRUE(contains(refused_with({.surface = {path}, .fill = -1.0}),
+                       "fill = -1.000000 m; must be 0 or more"));
+  write_mesh(folder_ / "tin.ply", squares(3, 1.0, [](double, double) { return 0.0; }));
+  EXPECT_TRUE(contains(refused_with({.surface = {folder_ / "tin.ply"}, .percentile = 0.0}),
+                       "tin.ply: percentile and outliers are for clouds; leave them out"));
 }
 
 TEST_F(CloudGround, TextInManyLayoutsIsRead) {

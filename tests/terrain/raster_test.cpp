@@ -101,12 +101,12 @@ TEST_F(RasterGround, TextGridCutShortIsRefusedAtOnce) {
   }
 }
 
-TEST_F(RasterGround, WithoutGeoreferenceCellsAreOneMetreAndThatIsNoted) {
-  const Terrain terrain = read_terrain({.surface = {vrt("", {3, 4, 5, 0, 1, 2}, 3)}});
-  EXPECT_TRUE(contains(terrain.report.notes.front(), "no georeference"));
-  for (const Vec3& v : terrain.surface.vertices) {
-    EXPECT_EQ(v.z(), v.x() - 0.5 + 3.0 * (v.y() - 0.5));
-  }
+TEST_F(RasterGround, WithoutGeoreferenceItIsRefusedWithAWayOut) {
+  const std::filesystem::path file = vrt("", {3, 4, 5, 0, 1, 2}, 3);
+  EXPECT_EQ(refusal(TerrainOptions{.surface = {file}}),
+            file.string() +
+                ": has no georeference, so that its place and cell size are not known; give it one "
+                "(gdal_translate -a_ullr WEST NORTH EAST SOUTH -a_srs EPSG:CODE)");
 }
 
 TEST_F(RasterGround, MapSystemIsCarriedThroughAsItsCode) {
@@ -133,7 +133,8 @@ TEST_F(RasterGround, WhatIsNoHeightRasterIsRefused) {
                                    four, 2)),
                        "map unit"));
   EXPECT_TRUE(contains(refused(vrt("", four, 2, 3)), "3 bands"));
-  EXPECT_TRUE(contains(refused(vrt("", {1, 2, 3}, 3)), "3 x 1 cells"));
+  EXPECT_TRUE(contains(refused(vrt("<GeoTransform>0, 1, 0, 1, 0, -1</GeoTransform>", {1, 2, 3}, 3)),
+                       "3 x 1 cells"));
   EXPECT_TRUE(contains(refused(asc(4, 4, [](double, double) { return -9999.0; })),
                        "holds no heights, only nodata"));
   write_text_file(folder_ / "empty.tif", "");

@@ -175,8 +175,11 @@ TEST_F(TerrainFile, ExportsThatMakeNoSenseAreRefused) {
 TEST_F(TerrainFile, RasterExportTakesTheHighestSurface) {
   TriangleMesh low = squares(4, 1.0, [](double, double) { return 1.0; });
   TriangleMesh high = squares(2, 1.0, [](double, double) { return 3.0; });
-  write_mesh(folder_ / "two.ply", merged(high, low));
-  export_terrain(folder_ / "t.tif", read_terrain({.surface = {folder_ / "two.ply"}}), "z", 1.0);
+  Terrain two;
+  two.surface = merged(high, low);
+  two.zone_names = {"ground"};
+  two.zone.assign(two.surface.triangles.size(), 0);
+  export_terrain(folder_ / "t.tif", two, "z", 1.0);
   const Terrain back = read_terrain({.surface = {folder_ / "t.tif"}});
   ASSERT_EQ(back.surface.vertices.size(), 16u);
   for (const Vec3& v : back.surface.vertices) {

@@ -1,6 +1,9 @@
 // Ground zones from names, rasters and polygons.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
+
 #include "core/text_file.hpp"
 #include "terrain/terrain_file.hpp"
 #include "tests/terrain/ground_samples.hpp"
@@ -180,7 +183,22 @@ TEST_F(Zones, AZoneRasterOfAnotherMapSystemIsRefused) {
 TEST_F(Zones, PolygonsThatDoNotFitAreRefused) {
   const std::string overlap =
       refused({geojson(box_feature("a", 0, 0, 6, 10) + "," + box_feature("b", 5, 0, 10, 10))});
-  EXPECT_TRUE(contains(overlap, "zones \"a\" and \"b\" overlap at x 5."));
+  EXPECT_EQ(overlap,
+            (folder_ / "zones.geojson").string() +
+                ": zones \"a\" and \"b\" overlap on 10 m2 around x 5.500, y 5.000, z 0.000; cut "
+                "one of the polygons");
+  EXPECT_EQ(
+      refused({geojson(box_feature("a", 0, 0, 5.004, 10) + "," + box_feature("b", 5, 0, 10, 10))}),
+      "")
+      << "4 mm are what digitising leaves";
+  EXPECT_TRUE(contains(
+      refused({geojson(R"({"type":"Feature","properties":{"zone":"a"},"geometry":{"type":)"
+                       R"("Polygon","coordinates":[[[0,0],[10,10],[10,0],[0,10],[0,0]]]}})")}),
+      "(zone \"a\") crosses itself"));
+  EXPECT_EQ(refused({geojson(box_feature("a", 600, 0, 610, 10))}),
+            (folder_ / "zones.geojson").string() +
+                ": the zones lie at x 600 to 610, y 0 to 10, the ground at x 0 to 10, y 0 to 10; "
+                "bring both into one map system (zones in z-up map coordinates)");
   EXPECT_EQ(
       refused({geojson(box_feature("a", 0, 0, 6, 10) + "," + box_feature("a", 5, 0, 10, 10))}), "");
   const std::string bare = refused({geojson(box_feature("a", 0, 0, 10, 9))});
@@ -198,6 +216,102 @@ TEST_F(Zones, PolygonsThatDoNotFitAreRefused) {
   EXPECT_TRUE(contains(refused({(folder_ / "bad.geojson").string()}), "bad.geojson"));
   EXPECT_TRUE(contains(refused({geojson(box_feature("a", 0, 0, 10, 10)) + ":1=rock"}),
                        "leave \"1=rock\" out"));
+}
+
+/// Plan area of every zone.
+std::map<std::string, double> zone_areas(const Terrain& terrain) {
+  std::map<std::string, double> areas;
+  for (std::size_t t = 0; t < terrain.zone.size(); ++t) {
+    areas[terrain.zone_names[terrain.zone[t]]] += std::abs(normal_of(terrain, t).z()) / 2.0;
+  }
+  return areas;
+}
+
+// A triangle is half of a square from (i, j): its centroid is a third of the way, where a border at
+// 0.4 has it on the other side; but the part left of x = 0.4 is 1 - 0.6^2 = 0.64 of a half square
+// that is wide on the left, and 0.4^2 = 0.16 of one that is wide on the right.
+TEST_F(Zones, TheLargerPartOfATriangleDecides) {
+  const Terrain terrain =
+      read({geojson(box_feature("a", 0, 0, 5.4, 10) + "," + box_feature("b", 5.4, 0, 10, 10))});
+  expect_zones(terrain, [](double x, double y) {
+    const bool wide_on_the_left = y - std::floor(y) > x - std::floor(x);
+    return x < 5.0 || (x < 6.0 && wide_on_the_left) ? "a" : "b";
+  });
+  // The same border from a raster of fine cells.
+  write_asc(folder_ / "fine.asc", 100, 100, 0.0, 0.0, 0.1,
+            [](double x, double) { return x < 5.4 ? 1.0 : 2.0; });
+  const Terrain by_raster = read({(folder_ / "fine.asc").string() + ":1=a,2=b"});
+  EXPECT_EQ(by_raster.zone, terrain.zone);
+}
+
+TEST_F(Zones, BordersThatAreCutGiveZonesTheirExactArea) {
+  const std::string circle = [] {
+    std::string corners;
+    for (int k = 0; k <= 40; ++k) {
+      const double angle = 2.0 * kPi * (k % 40) / 40.0;
+      corners += (k > 0 ? ",[" : "[") + std::to_string(5.03 + 3.1 * std::cos(angle)) + "," +
+                 std::to_string(4.96 + 3.1 * std::sin(angle)) + "]";
+    }
+    return corners;
+  }();
+  const std::string outside =
+      R"({"type":"Feature","properties":{"zone":"out"},"geometry":{"type":"Polygon","coordinates":[)"
+      R"([[-1,-1],[11,-1],[11,11],[-1,11],[-1,-1]],[)" +
+      circle + "]]}}";
+  const std::string inside =
+      R"({"type":"Feature","properties":{"zone":"in"},"geometry":{"type":"Polygon","coordinates":[[)" +
+      circle + "]]}}";
+  const std::string file = geojson(outside + "," + inside);
+  const double wanted = 20.0 * 3.1 * 3.1 * std::sin(kPi / 20.0);  // a regular 40-gon
+  const auto wavy = [](double x, double y) { return std::sin(x) + 0.5 * std::cos(y); };
+  write_mesh(ground_, squares(10, 1.0, wavy));
+  const Terrain terrain = read_terrain({.surface = {ground_}, .zones = {file}, .cut_zones = true});
+  const std::map<std::string, double> areas = zone_areas(terrain);
+  EXPECT_NEAR(areas.at("in"), wanted, 1e-4);
+  EXPECT_NEAR(areas.at("out"), 100.0 - wanted, 1e-4);
+  EXPECT_EQ(facing_down(terrain), 0u);
+  // The ground is what it was: watertight, with every new vertex on the triangle that was there.
+  const TerrainSurface before = terrain_surface(read_terrain({.surface = {ground_}}));
+  const TerrainSurface after = terrain_surface(terrain);
+  for (const Vec3& v : terrain.surface.vertices) {
+    EXPECT_NEAR(v.z(), *before.height(v.x(), v.y(), v.z()), 1e-9);
+  }
+  for (double x = 0.05; x < 10.0; x += 0.37) {
+    for (double y = 0.03; y < 10.0; y += 0.41) {
+      EXPECT_NEAR(*after.height(x, y, 0.0), *before.height(x, y, 0.0), 1e-9);
+    }
+  }
+  // Without cutting the area is that of whole triangles.
+  EXPECT_GT(std::abs(zone_areas(read({file})).at("in") - wanted), 0.01);
+  write_terrain(folder_ / "cut.h5", terrain);
+  const Terrain back = read_terrain({.surface = {folder_ / "cut.h5"}});
+  EXPECT_EQ(back.zone, terrain.zone);
+  EXPECT_EQ(refusal(TerrainOptions{.surface = {ground_}, .cut_zones = true}),
+            "cut_zones: only the borders of polygons can be cut into the ground; give a polygon "
+            "file as zones");
+}
+
+TEST_F(Zones, RulesBySlopeAndHeight) {
+  // Three strips of 4 m: level, at 45 degrees, and at 71.6 degrees.
+  const auto stairs = [](double x, double) {
+    return std::max(0.0, std::min(x, 8.0) - 4.0) + 3.0 * std::max(0.0, x - 8.0);
+  };
+  write_mesh(ground_, squares(12, 1.0, stairs));
+  const std::vector<std::string> rules = {"rock=slope>60", "scree=height>2&slope>=30", "soil=else"};
+  const Terrain terrain = read(rules);
+  EXPECT_EQ(terrain.zone_names, (std::vector<std::string>{"rock", "scree", "soil"}));
+  expect_zones(terrain, [](double x, double) {
+    return x > 8.0 ? "rock" : x > 6.0 ? "scree" : "soil";
+  });
+  const std::map<std::string, double> areas = zone_areas(terrain);
+  EXPECT_NEAR(areas.at("rock"), 48.0, 1e-9);
+  EXPECT_NEAR(areas.at("scree"), 24.0, 1e-9);
+  EXPECT_EQ(refused({"rock=slope>60", "scree=height>2&slope>=30"}),
+            "the zone rules: leaves 144 of 288 triangles (72.000000 m2 in plan) without a zone, "
+            "the first at x 0.667, y 0.333, z 0.000; end them with NAME=else");
+  EXPECT_TRUE(contains(refused({"rock=slope>steep"}), "\"rock=slope>steep\" is no rule"));
+  EXPECT_TRUE(contains(refused({"rock=aspect>60", "soil=else"}), "is no rule; write for example"));
+  EXPECT_TRUE(contains(refused({"rock=slope>60", "soil"}), "\"soil\" is no rule"));
 }
 
 }  // namespace

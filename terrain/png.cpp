@@ -1,4 +1,4 @@
-#include "study/report/png.hpp"
+#include "terrain/png.hpp"
 
 #include <algorithm>
 #include <cassert>

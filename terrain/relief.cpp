@@ -1,4 +1,4 @@
-#include "study/report/relief.hpp"
+#include "terrain/relief.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,7 +55,8 @@ void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint16_t 
     for (long column = first_column; column <= last_column; ++column) {
       const double x = window.low.x() + (static_cast<double>(column) + 0.5) * relief.cell;
       const double u = side(b, c, x, y), v = side(c, a, x, y), w = side(a, b, x, y);
-      if (u < 0.0 || v < 0.0 || w < 0.0) continue;
+      // Centres on an edge belong to both sides, whatever the rounding.
+      if (std::min({u, v, w}) < -1e-12 * area) continue;
       const double z = (u * a.z() + v * b.z() + w * c.z()) / area;
       const std::size_t cell =
           static_cast<std::size_t>(row) * relief.columns + static_cast<std::size_t>(column);
@@ -143,14 +144,14 @@ Rgb zone_tint(const std::string& name, std::size_t n) {
   return kOtherTints[n % kOtherTints.size()];
 }
 
-std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
+Picture relief_picture(const Relief& relief, const std::vector<std::string>& zone_names,
                        double first_height, double contour_interval) {
   // Zones of one tint share palette entries, so that any number of zones fits into 256.
   std::vector<Rgb> palette = {{255, 255, 255}, kContour};
   std::vector<Rgb> tints;
   std::vector<std::size_t> tint_of_zone;
   constexpr std::size_t kFixedColours = 2;
-  constexpr std::size_t kMostTints = (256 - kFixedColours) / (kShades + 1);
+  constexpr std::size_t kMostTints = (250 - kFixedColours) / (kShades + 1);
   for (std::size_t zone = 0; zone < std::max<std::size_t>(zone_names.size(), 1); ++zone) {
     const Rgb tint = zone_tint(zone < zone_names.size() ? zone_names[zone] : "", zone);
     std::size_t n =
@@ -184,7 +185,13 @@ std::string relief_png(const Relief& relief, const std::vector<std::string>& zon
                                     static_cast<std::size_t>(std::lround(level * kShades)));
     }
   }
-  return palette_png(relief.columns, relief.rows, pixels, palette);
+  return {relief.columns, relief.rows, std::move(pixels), std::move(palette)};
+}
+
+std::string relief_png(const Relief& relief, const std::vector<std::string>& zone_names,
+                       double first_height, double contour_interval) {
+  const Picture picture = relief_picture(relief, zone_names, first_height, contour_interval);
+  return palette_png(picture.width, picture.height, picture.pixels, picture.palette);
 }
 
 }  // namespace clast

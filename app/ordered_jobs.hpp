@@ -1,0 +1,49 @@
+#pragma once
+/// Jobs done side by side whose results are taken one by one, in order.
+#include <condition_variable>
+#include <cstddef>
+#include <map>
+#include <mutex>
+
+#include "core/parallel.hpp"
+
+namespace clast {
+
+/// Calls `make(i)` for every i in [0, count) on up to `jobs` threads (0: one per core), and
+/// `take(i, result)` with what it returned: in order of i, one at a time, as soon as those before
+/// were taken. At most four results a thread wait. What either throws ends all and is rethrown.
+template <class Make, class Take>
+void ordered_jobs(std::size_t count, unsigned jobs, const Make& make, const Take& take) {
+  constexpr std::size_t kAhead = 4;
+  const std::size_t ahead = kAhead * thread_count(jobs);
+  std::mutex mutex;
+  std::condition_variable taken;
+  std::map<std::size_t, decltype(make(std::size_t{}))> waiting;
+  std::size_t next = 0;
+  bool stopped = false;
+  parallel_for(count, jobs, [&](std::size_t i) {
+    try {
+      {
+        std::unique_lock lock(mutex);
+        taken.wait(lock, [&] { return stopped || i < next + ahead; });
+        if (stopped) return;
+      }
+      auto result = make(i);
+      const std::lock_guard lock(mutex);
+      waiting.emplace(i, std::move(result));
+      for (auto first = waiting.find(next); first != waiting.end(); first = waiting.find(next)) {
+        take(next, first->second);
+        waiting.erase(first);
+        ++next;
+      }
+      taken.notify_all();
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      stopped = true;
+      taken.notify_all();
+      throw;
+    }
+  });
+}
+
+}  // namespace clast

@@ -1,0 +1,128 @@
+#include "classify/possible_classes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clast {
+namespace {
+
+// An axis is never taken thinner than this share of itself, however large the error.
+constexpr double kThinnest = 1e-6;
+
+/// The ratios of a block.
+using Ratios = Vec2;  // I/L, S/L
+
+/// Corners of a convex polygon, in order; two or one where it has no area.
+using Polygon = std::vector<Ratios>;
+
+double side_of(const SchemeLimit& line, const Ratios& at) {
+  return line.one + line.i * at.x() + line.s * at.y() + line.ii * at.x() * at.x();
+}
+
+/// The part of a polygon where the line is zero or positive.
+Polygon part_above(const Polygon& polygon, const SchemeLimit& line) {
+  Polygon part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Ratios& from = polygon[i];
+    const Ratios& to = polygon[(i + 1) % polygon.size()];
+    const double a = side_of(line, from), b = side_of(line, to);
+    if (a >= 0.0) part.push_back(from);
+    if ((a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)) {
+      part.emplace_back(from + a / (a - b) * (to - from));
+    }
+  }
+  return part;
+}
+
+SchemeLimit turned(const SchemeLimit& line) { return {-line.one, -line.i, -line.s, -line.ii}; }
+
+/// L, I and S run through their ranges independently. One L fits given ratios x = I/L and y = S/L
+/// if the ranges of L, I/x and S/y have a length in common, and they do if any two of them have:
+/// six inequalities that are linear in x and y, beside y <= x <= 1.
+Polygon reachable_ratios(const Axes& axes, double error) {
+  // As shares of L, so that rounding is the same for any size.
+  const auto low = [&](double axis) { return std::max(axis - error, kThinnest * axis) / axes.L; };
+  const auto high = [&](double axis) { return (axis + error) / axes.L; };
+  Polygon polygon = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
+  for (const SchemeLimit& line : {SchemeLimit{.one = -low(axes.I), .i = high(axes.L)},
+                                  SchemeLimit{.one = high(axes.I), .i = -low(axes.L)},
+                                  SchemeLimit{.one = -low(axes.S), .s = high(axes.L)},
+                                  SchemeLimit{.one = high(axes.S), .s = -low(axes.L)},
+                                  SchemeLimit{.i = -low(axes.S), .s = high(axes.I)},
+                                  SchemeLimit{.i = high(axes.S), .s = -low(axes.I)}}) {
+    polygon = part_above(polygon, line);
+  }
+  return polygon;
+}
+
+/// Where the class may change on the way along the edge of a polygon: its end, its middle, and for
+/// a curved limit the place that is nearest to it and those where the edge crosses it.
+void add_edge(const Ratios& from, const Ratios& to, const std::vector<SchemeLimit>& limits,
+              std::vector<Ratios>& places) {
+  places.push_back(to);
+  places.emplace_back(0.5 * (from + to));
+  for (const SchemeLimit& limit : limits) {
+    if (limit.ii == 0.0) continue;
+    // The limit along the edge is c + b t + a t^2; roots without loss of digits, also for a = 0.
+    const double width = to.x() - from.x();
+    const double a = limit.ii * width * width, c = side_of(limit, from);
+    const double b = side_of(limit, to) - c - a;
+    const double q = -0.5 * (b + std::copysign(std::sqrt(std::max(0.0, b * b - 4.0 * a * c)), b));
+    for (const double share : {-0.5 * b / a, q / a, c / q}) {
+      if (share > 0.0 && share < 1.0) places.emplace_back(from + share * (to - from));
+    }
+  }
+}
+
+/// Places in every piece that the limits cut the polygon into: inside it, on each of its edges and
+/// at each of its corners, for a class may hold no more than a limit.
+std::vector<Ratios> places_of_all_pieces(const Polygon& polygon,
+                                         const std::vector<SchemeLimit>& limits) {
+  std::vector<Polygon> pieces = {polygon};
+  for (const SchemeLimit& limit : limits) {
+    if (limit.ii != 0.0) continue;
+    std::vector<Polygon> parts;
+    for (const Polygon& piece : pieces) {
+      for (const SchemeLimit& side : {limit, turned(limit)}) {
+        Polygon part = part_above(piece, side);
+        if (!part.empty()) parts.push_back(std::move(part));
+      }
+    }
+    pieces = std::move(parts);
+  }
+  std::vector<Ratios> places;
+  for (const Polygon& piece : pieces) {
+    Ratios sum = Ratios::Zero();
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      sum += piece[i];
+      add_edge(piece[i], piece[(i + 1) % piece.size()], limits, places);
+    }
+    places.emplace_back(sum / static_cast<double>(piece.size()));
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<std::string> possible_classes(const std::string& scheme, const Axes& axes,
+                                          double axis_error, const SchemeOptions& options) {
+  std::vector<Ratios> places =
+      places_of_all_pieces(reachable_ratios(axes, axis_error), scheme_limits(scheme, options));
+  // A hair of an error may leave nothing of the polygon once it is rounded.
+  places.emplace_back(axes.I / axes.L, axes.S / axes.L);
+  std::vector<std::string> found;
+  for (const Ratios& place : places) {
+    const double x = std::min(place.x(), 1.0), y = std::min(place.y(), x);
+    std::string name = shape_class(scheme, {1.0, x, y}, options);
+    if (std::find(found.begin(), found.end(), name) == found.end()) {
+      found.push_back(std::move(name));
+    }
+  }
+  const std::vector<std::string>& order = class_names(scheme);
+  std::sort(found.begin(), found.end(), [&](const std::string& a, const std::string& b) {
+    return std::find(order.begin(), order.end(), a) < std::find(order.begin(), order.end(), b);
+  });
+  return found;
+}
+
+}  // namespace clast

@@ -1,0 +1,21 @@
+#pragma once
+/// Text that is UTF-8, and text that should be.
+#include <string>
+#include <string_view>
+
+namespace clast {
+
+/// Whether all of `text` is UTF-8: no byte out of place, no overlong form, no half of a surrogate
+/// pair, nothing above U+10FFFF.
+/// @cite rfc3629
+bool is_utf8(std::string_view text);
+
+/// `text` in Windows-1252, which has Latin-1 in it, as UTF-8. Every byte is a character there: the
+/// five that Windows-1252 leaves open become the control characters of Latin-1.
+std::string utf8_from_latin1(std::string_view text);
+
+/// `text` itself where it is UTF-8, else what it is as Windows-1252: for names of files and blocks
+/// on their way to where only UTF-8 is allowed.
+std::string as_utf8(std::string_view text);
+
+}  // namespace clast

@@ -1,0 +1,51 @@
+#pragma once
+/// A body of a world on its way, and the shape it shares with others.
+#include <utility>
+
+#include "dem/detail/indexed_surface.hpp"
+#include "dem/detail/moving_body.hpp"
+
+namespace clast {
+
+/// A shape with what contacts need of it, once for all bodies that have it.
+struct Shape {
+  explicit Shape(RigidBody of_body)
+      : body(std::move(of_body)),
+        surface(indexed_surface(body.shape)),
+        radius(body.bounding_radius()) {}
+  RigidBody body;
+  IndexedSurface surface;
+  double radius;  ///< of the rounded body about its centre, m
+};
+
+struct Actor {
+  /// @param of_shape  must outlive the actor
+  Actor(const Shape& of_shape, const RigidState& start, bool is_fixed)
+      : shape(&of_shape), moving(of_shape.body, start), fixed(is_fixed), motion(moving.motion()) {
+    if (fixed) motion = without_motion();
+  }
+  BodyMotion without_motion() const {
+    BodyMotion still;
+    still.world_from_body = moving.state().world_from_body();
+    return still;
+  }
+  bool still() const { return fixed || left; }
+  /// Kinetic and potential, J.
+  double energy(double gravity) const {
+    return moving.kinetic_energy() + shape->body.mass * gravity * moving.state().position.z();
+  }
+
+  const Shape* shape;
+  MovingBody moving;
+  bool fixed;
+  bool left = false;
+  bool off_terrain = false;  ///< found in the last step: about to leave
+  BodyMotion motion;         ///< over the last step
+  Vec3 force = Vec3::Zero();
+  Vec3 torque = Vec3::Zero();
+  double corrected = 0.0;        ///< energy that events inside the last step gave it, J
+  double resting = 0.0;          ///< s
+  std::uint64_t pair_steps = 0;  ///< touching pairs in which it is the block, summed over steps
+};
+
+}  // namespace clast

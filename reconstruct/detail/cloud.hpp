@@ -1,0 +1,51 @@
+#pragma once
+/// The few operations of PCL that clouds need, on plain points. PCL holds floats, so everything is
+/// about a local origin; results have the same bits whatever the number of threads.
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace clast::detail {
+
+/// Numbers of the points that are no outliers: those whose mean distance to their `neighbours`
+/// nearest is at most `deviations` standard deviations above the mean of all. In order.
+/// @cite rusu2008
+std::vector<std::uint32_t> without_outliers(std::span<const Vec3> points, int neighbours,
+                                            double deviations);
+
+/// One point for each cube of side `cell` that holds some: their mean. m
+std::vector<Vec3> thinned(std::span<const Vec3> points, double cell);
+
+/// Sets of points that are linked by steps of at most `reach`, the largest first; sets of fewer
+/// than `fewest` are left out.
+std::vector<std::vector<std::uint32_t>> clusters(std::span<const Vec3> points, double reach,
+                                                 std::size_t fewest);
+
+/// Unit normals of the planes through the `neighbours` nearest, of either sign.
+std::vector<Vec3> plane_normals(std::span<const Vec3> points, int neighbours);
+
+/// Nearest points, by a k-d tree.
+class NearestPoints {
+ public:
+  explicit NearestPoints(std::span<const Vec3> points);
+  ~NearestPoints();
+
+  struct Near {
+    std::uint32_t point;
+    double distance;  ///< m
+  };
+  /// The `count` nearest, nearest first; fewer where there are fewer.
+  std::vector<Near> nearest(const Vec3& place, int count) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Mean distance of a point to its nearest, over up to 2000 points spread over the list. m
+double spacing(std::span<const Vec3> points);
+
+}  // namespace clast::detail

@@ -1,0 +1,87 @@
+#include "reconstruct/detail/height_grid.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace clast::detail {
+
+HeightGrid::HeightGrid(std::span<const Vec3> points, const Eigen::AlignedBox2d& extent, int nodes,
+                       double stiffness) {
+  const Vec2 size = extent.sizes();
+  cell_ = std::max(size.maxCoeff() / (nodes - 1), 1e-300);
+  low_ = extent.min();
+  columns_ = static_cast<std::size_t>(std::ceil(size.x() / cell_)) + 2;
+  rows_ = static_cast<std::size_t>(std::ceil(size.y() / cell_)) + 2;
+  const auto count = static_cast<Eigen::Index>(columns_ * rows_);
+
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd side = Eigen::VectorXd::Zero(count);
+  for (const Vec3& point : points) {
+    const std::array<Corner, 4> around = corners(point.head<2>());
+    for (const Corner& a : around) {
+      side[static_cast<Eigen::Index>(a.node)] += a.weight * point.z();
+      for (const Corner& b : around) {
+        entries.emplace_back(a.node, b.node, a.weight * b.weight);
+      }
+    }
+  }
+  // Second differences along both axes, and the mixed one, squared.
+  const double weight =
+      stiffness * std::max(1.0, static_cast<double>(points.size()) / static_cast<double>(count));
+  const auto bend = [&](std::initializer_list<Corner> terms, double share) {
+    for (const Corner& a : terms) {
+      for (const Corner& b : terms) {
+        entries.emplace_back(a.node, b.node, share * weight * a.weight * b.weight);
+      }
+    }
+  };
+  const auto node = [&](std::size_t i, std::size_t j) { return j * columns_ + i; };
+  for (std::size_t j = 0; j < rows_; ++j) {
+    for (std::size_t i = 0; i < columns_; ++i) {
+      if (i + 2 < columns_) {
+        bend({{node(i, j), 1.0}, {node(i + 1, j), -2.0}, {node(i + 2, j), 1.0}}, 1.0);
+      }
+      if (j + 2 < rows_) {
+        bend({{node(i, j), 1.0}, {node(i, j + 1), -2.0}, {node(i, j + 2), 1.0}}, 1.0);
+      }
+      if (i + 1 < columns_ && j + 1 < rows_) {
+        bend({{node(i, j), 1.0},
+              {node(i + 1, j), -1.0},
+              {node(i, j + 1), -1.0},
+              {node(i + 1, j + 1), 1.0}},
+             2.0);
+      }
+    }
+  }
+  // Fewer than three points leave the plate free to tilt.
+  for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, 1e-9 * weight);
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  const Eigen::VectorXd solution = solver.solve(side);
+  heights_.assign(solution.begin(), solution.end());
+}
+
+std::array<HeightGrid::Corner, 4> HeightGrid::corners(const Vec2& place) const {
+  const auto cell_of = [&](double x, std::size_t nodes) {
+    return std::clamp(x, 0.0, static_cast<double>(nodes - 1) - 1e-9);
+  };
+  const double x = cell_of((place.x() - low_.x()) / cell_, columns_);
+  const double y = cell_of((place.y() - low_.y()) / cell_, rows_);
+  const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y);
+  const double u = x - static_cast<double>(i), v = y - static_cast<double>(j);
+  const std::size_t first = j * columns_ + i;
+  return {{{first, (1 - u) * (1 - v)},
+           {first + 1, u * (1 - v)},
+           {first + columns_, (1 - u) * v},
+           {first + columns_ + 1, u * v}}};
+}
+
+double HeightGrid::at(const Vec2& place) const {
+  double height = 0.0;
+  for (const Corner& corner : corners(place)) height += corner.weight * heights_[corner.node];
+  return height;
+}
+
+}  // namespace clast::detail

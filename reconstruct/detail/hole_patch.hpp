@@ -1,0 +1,26 @@
+#pragma once
+/// Filling one hole by a smooth skin of triangles as fine as its rim.
+#include <cstdint>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+/// Triangles across a rim and the new vertices among them.
+struct HolePatch {
+  std::vector<Vec3> vertices;                     ///< new ones, numbered after those of the mesh
+  std::vector<TriangleMesh::Triangle> triangles;  ///< turned like their neighbours
+  /// Of each new vertex, 0..1: how far it bulges from the film as a membrane under even pressure
+  /// does; the largest is 1. A parabola over a round rim.
+  std::vector<double> bulge;
+};
+
+/// Fills `loop` as a soap film does: triangulated, refined to the density of the rim, and every new
+/// vertex in the mean of its neighbours (harmonic, weights of cotangents).
+/// @param loop  as `boundary_loops` gives it
+/// Where no triangulation is found, a star of triangles from the middle of the rim.
+/// @cite liepa2003
+HolePatch filled_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop);
+
+}  // namespace clast::detail

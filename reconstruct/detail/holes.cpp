@@ -1,0 +1,170 @@
+#include "reconstruct/detail/holes.hpp"
+
+// Fairing needs a solver of sparse linear equations; Eigen is here anyway.
+#define CGAL_EIGEN3_ENABLED 1
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/fair.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/refine.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "reconstruct/detail/soup.hpp"
+#include "shapes/detail/cgal_mesh.hpp"
+#include "shapes/detail/half_edges.hpp"
+#include "shapes/mesh_topology.hpp"
+
+namespace clast::detail {
+
+namespace {
+
+namespace Processing = CGAL::Polygon_mesh_processing;
+using Triangle = TriangleMesh::Triangle;
+using Halfedge = CgalMesh::Halfedge_index;
+using Face = CgalMesh::Face_index;
+using Vertex = CgalMesh::Vertex_index;
+
+/// Above this many border edges the search of all triangulations, cubic in them, takes minutes.
+constexpr std::size_t kMostForAllTriangulations = 400;
+
+/// The fan over `loop` from its corner `apex`.
+std::vector<Triangle> fan(const std::vector<std::uint32_t>& loop, std::size_t apex) {
+  std::vector<Triangle> triangles;
+  const auto at = [&](std::size_t k) { return loop[(apex + k) % loop.size()]; };
+  for (std::size_t k = 2; k < loop.size(); ++k) triangles.push_back({at(0), at(k - 1), at(k)});
+  return triangles;
+}
+
+double area_of(const TriangleMesh& mesh, const std::vector<Triangle>& triangles) {
+  double area = 0.0;
+  for (const Triangle& t : triangles) area += triangle_area(mesh, t);
+  return area;
+}
+
+FilledHole measured(const std::vector<Vec3>& border) {
+  FilledHole hole;
+  hole.border_edges = border.size();
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    hole.perimeter += (border[(i + 1) % border.size()] - border[i]).norm();
+    hole.centre += border[i] / static_cast<double>(border.size());
+  }
+  for (const Vec3& point : border)
+    hole.radius = std::max(hole.radius, (point - hole.centre).norm());
+  return hole;
+}
+
+Vec3 point_of(const CgalMesh& mesh, Vertex v) {
+  const CgalPoint& p = mesh.point(v);
+  return {p.x(), p.y(), p.z()};
+}
+
+/// Makes a star over the middle of the border and returns its middle.
+Vertex star_over(CgalMesh& mesh, Halfedge border) {
+  std::vector<Vec3> points;
+  for (const Vertex v : CGAL::vertices_around_face(border, mesh)) {
+    points.push_back(point_of(mesh, v));
+  }
+  CGAL::Euler::fill_hole(border, mesh);
+  const Vertex middle = mesh.target(CGAL::Euler::add_center_vertex(border, mesh));
+  const Vec3 centre = measured(points).centre;
+  mesh.point(middle) = CgalPoint(centre.x(), centre.y(), centre.z());
+  return middle;
+}
+
+/// Fills one hole and returns the area of the filling; 0 when it stays open.
+double fill(CgalMesh& mesh, Halfedge border, std::size_t border_edges) {
+  std::vector<Face> patch, more;
+  std::vector<Vertex> added;
+  Processing::triangulate_hole(
+      mesh, border, std::back_inserter(patch),
+      CGAL::parameters::do_not_use_cubic_algorithm(border_edges > kMostForAllTriangulations));
+  if (patch.empty()) {
+    if (border_edges < 3) return 0.0;
+    added.push_back(star_over(mesh, border));
+    for (const Face f : CGAL::faces_around_target(mesh.halfedge(added[0]), mesh)) {
+      patch.push_back(f);
+    }
+  }
+  Processing::refine(mesh, patch, std::back_inserter(more), std::back_inserter(added));
+  if (!added.empty()) Processing::fair(mesh, added);
+  patch.insert(patch.end(), more.begin(), more.end());
+  double area = 0.0;
+  for (const Face f : patch) area += Processing::face_area(f, mesh);
+  return area;
+}
+
+}  // namespace
+
+std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges) {
+  std::vector<FilledHole> filled;
+  std::vector<std::vector<std::uint32_t>> loops = boundary_loops(mesh);
+  std::erase_if(loops,
+                [&](const auto& loop) { return loop.size() > most_edges || loop.size() < 3; });
+  if (loops.empty()) return filled;
+  std::set<std::array<std::uint32_t, 2>> edges;
+  for (const HalfEdge& side : sorted_half_edges(mesh)) edges.insert({side.low, side.high});
+  for (const std::vector<std::uint32_t>& loop : loops) {
+    std::vector<Triangle> best;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t apex = 0; apex < loop.size(); ++apex) {
+      bool crosses = false;
+      for (std::size_t k = 2; k + 1 < loop.size(); ++k) {
+        const std::uint32_t other = loop[(apex + k) % loop.size()];
+        crosses |= edges.contains({std::min(loop[apex], other), std::max(loop[apex], other)});
+      }
+      std::vector<Triangle> candidate = fan(loop, apex);
+      const double area = area_of(mesh, candidate);
+      if (crosses || area >= smallest) continue;
+      smallest = area;
+      best = std::move(candidate);
+    }
+    if (best.empty()) continue;
+    for (const Triangle& t : best) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        edges.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
+      }
+    }
+    mesh.triangles.insert(mesh.triangles.end(), best.begin(), best.end());
+    std::vector<Vec3> border;
+    for (const std::uint32_t v : loop) border.push_back(mesh.vertices[v]);
+    filled.push_back(measured(border));
+    filled.back().area = smallest;
+    filled.back().fan = true;
+  }
+  return filled;
+}
+
+std::vector<FilledHole> fill_holes(TriangleMesh& mesh) {
+  CgalMesh work = to_cgal(mesh);
+  std::vector<Halfedge> starts;
+  Processing::extract_boundary_cycles(work, std::back_inserter(starts));
+  std::vector<FilledHole> filled;
+  for (const Halfedge start : starts) {
+    std::vector<Vec3> border;
+    for (const Vertex v : CGAL::vertices_around_face(start, work)) {
+      border.push_back(point_of(work, v));
+    }
+    FilledHole hole = measured(border);
+    try {
+      hole.area = fill(work, start, border.size());
+    } catch (const CGAL::Failure_exception&) {  // met something that it takes for impossible
+      throw GeometryError("the hole of " + std::to_string(border.size()) +
+                          " border edges that is " + with_digits(hole.perimeter, 3) +
+                          " m round can't be filled; close it in MeshLab or CloudCompare first");
+    }
+    if (hole.area > 0.0) filled.push_back(hole);
+  }
+  mesh = from_cgal(work);
+  return filled;
+}
+
+}  // namespace clast::detail

@@ -1,0 +1,108 @@
+#include "reconstruct/detail/pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/types.hpp"
+#include "reconstruct/detail/soup.hpp"
+#include "shapes/mesh_topology.hpp"
+
+namespace clast::detail {
+
+namespace {
+
+/// Share of the diagonal within which a bubble touches the skin and doesn't pierce it.
+constexpr double kTouching = 1e-6;
+
+}  // namespace
+
+std::vector<Piece> pieces_of(const TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> component = triangle_components(mesh);
+  std::vector<std::vector<TriangleMesh::Triangle>> groups;
+  for (std::size_t t = 0; t < component.size(); ++t) {
+    if (component[t] >= groups.size()) groups.resize(component[t] + 1);
+    groups[component[t]].push_back(mesh.triangles[t]);
+  }
+  std::vector<Piece> pieces;
+  if (groups.size() == 1) {
+    pieces.push_back({mesh, surface_area(mesh)});
+    return pieces;
+  }
+  // One table of numbers for all pieces: a soup may have as many as triangles.
+  std::vector<std::uint32_t> number(mesh.vertices.size());
+  std::vector<std::size_t> stamp(mesh.vertices.size(), groups.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    Piece piece;
+    std::vector<std::uint32_t> used;
+    for (const TriangleMesh::Triangle& t : groups[g]) {
+      for (const std::uint32_t v : t) {
+        if (stamp[v] == g) continue;
+        stamp[v] = g;
+        used.push_back(v);
+      }
+    }
+    std::sort(used.begin(), used.end());
+    for (const std::uint32_t v : used) {
+      number[v] = static_cast<std::uint32_t>(piece.mesh.vertices.size());
+      piece.mesh.vertices.push_back(mesh.vertices[v]);
+    }
+    for (const TriangleMesh::Triangle& t : groups[g]) {
+      piece.mesh.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    }
+    piece.area = surface_area(piece.mesh);
+    pieces.push_back(std::move(piece));
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& a, const Piece& b) { return a.area > b.area; });
+  return pieces;
+}
+
+double signed_volume(const TriangleMesh& closed) {
+  const Bounds box = bounds(closed);
+  const Vec3 origin = 0.5 * (box.low + box.high);
+  double sixfold = 0.0;
+  for (const TriangleMesh::Triangle& t : closed.triangles) {
+    sixfold += (closed.vertices[t[0]] - origin)
+                   .dot((closed.vertices[t[1]] - origin).cross(closed.vertices[t[2]] - origin));
+  }
+  return sixfold / 6.0;
+}
+
+bool encloses(const TriangleMesh& closed, const Vec3& point) {
+  const Bounds box = bounds(closed);
+  if ((point.array() < box.low.array()).any() || (point.array() > box.high.array()).any()) {
+    return false;
+  }
+  // Solid angle of every triangle (Van Oosterom & Strackee 1983).
+  double half_angles = 0.0;
+  for (const TriangleMesh::Triangle& t : closed.triangles) {
+    const Vec3 a = closed.vertices[t[0]] - point, b = closed.vertices[t[1]] - point,
+               c = closed.vertices[t[2]] - point;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    half_angles +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return std::abs(half_angles) > kPi;
+}
+
+bool lies_inside(const TriangleMesh& piece, const TriangleMesh& block, const TriangleTree& tree) {
+  const Vec3& start = piece.vertices[0];
+  if (!encloses(block, start)) return false;
+  // The block may still face inwards, so only sides that differ tell something.
+  const double side = tree.signed_distance(start) < 0.0 ? -1.0 : 1.0;
+  const double touching = -kTouching * bounds(block).diagonal();
+  return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](const Vec3& vertex) {
+    return side * tree.signed_distance(vertex) > touching;
+  });
+}
+
+bool lies_on(const TriangleMesh& piece, const TriangleTree& tree, double distance) {
+  std::uint32_t hint = 0;
+  return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](const Vec3& vertex) {
+    const TriangleTree::Closest found = tree.closest(vertex, hint);
+    hint = found.triangle;
+    return found.squared_distance <= distance * distance;
+  });
+}
+
+}  // namespace clast::detail

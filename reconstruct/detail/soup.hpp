@@ -1,0 +1,67 @@
+#pragma once
+/// From triangles that meet anyhow to pieces that are manifold and face one way.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+/// What a mend took out or changed.
+struct Mended {
+  std::size_t count = 0;
+  double area = 0.0;          ///< of what was taken out
+  Vec3 place = Vec3::Zero();  ///< of the first; meaningless when `count` is 0
+};
+
+/// `triangles` over the vertices of `source`, unused vertices left out.
+TriangleMesh compacted(const TriangleMesh& source,
+                       const std::vector<TriangleMesh::Triangle>& triangles);
+
+double triangle_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
+
+/// Vertices of the first edge with more than two triangles.
+/// @pre there is one
+std::array<std::uint32_t, 2> first_non_manifold_edge(const TriangleMesh& mesh);
+
+/// Of two triangles with the same corners and opposite turn, one is kept where the surface goes on
+/// at both sides (stored twice, or two-sided throughout), none where it doesn't (a sliver welded
+/// flat). Counts those dropped.
+Mended drop_opposite_pairs(TriangleMesh& mesh);
+
+/// Drops small pieces of surface that meet the rest on edges of more than two triangles and go on
+/// less smoothly there than the rest does without them: fins, and sheets that lie on the surface.
+/// Counts triangles.
+/// @param largest_share  of the area that such a piece may have
+Mended drop_fins(TriangleMesh& mesh, double largest_share);
+
+/// Makes edges of more than two triangles into edges of two, without moving anything: sheets that
+/// touch are parted so that each pair bounds rock. Where that can't be, the triangles at the edge
+/// are taken out. Counts edges.
+/// @pre oriented as well as it can be
+Mended cut_touching_edges(TriangleMesh& mesh);
+
+struct Orientation {
+  std::size_t turned = 0;  ///< triangles that were flipped
+  bool orientable = true;
+  std::uint32_t conflict = 0;  ///< a vertex where the sides can't agree
+  std::uint32_t first = 0;     ///< a vertex of the first triangle that was flipped
+};
+
+/// Makes neighbours over edges with two triangles agree; each piece keeps the turn that most of its
+/// triangles have.
+Orientation orient_consistently(TriangleMesh& mesh);
+
+void turn_over(TriangleMesh& mesh);
+
+/// Gives every fan of triangles a vertex of its own. Counts the vertices that were split.
+Mended split_pinched_vertices(TriangleMesh& mesh);
+
+/// Moves vertices that lie on one another (split ones) apart by `distance` each: into the rock
+/// where the others lie on the side of the air, out of it where they lie on the side of the rock.
+/// @param mesh  closed, outward
+void part_touching_vertices(TriangleMesh& mesh, double distance);
+
+}  // namespace clast::detail

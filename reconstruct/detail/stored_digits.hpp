@@ -1,0 +1,18 @@
+#pragma once
+/// How finely a file keeps coordinates.
+#include <optional>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+struct CoordinateStep {
+  double step = 0.0;     ///< the coarsest distance of neighbouring numbers of an axis
+  double largest = 0.0;  ///< the largest coordinate, where that step is
+};
+
+/// The step that all coordinates of an axis are multiples of because they were stored as 32-bit
+/// floats or written with seven digits. None: coordinates of every axis have more digits.
+std::optional<CoordinateStep> coordinate_step(const TriangleMesh& mesh);
+
+}  // namespace clast::detail

@@ -1,0 +1,390 @@
+#include "reconstruct/field_scan.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/random.hpp"
+#include "reconstruct/cloud_surface.hpp"
+#include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/detail/holes.hpp"
+#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/soup.hpp"
+#include "reconstruct/standing_blocks.hpp"
+#include "reconstruct/weld.hpp"
+#include "shapes/detail/half_edges.hpp"
+#include "shapes/mesh_io.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "shapes/point_cloud.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr std::size_t kFewestPoints = 500;  ///< of a cloud
+constexpr int kOutlierNeighbours = 16;
+constexpr double kOutlierDeviations = 1.0;
+/// A mesh is looked at through so many points, spread by area.
+constexpr double kSurfacePoints = 60000.0;
+/// Triangles at edges with more than two are dropped where they are no more than this share.
+constexpr double kMostAtBadEdges = 0.01;
+/// A piece beside an open block with more of its area is no scrap.
+constexpr double kScrapArea = 0.1;
+constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and told
+/// Holes of no more edges are closed before a scan is called open.
+constexpr std::size_t kFanEdges = 4;
+constexpr double kToldTilt = 1.0;  ///< degrees; a turn by less is not told
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+double degrees_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / kPi;
+}
+
+[[noreturn]] void refuse_bare_ground(const std::string& name, double share) {
+  throw GeometryError(name + ": the largest piece is the ground (" + with_digits(100.0 * share, 3) +
+                      " % of the scan) and nothing that rises from it is a block; scan a block and "
+                      "the ground around "
+                      "it, or, if this is one block alone, use --ground none");
+}
+
+/// A mesh with points spread over it.
+struct Spread {
+  std::vector<Vec3> points;
+  std::vector<std::uint32_t> triangle_of;
+};
+
+Spread spread_over(const TriangleMesh& mesh) {
+  Random random(1);
+  Spread spread;
+  const double each = surface_area(mesh) / kSurfacePoints;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Vec3 p = mesh.vertices[a], u = mesh.vertices[b] - p, v = mesh.vertices[c] - p;
+    const double count = std::floor(0.5 * u.cross(v).norm() / each + random.uniform());
+    for (double i = 0.0; i < count; ++i) {
+      double s = random.uniform(), r = random.uniform();
+      if (s + r > 1.0) s = 1.0 - s, r = 1.0 - r;
+      spread.points.push_back(p + s * u + r * v);
+      spread.triangle_of.push_back(t);
+    }
+  }
+  return spread;
+}
+
+TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep) {
+  TriangleMesh result;
+  result.vertices = mesh.vertices;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    if (keep[t]) result.triangles.push_back(mesh.triangles[t]);
+  }
+  return welded(result, 0.0);  // drops unused vertices
+}
+
+/// Triangles that hang from a rim by one edge are cut off, until none is left.
+TriangleMesh without_ears(TriangleMesh mesh) {
+  for (int pass = 0; pass < 10; ++pass) {
+    std::vector<int> borders(mesh.triangles.size(), 0);
+    const auto sides = detail::sorted_half_edges(mesh);
+    detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
+      if (edge.size() == 1) ++borders[edge[0].triangle];
+    });
+    std::vector<bool> keep(mesh.triangles.size());
+    for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = borders[t] < 2;
+    if (std::find(keep.begin(), keep.end(), false) == keep.end()) break;
+    mesh = with_triangles(mesh, keep);
+  }
+  return mesh;
+}
+
+class FieldScan {
+ public:
+  FieldScan(std::string name, const FieldScanOptions& options)
+      : name_(std::move(name)), options_(options) {}
+
+  std::vector<FieldBlock> of_mesh(const TriangleMesh& raw) {
+    std::optional<TriangleMesh> sheet = open_sheet(raw);
+    if (!sheet) return {{cleaned_scan(raw, name_, options_.scan), {}}};
+    if (options_.find_ground) {
+      const Spread spread = spread_over(*sheet);
+      if (const std::optional<Ground> ground = found_ground(spread.points)) {
+        return cut_out(*sheet, spread, *ground);
+      }
+    }
+    std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
+    double scraps = 0.0;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      const double share = pieces[i].area / pieces[0].area;
+      if (share > kScrapArea) {
+        return {{cleaned_scan(raw, name_, options_.scan), {}}};  // says what is wrong
+      }
+      scraps += share;
+    }
+    if (pieces.size() > 1) {
+      notes_.push_back(counted(pieces.size() - 1, "loose scrap", "loose scraps") + " with " +
+                       with_digits(100.0 * scraps, 2) + " % of the block's area dropped");
+    }
+    return {closed_block(std::move(pieces[0].mesh), {}, Vec3::Zero())};
+  }
+
+  std::vector<FieldBlock> of_cloud(const std::vector<Vec3>& raw) {
+    if (raw.size() < kFewestPoints) {
+      throw InputError(name_ + ": no block: " + std::to_string(raw.size()) +
+                       " points are too few for one; a scan of a block has " +
+                       std::to_string(kFewestPoints) + " at least");
+    }
+    std::vector<Vec3> points;
+    for (const std::uint32_t i :
+         detail::without_outliers(raw, kOutlierNeighbours, kOutlierDeviations)) {
+      points.push_back(raw[i]);
+    }
+    notes_.push_back("made from " + std::to_string(raw.size()) + " points, " +
+                     std::to_string(raw.size() - points.size()) + " of them outliers");
+    std::optional<Ground> ground;
+    if (options_.find_ground) ground = found_ground(points);
+    if (!ground) return {closed_block(surface_of(points), {}, Vec3::Zero())};
+    const StandingBlocks standing = standing_on(points, *ground);
+    std::vector<FieldBlock> blocks;
+    for (const StandingBlock* block : chosen(standing)) {
+      std::vector<Vec3> own;
+      for (const std::uint32_t i : block->points) own.push_back(points[i]);
+      blocks.push_back(closed_block(surface_of(own), below(*block, own, *ground), block->centre));
+    }
+    return blocks;
+  }
+
+ private:
+  /// The mesh welded and turned one way, when it is an open surface and nothing worse; none when
+  /// cleaning alone does, or has to say what is wrong.
+  std::optional<TriangleMesh> open_sheet(const TriangleMesh& raw) {
+    for (const Vec3& vertex : raw.vertices) {
+      if (!vertex.allFinite()) return std::nullopt;
+    }
+    TriangleMesh mesh = welded(raw, options_.scan.repair.weld_tolerance * bounds(raw).diagonal());
+    detail::drop_opposite_pairs(mesh);
+    if (mesh.triangles.empty() || !drop_bad_edges(mesh)) return std::nullopt;
+    if (!detail::orient_consistently(mesh).orientable) return std::nullopt;
+    detail::close_by_fans(mesh, kFanEdges);
+    if (inspect(mesh).closed()) return std::nullopt;
+    detail::split_pinched_vertices(mesh);
+    return mesh;
+  }
+
+  /// Drops what hangs on edges with more than two triangles: fins, which have a border, where two
+  /// others go on; else all.
+  static bool drop_bad_edges(TriangleMesh& mesh) {
+    std::vector<bool> at_border(mesh.triangles.size(), false), keep(mesh.triangles.size(), true);
+    const auto sides = detail::sorted_half_edges(mesh);
+    detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
+      if (edge.size() == 1) at_border[edge[0].triangle] = true;
+    });
+    std::size_t dropped = 0;
+    detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
+      if (edge.size() <= 2) return;
+      const auto fins = std::count_if(edge.begin(), edge.end(), [&](const detail::HalfEdge& side) {
+        return at_border[side.triangle];
+      });
+      const bool fins_only = static_cast<std::size_t>(fins) + 2 == edge.size();
+      for (const detail::HalfEdge& side : edge) {
+        if (!keep[side.triangle] || (fins_only && !at_border[side.triangle])) continue;
+        keep[side.triangle] = false;
+        ++dropped;
+      }
+    });
+    if (static_cast<double>(dropped) > kMostAtBadEdges * static_cast<double>(keep.size())) {
+      return false;
+    }
+    if (dropped > 0) mesh = with_triangles(mesh, keep);
+    return true;
+  }
+
+  StandingBlocks standing_on(const std::vector<Vec3>& points, const Ground& ground) const {
+    StandingBlocks standing = standing_blocks(points, ground);
+    if (standing.blocks.empty()) {
+      refuse_bare_ground(
+          name_, static_cast<double>(standing.ground.size()) / static_cast<double>(points.size()));
+    }
+    return standing;
+  }
+
+  std::vector<const StandingBlock*> chosen(const StandingBlocks& standing) {
+    std::vector<const StandingBlock*> blocks;
+    if (options_.split) {
+      for (const StandingBlock& block : standing.blocks) blocks.push_back(&block);
+      return blocks;
+    }
+    if (standing.blocks.size() > 1) {
+      notes_.push_back(std::to_string(standing.blocks.size()) +
+                       " blocks stand on the ground; the one near the middle was taken, --split "
+                       "takes them all");
+    }
+    return {&standing.blocks[standing.central]};
+  }
+
+  static Plane below(const StandingBlock& block, const std::vector<Vec3>& points,
+                     const Ground& ground) {
+    Bounds box;
+    for (const Vec3& p : points) box.include(p);
+    return ground.plane_below(block.centre, 0.5 * box.diagonal());
+  }
+
+  TriangleMesh surface_of(const std::vector<Vec3>& points) const {
+    try {
+      return cloud_surface(points);
+    } catch (const GeometryError& error) {
+      throw GeometryError(name_ + ": " + error.what());
+    } catch (const InputError& error) {
+      throw InputError(name_ + ": " + error.what());
+    }
+  }
+
+  std::vector<FieldBlock> cut_out(const TriangleMesh& sheet, const Spread& spread,
+                                  const Ground& ground) {
+    const StandingBlocks standing = standing_on(spread.points, ground);
+    const detail::NearestPoints tree(spread.points);
+    std::vector<FieldBlock> blocks;
+    for (const StandingBlock* block : chosen(standing)) {
+      std::vector<bool> on_block(spread.points.size(), false);
+      std::vector<Vec3> own;
+      for (const std::uint32_t i : block->points) {
+        on_block[i] = true;
+        own.push_back(spread.points[i]);
+      }
+      const auto belongs = [&](const Vec3& p) {
+        return on_block[tree.nearest(p, 1).front().point];
+      };
+      std::vector<bool> keep(sheet.triangles.size());
+      for (std::size_t t = 0; t < keep.size(); ++t) {
+        const auto& [a, b, c] = sheet.triangles[t];
+        const Vec3 &p = sheet.vertices[a], &q = sheet.vertices[b], &r = sheet.vertices[c];
+        keep[t] = belongs((p + q + r) / 3.0) && belongs(p) && belongs(q) && belongs(r);
+      }
+      TriangleMesh rock = with_triangles(sheet, keep);
+      if (rock.triangles.empty()) refuse_bare_ground(name_, 1.0);
+      rock = std::move(detail::pieces_of(without_ears(std::move(rock))).front().mesh);
+      detail::split_pinched_vertices(rock);
+      blocks.push_back(closed_block(std::move(rock), below(*block, own, ground), block->centre));
+    }
+    return blocks;
+  }
+
+  /// Closes, cleans, and turns to metres with z up.
+  FieldBlock closed_block(TriangleMesh open, const std::optional<Plane>& ground,
+                          const Vec3& centre) const {
+    turn_outward(open);
+    std::optional<Underside> side;
+    try {
+      side = closed_underside(open, {.ground = ground, .smallest_share = kSmallestHole});
+    } catch (const GeometryError& error) {
+      throw GeometryError(name_ + ": " + error.what());
+    }
+    ScanOptions options = options_.scan;
+    FieldBlock block{cleaned_scan(side ? side->best : std::move(open), name_, options), {}};
+    std::vector<std::string>& notes = block.scan.notes;
+    notes.insert(notes.begin(), notes_.begin(), notes_.end());
+    const auto to_metres = [&](Vec3 p) -> Vec3 {
+      p *= options.unit;
+      return options.up == "y" ? Vec3(p.x(), -p.z(), p.y()) : p;
+    };
+    Pose turn{Vec3::Zero(), Quat::Identity()};
+    if (ground && !options_.up_given) {
+      const Vec3 normal = to_metres(ground->normal).normalized();
+      const Vec3 pivot = to_metres(centre);
+      const Quat rotation = Quat::FromTwoVectors(normal, Vec3::UnitZ());
+      turn = {pivot - rotation * pivot, rotation};
+      const double tilt = degrees_between(normal, Vec3::UnitZ());
+      if (tilt > kToldTilt) {
+        notes.push_back("turned by " + with_digits(tilt, 3) +
+                        " degrees so that z points up from the ground; --up keeps the file's axes");
+      }
+      for (Vec3& vertex : block.scan.mesh.vertices) vertex = turn * vertex;
+    }
+    if (side) {
+      notes.insert(notes.end(), side->notes.begin(), side->notes.end());
+      block.underside = moved(std::move(*side), [&](const Vec3& p) { return turn * to_metres(p); });
+    }
+    return block;
+  }
+
+  /// The same underside with every length scaled and every place moved.
+  template <class Move>
+  Underside moved(Underside side, const Move& move) const {
+    for (TriangleMesh* mesh : {&side.lower, &side.best, &side.upper}) {
+      for (Vec3& vertex : mesh->vertices) vertex = move(vertex);
+    }
+    const double unit = options_.scan.unit, cubed = unit * unit * unit;
+    side.lower_volume *= cubed;
+    side.best_volume *= cubed;
+    side.upper_volume *= cubed;
+    const Vec3 centre = move(side.rim_centre);
+    side.down = (move(side.rim_centre + side.down) - centre).normalized();
+    side.rim_centre = centre;
+    side.rim_length *= unit;
+    side.gap *= unit;
+    return side;
+  }
+
+  /// By the volume that the surface would have with its largest hole filled flat.
+  static void turn_outward(TriangleMesh& open) {
+    const std::vector<std::vector<std::uint32_t>> loops = boundary_loops(open);
+    if (loops.empty()) return;
+    const auto& largest =
+        *std::max_element(loops.begin(), loops.end(),
+                          [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    Vec3 middle = Vec3::Zero();
+    for (const std::uint32_t v : largest) {
+      middle += open.vertices[v] / static_cast<double>(largest.size());
+    }
+    double sixfold = 0.0;
+    for (const auto& [a, b, c] : open.triangles) {
+      sixfold += (open.vertices[a] - middle)
+                     .dot((open.vertices[b] - middle).cross(open.vertices[c] - middle));
+    }
+    if (sixfold >= 0.0) return;
+    for (TriangleMesh::Triangle& t : open.triangles) std::swap(t[1], t[2]);
+  }
+
+  std::string name_;
+  const FieldScanOptions& options_;
+  std::vector<std::string> notes_;
+};
+
+bool is_cloud(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::vector<std::string>& known = cloud_extensions();
+  return extension == ".asc" || std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+}  // namespace
+
+void FieldScanOptions::check() const { scan.check(); }
+
+std::vector<FieldBlock> field_blocks(const TriangleMesh& raw, const std::string& name,
+                                     const FieldScanOptions& options) {
+  options.check();
+  return FieldScan(name, options).of_mesh(raw);
+}
+
+std::vector<FieldBlock> field_blocks(const std::vector<Vec3>& points, const std::string& name,
+                                     const FieldScanOptions& options) {
+  options.check();
+  return FieldScan(name, options).of_cloud(points);
+}
+
+std::vector<FieldBlock> read_field_scan(const std::filesystem::path& path,
+                                        const FieldScanOptions& options) {
+  options.check();
+  if (is_cloud(path)) return field_blocks(read_cloud(path), path.string(), options);
+  const TriangleMesh mesh = read_mesh_or_points(path);
+  if (mesh.triangles.empty()) return field_blocks(mesh.vertices, path.string(), options);
+  return field_blocks(mesh, path.string(), options);
+}
+
+}  // namespace clast

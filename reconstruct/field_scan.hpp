@@ -1,0 +1,44 @@
+#pragma once
+/// Blocks out of field scans: ground taken away, underside bracketed.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reconstruct/ground.hpp"
+#include "reconstruct/scan.hpp"
+#include "reconstruct/underside.hpp"
+
+namespace clast {
+
+/// How a field scan is taken apart.
+struct FieldScanOptions {
+  ScanOptions scan;
+  bool up_given = false;  ///< `scan.up` holds; else z points up from the ground where one is found
+  bool find_ground = true;  ///< false: the scan is of one block alone
+  bool split = false;       ///< every block on the ground; else the one near the middle
+
+  void check() const;  ///< throws what its members throw
+};
+
+/// One block of a scan.
+struct FieldBlock {
+  Scan scan;                           ///< closed, in metres, z up
+  std::optional<Underside> underside;  ///< of a scan that was open; in the frame of `scan`
+};
+
+/// The blocks of a mesh or cloud, at least one. A closed mesh is cleaned as `read_scan` does. Of an
+/// open one the ground is taken away and the underside closed. Points become a surface first.
+/// With `split` the blocks come in order of x, then y, of the file; without, there is one.
+/// @throws InputError     what `read_mesh` and `stream_cloud` throw; a cloud of too few points
+/// @throws GeometryError  only ground, and what `cleaned_scan` and `closed_underside` throw
+std::vector<FieldBlock> read_field_scan(const std::filesystem::path& path,
+                                        const FieldScanOptions& options = {});
+
+/// The same of a mesh or of points in memory; `name` is used in messages.
+std::vector<FieldBlock> field_blocks(const TriangleMesh& raw, const std::string& name,
+                                     const FieldScanOptions& options = {});
+std::vector<FieldBlock> field_blocks(const std::vector<Vec3>& points, const std::string& name,
+                                     const FieldScanOptions& options = {});
+
+}  // namespace clast

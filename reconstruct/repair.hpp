@@ -1,0 +1,40 @@
+#pragma once
+/// From any surface that a scanner wrote to one that bounds a block.
+#include <functional>
+
+#include "reconstruct/repair_report.hpp"
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast {
+
+/// What a repair may do.
+struct RepairOptions {
+  double weld_tolerance = 1e-5;  ///< share of the diagonal within which vertices are one
+  bool keep_inner_shells =
+      false;  ///< closed shells inside stay as cavities; false: rock fills them
+  /// May surface be invented? False for a core, of which every vertex is meant: holes of more than
+  /// four edges and edges of more than two triangles are refused then, spikes and crossings stay.
+  bool invent = true;
+  double largest_hole = 0.4;  ///< share of the mended surface that one filling may be
+  /// How places are told in messages and report, for example in the coordinates of the scan's file;
+  /// empty: in those of the mesh.
+  std::function<Vec3(const Vec3&)> place_told = {};
+
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
+struct Repaired {
+  TriangleMesh mesh;  ///< closed, 2-manifold, outward, crosses itself nowhere; cavities inward
+  RepairReport report;
+};
+
+/// Welds, drops what has no area, is doubled or stands off, orients, cuts touching sheets apart,
+/// drops islands and double sheets, puts spikes back, fills holes (Liepa 2003), replaces crossing
+/// triangles, turns outward, and verifies. Where crossings can't be replaced, the surface with its
+/// holes filled is wrapped (Portaneri et al. 2022) and scaled back to its volume. A sound mesh
+/// comes back as it is. Order and limits: docs/theory.md, "Repair".
+/// @throws GeometryError  which defect remains, where, and what a person can do
+/// @cite liepa2003 portaneri2022
+Repaired repaired(const TriangleMesh& dirty, const RepairOptions& options = {});
+
+}  // namespace clast

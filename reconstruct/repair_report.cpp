@@ -1,0 +1,160 @@
+#include "reconstruct/repair_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/number_text.hpp"
+
+namespace clast {
+
+namespace {
+
+/// A share of the surface below which it isn't worth a word.
+constexpr double kWorthTelling = 1e-3;
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string percent(double share) { return with_digits(100.0 * share, 3) + " %"; }
+
+std::string change(double relative) {
+  return std::abs(relative) < 1e-5 ? "less than 0.001 %" : percent(relative);
+}
+
+class Sentences {
+ public:
+  explicit Sentences(const RepairReport& report) : report_(report) {}
+
+  std::vector<std::string> all() const {
+    std::vector<std::string> notes;
+    for (const Defect& defect : report_.defects) {
+      if (defect.kind == DefectKind::kHole) {
+        for (std::string& note : of_holes()) notes.push_back(std::move(note));
+      } else {
+        notes.push_back(of(defect));
+      }
+    }
+    if (report_.wrap_bias) {
+      notes.push_back(
+          "the surface could not be freed of its crossings and was wrapped anew: hollows narrower "
+          "than a sixtieth of its diagonal are bridged, and the " +
+          percent(*report_.wrap_bias) + " of volume that added is scaled away");
+    }
+    return notes;
+  }
+
+ private:
+  static std::string metres(double length) { return with_digits(length, 3) + " m"; }
+
+  static std::string near(const Defect& defect) {
+    return defect.place ? " near " + place(*defect.place) : "";
+  }
+
+  static std::string worth_of(const Defect& defect) {
+    if (defect.area_share < kWorthTelling) return "";
+    return ", " + percent(defect.area_share) + " of the surface";
+  }
+
+  std::string of(const Defect& d) const {
+    switch (d.kind) {
+      case DefectKind::kNearVertices:
+        return counted(d.count, "vertex", "vertices") + " joined to a neighbour closer than " +
+               with_digits(d.size, 4) + " m";
+      case DefectKind::kNoArea:
+        return counted(d.count, "triangle", "triangles") + " without area or stored twice dropped";
+      case DefectKind::kFolded:
+        return counted(d.count, "triangle", "triangles") + " back to back with another dropped" +
+               worth_of(d);
+      case DefectKind::kFin:
+        return counted(d.count, "triangle that stands", "triangles that stand") +
+               " on the surface or double it dropped" + worth_of(d) + ", the first" + near(d);
+      case DefectKind::kTouchingEdge:
+        return counted(d.count, "edge", "edges") +
+               " shared by more than two triangles cut apart, the first" + near(d);
+      case DefectKind::kMixedWinding:
+        return counted(d.count, "triangle", "triangles") + " turned to agree with neighbours";
+      case DefectKind::kPinchedVertex:
+        return counted(d.count, "vertex", "vertices") + " where the surface touches itself split";
+      case DefectKind::kDoubleSheet:
+        return counted(d.count, "sheet that lies", "sheets that lie") +
+               " on the block dropped (a part scanned twice)" + worth_of(d) + ", the largest" +
+               near(d);
+      case DefectKind::kIsland:
+        return counted(d.count, "loose scrap", "loose scraps") + " dropped" + worth_of(d);
+      case DefectKind::kInnerShell:
+        return counted(d.count, "inner shell", "inner shells") + " (bubbles) of " +
+               with_digits(report_.inner_shell_volume, 4) + " m3 in all " +
+               (report_.inner_shells_kept ? "kept as cavities" : "dropped");
+      case DefectKind::kSpike:
+        return counted(d.count, "spike", "spikes") + " of up to " + metres(d.size) +
+               " put back into the surface, the highest" + near(d);
+      case DefectKind::kCrossing:
+        return counted(d.count, "pair", "pairs") +
+               " of triangles that touched or passed through each other parted or replaced" +
+               near(d) + ", which changed the volume by " + change(report_.crossing_volume_change);
+      case DefectKind::kInward:
+        return "the surface faced inwards and was turned";
+      case DefectKind::kTunnel:
+        return counted(d.count, "tunnel goes", "tunnels go") +
+               " through the block and stay open; if the rock has none, fill them in the scan";
+      case DefectKind::kHole:
+        break;
+    }
+    return "";
+  }
+
+  /// Tiny ones together, the others together, and each large one by itself.
+  std::vector<std::string> of_holes() const {
+    std::vector<std::string> notes;
+    std::size_t fans = 0, fan_edges = 0, fillings = 0;
+    const FilledHole* largest = nullptr;
+    for (const FilledHole& hole : report_.holes) {
+      if (hole.fan) {
+        ++fans;
+        fan_edges += hole.border_edges;
+      } else {
+        ++fillings;
+        if (largest == nullptr) largest = &hole;
+      }
+    }
+    if (fans > 0) {
+      notes.push_back(counted(fans, "hole", "holes") + " with " +
+                      counted(fan_edges, "border edge", "border edges") +
+                      " in all closed by a fan");
+    }
+    if (largest != nullptr) {
+      notes.push_back(counted(fillings, "hole", "holes") + " filled; the largest has " +
+                      std::to_string(largest->border_edges) + " border edges, is " +
+                      metres(largest->perimeter) + " round and reaches " + metres(largest->radius) +
+                      " from its middle at " + place(largest->centre));
+    }
+    if (report_.invented_share >= kWorthTelling) {
+      notes.push_back(percent(report_.invented_share) +
+                      " of the surface is invented: no scan saw what fills the holes");
+    }
+    for (const FilledHole& hole : report_.holes) {
+      if (hole.area_share <= kLargeHole) continue;
+      notes.push_back("the filling at " + place(hole.centre) + " is " + percent(hole.area_share) +
+                      " of the surface: a guess that volume and axes depend on; scan that side, "
+                      "or check the volume by weighing (--mass with --density)");
+    }
+    return notes;
+  }
+
+  const RepairReport& report_;
+};
+
+}  // namespace
+
+const Defect* RepairReport::find(DefectKind kind) const {
+  const auto found = std::find_if(defects.begin(), defects.end(),
+                                  [&](const Defect& defect) { return defect.kind == kind; });
+  return found == defects.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> repair_notes(const RepairReport& report) {
+  return Sentences(report).all();
+}
+
+}  // namespace clast

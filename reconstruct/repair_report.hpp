@@ -1,0 +1,75 @@
+#pragma once
+/// What was wrong with a surface, and what was done about it.
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shapes/mesh_topology.hpp"
+
+namespace clast {
+
+/// In the order in which they are mended.
+enum class DefectKind {
+  kNearVertices,   ///< stored more than once, a little apart: joined
+  kNoArea,         ///< triangles without area, or stored twice: dropped
+  kFolded,         ///< triangles back to back with another: dropped
+  kFin,            ///< scraps that stand on the surface, or lie on it rim to rim: dropped
+  kTouchingEdge,   ///< edges of more than two triangles: cut apart
+  kMixedWinding,   ///< triangles that face the other way than their neighbours: turned
+  kPinchedVertex,  ///< vertices where the surface touches itself: split
+  kDoubleSheet,    ///< open pieces that lie on the block: dropped
+  kIsland,         ///< pieces beside the block, or loose in it: dropped
+  kInnerShell,     ///< closed pieces inside the block: dropped, or kept as cavities
+  kSpike,          ///< vertices that stand out of their neighbourhood: put back
+  kHole,           ///< filled
+  kCrossing,       ///< triangles that pass through others: replaced
+  kInward,         ///< the whole surface faced inwards: turned
+  kTunnel          ///< goes through the block: told of, nothing is done
+};
+
+/// All defects of one kind. Lengths in metres; places as `RepairOptions::place_told` says.
+struct Defect {
+  DefectKind kind;
+  std::size_t count = 0;      ///< vertices, edges, triangles, pieces or holes: what `kind` names
+  double area_share = 0.0;    ///< of the surface as read (holes: as mended) that it covers
+  double size = 0.0;          ///< how far apart, high or long the largest is, m; 0: has no size
+  std::optional<Vec3> place;  ///< a point of the largest one, or of the first
+};
+
+/// A hole that was filled.
+struct FilledHole {
+  std::size_t border_edges = 0;
+  double perimeter = 0.0;   ///< m
+  double radius = 0.0;      ///< from the middle of its border to the farthest point of it, m
+  double area = 0.0;        ///< of the filling, m^2
+  double area_share = 0.0;  ///< of the mended surface
+  Vec3 centre = Vec3::Zero();
+  bool fan = false;  ///< closed by triangles between its border vertices alone
+};
+
+/// A hole larger than this share of the mended surface is told of by itself: its filling is a
+/// guess.
+constexpr double kLargeHole = 0.1;
+
+struct RepairReport {
+  MeshReport as_read;               ///< after welding, before anything else was mended
+  std::vector<Defect> defects;      ///< none: the surface was sound
+  std::vector<FilledHole> holes;    ///< largest area first
+  double invented_share = 0.0;      ///< fillings over the whole mended surface
+  std::size_t inner_shells = 0;     ///< bubbles inside, dropped unless they were to be kept
+  double inner_shell_volume = 0.0;  ///< of all of them, m^3
+  bool inner_shells_kept = false;
+  /// Relative volume that replacing crossing triangles added; 0 where there were none.
+  double crossing_volume_change = 0.0;
+  /// Set where only a wrap gave a sound surface: relative volume it had too much before it was
+  /// scaled back.
+  std::optional<double> wrap_bias;
+
+  const Defect* find(DefectKind kind) const;  ///< null: none of that kind
+};
+
+/// The report as sentences, one for each mend, with counts, sizes and places.
+std::vector<std::string> repair_notes(const RepairReport& report);
+
+}  // namespace clast

@@ -1,0 +1,326 @@
+#include "reconstruct/underside.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "reconstruct/detail/hole_patch.hpp"
+#include "reconstruct/detail/sections.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "shapes/self_intersection.hpp"
+
+namespace clast {
+
+namespace {
+
+/// The narrowing at the rim is taken over these shares of the height that was seen. Over the longer
+/// one it is the smaller of the two (sqrt A is concave), which makes the upper shape the larger.
+constexpr double kUpperBand = 0.2, kBestBand = 0.1;
+/// Share of its cone that a cap fills. A ball's fills 3/4 when it is shallow and 0.6 when a fifth
+/// of the surface is unseen; where walls go straight down, any depth up to the deepest is as
+/// likely. See docs/theory.md for how far off this is.
+constexpr double kBestShare = 0.6;
+/// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
+constexpr double kBestPower = 2.0 / 3.0;
+constexpr double kBluntest = 0.05, kSharpest = 2.0;  ///< powers of the bulge
+/// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
+/// an uneven rim each tells of a part, and the largest volume counts.
+constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
+/// A rim is uneven where its heights spread over more than this share of the whole. The sections do
+/// not say then what hangs beside them, and the best shape is put at this share between the bounds:
+/// the median of 100 blocks of which what faces down steeply was taken away.
+constexpr double kEven = 0.05, kUnevenShare = 0.35;
+/// A rim this far above the ground nearly all around, as a share of the height, is clear of it,
+constexpr double kClearOfGround = 0.02;
+/// and the block has sunk into it by this share at most.
+constexpr double kSunk = 0.05;
+/// A hole that faces within this of straight down is the ground's side.
+constexpr double kFacesDown = 0.5;  // cos 60 degrees
+constexpr int kWithdrawals = 6;     ///< halvings of a cap that meets the walls
+
+std::string number(double value) { return with_digits(value, 3); }
+
+struct Rim {
+  std::vector<std::uint32_t> loop;
+  Vec3 area = Vec3::Zero();  ///< vector, along the outward normal of the filling
+  Vec3 centre = Vec3::Zero();
+  double length = 0.0;
+};
+
+Rim measured_rim(const TriangleMesh& mesh, std::vector<std::uint32_t> loop) {
+  Rim rim;
+  const Vec3 origin = mesh.vertices[loop[0]];
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec3 p = mesh.vertices[loop[i]] - origin;
+    const Vec3 q = mesh.vertices[loop[(i + 1) % loop.size()]] - origin;
+    const double side = (q - p).norm();
+    rim.area += 0.5 * p.cross(q);
+    rim.centre += 0.5 * side * (p + q);
+    rim.length += side;
+  }
+  rim.centre = origin + rim.centre / rim.length;
+  rim.loop = std::move(loop);
+  return rim;
+}
+
+double area_from(const TriangleMesh& mesh, std::size_t first) {
+  double doubled = 0.0;
+  for (std::size_t i = first; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    doubled +=
+        (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
+  }
+  return 0.5 * doubled;
+}
+
+/// What is below a section: a body whose sqrt(A) falls evenly with depth, cut off at a depth.
+struct Cone {
+  double volume = 0.0;
+  double depth = 0.0;
+};
+
+/// @param root       sqrt of the area on top
+/// @param narrowing  decrease of the root per depth; negative where walls lean out
+Cone cone_below(double root, double narrowing, double deepest) {
+  const double depth = narrowing > 0.0 ? std::min(deepest, root / narrowing) : deepest;
+  return {root * root * depth - root * narrowing * depth * depth +
+              narrowing * narrowing * depth * depth * depth / 3.0,
+          depth};
+}
+
+class Closing {
+ public:
+  Closing(const TriangleMesh& open, const UndersideOptions& options) : options_(options) {
+    result_.lower = open;
+  }
+
+  std::optional<Underside> run() {
+    const MeshReport report = inspect(result_.lower);
+    if (report.non_manifold_edges > 0 || !report.oriented() || report.pinched_vertices > 0) {
+      throw GeometryError("the surface is not a simple sheet: " + report.summary());
+    }
+    std::vector<Rim> rims;
+    for (std::vector<std::uint32_t>& loop : boundary_loops(result_.lower)) {
+      rims.push_back(measured_rim(result_.lower, std::move(loop)));
+    }
+    if (rims.empty()) return std::nullopt;
+    std::stable_sort(rims.begin(), rims.end(), [](const Rim& a, const Rim& b) {
+      return a.area.squaredNorm() > b.area.squaredNorm();
+    });
+    const double seen_area = surface_area(result_.lower);
+    const double flat = rims[0].area.norm();
+    if (flat < options_.smallest_share * (seen_area + flat)) return std::nullopt;
+    refuse_sheet(rims[0], flat / (seen_area + flat));
+
+    for (std::size_t i = 1; i < rims.size(); ++i) fill(rims[i]);
+    if (rims.size() > 1) {
+      result_.notes.push_back(std::to_string(rims.size() - 1) +
+                              (rims.size() == 2 ? " other hole" : " other holes") +
+                              " filled straight across");
+    }
+    first_vertex_ = result_.lower.vertices.size();
+    result_.first_invented = result_.lower.triangles.size();
+    patch_ = fill(rims[0]);
+    describe(rims[0]);
+    bracket(rims[0]);
+    return std::move(result_);
+  }
+
+ private:
+  void refuse_sheet(const Rim& rim, double share) const {
+    if (share <= options_.largest_share) return;
+    throw GeometryError(
+        "the largest piece is the ground, or one side of a block: a sheet whose "
+        "border of " +
+        std::to_string(rim.loop.size()) + " edges near " +
+        place(result_.lower.vertices[rim.loop[0]]) + " spans " + number(100.0 * share) +
+        " % of what a closed surface would have; scan the block from all sides");
+  }
+
+  detail::HolePatch fill(const Rim& rim) {
+    detail::HolePatch patch = detail::filled_hole(result_.lower, rim.loop);
+    TriangleMesh& mesh = result_.lower;
+    mesh.vertices.insert(mesh.vertices.end(), patch.vertices.begin(), patch.vertices.end());
+    mesh.triangles.insert(mesh.triangles.end(), patch.triangles.begin(), patch.triangles.end());
+    return patch;
+  }
+
+  void describe(const Rim& rim) {
+    result_.down = rim.area.normalized();
+    if (options_.ground && -options_.ground->normal.dot(result_.down) > kFacesDown) {
+      result_.down = -options_.ground->normal;
+    }
+    result_.rim_centre = rim.centre;
+    result_.rim_edges = rim.loop.size();
+    result_.rim_length = rim.length;
+  }
+
+  void bracket(const Rim& rim) {
+    const detail::Sections sections(result_.lower, -result_.down);
+    result_.lower_volume = sections.volume_above(sections.lowest());
+    if (!(result_.lower_volume > 0.0)) {
+      throw GeometryError("the surface faces inwards, or encloses nothing once it is closed");
+    }
+    const std::vector<double> heights = rim_heights(rim);
+    const auto quantile = [&](double share) {
+      return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
+    };
+    const double bottom = lowest_bottom(quantile(0.1), quantile(0.5), sections.highest());
+    result_.upper_volume = result_.best_volume = result_.lower_volume;
+    double deepest = 0.0, power = kBestPower;
+    for (const double share : kRimShares) {
+      const double level = quantile(share);
+      const Continued below = continued(sections, level, bottom);
+      if (below.upper_volume > result_.upper_volume) {
+        result_.upper_volume = below.upper_volume;
+        deepest = level - bottom;
+        // Of a round rim, bulge^p fills 1/(1 + p) of the cylinder around it.
+        power = std::clamp(1.0 / below.fill - 1.0, kBluntest, kSharpest);
+      }
+      result_.best_volume = std::max(result_.best_volume, below.best_volume);
+    }
+    const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
+    if (uneven) {
+      result_.best_volume =
+          result_.lower_volume + kUnevenShare * (result_.upper_volume - result_.lower_volume);
+    }
+    result_.best_volume = std::min(result_.best_volume, result_.upper_volume);
+    result_.upper = lowered(result_.upper_volume - result_.lower_volume, power, deepest);
+    settle_best(deepest);
+    const double filling = area_from(result_.best, result_.first_invented);
+    result_.invented_share = filling / surface_area(result_.best);
+  }
+
+  /// Volumes with the sections continued below a level.
+  struct Continued {
+    double upper_volume = 0.0, best_volume = 0.0;
+    double fill = 1.0;  ///< the upper part's share of the cylinder around it
+  };
+
+  static Continued continued(const detail::Sections& sections, double level, double bottom) {
+    const double height = sections.highest() - level;
+    // Just above the level, where a flat filling does not count any more.
+    const double root = std::sqrt(std::max(0.0, sections.area(level + 1e-6 * height)));
+    const auto narrowing = [&](double band) {
+      const double higher = std::sqrt(std::max(0.0, sections.area(level + band * height)));
+      return (higher - root) / (band * height);
+    };
+    const Cone upper = cone_below(root, narrowing(kUpperBand), level - bottom);
+    const Cone best = cone_below(root, narrowing(kBestBand), level - bottom);
+    const double above = sections.volume_above(level);
+    const double cylinder = root * root * upper.depth;
+    return {above + upper.volume, above + kBestShare * best.volume,
+            cylinder > 0.0 ? upper.volume / cylinder : 1.0};
+  }
+
+  /// Ascending.
+  std::vector<double> rim_heights(const Rim& rim) const {
+    std::vector<double> heights;
+    for (const std::uint32_t v : rim.loop) {
+      heights.push_back(-result_.down.dot(result_.lower.vertices[v]));
+    }
+    std::sort(heights.begin(), heights.end());
+    return heights;
+  }
+
+  /// The height below which nothing of the block is looked for. A rim that is clear of the ground
+  /// nearly all around shows that the block lies on it; else nothing tells how deep it goes.
+  double lowest_bottom(double low_rim, double mean_rim, double highest) {
+    const double height = highest - mean_rim;
+    const double buried = mean_rim - options_.deepest * height;
+    if (!options_.ground || result_.down != -options_.ground->normal) return buried;
+    const double ground = options_.ground->distance;
+    result_.gap = mean_rim - ground;
+    if (low_rim - ground < kClearOfGround * height) return buried;
+    return std::max(buried, ground - kSunk * height);
+  }
+
+  /// `lower` with the filling moved down so that `added` volume lies under it, no deeper than
+  /// `deepest` where that is possible. Moving along one direction adds volume in proportion.
+  TriangleMesh lowered(double added, double power, double deepest) const {
+    TriangleMesh mesh = result_.lower;
+    if (added <= 0.0) return mesh;
+    for (;; power *= 0.8) {
+      const double depth = added / column(power);
+      if (depth > deepest && power > kBluntest) continue;
+      for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
+        mesh.vertices[first_vertex_ + i] += depth * std::pow(patch_.bulge[i], power) * result_.down;
+      }
+      return mesh;
+    }
+  }
+
+  /// Volume that is added for each metre of depth.
+  double column(double power) const {
+    double volume = 0.0;
+    for (const TriangleMesh::Triangle& t : patch_.triangles) {
+      double mean = 0.0;
+      for (const std::uint32_t v : t) {
+        if (v >= first_vertex_) mean += std::pow(patch_.bulge[v - first_vertex_], power) / 3.0;
+      }
+      const auto& [a, b, c] = t;
+      const std::vector<Vec3>& at = result_.lower.vertices;
+      volume += mean * 0.5 * (at[b] - at[a]).cross(at[c] - at[a]).dot(result_.down);
+    }
+    return volume;
+  }
+
+  /// A cap under an uneven rim may meet the walls: it is made more pointed, then drawn back, until
+  /// it does not.
+  void settle_best(double deepest) {
+    const double added = result_.best_volume - result_.lower_volume;
+    const std::size_t crossings = crossing_triangles(result_.lower).size();
+    const auto fits = [&] { return crossing_triangles(result_.best).size() <= crossings; };
+    for (double power = kBestPower; power < 3.0; power *= 1.5) {
+      result_.best = lowered(added, power, deepest);
+      if (fits()) break;
+    }
+    double share = 1.0;
+    const TriangleMesh whole = result_.best;
+    for (int i = 0; i < kWithdrawals && !fits(); ++i) {
+      share = i + 1 < kWithdrawals ? 0.5 * share : 0.0;
+      for (std::size_t v = first_vertex_; v < whole.vertices.size(); ++v) {
+        result_.best.vertices[v] =
+            result_.lower.vertices[v] + share * (whole.vertices[v] - result_.lower.vertices[v]);
+      }
+    }
+    if (share < 1.0) {
+      result_.notes.push_back("the filling was drawn back to " + number(100.0 * share) +
+                              " % of its depth, where it does not meet the walls");
+    }
+    const detail::Sections sections(result_.best, -result_.down);
+    result_.best_volume = std::min(sections.volume_above(sections.lowest()), result_.upper_volume);
+  }
+
+  const UndersideOptions& options_;
+  Underside result_;
+  detail::HolePatch patch_;
+  std::size_t first_vertex_ = 0;
+};
+
+}  // namespace
+
+void UndersideOptions::check() const {
+  if (ground && !(std::abs(ground->normal.norm() - 1.0) < 1e-6)) {
+    throw InputError("ground normal has length " + number(ground->normal.norm()) +
+                     "; it must be 1");
+  }
+  if (!(deepest > 0.0 && deepest <= 10.0)) {
+    throw InputError("deepest = " + number(deepest) +
+                     ": the share of the seen height that may be buried must be above 0, up to 10");
+  }
+  if (!(smallest_share > 0.0 && smallest_share < largest_share && largest_share < 1.0)) {
+    throw InputError("smallest_share = " + number(smallest_share) + " and largest_share = " +
+                     number(largest_share) + ": shares between 0 and 1 in that order are needed");
+  }
+}
+
+std::optional<Underside> closed_underside(const TriangleMesh& open,
+                                          const UndersideOptions& options) {
+  options.check();
+  return Closing(open, options).run();
+}
+
+}  // namespace clast

@@ -1,0 +1,262 @@
+#include "terrain/detail/cracks.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "core/number_text.hpp"
+#include "terrain/detail/plan_index.hpp"
+#include "terrain/detail/triangle_links.hpp"
+
+namespace clast::detail {
+namespace {
+
+using Triangle = TriangleMesh::Triangle;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // lower vertex first
+
+// T-junctions on both sides of a triangle are divided one after the other; a tile border with
+// vertices in a row on every triangle needs two rounds.
+constexpr int kRounds = 6;
+
+Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+struct BorderSide {
+  std::uint32_t triangle;
+  std::size_t side;
+};
+
+struct Border {
+  std::vector<BorderSide> sides;
+  std::vector<std::uint32_t> vertices;                               // rising, each once
+  std::map<std::uint32_t, std::vector<std::uint32_t>> triangles_at;  // of border vertices
+};
+
+Border border_of(const TriangleMesh& mesh) {
+  const TriangleLinks links = triangle_links(mesh);
+  Border border;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!links.on_border(t, k)) continue;
+      border.sides.push_back({t, k});
+      border.vertices.push_back(mesh.triangles[t][k]);
+      border.vertices.push_back(mesh.triangles[t][(k + 1) % 3]);
+    }
+  }
+  std::sort(border.vertices.begin(), border.vertices.end());
+  border.vertices.erase(std::unique(border.vertices.begin(), border.vertices.end()),
+                        border.vertices.end());
+  std::vector<bool> on_border(mesh.vertices.size(), false);
+  for (const std::uint32_t v : border.vertices) on_border[v] = true;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      if (on_border[v]) border.triangles_at[v].push_back(t);
+    }
+  }
+  return border;
+}
+
+/// Ends of the edges that leave the vertices of a cluster.
+std::set<std::uint32_t> neighbours_of(const TriangleMesh& mesh, const Border& border,
+                                      const std::vector<std::uint32_t>& cluster) {
+  std::set<std::uint32_t> result;
+  for (const std::uint32_t v : cluster) {
+    for (const std::uint32_t t : border.triangles_at.at(v)) {
+      result.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
+    }
+  }
+  for (const std::uint32_t v : cluster) result.erase(v);
+  return result;
+}
+
+/// Whether the triangles at `vertex` keep their sides when it moves to `to`.
+bool may_move(const TriangleMesh& mesh, const Border& border, std::uint32_t vertex,
+              const Vec3& to) {
+  for (const std::uint32_t t : border.triangles_at.at(vertex)) {
+    std::array<Vec3, 3> corner;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = mesh.triangles[t][k];
+      corner[k] = v == vertex ? to : mesh.vertices[v];
+    }
+    const Vec3 after = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+    if (after.dot(area_vector(mesh, t)) <= 0.0) return false;
+  }
+  return true;
+}
+
+struct Closed {
+  std::size_t joined = 0;
+  std::size_t divided = 0;
+  double widest = 0.0;
+  Vec3 at = Vec3::Zero();
+
+  void note(double gap, const Vec3& place) {
+    if (joined + divided == 1 || gap > widest) {
+      widest = gap;
+      at = place;
+    }
+  }
+};
+
+/// Border vertices within `width` of each other become one: the one that was read first.
+void join_vertices(TriangleMesh& mesh, double width, Closed& closed) {
+  const Border border = border_of(mesh);
+  std::vector<PlanBox> boxes;
+  for (const std::uint32_t v : border.vertices) {
+    const Vec2 at = mesh.vertices[v].head<2>();
+    boxes.push_back({at, at});
+  }
+  const PlanIndex index(boxes);
+  std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    const std::uint32_t v = border.vertices[i];
+    for (const std::uint32_t k : index.near(boxes[i].grown(width))) {
+      const std::uint32_t other = border.vertices[k];
+      const double gap = (mesh.vertices[v] - mesh.vertices[other]).norm();
+      if (k > i && gap <= width) pairs.emplace_back(gap, v, other);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::map<std::uint32_t, std::vector<std::uint32_t>> clusters;  // by their first vertex
+  std::map<std::uint32_t, std::uint32_t> first_of;
+  for (const auto& [gap, v, other] : pairs) {
+    for (const std::uint32_t each : {v, other}) {
+      if (first_of.emplace(each, each).second) clusters[each] = {each};
+    }
+    const std::uint32_t keep = std::min(first_of[v], first_of[other]);
+    const std::uint32_t leave = std::max(first_of[v], first_of[other]);
+    if (keep == leave) continue;
+    const std::set<std::uint32_t> around = neighbours_of(mesh, border, clusters[keep]);
+    const Vec3 place = mesh.vertices[keep];
+    bool fits = true;
+    for (const std::uint32_t each : clusters[leave]) {
+      fits = fits && !around.contains(each) && (mesh.vertices[each] - place).norm() <= width &&
+             may_move(mesh, border, each, place);
+    }
+    if (!fits) continue;
+    for (const std::uint32_t each : clusters[leave]) {
+      first_of[each] = keep;
+      mesh.vertices[each] = place;
+      clusters[keep].push_back(each);
+    }
+    clusters.erase(leave);
+    ++closed.joined;
+    closed.note(gap, place);
+  }
+  for (Triangle& t : mesh.triangles) {
+    for (std::uint32_t& corner : t) {
+      const auto known = first_of.find(corner);
+      if (known != first_of.end()) corner = known->second;
+    }
+  }
+}
+
+/// Divides triangles at border vertices that lie on their border side.
+/// @return  whether any was
+bool divide_sides(RawSurface& surface, double width, Closed& closed) {
+  TriangleMesh& mesh = surface.mesh;
+  const Border border = border_of(mesh);
+  std::vector<PlanBox> boxes;
+  std::set<Edge> border_edges, other_edges;
+  for (const auto& [t, k] : border.sides) {
+    const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+    PlanBox box;
+    box.include(mesh.vertices[a].head<2>());
+    box.include(mesh.vertices[b].head<2>());
+    boxes.push_back(box);
+    border_edges.insert(edge_of(a, b));
+  }
+  for (const auto& [v, triangles] : border.triangles_at) {
+    for (const std::uint32_t t : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Edge edge = edge_of(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
+        if (!border_edges.contains(edge)) other_edges.insert(edge);
+      }
+    }
+  }
+  const PlanIndex index(boxes);
+  struct Junction {
+    double along;
+    std::uint32_t vertex;
+    double gap;
+    bool operator<(const Junction& other) const {
+      return std::tie(along, vertex) < std::tie(other.along, other.vertex);
+    }
+  };
+  std::map<std::size_t, std::vector<Junction>> junctions;  // by number of the border side
+  for (const std::uint32_t v : border.vertices) {
+    const Vec3& point = mesh.vertices[v];
+    PlanBox here;
+    here.include(point.head<2>());
+    for (const std::uint32_t s : index.near(here.grown(width))) {
+      const auto& [t, k] = border.sides[s];
+      const Triangle& triangle = mesh.triangles[t];
+      if (std::find(triangle.begin(), triangle.end(), v) != triangle.end()) continue;
+      const Vec3 &a = mesh.vertices[triangle[k]], &b = mesh.vertices[triangle[(k + 1) % 3]];
+      const double along = (point - a).dot(b - a) / (b - a).squaredNorm();
+      if (!(along > 0.0 && along < 1.0)) continue;
+      const double gap = (a + along * (b - a) - point).norm();
+      if (gap <= width) junctions[s].push_back({along, v, gap});
+    }
+  }
+  std::vector<bool> divided(mesh.triangles.size(), false);
+  bool any = false;
+  for (auto& [s, vertices] : junctions) {
+    const auto& [t, k] = border.sides[s];
+    if (divided[t]) continue;
+    std::sort(vertices.begin(), vertices.end());
+    const Vec3 normal = area_vector(mesh, t);
+    const Triangle triangle = mesh.triangles[t];
+    const std::uint32_t last = triangle[(k + 1) % 3], apex = triangle[(k + 2) % 3];
+    std::vector<std::uint32_t> chain = {triangle[k]};
+    std::vector<Junction> used;
+    const auto is_new = [&](std::uint32_t from, std::uint32_t to) {
+      const Edge edge = edge_of(from, to);
+      return !other_edges.contains(edge) && !border_edges.contains(edge);
+    };
+    const auto fits = [&](std::uint32_t from, std::uint32_t to) {
+      const Vec3 part = (mesh.vertices[to] - mesh.vertices[from])
+                            .cross(mesh.vertices[apex] - mesh.vertices[from]);
+      return part.dot(normal) > 0.0 && !other_edges.contains(edge_of(from, to));
+    };
+    for (const Junction& junction : vertices) {
+      if (!is_new(junction.vertex, apex) || !fits(chain.back(), junction.vertex) ||
+          !fits(junction.vertex, last)) {
+        continue;
+      }
+      chain.push_back(junction.vertex);
+      used.push_back(junction);
+    }
+    if (used.empty()) continue;
+    chain.push_back(last);
+    divided[t] = any = true;
+    mesh.triangles[t] = {chain[0], chain[1], apex};
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
+      mesh.triangles.push_back({chain[i], chain[i + 1], apex});
+      surface.source.push_back(surface.source[t]);
+    }
+    for (const Junction& junction : used) {
+      ++closed.divided;
+      closed.note(junction.gap, mesh.vertices[junction.vertex]);
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+void close_cracks(RawSurface& surface, double width, TerrainReport& report) {
+  if (!(width > 0.0)) return;
+  Closed closed;
+  join_vertices(surface.mesh, width, closed);
+  for (int round = 0; round < kRounds && divide_sides(surface, width, closed); ++round) {
+  }
+  report.closed_cracks = closed.joined + closed.divided;
+  if (report.closed_cracks == 0) return;
+  report.notes.push_back("cracks were closed: " + std::to_string(closed.joined) +
+                         " border vertices joined to others, " + std::to_string(closed.divided) +
+                         " made corners of the triangle beside them; the widest, " +
+                         with_digits(closed.widest, 3) + " m, at " + place(closed.at));
+}
+
+}  // namespace clast::detail

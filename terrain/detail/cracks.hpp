@@ -1,0 +1,14 @@
+#pragma once
+/// Narrow gaps between tiles.
+#include "terrain/detail/raw_surface.hpp"
+#include "terrain/terrain.hpp"
+
+namespace clast::detail {
+
+/// Closes gaps up to `width` between border edges: border vertices that near become one, and a
+/// border vertex that near to a border edge (a T-junction) becomes a corner of the triangle behind
+/// it, which is divided. Only border vertices move, by `width` at most, and none where that would
+/// turn a triangle over or make an edge of three triangles.
+void close_cracks(RawSurface& surface, double width, TerrainReport& report);
+
+}  // namespace clast::detail

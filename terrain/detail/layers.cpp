@@ -1,0 +1,144 @@
+#include "terrain/detail/layers.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "terrain/detail/mending.hpp"
+#include "terrain/detail/plan_index.hpp"
+#include "terrain/detail/triangle_links.hpp"
+
+namespace clast::detail {
+namespace {
+
+constexpr double kSmallPiece = 0.05;   // of the plan area of the largest piece
+constexpr double kMostlyOver = 0.9;    // of a piece's plan area, beyond which it lies double
+constexpr double kFoldedShare = 1e-3;  // of all plan area, under which folds are only noted
+
+std::vector<std::uint32_t> pieces_of(const TriangleMesh& mesh) {
+  const TriangleLinks links = triangle_links(mesh);
+  std::vector<std::uint32_t> piece(mesh.triangles.size(), kNoTriangle);
+  std::vector<std::uint32_t> open;
+  std::uint32_t count = 0;
+  for (std::uint32_t seed = 0; seed < piece.size(); ++seed) {
+    if (piece[seed] != kNoTriangle) continue;
+    piece[seed] = count;
+    open.assign(1, seed);
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (const std::uint32_t other : links.across[t]) {
+        if (other == kNoTriangle || piece[other] != kNoTriangle) continue;
+        piece[other] = count;
+        open.push_back(other);
+      }
+    }
+    ++count;
+  }
+  return piece;
+}
+
+/// For every triangle that faces up, the one that faces up next over its centroid, if no face
+/// between faces down; and the other way round.
+std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh) {
+  const std::vector<PlanBox> boxes = plan_boxes(mesh);
+  const PlanIndex index(boxes);
+  std::vector<std::uint32_t> twin(mesh.triangles.size(), kNoTriangle);
+  struct Hit {
+    double z;
+    std::uint32_t triangle;
+    bool up;
+    bool operator<(const Hit& other) const {
+      return z < other.z || (z == other.z && triangle < other.triangle);
+    }
+  };
+  std::vector<Hit> hits;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!(area_vector(mesh, t).z() > 0.0)) continue;
+    const Vec3 middle = centroid(mesh, t);
+    hits.assign(1, {middle.z(), t, true});
+    for (const std::uint32_t other : index.near(Vec2(middle.head<2>()))) {
+      const PlanBox& box = boxes[other];
+      if (other == t || middle.x() < box.low.x() || middle.y() < box.low.y() ||
+          middle.x() > box.high.x() || middle.y() > box.high.y()) {
+        continue;
+      }
+      const std::optional<double> z = height_on(mesh, other, middle.head<2>());
+      if (z) hits.push_back({*z, other, area_vector(mesh, other).z() > 0.0});
+    }
+    if (hits.size() == 1) continue;
+    std::sort(hits.begin(), hits.end());
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      if (hits[k].triangle != t) continue;
+      if (k + 1 < hits.size() && hits[k + 1].up) twin[t] = hits[k + 1].triangle;
+      if (k > 0 && hits[k - 1].up) twin[t] = hits[k - 1].triangle;
+    }
+  }
+  return twin;
+}
+
+}  // namespace
+
+void drop_double_ground(RawSurface& surface, TerrainReport& report) {
+  TriangleMesh& mesh = surface.mesh;
+  const std::vector<std::uint32_t> twin = doubles_of(mesh);
+  if (std::all_of(twin.begin(), twin.end(), [](std::uint32_t t) { return t == kNoTriangle; })) {
+    return;
+  }
+  const std::vector<std::uint32_t> piece = pieces_of(mesh);
+  const std::size_t count = *std::max_element(piece.begin(), piece.end()) + 1u;
+  std::vector<double> area(count, 0.0), doubled(count, 0.0);
+  for (std::uint32_t t = 0; t < twin.size(); ++t) {
+    const double plan = std::max(0.0, area_vector(mesh, t).z() / 2.0);
+    area[piece[t]] += plan;
+    if (twin[t] != kNoTriangle && piece[twin[t]] != piece[t]) doubled[piece[t]] += plan;
+  }
+  const double largest = *std::max_element(area.begin(), area.end());
+  std::vector<bool> dropped(count, false);
+  for (std::size_t p = 0; p < count; ++p) {
+    dropped[p] = area[p] < kSmallPiece * largest && doubled[p] > kMostlyOver * area[p];
+  }
+  double folded = 0.0, dropped_area = 0.0;
+  Vec3 folded_at = Vec3::Zero(), dropped_at = Vec3::Zero();
+  std::size_t kept = 0;
+  for (std::uint32_t t = 0; t < twin.size(); ++t) {
+    const double plan = area_vector(mesh, t).z() / 2.0;
+    if (dropped[piece[t]]) {
+      if (dropped_area == 0.0) dropped_at = centroid(mesh, t);
+      dropped_area += plan;
+      continue;
+    }
+    if (twin[t] != kNoTriangle && !dropped[piece[twin[t]]]) {
+      if (folded == 0.0) folded_at = centroid(mesh, t);
+      folded += plan / 2.0;  // seen from either side
+    }
+    mesh.triangles[kept] = mesh.triangles[t];
+    surface.source[kept++] = surface.source[t];
+  }
+  const double all = std::accumulate(area.begin(), area.end(), 0.0);
+  if (folded > kFoldedShare * all) {
+    throw GeometryError("the ground lies double over " + with_digits(folded, 4) +
+                        " m2, the first at " + place(folded_at) +
+                        ": two surfaces face up over each other with no overhang between; remove "
+                        "one of the tiles, or the part of it that overlaps");
+  }
+  if (folded > 0.0) {
+    report.notes.push_back("the ground folds over itself on " + with_digits(folded, 3) +
+                           " m2, the first at " + place(folded_at));
+  }
+  mesh.triangles.resize(kept);
+  surface.source.resize(kept);
+  report.dropped_pieces =
+      static_cast<std::size_t>(std::count(dropped.begin(), dropped.end(), true));
+  if (report.dropped_pieces == 0) return;
+  drop_unused_vertices(mesh);
+  const TriangleLinks links = triangle_links(mesh);
+  report.boundary_edges = links.border_edges;
+  report.components -= report.dropped_pieces;
+  report.notes.push_back(
+      std::to_string(report.dropped_pieces) + " small pieces of " + with_digits(dropped_area, 3) +
+      " m2 in plan that lie over other ground were dropped, the first at " + place(dropped_at));
+}
+
+}  // namespace clast::detail

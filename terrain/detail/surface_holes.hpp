@@ -1,0 +1,15 @@
+#pragma once
+/// Holes in a mesh.
+#include "terrain/detail/raw_surface.hpp"
+#include "terrain/terrain.hpp"
+
+namespace clast::detail {
+
+/// Triangulates the holes whose bounds are at most `widest` in every direction, and reports those
+/// that are wider. A hole is a loop of border sides that runs the other way round than the outer
+/// border of a piece does: clockwise, seen against the normals of the triangles along it. New
+/// triangles have the source of a triangle beside them.
+/// @param surface  triangles of a piece agree in orientation
+void fill_surface_holes(RawSurface& surface, double widest, TerrainReport& report);
+
+}  // namespace clast::detail

@@ -1,0 +1,49 @@
+#include "terrain/detail/vector_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace clast::detail {
+
+DatasetPointer open_layer(const std::filesystem::path& path, const std::string& what) {
+  DatasetPointer dataset(
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  if (!dataset || dataset->GetLayerCount() < 1) {
+    throw InputError(path.string() + ": holds no " + what + " that GDAL can read (" +
+                     GdalSession::message() + ")");
+  }
+  if (dataset->GetLayerCount() > 1) {
+    throw InputError(path.string() + ": " + std::to_string(dataset->GetLayerCount()) +
+                     " layers; save the one with the " + what + " by itself");
+  }
+  return dataset;
+}
+
+Transformation transformation(OGRLayer& layer, const std::string& crs,
+                              const std::filesystem::path& path) {
+  const OGRSpatialReference* from = layer.GetSpatialRef();
+  OGREnvelope extent;
+  if (!from || crs.empty() || layer.GetExtent(&extent) != OGRERR_NONE) return nullptr;
+  const bool degrees = std::max(std::abs(extent.MinX), std::abs(extent.MaxX)) <= 180.0 &&
+                       std::max(std::abs(extent.MinY), std::abs(extent.MaxY)) <= 90.0;
+  if (from->IsGeographic() && !degrees) return nullptr;
+  OGRSpatialReference to;
+  if (to.SetFromUserInput(crs.c_str()) != OGRERR_NONE || to.IsSame(from)) return nullptr;
+  to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRSpatialReference source(*from);
+  source.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  Transformation result(OGRCreateCoordinateTransformation(&source, &to));
+  if (!result) {
+    throw InputError(path.string() + ": can't be brought into the terrain's coordinate system (" +
+                     GdalSession::message() + "); save it in " + crs.substr(0, 40));
+  }
+  return result;
+}
+
+std::string feature_name(const OGRFeature& feature, const std::filesystem::path& path) {
+  return path.string() + ": feature " + std::to_string(feature.GetFID());
+}
+
+}  // namespace clast::detail

@@ -1,0 +1,40 @@
+#pragma once
+/// What readers of polygons and lines share of GDAL. For .cpp files only.
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "terrain/detail/gdal_session.hpp"
+
+namespace clast::detail {
+
+struct DestroyFeature {
+  void operator()(OGRFeature* feature) const { OGRFeature::DestroyFeature(feature); }
+};
+using FeaturePointer = std::unique_ptr<OGRFeature, DestroyFeature>;
+
+struct DestroyTransformation {
+  void operator()(OGRCoordinateTransformation* t) const {
+    OGRCoordinateTransformation::DestroyCT(t);
+  }
+};
+using Transformation = std::unique_ptr<OGRCoordinateTransformation, DestroyTransformation>;
+
+/// A file with one layer of features.
+/// @param what  "polygons", "lines"
+/// @throws InputError  unreadable, or several layers
+DatasetPointer open_layer(const std::filesystem::path& path, const std::string& what);
+
+/// From the layer's system to the terrain's; none when they agree or one is unknown. GeoJSON that
+/// names no system counts as WGS 84 degrees, but is often written in map metres: numbers beyond
+/// degrees are taken as they are.
+/// @throws InputError  systems that GDAL can't bring together
+Transformation transformation(OGRLayer& layer, const std::string& crs,
+                              const std::filesystem::path& path);
+
+/// "lines.geojson: feature 3"
+std::string feature_name(const OGRFeature& feature, const std::filesystem::path& path);
+
+}  // namespace clast::detail

@@ -1,0 +1,113 @@
+#include "terrain/terrain_fit.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "terrain/detail/plan_index.hpp"
+#include "terrain/detail/raw_surface.hpp"
+#include "terrain/detail/triangle_links.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kLongEdges = 3.0;    // of the largest block: what is rougher is not in the survey
+constexpr double kShortEdges = 0.05;  // of the smallest block
+
+/// Ends of the border edges, on the map.
+std::vector<std::pair<Vec2, Vec2>> border_edges(const Terrain& terrain) {
+  const TriangleMesh& mesh = terrain.surface;
+  const detail::TriangleLinks links = detail::triangle_links(mesh);
+  std::vector<std::pair<Vec2, Vec2>> edges;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!links.on_border(t, k)) continue;
+      const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      edges.emplace_back(terrain.frame.map(mesh.vertices[a]).head<2>(),
+                         terrain.frame.map(mesh.vertices[b]).head<2>());
+    }
+  }
+  return edges;
+}
+
+double distance_to(std::span<const std::pair<Vec2, Vec2>> edges, const Vec2& place) {
+  double nearest = 1e300;
+  for (const auto& [a, b] : edges) {
+    const double length = (b - a).squaredNorm();
+    const double share = length > 0.0 ? std::clamp((place - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, (a + share * (b - a) - place).norm());
+  }
+  return nearest;
+}
+
+}  // namespace
+
+double border_distance(const Terrain& terrain, const Vec2& place) {
+  return distance_to(border_edges(terrain), place);
+}
+
+void check_over_ground(const Terrain& terrain, std::span<const Vec3> places,
+                       const std::string& name) {
+  const TriangleMesh& mesh = terrain.surface;
+  const detail::PlanIndex index(detail::plan_boxes(mesh));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vec2 at = terrain.frame.local(places[i]).head<2>();
+    const std::span<const std::uint32_t> near = index.near(at);
+    if (std::any_of(near.begin(), near.end(),
+                    [&](std::uint32_t t) { return detail::height_on(mesh, t, at).has_value(); })) {
+      continue;
+    }
+    const Bounds box = bounds(mesh);
+    const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
+    const bool in_box = (at.array() >= box.low.head<2>().array()).all() &&
+                        (at.array() <= box.high.head<2>().array()).all();
+    throw InputError(
+        name + ": release point " + std::to_string(i + 1) + " at " + detail::place(places[i]) +
+        (in_box ? " is over a hole or beside the ground" : " is off the ground") +
+        ", which lies in x " + with_digits(low.x(), 9) + " to " + with_digits(high.x(), 9) +
+        ", y " + with_digits(low.y(), 9) + " to " + with_digits(high.y(), 9) +
+        " (map, z up); move the point, or check its map system and up axis");
+  }
+}
+
+std::optional<std::string> border_warning(const Terrain& terrain, std::span<const Vec3> places,
+                                          double distance) {
+  const std::vector<std::pair<Vec2, Vec2>> edges = border_edges(terrain);
+  std::size_t near = 0;
+  double nearest = distance;
+  Vec3 nearest_at = Vec3::Zero();
+  for (const Vec3& place : places) {
+    const double to_border = distance_to(edges, place.head<2>());
+    if (to_border >= distance) continue;
+    ++near;
+    if (to_border >= nearest) continue;
+    nearest = to_border;
+    nearest_at = place;
+  }
+  if (near == 0) return std::nullopt;
+  return std::to_string(near) + " of " + std::to_string(places.size()) +
+         " release points are nearer than " + with_digits(distance, 4) +
+         " m to the border of the ground, the nearest, " + with_digits(nearest, 3) + " m, at " +
+         detail::place(nearest_at) + "; blocks may leave the survey there, extend it";
+}
+
+std::optional<std::string> cell_size_warning(const Terrain& terrain, double smallest,
+                                             double largest) {
+  const double edge = detail::median_edge(terrain.surface);
+  const auto text = [&](const std::string& what, double block, const std::string& advice) {
+    return "the edges of the ground, " + with_digits(edge, 3) + " m (median), are " + what +
+           " than the blocks, " + with_digits(block, 3) + " m; " + advice;
+  };
+  if (edge > kLongEdges * largest) {
+    return text("much longer", largest,
+                "the ground they meet is smoother than the real one: survey it more finely, or "
+                "let friction stand for its roughness");
+  }
+  if (edge < kShortEdges * smallest) {
+    return text("much shorter", smallest,
+                "runs take longer than they need: use a coarser resolution or a tolerance");
+  }
+  return std::nullopt;
+}
+
+}  // namespace clast

@@ -1,0 +1,127 @@
+// The report of a small campaign in a real browser: headless Chromium without a graphics card.
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command_support.hpp"
+
+namespace clast {
+namespace {
+
+using Json = nlohmann::json;
+
+const fs::path kSamples = fs::path(CLAST_SOURCE_DIR) / "samples";
+
+/// What the page looks like after a reader has used it, as JSON in an element that the test reads.
+constexpr const char* kProbe = R"(<script>
+var probe={};
+clastScene.start();
+var box=document.getElementById('scene'),slider=box.querySelector('[data-scene=time]');
+function first(){clastScene.draw();return box.dataset.first}
+slider.value=0;slider.dispatchEvent(new Event('input'));probe.at_start=first();
+slider.value=400;slider.dispatchEvent(new Event('input'));probe.later=first();
+probe.clock=box.querySelector('[data-scene=clock]').textContent;
+probe.triangles=+box.dataset.triangles;probe.runs=+box.dataset.runs;
+var keys=box.querySelectorAll('[data-group]');
+keys.forEach(function(k){k.checked=false;k.dispatchEvent(new Event('change'))});clastScene.draw();
+probe.without_blocks=+box.dataset.triangles;
+var canvas=box.querySelector('canvas'),sheet=document.createElement('canvas');
+sheet.width=canvas.width;sheet.height=canvas.height;
+var pen=sheet.getContext('2d');pen.drawImage(canvas,0,0);
+var seen={},data=pen.getImageData(0,0,sheet.width,sheet.height).data;
+for(var i=0;i<data.length;i+=4)seen[data[i]+','+data[i+1]+','+data[i+2]]=1;
+probe.colours=Object.keys(seen).length;
+probe.charts=document.querySelectorAll('svg').length;
+var table=Array.from(document.querySelectorAll('table')).find(function(t){return t.tBodies[0].rows.length>2});
+var head=table.tHead.rows[0].cells[1];head.click();
+probe.sorted=Array.from(table.tBodies[0].rows).map(function(r){return parseFloat(r.cells[1].textContent)});
+probe.arrow=head.getAttribute('aria-sort');
+probe.opened_ms=performance.now();
+var told=document.createElement('pre');told.id='probe';told.textContent=JSON.stringify(probe);
+document.body.appendChild(told);
+</script></body>)";
+
+class ReportPage : public testing::Test {
+ protected:
+  void SetUp() override {
+    browser = {"chromium",
+               "--headless",
+               "--no-sandbox",
+               "--use-gl=angle",
+               "--use-angle=swiftshader",
+               "--enable-unsafe-swiftshader",
+               "--disable-quic",
+               "--no-first-run",
+               "--disable-background-networking",
+               "--disable-component-update",
+               "--disable-sync",
+               "--enable-logging=stderr",
+               "--user-data-dir=" + (folder / "profile").string()};
+    const bool here = RunningProgram({"chromium", "--version"}, ".").wait().exit_code == 0;
+    const char* ci = std::getenv("CI");
+    if (!here && !(ci && std::string(ci) == "true")) GTEST_SKIP() << "chromium is not installed";
+    ASSERT_TRUE(here) << "chromium is not installed";
+  }
+  void make_report() {
+    for (const std::string block : {"B01_compact", "B04_elongated"}) {
+      const std::string scan = (kSamples / "blocks" / (block + ".ply")).string();
+      ASSERT_EQ(run_clast({"reconstruct", scan, "-o", "blocks.h5"}, folder.path()).exit_code, 0);
+    }
+    const std::string terrain = (kSamples / "terrain" / "quarry_").string();
+    std::string text = "[blocks]\nlibrary = \"blocks.h5\"\n[terrain]\nsurface = [\"" + terrain +
+                       "blue.ply\", \"" + terrain + "gray.ply\", \"" + terrain +
+                       "red.ply\"]\nzones = [\"blue\", \"gray\", \"red\"]\n";
+    for (const char* zone : {"blue", "gray", "red"}) {
+      text += "[ground." + std::string(zone) +
+              "]\nenergy_restitution = 0.01\nfriction = 0.7\nrolling_friction = 0.3\n";
+    }
+    text +=
+        "[release]\npoints = [[2.3, 82.0]]\nheight_m = 1.0\norientations = { random = 6, seed = "
+        "1 }\n[[barrier]]\nname = \"EC21\"\nfrom = [16.25, 50]\nto = [16.25, 110]\n[run]\n"
+        "max_time_s = 20\n";
+    write_text_file(folder / "campaign.toml", text);
+    const ProgramRun run =
+        run_clast({"simulate", "campaign.toml", "-o", "results.h5"}, folder.path());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    ASSERT_EQ(run_clast({"compare", "results.h5", "-o", "report"}, folder.path()).exit_code, 0);
+  }
+  /// The page's probe, after checking that nothing was said to the console.
+  Json used() {
+    std::string page = read_text_file(folder / "report" / "report.html");
+    page.replace(page.rfind("</body>"), 7, kProbe);
+    write_text_file(folder / "page.html", page);
+    browser.push_back("--dump-dom");
+    browser.push_back("file://" + (folder / "page.html").string());
+    const ProgramRun run = RunningProgram(browser, ".").wait();
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err.find("CONSOLE"), std::string::npos) << run.err;
+    const std::string open = "<pre id=\"probe\">";
+    const std::size_t at = run.out.find(open);
+    if (at == std::string::npos) return Json();
+    const std::size_t begin = at + open.size();
+    return Json::parse(run.out.substr(begin, run.out.find("</pre>", begin) - begin));
+  }
+  ScratchFolder folder;
+  std::vector<std::string> browser;
+};
+
+TEST_F(ReportPage, DrawsItsChartsAndMovesItsBlocks) {
+  make_report();
+  const Json probe = used();
+  ASSERT_FALSE(probe.is_null()) << "the script of the page stopped";
+  EXPECT_EQ(probe["runs"], 12);
+  EXPECT_NE(probe["at_start"], probe["later"]) << "the slider moves the blocks";
+  EXPECT_NE(probe["clock"], "0.0 s");
+  EXPECT_GT(double(probe["triangles"]), double(probe["without_blocks"]))
+      << "blocks are drawn, and hidden with their class";
+  EXPECT_GT(double(probe["without_blocks"]), 1000) << "the ground is drawn";
+  EXPECT_GT(double(probe["colours"]), 100) << "the picture is shaded";
+  EXPECT_GE(double(probe["charts"]), 5);
+  const auto sorted = probe["sorted"].get<std::vector<double>>();
+  EXPECT_TRUE(std::is_sorted(sorted.begin(), sorted.end()));
+  EXPECT_EQ(probe["arrow"], "ascending");
+  std::printf("page used after %.0f ms\n", double(probe["opened_ms"]));
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,41 @@
+#include "classify/population_notes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/refusal.hpp"
+
+namespace clast {
+namespace {
+
+MeasuredBlock block(const std::string& name, double error) {
+  MeasuredBlock one = measured_block(name, {0.03, 0.02, 0.01});
+  one.axis_error = error;
+  return one;
+}
+
+TEST(PopulationNotes, NothingIsSaidOfBlocksThatAreFine) {
+  EXPECT_TRUE(population_notes({}).empty());
+  EXPECT_TRUE(population_notes(std::vector{block("A", 0.001), block("B", 0.0)}).empty());
+}
+
+TEST(PopulationNotes, NamesThatStandTwiceAreCounted) {
+  const auto notes = population_notes(
+      std::vector{block("B", 0), block("A", 0), block("B", 0), block("C", 0), block("B", 0)});
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(contains(notes[0], "each is counted: B 3 times"));
+  std::vector<MeasuredBlock> many;
+  for (int i = 0; i < 16; ++i) many.push_back(block("N" + std::to_string(i / 2), 0));
+  EXPECT_TRUE(contains(population_notes(many).at(0), "N4 2 times and 3 more"));
+}
+
+// Pebbles of 20 mm with the error of a tape.
+TEST(PopulationNotes, AnErrorAsLargeAsTheAxesIsSaid) {
+  const auto notes =
+      population_notes(std::vector{block("A", 0.05), block("B", 0.01), block("C", 0.0099)});
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(contains(notes[0], "2 of 3 blocks") && contains(notes[0], "0.05 m") &&
+              contains(notes[0], "--axis-error"));
+}
+
+}  // namespace
+}  // namespace clast

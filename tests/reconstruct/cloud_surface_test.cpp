@@ -1,0 +1,84 @@
+#include "reconstruct/cloud_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "massprops/solid.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "tests/support/field_scene.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/rock_mesh.hpp"
+
+namespace clast {
+namespace {
+
+constexpr CloudSurfaceOptions kCoarse{.cell = 0.02};  // 5,000 averaged points: fast
+
+/// Points on a body, without those that face down by more than `steepest`.
+std::vector<Vec3> points_on(TriangleMesh body, double steepest, int count = 20000) {
+  for (Vec3& v : body.vertices) v.z() += 5.0;
+  const FieldGround nothing(0.0, 0.0, 0, 1.0, 1);
+  const double noise = 0.001 * bounds(body).diagonal();
+  return field_scene({body}, nothing,
+                     {.per_block = count, .ground = 0, .noise = noise, .steepest = steepest}, 2)
+      .points;
+}
+
+TEST(CloudSurface, OfABallSeenFromAllSidesIsTheBall) {
+  const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -1.0), kCoarse);
+  const MeshReport report = inspect(surface);
+  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+  EXPECT_EQ(report.euler_characteristic, 2);
+  EXPECT_NEAR(solid_mass_properties(surface, 1.0).volume, 4.0 / 3.0 * kPi, 0.015 * 4.2);
+}
+
+TEST(CloudSurface, OfAConcaveRockHasItsVolume) {
+  const TriangleMesh rock = rock_mesh(16, {0.5, 0.4, 0.3}, 3);
+  const TriangleMesh surface = cloud_surface(points_on(rock, -1.0), kCoarse);
+  const double truth = solid_mass_properties(rock, 1.0).volume;
+  EXPECT_NEAR(solid_mass_properties(surface, 1.0).volume, truth, 0.015 * truth);
+}
+
+TEST(CloudSurface, IsOpenWhereNoPointsAre) {
+  // A cap within acos 0.6 = 53 degrees of the lowest point has a fifth of the ball.
+  const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -0.6), kCoarse);
+  const MeshReport report = inspect(surface);
+  EXPECT_EQ(report.components, 1u);
+  EXPECT_EQ(report.boundary_loops, 1u);
+  EXPECT_TRUE(report.oriented());
+  // It goes on for up to 1.5 cells of 0.07 around a rim of 2 pi 0.8.
+  EXPECT_NEAR(surface_area(surface), 0.8 * 4.0 * kPi, 0.06 * 4.0 * kPi);
+  EXPECT_NEAR(bounds(surface).low.z(), 5.0 - 0.6, 0.15);
+}
+
+TEST(CloudSurface, LiesWhereTheCloudLiesOnAMap) {
+  std::vector<Vec3> points = points_on(unit_sphere(10), -1.0, 10000);
+  const TriangleMesh here = cloud_surface(points, kCoarse);
+  for (Vec3& p : points) p += Vec3(524288.0, 4194304.0, 1024.0);  // exact in a float of the offset
+  const TriangleMesh there = cloud_surface(points, kCoarse);
+  EXPECT_NEAR(solid_mass_properties(there, 1.0).volume, solid_mass_properties(here, 1.0).volume,
+              0.002);
+  EXPECT_LT((bounds(there).low - bounds(here).low - Vec3(524288.0, 4194304.0, 1024.0)).norm(),
+            0.01);
+}
+
+TEST(CloudSurface, SameInputGivesTheSameBits) {
+  const std::vector<Vec3> points = points_on(unit_sphere(10), -0.6, 10000);
+  const TriangleMesh first = cloud_surface(points, kCoarse),
+                     second = cloud_surface(points, kCoarse);
+  EXPECT_EQ(first.vertices, second.vertices);
+  EXPECT_EQ(first.triangles, second.triangles);
+}
+
+TEST(CloudSurface, TooFewPointsAndOptionsOutOfRangeAreRefused) {
+  EXPECT_TRUE(contains(refusal([] { cloud_surface(std::vector<Vec3>(10, Vec3::Zero())); }),
+                       "10 points are too few for a block; at least 500 are needed"));
+  const std::vector<Vec3> none;
+  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.cell = 0.0}); }), "cell"));
+  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.neighbours = 1}); }), "neighbours"));
+  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.edge = -1.0}); }), "edge"));
+  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.trim = 0.0}); }), "trim"));
+}
+
+}  // namespace
+}  // namespace clast

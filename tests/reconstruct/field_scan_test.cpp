@@ -1,0 +1,156 @@
+#include "reconstruct/field_scan.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "shapes/mesh_io.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "shapes/oriented_box.hpp"
+#include "tests/support/cut_blocks.hpp"
+#include "tests/support/field_scene.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/rock_mesh.hpp"
+
+namespace clast {
+namespace {
+
+double volume(const TriangleMesh& mesh) { return solid_mass_properties(mesh, 1.0).volume; }
+
+TriangleMesh turned_rock(int frequency, const Vec3& half_axes, std::uint64_t seed) {
+  Random random(seed);
+  return transformed(rock_mesh(frequency, half_axes, seed), Pose{Vec3::Zero(), random.rotation()});
+}
+
+/// The ground as a mesh, joined to nothing.
+TriangleMesh ground_mesh(const FieldGround& ground, double half, int cells) {
+  TriangleMesh mesh;
+  for (int j = 0; j <= cells; ++j) {
+    for (int i = 0; i <= cells; ++i) {
+      const double x = half * (2.0 * i / cells - 1.0), y = half * (2.0 * j / cells - 1.0);
+      mesh.vertices.emplace_back(x, y, ground.at(x, y));
+    }
+  }
+  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (cells + 1) + i); };
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < cells; ++i) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+TEST(FieldScan, AClosedMeshIsCleanedAndNothingElse) {
+  const TriangleMesh rock = rock_mesh(8, {0.5, 0.4, 0.3}, 1);
+  const std::vector<FieldBlock> blocks = field_blocks(rock, "rock");
+  ASSERT_EQ(blocks.size(), 1u);
+  EXPECT_FALSE(blocks[0].underside.has_value());
+  EXPECT_EQ(blocks[0].scan.mesh.vertices, cleaned_scan(rock, "rock").mesh.vertices);
+}
+
+TEST(FieldScan, AnOpenMeshIsClosedAsTheBestOfItsBracket) {
+  const CutBlock cut = cut_blocks(rock_mesh(10, {0.5, 0.4, 0.3}, 2), 1, 5)[0];
+  const FieldBlock block = field_blocks(cut.open, "cut")[0];
+  ASSERT_TRUE(block.underside.has_value());
+  EXPECT_TRUE(inspect(block.scan.mesh).closed());
+  EXPECT_NEAR(volume(block.scan.mesh), block.underside->best_volume, 1e-9);
+  EXPECT_LT(block.underside->lower_volume, cut.volume);
+  EXPECT_GT(block.underside->upper_volume, cut.volume);
+}
+
+TEST(FieldScan, UnitsAndAxisHoldForTheBracketToo) {
+  const CutBlock cut = cut_blocks(rock_mesh(8, {0.5, 0.4, 0.3}, 2), 1, 5)[0];
+  TriangleMesh file = scaled(cut.open, 1000.0);  // mm, y up
+  for (Vec3& v : file.vertices) v = Vec3(v.x(), v.z(), -v.y());
+  FieldScanOptions options;
+  options.scan.unit = 0.001;
+  options.scan.up = "y";
+  const FieldBlock metres = field_blocks(cut.open, "cut")[0];
+  const FieldBlock from_file = field_blocks(file, "cut", options)[0];
+  EXPECT_NEAR(from_file.underside->upper_volume, metres.underside->upper_volume, 1e-6);
+  EXPECT_NEAR(from_file.underside->rim_length, metres.underside->rim_length, 1e-6);
+  EXPECT_LT((from_file.underside->down + Vec3::UnitZ()).norm(), 1e-3);
+  EXPECT_NEAR(volume(from_file.underside->lower), from_file.underside->lower_volume, 1e-9);
+}
+
+TEST(FieldScan, AnInwardOpenMeshIsTurned) {
+  CutBlock cut = cut_blocks(rock_mesh(8, {0.5, 0.4, 0.3}, 3), 1, 6)[0];
+  const double best = field_blocks(cut.open, "cut")[0].underside->best_volume;
+  for (TriangleMesh::Triangle& t : cut.open.triangles) std::swap(t[1], t[2]);
+  EXPECT_NEAR(field_blocks(cut.open, "cut")[0].underside->best_volume, best, 1e-6);
+}
+
+TEST(FieldScan, GroundIsTakenAwayFromAMesh) {
+  const FieldGround slope(0.2, 0.002, 0, 1.0, 3);
+  const TriangleMesh rock = buried_at(turned_rock(14, {0.4, 0.3, 0.25}, 3), 0.0, 0.1, 0.1, slope);
+  TriangleMesh scene = merged(rock, ground_mesh(slope, 1.2, 60));
+  const FieldBlock block = field_blocks(scene, "scene")[0];
+  ASSERT_TRUE(block.underside.has_value());
+  EXPECT_NEAR(block.underside->best_volume, volume(rock), 0.05 * volume(rock));
+  EXPECT_LT(block.underside->lower_volume, volume(rock));
+  EXPECT_GT(block.underside->upper_volume, volume(rock));
+  EXPECT_LT((block.underside->down + Vec3::UnitZ()).norm(), 0.03);  // turned up from the slope
+  FieldScanOptions kept;
+  kept.up_given = true;
+  const FieldBlock as_it_lies = field_blocks(scene, "scene", kept)[0];
+  EXPECT_NEAR(as_it_lies.underside->best_volume, block.underside->best_volume, 1e-6);
+  EXPECT_GT(as_it_lies.underside->down.x(), 0.1);
+  EXPECT_LT((as_it_lies.scan.mesh.vertices[0] - rock.vertices[0]).norm(), 1.0);
+}
+
+TEST(FieldScan, ASlopeIsTurnedLevelAndThatIsTold) {
+  const FieldGround slope(0.2, 0.002, 0, 1.0, 3);
+  const TriangleMesh rock = buried_at(turned_rock(10, {0.4, 0.3, 0.25}, 3), 0.0, 0.1, 0.1, slope);
+  const FieldBlock block = field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
+  const auto& notes = block.scan.notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.starts_with("turned by 11.");  // atan 0.2 = 11.3 degrees
+  }));
+}
+
+TEST(FieldScan, BareGroundIsRefusedAsSuch) {
+  const FieldGround gravel(0.1, 0.004, 100, 1.0, 5);
+  const FieldScene scene = field_scene({}, gravel, {.ground = 20000, .noise = 0.001}, 5);
+  const std::string message =
+      refusal<GeometryError>([&] { field_blocks(scene.points, "slope.las"); });
+  EXPECT_TRUE(contains(message,
+                       "slope.las: the largest piece is the ground (100 % of the scan) and "
+                       "nothing that rises from it is a block"));
+  const std::string of_mesh =
+      refusal<GeometryError>([&] { field_blocks(ground_mesh(gravel, 1.0, 50), "slope.ply"); });
+  EXPECT_TRUE(contains(of_mesh, "slope.ply: the largest piece is the ground"));
+}
+
+TEST(FieldScan, FewPointsAreNoBlock) {
+  const std::vector<Vec3> points(100, Vec3(660000.0, 5600000.0, 10.0));
+  EXPECT_EQ(refusal([&] { field_blocks(points, "points.xyz"); }),
+            "points.xyz: no block: 100 points are too few for one; a scan of a block has 500 at "
+            "least");
+}
+
+TEST(FieldScan, ThreeBlocksAreSplitInOrder) {
+  const FieldGround gravel(0.1, 0.003, 100, 2.0, 7);
+  const std::vector<TriangleMesh> rocks = {
+      buried_at(rock_mesh(10, {0.3, 0.25, 0.2}, 1), 1.1, 0.2, 0.08, gravel),
+      buried_at(rock_mesh(10, {0.4, 0.3, 0.3}, 2), -1.2, -0.3, 0.05, gravel),
+      buried_at(rock_mesh(10, {0.25, 0.2, 0.2}, 3), 0.0, 0.1, 0.1, gravel)};
+  TriangleMesh scene = ground_mesh(gravel, 2.0, 160);
+  for (const TriangleMesh& rock : rocks) scene = merged(std::move(scene), rock);
+  FieldScanOptions options;
+  const std::vector<FieldBlock> one = field_blocks(scene, "scene", options);
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_TRUE(
+      contains(one[0].scan.notes[0], "3 blocks stand on the ground; the one near the middle"));
+  options.split = true;
+  const std::vector<FieldBlock> all = field_blocks(scene, "scene", options);
+  ASSERT_EQ(all.size(), 3u);
+  const int order[3] = {1, 2, 0};
+  for (int k = 0; k < 3; ++k) {
+    const double whole = volume(rocks[static_cast<std::size_t>(order[k])]);
+    EXPECT_NEAR(all[static_cast<std::size_t>(k)].underside->best_volume, whole, 0.08 * whole) << k;
+  }
+  EXPECT_NEAR(one[0].underside->best_volume, all[1].underside->best_volume, 1e-12);
+}
+
+}  // namespace
+}  // namespace clast

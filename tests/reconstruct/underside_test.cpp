@@ -1,0 +1,235 @@
+#include "reconstruct/underside.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "shapes/mesh_topology.hpp"
+#include "shapes/oriented_box.hpp"
+#include "shapes/self_intersection.hpp"
+#include "tests/support/cut_blocks.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/rock_mesh.hpp"
+
+namespace clast {
+namespace {
+
+double volume(const TriangleMesh& mesh) { return solid_mass_properties(mesh, 1.0).volume; }
+
+/// A square frustum from z = 0 up to `height`, with sides `bottom` and `top`, open below, on a mesh
+/// with `cuts` steps along every edge so that its rim has vertices.
+TriangleMesh open_frustum(double bottom, double top, double height, int cuts = 8) {
+  TriangleMesh mesh;
+  const auto ring = [&](double z) {
+    const double half = 0.5 * (bottom + (top - bottom) * z / height);
+    const Vec3 corners[4] = {
+        {-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}};
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (int side = 0; side < 4; ++side) {
+      for (int k = 0; k < cuts; ++k) {
+        mesh.vertices.push_back(corners[side] + k / static_cast<double>(cuts) *
+                                                    (corners[(side + 1) % 4] - corners[side]));
+      }
+    }
+    return first;
+  };
+  const auto around = static_cast<std::uint32_t>(4 * cuts);
+  std::uint32_t below = ring(0.0);
+  for (int layer = 1; layer <= cuts; ++layer) {
+    const std::uint32_t above = ring(height * layer / cuts);
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t j = (i + 1) % around;
+      mesh.triangles.push_back({below + i, below + j, above + j});
+      mesh.triangles.push_back({below + i, above + j, above + i});
+    }
+    below = above;
+  }
+  const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.emplace_back(0.0, 0.0, height);
+  for (std::uint32_t i = 0; i < around; ++i) {
+    mesh.triangles.push_back({middle, below + i, below + (i + 1) % around});
+  }
+  return mesh;
+}
+
+double frustum_volume(double bottom, double top, double height) {
+  return height / 3.0 * (bottom * bottom + bottom * top + top * top);
+}
+
+// The walls of a pyramid narrow evenly, so the upper shape is the pyramid itself.
+TEST(Underside, UpperBoundOfACutPyramidIsTheWholePyramid) {
+  const Underside side = *closed_underside(open_frustum(0.3, 1.0, 0.8), {.deepest = 1.0});
+  EXPECT_NEAR(side.lower_volume, frustum_volume(0.3, 1.0, 0.8), 1e-9);
+  // Sides grow by 0.7 over 0.8, so the tip lies 0.3 * 0.8 / 0.7 below the rim.
+  const double tip = 0.3 * 0.3 * (0.3 * 0.8 / 0.7) / 3.0;
+  // The section is read a millionth of the height above the rim.
+  EXPECT_NEAR(side.upper_volume, side.lower_volume + tip, 3e-5 * tip);
+  EXPECT_NEAR(side.best_volume, side.lower_volume + 0.6 * tip, 3e-5 * tip);
+}
+
+TEST(Underside, UprightWallsGoDownByAThirdOfTheHeightSeen) {
+  const Underside side = *closed_underside(open_frustum(0.5, 0.5, 0.6));
+  EXPECT_NEAR(side.lower_volume, 0.5 * 0.5 * 0.6, 1e-9);
+  EXPECT_NEAR(side.upper_volume, 0.5 * 0.5 * 0.8, 1e-6);
+  EXPECT_NEAR(side.best_volume, 0.5 * 0.5 * 0.72, 1e-6);
+  EXPECT_LT((side.down + Vec3::UnitZ()).norm(), 1e-9);
+  EXPECT_EQ(side.rim_edges, 32u);
+  EXPECT_NEAR(side.rim_length, 2.0, 1e-9);
+  EXPECT_LT(side.rim_centre.norm(), 1e-9);
+}
+
+// Clear of the ground all around, a block has sunk into it by 5 % of its height at most.
+TEST(Underside, ABlockOnTheGroundEndsAtIt) {
+  const UndersideOptions options{.ground = Plane{Vec3::UnitZ(), -0.05}};
+  const Underside side = *closed_underside(open_frustum(0.5, 0.5, 0.6), options);
+  EXPECT_NEAR(side.gap, 0.05, 1e-12);
+  EXPECT_NEAR(side.upper_volume, 0.5 * 0.5 * (0.65 + 0.03), 1e-6);
+  EXPECT_GE(bounds(side.best).low.z(), -0.08 - 1e-9);
+  EXPECT_LT(bounds(side.best).low.z(), -0.03);
+}
+
+TEST(Underside, ARimInTheGroundIsBuriedAsOneWithoutAGround) {
+  const TriangleMesh open = open_frustum(0.5, 0.5, 0.6);
+  const Underside without = *closed_underside(open);
+  const Underside with = *closed_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
+  EXPECT_NEAR(with.upper_volume, without.upper_volume, 1e-9);
+}
+
+// Height above the cut 1 + c for a ball of radius 1 with the cut at -c. The cap below is
+// pi (1 - c)^2 (2 + c)/3.
+TEST(Underside, HoldsTheCapOfABall) {
+  const TriangleMesh ball = unit_sphere(24);
+  const double whole = volume(ball);
+  for (const double c : {0.93, 0.81, 0.63}) {
+    const Underside side = *closed_underside(above_level(ball, -c + 1e-4));
+    const double cap = kPi * (1 - c) * (1 - c) * (2 + c) / 3.0;
+    EXPECT_NEAR(side.lower_volume, whole - cap, 0.003 * whole) << c;
+    EXPECT_GT(side.upper_volume, whole) << c;
+    EXPECT_NEAR(side.best_volume, whole, 0.02 * whole) << c;
+    // A ball's cap of height h has 2 pi h of 4 pi.
+    EXPECT_NEAR(side.invented_share, 0.5 * (1 - c), 0.02) << c;
+  }
+}
+
+TEST(Underside, AllThreeShapesAreClosedAndKeepWhatWasSeen) {
+  for (const CutBlock& block : cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 4), 3, 11)) {
+    const Underside side = *closed_underside(block.open);
+    for (const TriangleMesh* mesh : {&side.lower, &side.best, &side.upper}) {
+      const MeshReport report = inspect(*mesh);
+      EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+      ASSERT_GE(mesh->vertices.size(), block.open.vertices.size());
+      EXPECT_TRUE(std::equal(block.open.vertices.begin(), block.open.vertices.end(),
+                             mesh->vertices.begin()));
+      EXPECT_TRUE(std::equal(block.open.triangles.begin(), block.open.triangles.end(),
+                             mesh->triangles.begin()));
+    }
+    EXPECT_EQ(side.first_invented, block.open.triangles.size());
+    EXPECT_NEAR(volume(side.lower), side.lower_volume, 1e-9);
+    EXPECT_NEAR(volume(side.best), side.best_volume, 1e-9);
+    EXPECT_NEAR(volume(side.upper), side.upper_volume, 1e-9);
+    EXPECT_TRUE(crossing_triangles(side.best).empty());
+    // The smallest box of the seen part, found anew after closing.
+    const std::vector<Vec3> seen(
+        side.best.vertices.begin(),
+        side.best.vertices.begin() + static_cast<std::ptrdiff_t>(block.open.vertices.size()));
+    EXPECT_EQ(smallest_box(seen).lengths, smallest_box(block.open.vertices).lengths);
+  }
+}
+
+TEST(Underside, MovesTurnsAndScalesWithTheBlock) {
+  const CutBlock block = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 5), 1, 3)[0];
+  const Underside here = *closed_underside(block.open);
+  Random random(8);
+  const Pose pose{{420000.0, 5200000.0, 800.0}, random.rotation()};
+  const Underside there = *closed_underside(transformed(scaled(block.open, 3.0), pose));
+  EXPECT_NEAR(there.lower_volume / here.lower_volume, 27.0, 1e-6);
+  EXPECT_NEAR(there.best_volume / here.best_volume, 27.0, 1e-5);
+  EXPECT_NEAR(there.upper_volume / here.upper_volume, 27.0, 1e-5);
+  EXPECT_NEAR(there.invented_share, here.invented_share, 1e-4);
+}
+
+TEST(Underside, SameInputGivesTheSameBits) {
+  const CutBlock block = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 6), 1, 4)[0];
+  const Underside first = *closed_underside(block.open), second = *closed_underside(block.open);
+  EXPECT_EQ(first.best.vertices, second.best.vertices);
+  EXPECT_EQ(first.best.triangles, second.best.triangles);
+  EXPECT_EQ(first.upper_volume, second.upper_volume);
+}
+
+TEST(Underside, FewPosesOfThreeRocksAreInsideTheBracket) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    for (const CutBlock& block : cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, seed), 3, seed)) {
+      const Underside side = *closed_underside(block.open);
+      EXPECT_LE(side.lower_volume, block.volume) << seed;
+      EXPECT_GE(side.upper_volume, 0.98 * block.volume) << seed;
+      const double bar = block.seen >= 0.95 ? 0.03 : 0.10;
+      EXPECT_NEAR(side.best_volume, block.volume, bar * block.volume) << seed;
+    }
+  }
+}
+
+TEST(Underside, OtherHolesAreClosedFlatAndTold) {
+  TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
+  open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 124);
+  const Underside side = *closed_underside(open);
+  EXPECT_TRUE(inspect(side.best).closed());
+  ASSERT_EQ(side.notes.size(), 1u);
+  EXPECT_EQ(side.notes[0], "1 other hole filled straight across");
+}
+
+TEST(Underside, AClosedScanHasNone) {
+  EXPECT_FALSE(closed_underside(rock_mesh(8, {0.5, 0.4, 0.3}, 1)).has_value());
+}
+
+TEST(Underside, AHoleTooSmallForAnUndersideIsLeftAlone) {
+  TriangleMesh mesh = rock_mesh(16, {0.5, 0.4, 0.3}, 1);
+  mesh.triangles.erase(mesh.triangles.begin() + 100, mesh.triangles.begin() + 104);
+  EXPECT_FALSE(closed_underside(mesh).has_value());
+}
+
+TEST(Underside, ASheetIsRefusedWithItsBorder) {
+  TriangleMesh sheet;
+  for (int j = 0; j < 6; ++j) {
+    for (int i = 0; i < 6; ++i) sheet.vertices.emplace_back(i, j, 0.1 * ((i * j) % 3));
+  }
+  for (std::uint32_t j = 0; j < 5; ++j) {
+    for (std::uint32_t i = 0; i < 5; ++i) {
+      const std::uint32_t a = 6 * j + i;
+      sheet.triangles.push_back({a, a + 1, a + 7});
+      sheet.triangles.push_back({a, a + 7, a + 6});
+    }
+  }
+  const std::string message = refusal<GeometryError>([&] { closed_underside(sheet); });
+  EXPECT_TRUE(contains(message,
+                       "the largest piece is the ground, or one side of a block: a sheet whose "
+                       "border of 20 edges near"))
+      << message;
+}
+
+TEST(Underside, ASurfaceThatIsNoSimpleSheetIsRefused) {
+  TriangleMesh mesh = open_frustum(0.5, 0.4, 0.6);
+  mesh.triangles.push_back({0, 1, 40});
+  const std::string message = refusal<GeometryError>([&] { closed_underside(mesh); });
+  EXPECT_TRUE(contains(message, "not a simple sheet")) << message;
+}
+
+TEST(Underside, ASurfaceThatFacesInwardsIsRefused) {
+  TriangleMesh mesh = open_frustum(0.5, 0.4, 0.6);
+  for (TriangleMesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  const std::string message = refusal<GeometryError>([&] { closed_underside(mesh); });
+  EXPECT_TRUE(contains(message, "faces inwards")) << message;
+}
+
+TEST(Underside, OptionsOutOfRangeAreNamed) {
+  const TriangleMesh mesh = open_frustum(0.5, 0.4, 0.6);
+  EXPECT_TRUE(contains(refusal([&] { closed_underside(mesh, {.deepest = -1.0}); }), "deepest"));
+  EXPECT_TRUE(contains(refusal([&] {
+                         closed_underside(mesh, {.ground = Plane{Vec3(0.0, 0.0, 2.0), 0.0}});
+                       }),
+                       "ground normal"));
+  EXPECT_TRUE(contains(
+      refusal([&] { closed_underside(mesh, {.smallest_share = 0.5, .largest_share = 0.4}); }),
+      "smallest_share"));
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,82 @@
+// Grounds damaged in every way at once, by seed: each is mended, or refused with the place. Blocks
+// thrown on the mended ones must all end with a reason, none below ground, and none by leaving
+// where the sound ground has no border.
+#include <gtest/gtest.h>
+
+#include "dem/stiffness.hpp"
+#include "tests/support/test_rock.hpp"
+#include "tests/terrain/ground_damage.hpp"
+
+namespace clast {
+namespace {
+
+constexpr int kSize = 40;
+constexpr double kFoot = 24.0;  // m: level beyond
+
+double slope(double x, double y) {
+  return 0.7 * std::max(0.0, kFoot - x) + 0.15 * std::sin(1.3 * x) * std::cos(0.9 * y);
+}
+
+TriangleMesh damaged(std::uint64_t seed) {
+  Random random(seed);
+  TriangleMesh mesh = squares(kSize, 1.0, slope);
+  mesh = with_spikes(std::move(mesh), 3, random);
+  mesh = with_holes(mesh, 4, 0.8, random);
+  mesh = with_slivers(std::move(mesh), 6, {12.0, 30.0, 35.0}, random);
+  mesh = with_t_junctions(mesh, 30.0, 0.005, random);
+  mesh = cracked(mesh, 12.0, 0.005, random);
+  if (seed % 2 == 0) mesh = with_a_tile_twice(mesh, 35.0, 0.0);
+  return flipped(std::move(mesh), seed % 3 == 0 ? 1.0 : 0.3, random);
+}
+
+class DamagedGround : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
+  const std::uint64_t seed = GetParam();
+  const ScratchFolder folder;
+  write_mesh(folder / "ground.ply", damaged(seed));
+  const Terrain terrain = read_terrain({.surface = {folder / "ground.ply"}});
+  const TerrainReport& report = terrain.report;
+  EXPECT_EQ(report.components, 1u);
+  EXPECT_EQ(report.open_holes, 0u);
+  EXPECT_EQ(report.boundary_edges, 4u * kSize);
+  EXPECT_EQ(facing_down(terrain), 0u);
+  EXPECT_GT(report.closed_cracks, 0u);
+  EXPECT_GT(report.slivers, 0u);
+  EXPECT_GT(report.turned_triangles, 0u);
+  EXPECT_EQ(report.dropped_duplicates > 0, seed % 2 == 0);
+
+  const TerrainSurface surface = terrain_surface(terrain);
+  const RigidBody body = rock(3, {0.42, 0.36, 0.30}, 0.02, 2700.0, 3);
+  const std::vector<GroundParameters> zones = {{0.01, 0.70, 0.30}};
+  ReleaseSettings settings;
+  settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 30.0, 9.81).stiffness;
+  settings.max_time = 30.0;
+  Random random(1000 + seed);
+  for (int i = 0; i < CLAST_DAMAGE_BLOCKS; ++i) {
+    RigidState start;
+    const double x = random.uniform(2.0, 30.0), y = random.uniform(2.0, kSize - 2.0);
+    start.orientation = random.rotation();
+    start.position = {x, y, *surface.height(x, y, 1e3) + random.uniform(1.2, 6.0)};
+    start.velocity = {random.uniform(0.0, 4.0), random.uniform(-1.0, 1.0), 0.0};
+    const ReleaseResult result = simulate_release(surface, zones, body, start, settings);
+    const Vec3& end = result.final_state.position;
+    EXPECT_FALSE(result.below_ground) << "block " << i << " ended at " << end.transpose();
+    EXPECT_NE(result.stop_reason, StopReason::kError) << "block " << i << ": " << result.message;
+    if (result.stop_reason == StopReason::kLeftTerrain) {
+      const double to_border = std::min({end.x(), end.y(), kSize - end.x(), kSize - end.y()});
+      // The tile beyond the crack was moved by up to 5 mm, and its border with it.
+      EXPECT_LT(to_border, 0.006) << "block " << i << " left at " << end.transpose();
+    } else {
+      const std::optional<double> ground = surface.height(end.x(), end.y(), end.z());
+      ASSERT_TRUE(ground) << "block " << i << " at " << end.transpose();
+      EXPECT_GT(end.z(), *ground - 1e-9) << "block " << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, DamagedGround,
+                         testing::Range<std::uint64_t>(1, 1 + CLAST_DAMAGE_SEEDS));
+
+}  // namespace
+}  // namespace clast

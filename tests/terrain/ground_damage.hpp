@@ -1,0 +1,137 @@
+#pragma once
+/// Ways in which survey meshes are broken, done to a sound one at random places.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/random.hpp"
+#include "tests/terrain/ground_samples.hpp"
+
+namespace clast {
+
+inline Vec3 middle_of(const TriangleMesh& mesh, std::size_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
+}
+
+/// The triangles that `wanted` chooses by their centroid, with vertices of their own.
+template <class Wanted>
+TriangleMesh part_of(const TriangleMesh& mesh, const Wanted& wanted) {
+  TriangleMesh part;
+  std::vector<std::uint32_t> number(mesh.vertices.size(), 0xffffffffu);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!wanted(middle_of(mesh, t))) continue;
+    TriangleMesh::Triangle triangle = mesh.triangles[t];
+    for (std::uint32_t& corner : triangle) {
+      if (number[corner] == 0xffffffffu) {
+        number[corner] = static_cast<std::uint32_t>(part.vertices.size());
+        part.vertices.push_back(mesh.vertices[corner]);
+      }
+      corner = number[corner];
+    }
+    part.triangles.push_back(triangle);
+  }
+  return part;
+}
+
+/// Cuts along x = `at` and moves the right-hand part by up to `gap`.
+inline TriangleMesh cracked(const TriangleMesh& mesh, double at, double gap, Random& random) {
+  const TriangleMesh left = part_of(mesh, [&](const Vec3& p) { return p.x() < at; });
+  TriangleMesh right = part_of(mesh, [&](const Vec3& p) { return p.x() >= at; });
+  const Vec3 shift = gap * random.uniform(0.2, 1.0) * random.direction();
+  for (Vec3& v : right.vertices) v += shift;
+  return merged(left, right);
+}
+
+/// Cuts along x = `at`, and gives the right-hand part vertices of its own along the cut, in the
+/// middle of the sides and off them by up to `gap`.
+inline TriangleMesh with_t_junctions(const TriangleMesh& mesh, double at, double gap,
+                                     Random& random) {
+  const TriangleMesh left = part_of(mesh, [&](const Vec3& p) { return p.x() < at; });
+  TriangleMesh right = part_of(mesh, [&](const Vec3& p) { return p.x() >= at; });
+  const std::size_t count = right.triangles.size();
+  for (std::size_t t = 0; t < count; ++t) {
+    const TriangleMesh::Triangle corners = right.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 a = right.vertices[corners[k]], b = right.vertices[corners[(k + 1) % 3]];
+      if (std::abs(a.x() - at) > 1e-9 || std::abs(b.x() - at) > 1e-9) continue;
+      const auto middle = static_cast<std::uint32_t>(right.vertices.size());
+      right.vertices.push_back((a + b) / 2.0 + gap * random.uniform() * random.direction());
+      right.triangles[t] = {corners[k], middle, corners[(k + 2) % 3]};
+      right.triangles.push_back({middle, corners[(k + 1) % 3], corners[(k + 2) % 3]});
+      break;
+    }
+  }
+  return merged(left, right);
+}
+
+inline TriangleMesh flipped(TriangleMesh mesh, double share, Random& random) {
+  for (TriangleMesh::Triangle& t : mesh.triangles) {
+    if (random.uniform() < share) std::swap(t[0], t[1]);
+  }
+  return mesh;
+}
+
+/// Triangles divided at a point a tenth of a millimetre from one of their corners, none of them
+/// at a cut.
+inline TriangleMesh with_slivers(TriangleMesh mesh, int count, const std::vector<double>& cuts,
+                                 Random& random) {
+  for (int i = 0; i < count;) {
+    const std::size_t t = random.below(mesh.triangles.size());
+    if (std::any_of(cuts.begin(), cuts.end(),
+                    [&](double at) { return std::abs(middle_of(mesh, t).x() - at) < 1.5; })) {
+      continue;
+    }
+    ++i;
+    const auto [a, b, c] = mesh.triangles[t];
+    const Vec3 inwards = (middle_of(mesh, t) - mesh.vertices[a]).normalized();
+    const auto point = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(mesh.vertices[a] + 1e-4 * inwards);
+    mesh.triangles[t] = {a, b, point};
+    mesh.triangles.push_back({b, c, point});
+    mesh.triangles.push_back({c, a, point});
+  }
+  return mesh;
+}
+
+/// Without the triangles within `radius` of some inner places, which lie apart.
+inline TriangleMesh with_holes(const TriangleMesh& mesh, int count, double radius, Random& random) {
+  const Bounds box = bounds(mesh);
+  std::vector<Vec2> places;
+  while (places.size() < static_cast<std::size_t>(count)) {
+    const Vec2 place(random.uniform(box.low.x() + 3.0, box.high.x() - 3.0),
+                     random.uniform(box.low.y() + 3.0, box.high.y() - 3.0));
+    const bool apart = std::all_of(places.begin(), places.end(), [&](const Vec2& other) {
+      return (other - place).norm() > 4.0 * radius + 1.0;
+    });
+    if (apart) places.push_back(place);
+  }
+  return part_of(mesh, [&](const Vec3& p) {
+    return std::none_of(places.begin(), places.end(),
+                        [&](const Vec2& place) { return (p.head<2>() - place).norm() < radius; });
+  });
+}
+
+/// Single vertices moved up or down by 5 to 15 m.
+inline TriangleMesh with_spikes(TriangleMesh mesh, int count, Random& random) {
+  const Bounds box = bounds(mesh);
+  for (int i = 0; i < count; ++i) {
+    Vec3& v = mesh.vertices[random.below(mesh.vertices.size())];
+    const Vec2 plan = v.head<2>();
+    if ((plan.array() < box.low.head<2>().array() + 3.0).any() ||
+        (plan.array() > box.high.head<2>().array() - 3.0).any()) {
+      continue;
+    }
+    v.z() += (random.below(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
+  }
+  return mesh;
+}
+
+/// The part right of x = `at` a second time, `offset` higher.
+inline TriangleMesh with_a_tile_twice(const TriangleMesh& mesh, double at, double offset) {
+  TriangleMesh tile = part_of(mesh, [&](const Vec3& p) { return p.x() >= at; });
+  for (Vec3& v : tile.vertices) v.z() += offset;
+  return merged(mesh, tile);
+}
+
+}  // namespace clast
