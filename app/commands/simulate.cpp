@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
+#include <streambuf>
 
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
@@ -185,8 +186,14 @@ void join_parts(const SimulateArgs& args) {
 
 /// Only the process that leads speaks; what others have to say reaches it through `agree`.
 void silence() {
-  std::cout.setstate(std::ios::failbit);
-  std::cerr.setstate(std::ios::failbit);
+  // Streams that swallow everything stay good, unlike closed ones, which main calls a failure.
+  struct Swallow : std::streambuf {
+    int overflow(int character) override { return traits_type::not_eof(character); }
+  };
+  // Never destroyed: the streams are flushed after everything else.
+  static Swallow& swallow = *new Swallow;
+  std::cout.rdbuf(&swallow);
+  std::cerr.rdbuf(&swallow);
 }
 
 constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
