@@ -33,8 +33,9 @@ void compare_results(const CompareArgs& args) {
     const std::filesystem::path animation = write_animation(
         std::filesystem::path(args.folder) / "animation", comparison, args.animated);
     if (animation.empty()) {
-      throw InputError("no trajectory is stored, so nothing can be animated; set [run] "
-                       "trajectory_interval_s above zero");
+      throw InputError(
+          "no trajectory is stored, so nothing can be animated; set [run] "
+          "trajectory_interval_s above zero");
     }
     std::cout << animation.string() << "\n";
   }

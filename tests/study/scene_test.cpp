@@ -43,7 +43,10 @@ std::vector<T> numbers(const Json& text) {
 class Scene : public testing::Test {
  protected:
   Comparison stored() {
-    const CampaignResults results = hand_made_results();
+    CampaignResults results = hand_made_results();
+    results.release_sets = {""};
+    results.set_of_point = {0};
+    results.ground_sets = {{"", 0, results.ground}};
     ResultsWriter writer = ResultsWriter::create(folder / "r.h5", results);
     for (const RunRecord& run : results.runs) {
       Trajectory way;

@@ -30,7 +30,6 @@ inline void store_thrown(const std::filesystem::path& file) {
   header.release_sets = {""};
   header.set_of_point = {0};
   header.ground_sets = {{"", 0, header.ground}};
-  header.shapes.resize(1);
   header.shapes[0] = sphero_polyhedron(cuboid(0.4, 0.3, 0.2), 0.05);
   header.blocks[0].scale = 2.0;
   header.blocks[0].moments = Vec3(1.0, 2.0, 3.0);
