@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "core/utf8.hpp"
 #include "shapes/mesh_io.hpp"
 
 namespace clast {
@@ -94,11 +95,12 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
     }
   }
 
+  for (ScanFile& scan : scans) scan.id = as_utf8(scan.id);
   std::map<std::string, int> stems;
   for (const ScanFile& scan : scans) ++stems[scan.id];
   std::map<std::string, fs::path> ids;
   for (ScanFile& scan : scans) {
-    if (stems[scan.id] > 1) scan.id = folder_name(scan.path) + "_" + scan.id;
+    if (stems[scan.id] > 1) scan.id = as_utf8(folder_name(scan.path)) + "_" + scan.id;
     const auto [other, is_new] = ids.emplace(scan.id, scan.path);
     if (!is_new) {
       throw InputError(scan.path.string() + " and " + other->second.string() +

@@ -9,6 +9,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/utf8.hpp"
 #include "library/unseen_range.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
@@ -291,7 +292,7 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
                                    .find_ground = options.find_ground,
                                    .split = options.split});
   }
-  BlockSource source{path.string(), sha256_of_file(path),
+  BlockSource source{as_utf8(path.string()), sha256_of_file(path),
                      scale_text(options) + " up=" + options.scan.up, ""};
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";

@@ -7,6 +7,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/utf8.hpp"
 #include "shapes/coplanar_faces.hpp"
 
 namespace clast {
@@ -106,7 +107,7 @@ Block block_from_shape(const ShpShape& shape, const std::filesystem::path& path,
     taken.block.core = true;
     taken.block.radius = radius_of(shape, options);
     taken.scan.repair.invent = false;
-    BlockSource source{path.string(), sha256_of_file(path),
+    BlockSource source{as_utf8(path.string()), sha256_of_file(path),
                        scale_text(options) + " up=" + options.scan.up + " shape=" + shape.name, ""};
     Block block;
     if (shape.body.faces.empty()) {

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
 #include "core/output_file.hpp"
+#include "core/utf8.hpp"
 #include "library/body_record.hpp"
 #include "library/detail/hdf5_records.hpp"
 
@@ -228,6 +229,11 @@ const Block& BlockLibrary::block(const std::string& id) const {
 Block& BlockLibrary::block(const std::string& id) { return blocks_[found(blocks_, id)]; }
 
 void BlockLibrary::add(Block block, bool replace) {
+  for (std::string* text : {&block.id, &block.source.file, &block.source.options, &block.field.site,
+                            &block.field.note}) {
+    *text = as_utf8(*text);
+  }
+  for (std::string& warning : block.warnings) warning = as_utf8(warning);
   check_block_id(block.id);
   if (!has(block.id)) {
     blocks_.insert(position(blocks_, block.id), std::move(block));

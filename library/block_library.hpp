@@ -27,6 +27,7 @@ class BlockLibrary {
   /// @throws InputError  no such id; the message lists those there are
   const Block& block(const std::string& id) const;
   Block& block(const std::string& id);
+  /// Text that is not UTF-8 is taken for Windows-1252 and converted.
   /// @throws InputError  the id is there already and `replace` is false, or `check_block_id` throws
   void add(Block block, bool replace = false);
   /// @throws InputError  no such id; the message lists those there are

@@ -7,6 +7,7 @@
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/utf8.hpp"
 #include "library/block_library.hpp"
 
 namespace clast {
@@ -98,8 +99,8 @@ void set_field_notes(const SetArgs& args) {
       args.taped ? std::optional<Axes>(axes_from(*args.taped)) : std::nullopt;
   BlockLibrary library = BlockLibrary::read(args.library);
   Block& block = library.block(args.id);
-  if (args.site) block.field.site = *args.site;
-  if (args.note) block.field.note = *args.note;
+  if (args.site) block.field.site = as_utf8(*args.site);
+  if (args.note) block.field.note = as_utf8(*args.note);
   if (taped) block.field.taped = taped;
   if (args.weighed) block.field.weighed_mass = args.weighed;
   library.write(args.library);

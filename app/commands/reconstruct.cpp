@@ -20,6 +20,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
+#include "core/utf8.hpp"
 #include "library/block_library.hpp"
 
 namespace clast {
@@ -151,7 +152,7 @@ class Batch {
     } else {
       const std::string path = scan.path.string();
       const std::string& reason = outcome.failure;
-      failed_.push_back({{"scan", path}, {"reason", reason}});
+      failed_.push_back({{"scan", as_utf8(path)}, {"reason", as_utf8(reason)}});
       last_failure_ = reason.find(path) == std::string::npos ? path + ": " + reason : reason;
       if (scans_.size() > 1) std::cerr << "clast: " << last_failure_ << "\n";
     }

@@ -342,6 +342,35 @@ TEST_F(WithLibrary, LibrariesAreMergedCutAndAnnotated) {
   expect_refused(folder, {"library", "set", "all.h5", "ball", "--note", "x"}, 1, "ball");
 }
 
+TEST_F(WithLibrary, TextThatIsNotUtf8IsConverted) {
+  const std::string street =
+      "Stra\xdf"
+      "e";
+  ASSERT_EQ(
+      run_clast({"library", "set", "blocks.h5", "flat", "--site", street}, folder.path()).exit_code,
+      0);
+  EXPECT_EQ(shown()[0]["field"]["site"],
+            "Stra\xc3\x9f"
+            "e");
+  write_obj(folder /
+                "Bl\xf6"
+                "ck.obj",
+            cuboid(1, 2, 3));
+  const ProgramRun run = run_clast({"reconstruct",
+                                    "Bl\xf6"
+                                    "ck.obj",
+                                    "--json"},
+                                   folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json block = Json::parse(run.out)["blocks"][0];
+  EXPECT_EQ(block["id"],
+            "Bl\xc3\xb6"
+            "ck");
+  EXPECT_EQ(block["source"],
+            "Bl\xc3\xb6"
+            "ck.obj");
+}
+
 TEST_F(WithLibrary, AFullDiskEndsWithAMessageAndTheOldLibrary) {
   const std::string before = read_text_file(folder / "blocks.h5");
   rlimit old;
