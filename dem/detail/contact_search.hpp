@@ -99,18 +99,28 @@ class ContactSearch {
     std::uint32_t ground_feature;
     double due;          ///< look at it again
     double clear_until;  ///< cannot touch before
+
+    bool same_features(const Pair& other) const {
+      return kind == other.kind && ground_feature == other.ground_feature;
+    }
   };
-  struct SideState {
-    std::uint32_t part = 0;
+  /// What every look at a side reads: one cache line, and the pairs themselves. In a pile this is
+  /// most of what comes from memory.
+  struct alignas(64) SideState {
     double clear_until = -1.0;
-    // Pairs listed, which of them are due soon, and of the others what `Pair` tells of each: for
-    // the first of them. Until when the list holds, and until when what is not listed cannot touch.
-    std::vector<Pair> pairs;
-    std::vector<std::uint32_t> awake;
+    // Of the pairs that are not due soon what `Pair` tells of each: for the first of them. Until
+    // when the list of pairs holds, and until when what is not listed cannot touch.
     double sleepers_due = -1.0, sleepers_clear_until = -1.0;
     double list_until = -1.0;
     double others_clear_until = -1.0;
-    // Both again as movement from where the middle was when listed, and `turned_` then.
+    std::vector<Pair> awake;  ///< copies of the listed pairs that are due soon, in their order
+  };
+  /// What is needed only where a side's lists are made anew.
+  struct SideList {
+    std::uint32_t part = 0;
+    std::vector<Pair> pairs;  ///< all listed; of those awake the copies count
+    // When the list ends and what is not listed can touch, as movement from where the middle was
+    // when listed, and `turned_` then.
     double list_holds = 0.0, others_clear = 0.0;
     Vec3 listed = Vec3::Zero();
     double listed_turned = 0.0;
@@ -149,10 +159,12 @@ class ContactSearch {
   void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
   void add_outside_contacts(std::uint32_t vertex, const Vec3& centre);
 
+  /// Every side that is due, in order.
+  void look_at_sides(double within);
   /// Everything of the side that is due until then; lists pairs within a distance.
   void look_at_side(std::uint32_t s, double until, double within);
   bool list_holds(std::uint32_t s, double until);
-  void list_awake_pairs(SideState& state, double horizon) const;
+  void list_awake_pairs(std::uint32_t s, double horizon);
   void list_pairs(std::uint32_t s, double within);
   void look_at_edges(std::uint32_t block_edge, Pair& pair);
   void look_at_edge_vertex(std::uint32_t block_edge, Pair& pair);
@@ -198,16 +210,18 @@ class ContactSearch {
   double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
-  std::vector<SideState> side_states_;
+  std::vector<SideState> side_states_;      ///< in the order of parts_.sides, likewise ...
+  std::vector<SideList> side_lists_;
   std::vector<double> vertex_due_, side_due_;  ///< `moved_` at which to look again
   double next_part_ = -1.0;                    ///< the first part is due then
   double horizon_ = -1.0;                      ///< everything due before it is listed as awake
   bool listed_for_flight_ = false;             ///< the list is longer than contact steps need
   std::vector<std::uint32_t> awake_vertices_, awake_sides_;
-  double sleepers_clear_until_ = -1.0;  ///< no other vertex or side of parts near the ground
-                                        ///< touches before
-  double search_at_ = -1.0;             ///< no use in searching for a longer flight before
-  double deepest_ = 0.0;                ///< largest overlap at the last call, m
+  std::vector<std::uint32_t> due_sides_;  ///< of this call
+  double sleepers_clear_until_ = -1.0;    ///< no other vertex or side of parts near the ground
+                                          ///< touches before
+  double search_at_ = -1.0;               ///< no use in searching for a longer flight before
+  double deepest_ = 0.0;                  ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };
 
