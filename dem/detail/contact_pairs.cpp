@@ -32,16 +32,19 @@ bool ContactSearch::edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge&
   return in_arc(ground_.features, of_ground, normal) && in_arc(block_, of_block, in_body);
 }
 
-void ContactSearch::look_at_sides(double within) {
+void ContactSearch::list_due_sides() {
   due_sides_.clear();
   for (const std::uint32_t s : awake_sides_) {
     if (side_due_[s] <= moved_) due_sides_.push_back(s);
   }
-  // A pile is larger than the caches: the next sides are fetched while this one is looked at.
-  const std::size_t count = due_sides_.size();
-  for (std::size_t i = 0; i < std::min(kStatesAhead, count); ++i) {
+  for (std::size_t i = 0; i < std::min(kStatesAhead, due_sides_.size()); ++i) {
     __builtin_prefetch(&side_states_[due_sides_[i]]);
   }
+}
+
+void ContactSearch::look_at_due_sides(double within) {
+  // A pile is larger than the caches: the next sides are fetched while this one is looked at.
+  const std::size_t count = due_sides_.size();
   for (std::size_t i = 0; i < std::min(kPairsAhead, count); ++i) {
     __builtin_prefetch(side_states_[due_sides_[i]].awake.data());
   }

@@ -33,11 +33,11 @@ constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
 
 }  // namespace
 
-ContactSearch::ContactSearch(const IndexedSurface& ground, const IndexedSurface& block, double size)
+ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& block, double size)
     : ground_(ground),
       surface_(block),
       block_(block.features),
-      parts_(block_parts(block.features)),
+      parts_(block.parts),
       reach_(block.radius + ground.radius),
       margin_(kMarginShare * size),
       depth_limit_(kDepthShare * size) {
@@ -63,11 +63,12 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   travel_ = travel;
   contacts_.clear();
   if (moved_ >= next_part_ || moved_ > horizon_) wake();
+  list_due_sides();
   for (const std::uint32_t v : awake_vertices_) {
     if (vertex_due_[v] <= moved_) look_at_vertex(v, moved_);
   }
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  look_at_sides(std::max(reach_, deepest_pair()) + kPairMargins * margin_);
+  look_at_due_sides(std::max(reach_, deepest_pair()) + kPairMargins * margin_);
   if (ground_.of_block) drop_resolved(contacts_, ground_, surface_, ground_from_body);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);

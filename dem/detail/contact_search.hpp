@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/detail/block_parts.hpp"
-#include "dem/detail/indexed_surface.hpp"
+#include "dem/detail/block_surface.hpp"
 #include "dem/detail/local_ground.hpp"
 
 namespace clast {
@@ -48,10 +47,9 @@ struct FlightBounds {
 
 class ContactSearch {
  public:
-  /// @param block  surface of the block in its body frame; it and the ground must outlive the
-  /// search
+  /// @param block  in its body frame; it and the ground must outlive the search
   /// @param size   smallest side of the block, m: lists look ahead a share of it
-  ContactSearch(const IndexedSurface& ground, const IndexedSurface& block, double size);
+  ContactSearch(const IndexedSurface& ground, const BlockSurface& block, double size);
 
   /// Brings everything that is due up to date and lists the contacts, in a fixed order.
   /// @param travel  a bound of how far any point of the block has moved since the start, never
@@ -159,8 +157,9 @@ class ContactSearch {
   void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
   void add_outside_contacts(std::uint32_t vertex, const Vec3& centre);
 
-  /// Every side that is due, in order.
-  void look_at_sides(double within);
+  /// The sides that are due: fetches what the first of them need.
+  void list_due_sides();
+  void look_at_due_sides(double within);
   /// Everything of the side that is due until then; lists pairs within a distance.
   void look_at_side(std::uint32_t s, double until, double within);
   bool list_holds(std::uint32_t s, double until);
@@ -191,11 +190,11 @@ class ContactSearch {
   const IndexedSurface& ground_;
   const IndexedSurface& surface_;  ///< of the block
   const SurfaceFeatures& block_;   ///< its features
-  BlockParts parts_;
-  double reach_;                  ///< block radius + skin radius, m
-  double bounding_radius_ = 0.0;  ///< of the core about the centre, m
-  double margin_;                 ///< how far lists look ahead, m
-  double depth_limit_;            ///< edge and face contacts deeper than this are not trusted, m
+  const BlockParts& parts_;        ///< and its parts
+  double reach_;                   ///< block radius + skin radius, m
+  double bounding_radius_ = 0.0;   ///< of the core about the centre, m
+  double margin_;                  ///< how far lists look ahead, m
+  double depth_limit_;             ///< edge and face contacts deeper than this are not trusted, m
 
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
