@@ -32,7 +32,7 @@ NearbyGround nearby(const IndexedSurface& ground, const Bounds& box, double reac
 std::optional<double> ground_gap(const TerrainSurface& terrain, const RigidBody& body,
                                  const RigidState& state, double reach) {
   const IndexedSurface& ground = terrain.impl().surface;
-  const IndexedSurface surface = indexed_surface(body.shape);
+  const BlockSurface surface(body.shape);
   ContactSearch search(ground, surface, body.size());
   const Pose world_from_body = state.world_from_body();
   double deepest = 0.0;

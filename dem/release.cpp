@@ -31,9 +31,9 @@ class Release {
         body_(body),
         settings_(settings),
         observe_(observe),
-        surface_(indexed_surface(body.shape)),
+        surface_(body.shape),
         search_(terrain.impl().surface, surface_, body.size()),
-        forces_(zones, terrain.impl().zones, surface_.features, body.size(), settings.stiffness,
+        forces_(zones, terrain.impl().zones, surface_, body.size(), settings.stiffness,
                 settings.weights, settings.law),
         moving_(body, start),
         radius_(body.bounding_radius()) {}
@@ -247,7 +247,7 @@ class Release {
   const RigidBody& body_;
   const ReleaseSettings& settings_;
   const MotionObserver& observe_;
-  IndexedSurface surface_;
+  BlockSurface surface_;
   ContactSearch search_;
   ContactForces forces_;
   MovingBody moving_;

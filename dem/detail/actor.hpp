@@ -2,7 +2,7 @@
 /// A body of a world on its way, and the shape it shares with others.
 #include <utility>
 
-#include "dem/detail/indexed_surface.hpp"
+#include "dem/detail/block_surface.hpp"
 #include "dem/detail/moving_body.hpp"
 
 namespace clast {
@@ -10,11 +10,9 @@ namespace clast {
 /// A shape with what contacts need of it, once for all bodies that have it.
 struct Shape {
   explicit Shape(RigidBody of_body)
-      : body(std::move(of_body)),
-        surface(indexed_surface(body.shape)),
-        radius(body.bounding_radius()) {}
+      : body(std::move(of_body)), surface(body.shape), radius(body.bounding_radius()) {}
   RigidBody body;
-  IndexedSurface surface;
+  BlockSurface surface;
   double radius;  ///< of the rounded body about its centre, m
 };
 

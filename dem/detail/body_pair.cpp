@@ -11,7 +11,7 @@ namespace {
 constexpr double kDropShare = 0.2;
 
 std::variant<ContactSearch, BareContacts> search_for(const IndexedSurface& ground,
-                                                     const IndexedSurface& block, double size) {
+                                                     const BlockSurface& block, double size) {
   if (ground.features.faces.empty()) return BareContacts(ground, block);
   return ContactSearch(ground, block, size);
 }
@@ -25,13 +25,13 @@ bool takes_grounds_place(const IndexedSurface& first, double first_radius,
   return first_radius >= second_radius;
 }
 
-BodyPair::Near::Near(const IndexedSurface& ground, const IndexedSurface& block, double size,
+BodyPair::Near::Near(const IndexedSurface& ground, const BlockSurface& block, double size,
                      const Rules& rules)
     : search(search_for(ground, block, size)),
-      forces(rules.zones, rules.zone_of_face, block.features, size, rules.stiffness, rules.weights,
+      forces(rules.zones, rules.zone_of_face, block, size, rules.stiffness, rules.weights,
              rules.law) {}
 
-BodyPair::BodyPair(const IndexedSurface& ground, const IndexedSurface& block, double block_radius,
+BodyPair::BodyPair(const IndexedSurface& ground, const BlockSurface& block, double block_radius,
                    double size, const Rules& rules)
     : ground_(ground), block_(block), block_radius_(block_radius), size_(size), rules_(rules) {}
 

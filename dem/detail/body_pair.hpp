@@ -24,7 +24,7 @@ class BodyPair {
 
   /// @param block_radius  of the rounded block about its origin, m
   /// @param size          smallest side of the smaller body, m
-  BodyPair(const IndexedSurface& ground, const IndexedSurface& block, double block_radius,
+  BodyPair(const IndexedSurface& ground, const BlockSurface& block, double block_radius,
            double size, const Rules& rules);
 
   /// Loads at the present places after a step of `duration`; every joule goes to `ledger()`.
@@ -43,8 +43,7 @@ class BodyPair {
  private:
   /// What is known while the two are near.
   struct Near {
-    Near(const IndexedSurface& ground, const IndexedSurface& block, double size,
-         const Rules& rules);
+    Near(const IndexedSurface& ground, const BlockSurface& block, double size, const Rules& rules);
     std::variant<ContactSearch, BareContacts> search;
     ContactForces forces;
     std::vector<ContactPoint> points;  ///< in world axes
@@ -57,7 +56,7 @@ class BodyPair {
   void find_points(const Pose& world_from_ground, const Pose& ground_from_block);
 
   const IndexedSurface& ground_;
-  const IndexedSurface& block_;
+  const BlockSurface& block_;
   double block_radius_;
   double size_;
   const Rules& rules_;

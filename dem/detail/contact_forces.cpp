@@ -34,9 +34,8 @@ void limit(Vec3& vector, double largest) {
 }  // namespace
 
 ContactForces::ContactForces(std::span<const GroundParameters> zones,
-                             std::span<const std::uint16_t> zone_of_face,
-                             const SurfaceFeatures& block, double size,
-                             const ContactStiffness& stiffness, ContactWeights weights,
+                             std::span<const std::uint16_t> zone_of_face, const BlockSurface& block,
+                             double size, const ContactStiffness& stiffness, ContactWeights weights,
                              const ContactLaw& law)
     : zones_(zones),
       zone_of_face_(zone_of_face),

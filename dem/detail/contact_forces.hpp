@@ -71,10 +71,11 @@ class ContactForces {
  public:
   /// @param zones         parameters of each ground zone
   /// @param zone_of_face  of the other surface; empty: all are of zone 0
+  /// @param block         must outlive the forces
   /// @param size          smallest side of the block, m
   ContactForces(std::span<const GroundParameters> zones,
-                std::span<const std::uint16_t> zone_of_face, const SurfaceFeatures& block,
-                double size, const ContactStiffness& stiffness, ContactWeights weights,
+                std::span<const std::uint16_t> zone_of_face, const BlockSurface& block, double size,
+                const ContactStiffness& stiffness, ContactWeights weights,
                 const ContactLaw& law = {});
 
   /// Loads at the present contacts after a step of `duration`. Books every joule of the step in

@@ -13,6 +13,9 @@ namespace {
 constexpr double kDeeperShare = 0.5, kDeeperMargins = 0.25;
 /// A list of pairs is kept while this share of the movement it allows is left.
 constexpr double kWorthKeeping = 0.3;
+/// Sides whose states are fetched ahead, and of these the nearer ones whose pairs are: about what
+/// the processor can have on its way from memory at a time.
+constexpr std::size_t kStatesAhead = 8, kPairsAhead = 4;
 
 }  // namespace
 
@@ -29,30 +32,61 @@ bool ContactSearch::edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge&
   return in_arc(ground_.features, of_ground, normal) && in_arc(block_, of_block, in_body);
 }
 
+void ContactSearch::list_due_sides() {
+  due_sides_.clear();
+  for (const std::uint32_t s : awake_sides_) {
+    if (side_due_[s] <= moved_) due_sides_.push_back(s);
+  }
+  for (std::size_t i = 0; i < std::min(kStatesAhead, due_sides_.size()); ++i) {
+    __builtin_prefetch(&side_states_[due_sides_[i]]);
+  }
+}
+
+void ContactSearch::look_at_due_sides(double within) {
+  // A pile is larger than the caches: the next sides are fetched while this one is looked at.
+  const std::size_t count = due_sides_.size();
+  for (std::size_t i = 0; i < std::min(kPairsAhead, count); ++i) {
+    __builtin_prefetch(side_states_[due_sides_[i]].awake.data());
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + kStatesAhead < count) __builtin_prefetch(&side_states_[due_sides_[i + kStatesAhead]]);
+    if (i + kPairsAhead < count) {
+      __builtin_prefetch(side_states_[due_sides_[i + kPairsAhead]].awake.data());
+    }
+    look_at_side(due_sides_[i], moved_, within);
+  }
+}
+
 void ContactSearch::look_at_side(std::uint32_t s, double until, double within) {
   SideState& state = side_states_[s];
   if (std::min(state.list_until, state.others_clear_until) <= until && !list_holds(s, until)) {
     list_pairs(s, within);
   }
-  if (state.sleepers_due <= until) list_awake_pairs(state, std::max(until, moved_ + list_ahead()));
-  double& due = side_due_[s];
-  due = std::min(state.list_until, state.sleepers_due);
-  state.clear_until = std::min(state.others_clear_until, state.sleepers_clear_until);
-  for (const std::uint32_t p : state.awake) {
-    Pair& pair = state.pairs[p];
+  if (state.sleepers_due <= until) list_awake_pairs(s, std::max(until, moved_ + list_ahead()));
+  double due = std::min(state.list_until, state.sleepers_due);
+  double clear_until = std::min(state.others_clear_until, state.sleepers_clear_until);
+  for (Pair& pair : state.awake) {
     if (pair.due <= until) look_at_pair(parts_.sides[s].feature, pair);
     due = std::min(due, pair.due);
-    state.clear_until = std::min(state.clear_until, pair.clear_until);
+    clear_until = std::min(clear_until, pair.clear_until);
   }
+  side_due_[s] = due;
+  state.clear_until = clear_until;
 }
 
-void ContactSearch::list_awake_pairs(SideState& state, double horizon) const {
+void ContactSearch::list_awake_pairs(std::uint32_t s, double horizon) {
+  SideState& state = side_states_[s];
+  std::vector<Pair>& pairs = side_lists_[s].pairs;
+  auto place = pairs.begin();
+  for (const Pair& awake : state.awake) {
+    while (!place->same_features(awake)) ++place;
+    *place = awake;
+  }
   state.awake.clear();
   state.sleepers_due = state.sleepers_clear_until = 1e300;
-  for (std::uint32_t p = 0; p < state.pairs.size(); ++p) {
-    const Pair& pair = state.pairs[p];
+  for (const Pair& pair : pairs) {
     if (pair.due <= horizon) {
-      state.awake.push_back(p);
+      state.awake.push_back(pair);
     } else {
       state.sleepers_due = std::min(state.sleepers_due, pair.due);
       state.sleepers_clear_until = std::min(state.sleepers_clear_until, pair.clear_until);
@@ -62,30 +96,33 @@ void ContactSearch::list_awake_pairs(SideState& state, double horizon) const {
 
 bool ContactSearch::list_holds(std::uint32_t s, double until) {
   const BlockSide& side = parts_.sides[s];
-  SideState& state = side_states_[s];
+  const SideList& list = side_lists_[s];
   const double used =
-      (placed(side.middle) - state.listed).norm() + side.radius * (turned_ - state.listed_turned);
-  const double left = state.list_holds - used;
-  if (!(left > std::max(until - moved_, kWorthKeeping * state.list_holds))) return false;
+      (placed(side.middle) - list.listed).norm() + side.radius * (turned_ - list.listed_turned);
+  const double left = list.list_holds - used;
+  if (!(left > std::max(until - moved_, kWorthKeeping * list.list_holds))) return false;
+  SideState& state = side_states_[s];
   state.list_until = moved_ + left;
-  state.others_clear_until = moved_ + (state.others_clear - used);
+  state.others_clear_until = moved_ + (list.others_clear - used);
   return true;
 }
 
 void ContactSearch::list_pairs(std::uint32_t s, double within) {
   const BlockSide& side = parts_.sides[s];
   SideState& state = side_states_[s];
-  const LocalGround& ground = part_states_[state.part].ground;
+  SideList& list = side_lists_[s];
+  const LocalGround& ground = part_states_[list.part].ground;
   const Vec3 middle = placed(side.middle);
-  state.pairs.clear();
+  list.pairs.clear();
+  state.awake.clear();
   state.sleepers_due = -1.0;
-  const double complete = completeness(part_states_[state.part]);
+  const double complete = completeness(part_states_[list.part]);
   const double by_plane = std::min(ground.plane.clearance(middle) - side.radius, complete);
   const auto hold = [&](double list_holds, double others_clear) {
-    state.listed = middle;
-    state.listed_turned = turned_;
-    state.list_holds = list_holds;
-    state.others_clear = others_clear;
+    list.listed = middle;
+    list.listed_turned = turned_;
+    list.list_holds = list_holds;
+    list.others_clear = others_clear;
     state.list_until = moved_ + list_holds;
     state.others_clear_until = moved_ + others_clear;
   };
@@ -94,7 +131,7 @@ void ContactSearch::list_pairs(std::uint32_t s, double within) {
   double others = complete + side.radius;
   const auto consider = [&](ContactKind kind, std::uint32_t feature, double squared_distance) {
     if (squared_distance < listed * listed) {
-      state.pairs.push_back({kind, feature, moved_, moved_});
+      list.pairs.push_back({kind, feature, moved_, moved_});
     } else if (squared_distance < others * others) {
       others = std::sqrt(squared_distance);
     }

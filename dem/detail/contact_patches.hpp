@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "dem/contact_law.hpp"
-#include "dem/detail/block_joints.hpp"
 #include "dem/detail/contact_search.hpp"
 
 namespace clast {
@@ -15,8 +14,9 @@ namespace clast {
 /// The weights of the contact points of one pair of bodies.
 class ContactPatches {
  public:
-  ContactPatches(const SurfaceFeatures& block, ContactWeights weights)
-      : block_(block), joints_(block_joints(block)), weights_(weights) {}
+  /// @param block  must outlive the patches
+  ContactPatches(const BlockSurface& block, ContactWeights weights)
+      : block_(block.features), joints_(block.joints), weights_(weights) {}
 
   /// Weight of every point, valid until the next call. Points that share a law have the same
   /// number in `law_of`.
@@ -41,7 +41,7 @@ class ContactPatches {
                                            std::array<std::uint32_t, 3>& buffer) const;
 
   const SurfaceFeatures& block_;
-  BlockJoints joints_;
+  const BlockJoints& joints_;
   ContactWeights weights_;
 
   // Of the last call. The links depend only on the features, which mostly stay from call to call.

@@ -33,11 +33,11 @@ constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
 
 }  // namespace
 
-ContactSearch::ContactSearch(const IndexedSurface& ground, const IndexedSurface& block, double size)
+ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& block, double size)
     : ground_(ground),
       surface_(block),
       block_(block.features),
-      parts_(block_parts(block.features)),
+      parts_(block.parts),
       reach_(block.radius + ground.radius),
       margin_(kMarginShare * size),
       depth_limit_(kDepthShare * size) {
@@ -47,12 +47,13 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const IndexedSurface&
   part_states_.resize(parts_.parts.size());
   vertex_states_.resize(parts_.vertices.size());
   side_states_.resize(parts_.sides.size());
+  side_lists_.resize(parts_.sides.size());
   vertex_due_.assign(parts_.vertices.size(), -1.0);
   side_due_.assign(parts_.sides.size(), -1.0);
   for (std::uint32_t p = 0; p < parts_.parts.size(); ++p) {
     const BlockPart& part = parts_.parts[p];
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) vertex_states_[v].part = p;
-    for (std::uint32_t s = part.first_side; s < part.end_side; ++s) side_states_[s].part = p;
+    for (std::uint32_t s = part.first_side; s < part.end_side; ++s) side_lists_[s].part = p;
   }
 }
 
@@ -62,15 +63,12 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   travel_ = travel;
   contacts_.clear();
   if (moved_ >= next_part_ || moved_ > horizon_) wake();
+  list_due_sides();
   for (const std::uint32_t v : awake_vertices_) {
     if (vertex_due_[v] <= moved_) look_at_vertex(v, moved_);
   }
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  for (const std::uint32_t s : awake_sides_) {
-    if (side_due_[s] <= moved_) {
-      look_at_side(s, moved_, std::max(reach_, deepest_pair()) + kPairMargins * margin_);
-    }
-  }
+  look_at_due_sides(std::max(reach_, deepest_pair()) + kPairMargins * margin_);
   if (ground_.of_block) drop_resolved(contacts_, ground_, surface_, ground_from_body);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
@@ -203,7 +201,7 @@ void ContactSearch::gather(std::uint32_t p, double distance) {
     for (std::uint32_t s = part.first_side; s < part.end_side; ++s) {
       SideState& side = side_states_[s];
       side_due_[s] = side.clear_until = side.list_until = side.others_clear_until = moved_;
-      side.list_holds = 0.0;
+      side_lists_[s].list_holds = 0.0;
     }
   }
   deepest = std::max(std::min(deepest, part.radius - distance), deepest_);

@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/detail/block_parts.hpp"
-#include "dem/detail/indexed_surface.hpp"
+#include "dem/detail/block_surface.hpp"
 #include "dem/detail/local_ground.hpp"
 
 namespace clast {
@@ -48,10 +47,9 @@ struct FlightBounds {
 
 class ContactSearch {
  public:
-  /// @param block  surface of the block in its body frame; it and the ground must outlive the
-  /// search
+  /// @param block  in its body frame; it and the ground must outlive the search
   /// @param size   smallest side of the block, m: lists look ahead a share of it
-  ContactSearch(const IndexedSurface& ground, const IndexedSurface& block, double size);
+  ContactSearch(const IndexedSurface& ground, const BlockSurface& block, double size);
 
   /// Brings everything that is due up to date and lists the contacts, in a fixed order.
   /// @param travel  a bound of how far any point of the block has moved since the start, never
@@ -99,18 +97,28 @@ class ContactSearch {
     std::uint32_t ground_feature;
     double due;          ///< look at it again
     double clear_until;  ///< cannot touch before
+
+    bool same_features(const Pair& other) const {
+      return kind == other.kind && ground_feature == other.ground_feature;
+    }
   };
-  struct SideState {
-    std::uint32_t part = 0;
+  /// What every look at a side reads: one cache line, and the pairs themselves. In a pile this is
+  /// most of what comes from memory.
+  struct alignas(64) SideState {
     double clear_until = -1.0;
-    // Pairs listed, which of them are due soon, and of the others what `Pair` tells of each: for
-    // the first of them. Until when the list holds, and until when what is not listed cannot touch.
-    std::vector<Pair> pairs;
-    std::vector<std::uint32_t> awake;
+    // Of the pairs that are not due soon what `Pair` tells of each: for the first of them. Until
+    // when the list of pairs holds, and until when what is not listed cannot touch.
     double sleepers_due = -1.0, sleepers_clear_until = -1.0;
     double list_until = -1.0;
     double others_clear_until = -1.0;
-    // Both again as movement from where the middle was when listed, and `turned_` then.
+    std::vector<Pair> awake;  ///< copies of the listed pairs that are due soon, in their order
+  };
+  /// What is needed only where a side's lists are made anew.
+  struct SideList {
+    std::uint32_t part = 0;
+    std::vector<Pair> pairs;  ///< all listed; of those awake the copies count
+    // When the list ends and what is not listed can touch, as movement from where the middle was
+    // when listed, and `turned_` then.
     double list_holds = 0.0, others_clear = 0.0;
     Vec3 listed = Vec3::Zero();
     double listed_turned = 0.0;
@@ -149,10 +157,13 @@ class ContactSearch {
   void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
   void add_outside_contacts(std::uint32_t vertex, const Vec3& centre);
 
+  /// The sides that are due: fetches what the first of them need.
+  void list_due_sides();
+  void look_at_due_sides(double within);
   /// Everything of the side that is due until then; lists pairs within a distance.
   void look_at_side(std::uint32_t s, double until, double within);
   bool list_holds(std::uint32_t s, double until);
-  void list_awake_pairs(SideState& state, double horizon) const;
+  void list_awake_pairs(std::uint32_t s, double horizon);
   void list_pairs(std::uint32_t s, double within);
   void look_at_edges(std::uint32_t block_edge, Pair& pair);
   void look_at_edge_vertex(std::uint32_t block_edge, Pair& pair);
@@ -179,11 +190,11 @@ class ContactSearch {
   const IndexedSurface& ground_;
   const IndexedSurface& surface_;  ///< of the block
   const SurfaceFeatures& block_;   ///< its features
-  BlockParts parts_;
-  double reach_;                  ///< block radius + skin radius, m
-  double bounding_radius_ = 0.0;  ///< of the core about the centre, m
-  double margin_;                 ///< how far lists look ahead, m
-  double depth_limit_;            ///< edge and face contacts deeper than this are not trusted, m
+  const BlockParts& parts_;        ///< and its parts
+  double reach_;                   ///< block radius + skin radius, m
+  double bounding_radius_ = 0.0;   ///< of the core about the centre, m
+  double margin_;                  ///< how far lists look ahead, m
+  double depth_limit_;             ///< edge and face contacts deeper than this are not trusted, m
 
   Mat3 rotation_ = Mat3::Identity();
   Vec3 position_ = Vec3::Zero();
@@ -198,16 +209,18 @@ class ContactSearch {
   double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
-  std::vector<SideState> side_states_;
+  std::vector<SideState> side_states_;      ///< in the order of parts_.sides, likewise ...
+  std::vector<SideList> side_lists_;
   std::vector<double> vertex_due_, side_due_;  ///< `moved_` at which to look again
   double next_part_ = -1.0;                    ///< the first part is due then
   double horizon_ = -1.0;                      ///< everything due before it is listed as awake
   bool listed_for_flight_ = false;             ///< the list is longer than contact steps need
   std::vector<std::uint32_t> awake_vertices_, awake_sides_;
-  double sleepers_clear_until_ = -1.0;  ///< no other vertex or side of parts near the ground
-                                        ///< touches before
-  double search_at_ = -1.0;             ///< no use in searching for a longer flight before
-  double deepest_ = 0.0;                ///< largest overlap at the last call, m
+  std::vector<std::uint32_t> due_sides_;  ///< of this call
+  double sleepers_clear_until_ = -1.0;    ///< no other vertex or side of parts near the ground
+                                          ///< touches before
+  double search_at_ = -1.0;               ///< no use in searching for a longer flight before
+  double deepest_ = 0.0;                  ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };
 

@@ -60,7 +60,7 @@ TEST(NearPairs, AreMadeAnewWhenABodyComes) {
   EXPECT_FALSE(near.refresh(spheres, 0.1));
 }
 
-std::vector<ContactPoint> from_scratch(const IndexedSurface& ground, const IndexedSurface& block,
+std::vector<ContactPoint> from_scratch(const IndexedSurface& ground, const BlockSurface& block,
                                        double size, const Pose& ground_from_block) {
   ContactSearch search(ground, block, size);
   search.contacts(ground_from_block, 0.0);
@@ -79,8 +79,8 @@ TEST_P(Walk, NothingTouchesUnseen) {
                                            capsule(10.0, 0.4, 0.08), ball(10.0, 0.2)};
   const RigidBody ground_body = rock(3, {0.42, 0.36, 0.30}, radius, 2700.0, GetParam());
   const RigidBody& block_body = others[GetParam() % 4];
-  const IndexedSurface ground = indexed_surface(ground_body.shape);
-  const IndexedSurface block = indexed_surface(block_body.shape);
+  const BlockSurface ground(ground_body.shape);
+  const BlockSurface block(block_body.shape);
   const double size = std::min(ground_body.size(), block_body.size());
   const GroundParameters law{0.2, 0.5, 0.1};
   const BodyPair::Rules rules{
@@ -129,7 +129,7 @@ TEST_P(Roles, FindTheSameContacts) {
   Random random(GetParam());
   const RigidBody first = ellipsoid(100.0, {0.42, 0.36, 0.30}, 0.03, 3);
   const RigidBody second = box(100.0, {0.4, 0.3, 0.35}, 0.02, 2);
-  const IndexedSurface a = indexed_surface(first.shape), b = indexed_surface(second.shape);
+  const BlockSurface a(first.shape), b(second.shape);
   int compared = 0;
   for (int trial = 0; trial < 3000 && compared < 150; ++trial) {
     const Pose a_from_b{0.6 * random.direction(), random.rotation()};
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, Roles, testing::Range(1u, 5u));
 // A corner deep in the other body is pushed out the shortest way whichever body it belongs to.
 TEST(Roles, ACornerDeepInsideIsFoundFromBothSides) {
   const RigidBody plate = box(100.0, {2.0, 2.0, 0.6}), cube = box(50.0, Vec3::Constant(0.5));
-  const IndexedSurface a = indexed_surface(plate.shape), b = indexed_surface(cube.shape);
+  const BlockSurface a(plate.shape), b(cube.shape);
   // Standing on its corner, 6 cm under the middle of the plate's top.
   Pose a_from_b;
   a_from_b.rotation = Quat::FromTwoVectors(Vec3(1, 1, 1), Vec3(0, 0, -1));
@@ -177,7 +177,7 @@ TEST(Roles, ACornerDeepInsideIsFoundFromBothSides) {
 
 TEST(Contacts, OfWallsBehindEachOtherAreNone) {
   // A cube that overhangs another by all but 8 cm and sank 2 cm into its top.
-  const IndexedSurface cube = indexed_surface(box(1.0, Vec3::Ones()).shape);
+  const BlockSurface cube(box(1.0, Vec3::Ones()).shape);
   for (const double tilt : {0.0, 0.01, -0.01}) {
     const Pose pose{{0.92, 0.46, 0.98}, Quat(Eigen::AngleAxisd(tilt, Vec3(0.3, 1, 0.1)))};
     const std::vector<ContactPoint> contacts = from_scratch(cube, cube, 1.0, pose);
@@ -190,7 +190,7 @@ TEST(Contacts, OfWallsBehindEachOtherAreNone) {
 }
 
 TEST(Contacts, OfFlushCubesPushThemApartUpwards) {
-  const IndexedSurface cube = indexed_surface(box(1.0, Vec3::Ones()).shape);
+  const BlockSurface cube(box(1.0, Vec3::Ones()).shape);
   for (const double shift : {0.0, 1e-4, -2e-3}) {
     for (const double tilt : {0.0, 5e-4}) {
       const Pose pose{{shift, 0.5 * shift, 0.99}, Quat(Eigen::AngleAxisd(tilt, Vec3::UnitX()))};
@@ -202,8 +202,8 @@ TEST(Contacts, OfFlushCubesPushThemApartUpwards) {
 }
 
 TEST(BareContacts, OfRodsAndBalls) {
-  const IndexedSurface rod = indexed_surface(capsule(1.0, 1.0, 0.1).shape);
-  const IndexedSurface sphere = indexed_surface(ball(1.0, 0.2).shape);
+  const BlockSurface rod(capsule(1.0, 1.0, 0.1).shape);
+  const BlockSurface sphere(ball(1.0, 0.2).shape);
   const auto expect_one = [](const std::vector<ContactPoint>& contacts, const Vec3& foot,
                              double overlap) {
     ASSERT_EQ(contacts.size(), 1u);
@@ -229,8 +229,8 @@ TEST(BareContacts, OfRodsAndBalls) {
 }
 
 TEST(GroundsPlace, IsTakenByFacesThenSizeThenOrder) {
-  const IndexedSurface sphere = indexed_surface(ball(1.0, 0.2).shape);
-  const IndexedSurface cube = indexed_surface(box(1.0, Vec3::Ones()).shape);
+  const BlockSurface sphere(ball(1.0, 0.2).shape);
+  const BlockSurface cube(box(1.0, Vec3::Ones()).shape);
   EXPECT_TRUE(takes_grounds_place(cube, 0.1, sphere, 0.5));
   EXPECT_FALSE(takes_grounds_place(sphere, 0.5, cube, 0.1));
   EXPECT_TRUE(takes_grounds_place(cube, 0.5, cube, 0.4));

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<ContactPoint> from_scratch(const TerrainSurface& terrain, const RigidBody& body,
                                        const Pose& pose) {
-  const IndexedSurface block = indexed_surface(body.shape);
+  const BlockSurface block(body.shape);
   ContactSearch search(terrain.impl().surface, block, body.size());
   search.contacts(pose, 0.0);
   return search.contacts(pose, body.bounding_radius());  // every list expired, depths known
@@ -26,7 +26,7 @@ TEST_P(LongWalk, NothingTouchesUnseen) {
   Random random(GetParam());
   const double radius = GetParam() % 3 == 0 ? 0.0 : 0.02;
   const RigidBody body = rock(3, {0.42, 0.36, 0.30}, radius, 2700.0, GetParam());
-  const IndexedSurface block = indexed_surface(body.shape);
+  const BlockSurface block(body.shape);
   const TerrainSurface terrain = ground(rough_slope(30, 0.35, 0.5, 0.10, GetParam()));
   ContactSearch search(terrain.impl().surface, block, body.size());
   Pose pose;
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, LongWalk, testing::Values(1u, 2u, 3u, 4u, 5u, 6u
 TEST(SafeTravel, NoContactBeforeIt) {
   Random random(2);
   const RigidBody body = rock(3, {0.42, 0.36, 0.30}, 0.01, 2700.0, 5);
-  const IndexedSurface block = indexed_surface(body.shape);
+  const BlockSurface block(body.shape);
   const TerrainSurface terrain = ground(rough_slope(30, 0.5, 0.4, 0.10));
   for (int i = 0; i < 200; ++i) {
     Pose pose{{random.uniform(-3, 3), random.uniform(-3, 3), 0.0}, random.rotation()};
@@ -85,7 +85,7 @@ TEST(SafeTravel, NoContactBeforeIt) {
 TEST(SafeTime, NoContactBeforeIt) {
   Random random(4);
   const RigidBody body = rock(3, {0.42, 0.36, 0.30}, 0.01, 2700.0, 5);
-  const IndexedSurface block = indexed_surface(body.shape);
+  const BlockSurface block(body.shape);
   const TerrainSurface terrain = ground(rough_slope(30, 0.5, 0.4, 0.10));
   const double g = 9.81, uneven = body.moments.maxCoeff() / body.moments.minCoeff();
   const double radius = body.bounding_radius();
