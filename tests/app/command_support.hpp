@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "core/random.hpp"
 #include "core/text_file.hpp"
+#include "shapes/convex_hull.hpp"
 #include "shapes/triangle_mesh.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/run_program.hpp"
@@ -17,6 +19,16 @@
 namespace clast {
 
 namespace fs = std::filesystem;
+
+/// The hull of 400 points on an ellipsoid, with noise of 2 %.
+inline TriangleMesh noisy_ellipsoid(std::uint64_t seed, const Vec3& axes) {
+  Random random(seed);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 400; ++i) {
+    points.push_back((1.0 + 0.02 * random.normal()) * random.direction().cwiseProduct(axes));
+  }
+  return convex_hull(points);
+}
 
 /// Written by hand, so that these tests do not lean on the writer they run beside.
 inline void write_obj(const fs::path& path, const TriangleMesh& mesh) {
