@@ -8,11 +8,9 @@
 
 #include "core/text_file.hpp"
 #include "core/version.hpp"
-#include "shapes/convex_hull.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tests/support/test_rock.hpp"
 
 namespace clast {
 namespace {
