@@ -176,6 +176,11 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
   // With shares l of the momentum: X = across the pole, Z = away from the other axis.
   const double x = to_middle * square(in_body[middle_]) + to_other * square(in_body[other_]);
   const double z = to_other * square(in_body[pole_]) + beyond * square(in_body[middle_]);
+  if (!(z > 0.0)) {  // across the axis of a body with two equal moments: any such axis is principal
+    steady_ = true;
+    steady_rate_ = size * mobility[middle_];
+    return;
+  }
   complement_ =
       std::clamp(to_other * std::abs(decider) / (z * to_middle), kSmallestComplement, 1.0);
   modulus_ = 1.0 - complement_;

@@ -165,6 +165,26 @@ INSTANTIATE_TEST_SUITE_P(Bodies, Attitude,
                                          Kind::kNearlyEqual, Kind::kSphere, Kind::kPure,
                                          Kind::kNearlyPure, Kind::kBesideUnstable));
 
+// Across its axis of symmetry a needle or a plate turns steadily: every such axis is a principal
+// one. Exactly across, so that nothing along the axis tells the ways of turning apart.
+TEST(FreeRotation, SymmetricBodiesTurnSteadilyAcrossTheirAxis) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double odd : {20.0, 300.0}) {
+      RigidBody body = box(100.0, {1.0, 0.7, 0.4});
+      body.moments = Vec3::Constant(115.0);
+      body.moments[axis] = odd;
+      for (int other = 1; other < 3; ++other) {
+        RigidState start;
+        start.angular_velocity = 5.0 * Vec3::Unit((axis + other) % 3);
+        const RigidState end = free_flight(body, start, 2.0, kG);
+        const Quat expected(Eigen::AngleAxisd(10.0, Vec3::Unit((axis + other) % 3)));
+        EXPECT_LT(end.orientation.angularDistance(expected), 1e-12) << axis << " " << odd;
+        EXPECT_LT((end.angular_velocity - start.angular_velocity).norm(), 1e-12);
+      }
+    }
+  }
+}
+
 TEST(FreeRotation, OneLongFlightEqualsManyShortOnes) {
   const RigidBody body = box(100.0, {1.0, 0.7, 0.4});
   RigidState state;
