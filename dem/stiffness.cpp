@@ -19,6 +19,9 @@ constexpr double kImpactDepthShare = 0.25;
 /// Time step times the highest contact frequency. Explicit stepping is stable below 2; a twentieth
 /// of that gives 16 steps while a single contact loads, still 9 with three at once.
 constexpr double kStepTimesFrequency = 0.1;
+constexpr double kUnstable = 2.0;
+/// Share of the smallest S that a block may travel in one step.
+constexpr double kTravelShare = 0.25;
 /// Arm of the rolling spring, share of S: k_r = k_t (S/2)^2 winds up over the same slip as k_t.
 constexpr double kRollingArmShare = 0.5;
 
@@ -81,12 +84,26 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
   const double frequency =
       std::max(rate * std::sqrt(chosen.normal * mobility),
                std::sqrt(std::max(chosen.tangential * mobility, chosen.rolling / smallest_moment)));
-  chosen.time_step = options.time_step.value_or(kStepTimesFrequency / frequency);
+  // A step in contact may not carry a block past the ground, however soft that is.
+  const double travel = fastest > 0.0 ? kTravelShare * smallest_side / fastest : 1e300;
+  const double resolved = std::min(kStepTimesFrequency / frequency, travel);
+  chosen.time_step = options.time_step.value_or(resolved);
+  const double most = std::min(kUnstable / frequency, travel);
+  if (chosen.time_step > most) {
+    throw SimulationError("time step " + number(chosen.time_step) + " s is too long: beyond " +
+                          number(most) +
+                          " s contacts make energy or blocks pass through the ground; " +
+                          number(resolved) + " s resolves every contact");
+  }
 
   double worst_rest_share = 0.0;
   for (const RigidBody& body : bodies) {
     const double rest = body.mass * gravity / (chosen.normal * rest_share);
-    const double impact = fastest * std::sqrt(body.mass / chosen.normal);
+    // m v^2/2 + m g h = k h^2/2
+    const double weight = body.mass * gravity;
+    const double impact =
+        (weight + std::sqrt(weight * weight + chosen.normal * body.mass * fastest * fastest)) /
+        chosen.normal;
     choice.settled_depth = std::max(choice.settled_depth, rest);
     choice.impact_depth = std::max(choice.impact_depth, impact);
     worst_rest_share = std::max(worst_rest_share, rest / body.smallest_side);
@@ -99,9 +116,9 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
         number(choice.impact_depth) + " m deep");
   }
   if (chosen.time_step * frequency > 0.5) {
-    choice.warnings.push_back(
-        "time step " + number(chosen.time_step) + " s is long for this stiffness; " +
-        number(kStepTimesFrequency / frequency) + " s resolves every contact");
+    choice.warnings.push_back("time step " + number(chosen.time_step) +
+                              " s is long for this stiffness; " + number(resolved) +
+                              " s resolves every contact");
   }
   return choice;
 }

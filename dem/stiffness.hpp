@@ -23,7 +23,7 @@ struct StiffnessOptions {
 struct StiffnessChoice {
   ContactStiffness stiffness;
   double settled_depth = 0.0;  ///< deepest rest depth, m g/(k_n e_n^2) or m g/k_n by law, m
-  double impact_depth = 0.0;   ///< deepest v sqrt(m/k_n) at `fastest` over bodies, m
+  double impact_depth = 0.0;   ///< deepest of an impact at `fastest` over bodies, m
   std::vector<std::string> warnings;
 };
 
@@ -32,6 +32,8 @@ struct StiffnessChoice {
 /// would go deeper than S/4. k_t = k_n, k_r from k_t and the block's size, and a time step with a
 /// stated margin below the fastest contact oscillation (docs/theory.md).
 /// @param fastest  speed no block can exceed: from release heights and the lowest ground, m/s
+/// @throws SimulationError  nothing to choose for, or a time step of the user's beyond the limit of
+///                          stability or a quarter of S at `fastest`
 StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
                                  std::span<const GroundParameters> zones, double fastest,
                                  double gravity, const StiffnessOptions& options = {});

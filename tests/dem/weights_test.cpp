@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "dem/stiffness.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/test_rock.hpp"
 
 namespace clast {
@@ -159,8 +160,33 @@ TEST(AutoStiffness, FastImpactsStayWithinAQuarterOfTheShortestSide) {
   const RigidBody body = box(1000.0, Vec3::Ones());
   const std::vector<GroundParameters> zones = {{1.0, 0.7, 0.0}};
   const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 40.0, kG);
-  EXPECT_NEAR(choice.impact_depth, 0.25, 1e-12);
+  // A quarter of S, and the little that the weight adds: m v^2/2 + m g h = k h^2/2.
+  const double k = choice.stiffness.normal, weight = 1000.0 * kG;
+  EXPECT_NEAR(choice.impact_depth,
+              (weight + std::sqrt(weight * weight + k * 1000.0 * 40.0 * 40.0)) / k, 1e-12);
+  EXPECT_NEAR(choice.impact_depth, 0.25, 1e-3);
   EXPECT_NEAR(choice.stiffness.normal, 1000.0 * 40.0 * 40.0 / (0.25 * 0.25), 1.0);
+}
+
+TEST(AutoStiffness, AStepThatMakesEnergyOrPassesTheGroundIsRefused) {
+  const RigidBody body = box(1000.0, Vec3::Ones());
+  const std::vector<GroundParameters> zones = {{0.01, 0.7, 0.0}};
+  const auto refused = [&](double normal, double step) {
+    StiffnessOptions options;
+    options.normal = normal;
+    options.time_step = step;
+    return refusal<SimulationError>(
+        [&] { choose_stiffness(std::span(&body, 1), zones, 10.0, kG, options); });
+  };
+  // Stable below 2 / sqrt(k (1/m)(1 + 3/4 * 6)) = 6.0e-3 s.
+  EXPECT_TRUE(contains(refused(2e7, 0.05), "time step 0.05 s is too long: beyond 0.00603 s"));
+  EXPECT_EQ(refused(2e7, 0.005), "");
+  // A quarter of S at 10 m/s.
+  EXPECT_TRUE(contains(refused(10.0, 0.1), "beyond 0.025 s"));
+  StiffnessOptions soft;
+  soft.normal = 10.0;
+  EXPECT_EQ(choose_stiffness(std::span(&body, 1), zones, 10.0, kG, soft).stiffness.time_step,
+            0.025);
 }
 
 TEST(AutoStiffness, ASofterValueIsObeyedWithAWarning) {
