@@ -75,25 +75,6 @@ double area_of(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
                    .norm();
 }
 
-/// The mesh with only the triangles that `keep` says.
-TriangleMesh with_only(const TriangleMesh& mesh, const std::vector<bool>& keep) {
-  TriangleMesh result;
-  std::vector<std::uint32_t> number(mesh.vertices.size(), 0xffffffffu);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!keep[t]) continue;
-    TriangleMesh::Triangle triangle = mesh.triangles[t];
-    for (std::uint32_t& corner : triangle) {
-      if (number[corner] == 0xffffffffu) {
-        number[corner] = static_cast<std::uint32_t>(result.vertices.size());
-        result.vertices.push_back(mesh.vertices[corner]);
-      }
-      corner = number[corner];
-    }
-    result.triangles.push_back(triangle);
-  }
-  return result;
-}
-
 /// Which triangles are near points. Small patches that are not count as seen too.
 std::vector<bool> supported(const TriangleMesh& mesh, const std::vector<Vec3>& points,
                             double reach) {
@@ -110,7 +91,7 @@ std::vector<bool> supported(const TriangleMesh& mesh, const std::vector<Vec3>& p
     other[t] = !seen[t];
     if (!seen[t]) unseen.push_back(t);
   }
-  const TriangleMesh gaps = with_only(mesh, other);
+  const TriangleMesh gaps = detail::with_triangles(mesh, other);
   const std::vector<std::uint32_t> patch_of = triangle_components(gaps);
   std::vector<double> areas;
   for (std::size_t i = 0; i < unseen.size(); ++i) {
@@ -189,8 +170,8 @@ TriangleMesh cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
     detail::turn_over(whole);
     whole = in_order(whole);
   }
-  TriangleMesh open =
-      largest_piece(with_only(whole, supported(whole, thin, options.trim * std::max(cell, apart))));
+  TriangleMesh open = largest_piece(
+      detail::with_triangles(whole, supported(whole, thin, options.trim * std::max(cell, apart))));
   if (open.triangles.empty()) {
     throw GeometryError("the surface found does not follow the points; are they on one surface?");
   }

@@ -74,15 +74,6 @@ Spread spread_over(const TriangleMesh& mesh) {
   return spread;
 }
 
-TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep) {
-  TriangleMesh result;
-  result.vertices = mesh.vertices;
-  for (std::size_t t = 0; t < keep.size(); ++t) {
-    if (keep[t]) result.triangles.push_back(mesh.triangles[t]);
-  }
-  return welded(result, 0.0);  // drops unused vertices
-}
-
 /// Triangles that hang from a rim by one edge are cut off, until none is left.
 TriangleMesh without_ears(TriangleMesh mesh) {
   for (int pass = 0; pass < 10; ++pass) {
@@ -94,7 +85,7 @@ TriangleMesh without_ears(TriangleMesh mesh) {
     std::vector<bool> keep(mesh.triangles.size());
     for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = borders[t] < 2;
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) break;
-    mesh = with_triangles(mesh, keep);
+    mesh = detail::with_triangles(mesh, keep);
   }
   return mesh;
 }
@@ -235,7 +226,7 @@ class FieldScan {
         const Vec3 &p = sheet.vertices[a], &q = sheet.vertices[b], &r = sheet.vertices[c];
         keep[t] = belongs((p + q + r) / 3.0) && belongs(p) && belongs(q) && belongs(r);
       }
-      TriangleMesh rock = with_triangles(sheet, keep);
+      TriangleMesh rock = detail::with_triangles(sheet, keep);
       if (rock.triangles.empty()) refuse_bare_ground(name_, 1.0);
       rock = std::move(detail::pieces_of(without_ears(std::move(rock))).front().mesh);
       detail::split_pinched_vertices(rock);

@@ -161,6 +161,14 @@ TriangleMesh compacted(const TriangleMesh& source, const std::vector<Triangle>& 
   return result;
 }
 
+TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep) {
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    if (keep[t]) kept.push_back(mesh.triangles[t]);
+  }
+  return compacted(mesh, kept);
+}
+
 double triangle_area(const TriangleMesh& mesh, const Triangle& t) {
   return 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]])
                    .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])

@@ -20,6 +20,10 @@ struct Mended {
 TriangleMesh compacted(const TriangleMesh& source,
                        const std::vector<TriangleMesh::Triangle>& triangles);
 
+/// The mesh with only the triangles that `keep` says, without unused vertices, orders kept.
+/// @pre one flag for each triangle
+TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep);
+
 double triangle_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
 /// Vertices of the first edge with more than two triangles.

@@ -4,6 +4,7 @@
 #include "library/make_block.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
+#include "tests/library/core_library.hpp"
 
 namespace clast {
 
@@ -38,18 +39,8 @@ class SlopeCampaign : public testing::Test {
     write_obj(folder / "slope.obj", ground_strip(0, 20, 20, 10));
     write_obj(folder / "flat.obj", ground_strip(20, 40, 10, 10));
     write_text_file(folder / "campaign.toml", slope_campaign());
-    BlockLibrary library;
-    for (const auto& [id, mesh] :
-         {std::pair{"cube", cuboid(0.6, 0.5, 0.4)}, std::pair{"bar", cuboid(1.2, 0.4, 0.4)}}) {
-      BlockSource source;
-      source.file = std::string(id) + ".obj";
-      source.sha256 = std::string(64, '0');
-      BlockOptions options;
-      options.core = true;
-      options.radius = 0.02;
-      library.add(make_block(id, mesh, mesh, source, options));
-    }
-    library.write(folder / "blocks.h5");
+    write_core_library(folder / "blocks.h5",
+                       {{"cube", cuboid(0.6, 0.5, 0.4)}, {"bar", cuboid(1.2, 0.4, 0.4)}});
   }
   void refuse_campaign(const std::string& text, const std::string& item) {
     write_text_file(folder / "bad.toml", text);

@@ -11,6 +11,7 @@
 #include "study/campaign_runner.hpp"
 #include "study/comparison.hpp"
 #include "tests/library/block_samples.hpp"
+#include "tests/library/core_library.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -26,18 +27,7 @@ void write_slope(const std::filesystem::path& folder) {
 }
 
 void write_blocks(const std::filesystem::path& file) {
-  BlockLibrary library;
-  for (const auto& [id, mesh] :
-       {std::pair{"cube", cuboid(0.8, 0.8, 0.8)}, std::pair{"prism", cuboid(1.4, 0.7, 0.7)}}) {
-    BlockSource source;
-    source.file = std::string(id) + ".obj";
-    source.sha256 = std::string(64, '0');
-    BlockOptions options;
-    options.core = true;
-    options.radius = 0.02;
-    library.add(make_block(id, mesh, mesh, source, options));
-  }
-  library.write(file);
+  write_core_library(file, {{"cube", cuboid(0.8, 0.8, 0.8)}, {"prism", cuboid(1.4, 0.7, 0.7)}});
 }
 
 // tan of the slope 0.5 lies between mu_R = 0.2 and mu = 0.7.

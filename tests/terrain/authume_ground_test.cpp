@@ -8,35 +8,13 @@
 
 #include "core/random.hpp"
 #include "tests/support/reference_data.hpp"
+#include "tests/terrain/asc_grid.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
 namespace clast {
 namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
-
-/// An Esri grid read by a second method, not through GDAL.
-struct AscGrid {
-  int columns = 0, rows = 0;
-  double west = 0.0, south = 0.0, cell = 0.0, nodata = 0.0;
-  std::vector<double> values;  ///< north row first
-
-  explicit AscGrid(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::string key;
-    file >> key >> columns >> key >> rows >> key >> west >> key >> south >> key >> cell >> key >>
-        nodata;
-    for (double value; file >> value;) values.push_back(value);
-  }
-  std::size_t index(int column, int row_from_south) const {
-    return static_cast<std::size_t>((rows - 1 - row_from_south) * columns + column);
-  }
-  std::optional<double> at(int column, int row_from_south) const {
-    if (column < 0 || row_from_south < 0 || column >= columns || row_from_south >= rows) return {};
-    const double value = values[index(column, row_from_south)];
-    return value == nodata ? std::nullopt : std::optional(value);
-  }
-};
 
 const std::vector<std::string> kNames = {"Blue", "Gray", "Red"};
 

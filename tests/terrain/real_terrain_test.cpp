@@ -9,29 +9,11 @@
 
 #include "terrain/terrain_file.hpp"
 #include "tests/support/reference_data.hpp"
+#include "tests/terrain/asc_grid.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
 namespace clast {
 namespace {
-
-/// An Esri grid read by a second method, not through GDAL.
-struct AscGrid {
-  int columns = 0, rows = 0;
-  double west = 0.0, south = 0.0, cell = 0.0, nodata = 0.0;
-  std::vector<double> values;  ///< north row first
-
-  explicit AscGrid(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::string key;
-    file >> key >> columns >> key >> rows >> key >> west >> key >> south >> key >> cell >> key >>
-        nodata;
-    for (double value; file >> value;) values.push_back(value);
-  }
-  Vec2 centre(std::size_t index) const {
-    const int i = static_cast<int>(index) % columns, j = static_cast<int>(index) / columns;
-    return {west + cell * (i + 0.5), south + cell * (rows - j - 0.5)};
-  }
-};
 
 TerrainOptions authume() {
   return {.surface = {test_data("authume/terrain/DTM_Blue_zone.stl"),
