@@ -14,6 +14,7 @@
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
+#include "reconstruct/detail/stored_digits.hpp"
 #include "reconstruct/standing_blocks.hpp"
 #include "reconstruct/weld.hpp"
 #include "shapes/detail/half_edges.hpp"
@@ -90,9 +91,9 @@ TriangleMesh without_ears(TriangleMesh mesh) {
   return mesh;
 }
 
-class FieldScan {
+class Separation {
  public:
-  FieldScan(std::string name, const FieldScanOptions& options)
+  Separation(std::string name, const FieldScanOptions& options)
       : name_(std::move(name)), options_(options) {}
 
   std::vector<FieldBlock> of_mesh(const TriangleMesh& raw) {
@@ -265,6 +266,7 @@ class FieldScan {
                         " degrees so that z points up from the ground; --up keeps the file's axes");
       }
       for (Vec3& vertex : block.scan.mesh.vertices) vertex = turn * vertex;
+      block.block_from_file = turn;
     }
     if (side) {
       notes.insert(notes.end(), side->notes.begin(), side->notes.end());
@@ -331,22 +333,30 @@ void FieldScanOptions::check() const { scan.check(); }
 std::vector<FieldBlock> field_blocks(const TriangleMesh& raw, const std::string& name,
                                      const FieldScanOptions& options) {
   options.check();
-  return FieldScan(name, options).of_mesh(raw);
+  return Separation(name, options).of_mesh(raw);
 }
 
 std::vector<FieldBlock> field_blocks(const std::vector<Vec3>& points, const std::string& name,
                                      const FieldScanOptions& options) {
   options.check();
-  return FieldScan(name, options).of_cloud(points);
+  return Separation(name, options).of_cloud(points);
 }
 
-std::vector<FieldBlock> read_field_scan(const std::filesystem::path& path,
-                                        const FieldScanOptions& options) {
+FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options) {
   options.check();
-  if (is_cloud(path)) return field_blocks(read_cloud(path), path.string(), options);
-  const TriangleMesh mesh = read_mesh_or_points(path);
-  if (mesh.triangles.empty()) return field_blocks(mesh.vertices, path.string(), options);
-  return field_blocks(mesh, path.string(), options);
+  FieldScan scan;
+  if (is_cloud(path)) {
+    scan.raw.vertices = read_cloud(path);
+  } else {
+    scan.raw = read_mesh_or_points(path);
+  }
+  const std::string note = detail::digits_note(scan.raw, path, options.scan.unit);
+  scan.blocks = scan.raw.triangles.empty() ? field_blocks(scan.raw.vertices, path.string(), options)
+                                           : field_blocks(scan.raw, path.string(), options);
+  for (FieldBlock& block : scan.blocks) {
+    if (!note.empty()) block.scan.notes.push_back(note);
+  }
+  return scan;
 }
 
 }  // namespace clast

@@ -153,6 +153,42 @@ const Defect* RepairReport::find(DefectKind kind) const {
   return found == defects.end() ? nullptr : &*found;
 }
 
+const char* name_of(DefectKind kind) {
+  switch (kind) {
+    case DefectKind::kNearVertices:
+      return "vertices stored more than once, joined";
+    case DefectKind::kNoArea:
+      return "triangles without area or stored twice, dropped";
+    case DefectKind::kFolded:
+      return "triangles back to back with another, dropped";
+    case DefectKind::kFin:
+      return "triangles that stand on the surface or double it, dropped";
+    case DefectKind::kTouchingEdge:
+      return "edges of more than two triangles, cut apart";
+    case DefectKind::kMixedWinding:
+      return "triangles that face the other way, turned";
+    case DefectKind::kPinchedVertex:
+      return "vertices where the surface touches itself, split";
+    case DefectKind::kDoubleSheet:
+      return "sheets that lie on the block, dropped";
+    case DefectKind::kIsland:
+      return "loose scraps, dropped";
+    case DefectKind::kInnerShell:
+      return "closed shells inside (bubbles)";
+    case DefectKind::kSpike:
+      return "spikes, put back into the surface";
+    case DefectKind::kHole:
+      return "holes, filled";
+    case DefectKind::kCrossing:
+      return "pairs of triangles through each other, replaced";
+    case DefectKind::kInward:
+      return "surface that faced inwards, turned";
+    case DefectKind::kTunnel:
+      return "tunnels through the block, left open";
+  }
+  return "";
+}
+
 std::vector<std::string> repair_notes(const RepairReport& report) {
   return Sentences(report).all();
 }

@@ -69,6 +69,9 @@ struct RepairReport {
   const Defect* find(DefectKind kind) const;  ///< null: none of that kind
 };
 
+/// What a kind is called in a table: "spikes put back".
+const char* name_of(DefectKind kind);
+
 /// The report as sentences, one for each mend, with counts, sizes and places.
 std::vector<std::string> repair_notes(const RepairReport& report);
 

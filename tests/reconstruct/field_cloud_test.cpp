@@ -58,7 +58,7 @@ TEST(FieldCloud, VolumeAndAxesWithinAPercent) {
 }
 
 TEST(FieldCloud, ThePhonesLidarScanGivesABlockWithAnUncertainty) {
-  const FieldBlock block = read_field_scan(test_data("meshes/eesd_iphone_lidar.stl"))[0];
+  const FieldBlock block = read_field_scan(test_data("meshes/eesd_iphone_lidar.stl")).blocks[0];
   EXPECT_TRUE(inspect(block.scan.mesh).closed());
   // Its large piece is closed but for four edges where two sheets meet; what is open is a scrap
   // with 5 % of the area, which is told.
@@ -74,7 +74,7 @@ TEST(FieldCloud, ThePhonesLidarScanGivesABlockWithAnUncertainty) {
 }
 
 TEST(FieldCloud, ThePointsOfAStoneGiveThatStone) {
-  const FieldBlock block = read_field_scan(test_data("meshes/eesd_stone14_points.ply"))[0];
+  const FieldBlock block = read_field_scan(test_data("meshes/eesd_stone14_points.ply")).blocks[0];
   EXPECT_TRUE(inspect(block.scan.mesh).closed());
   double mesh_volume = 0.0;
   for (const ReferenceRow& row : mesh_reference()) {
