@@ -138,7 +138,7 @@ std::string block_page(const Block& block, const PagedScan& scan,
   if (scan.found != nullptr) {
     const RepairReport& report = scan.found->scan.report;
     body += before_and_after(*scan.raw, options.scan, *scan.found, repair_marks(report));
-    body += repair_section(report);
+    body += repair_section(report, scan.raw->triangles.empty());
     if (scan.found->underside) body += underside_section(*scan.found->underside);
   }
   for (const std::string& further : scan.sections) body += further;

@@ -8,9 +8,8 @@ namespace clast {
 
 namespace {
 
-constexpr int kSamples = 2;       ///< a side of a pixel
-constexpr double kMargin = 0.06;  ///< share of a picture that stays empty at each side
-constexpr double kAmbient = 0.38;
+constexpr int kSamples = 2;        ///< a side of a pixel
+constexpr double kMargin = 0.08;   ///< share of a picture that stays empty at each side
 constexpr double kHidden = 0.005;  ///< share of the width by which a thing may lie behind another
 constexpr double kFar = -std::numeric_limits<double>::infinity();
 
@@ -74,7 +73,7 @@ Canvas::Sample& Canvas::at(std::int64_t column, std::int64_t row) {
   return samples_[static_cast<std::size_t>(row * columns_ + column)];
 }
 
-void Canvas::draw(const TriangleMesh& mesh, const Paint& paint) {
+void Canvas::draw(const TriangleMesh& mesh, const Paint& paint, double ambient) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> nearest(samples_.size(), kNone);
   std::vector<Vec3> seen;
@@ -140,7 +139,7 @@ void Canvas::draw(const TriangleMesh& mesh, const Paint& paint) {
         asked = t;
         asked_pixel = column / kSamples;
       }
-      sample.colour = lit(base, kAmbient + (1.0 - kAmbient) * std::max(0.0, normal.dot(lamp)));
+      sample.colour = lit(base, ambient + (1.0 - ambient) * std::max(0.0, normal.dot(lamp)));
     }
   }
 }

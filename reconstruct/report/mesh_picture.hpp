@@ -40,7 +40,8 @@ class Canvas {
   /// Colour of a place on a triangle before it is lit. `behind`: its back is seen.
   using Paint = std::function<Rgb(std::uint32_t triangle, const Vec3& place, bool behind)>;
   /// Triangles lit from the upper left of the eye; `paint` is asked once for a pixel of each.
-  void draw(const TriangleMesh& mesh, const Paint& paint);
+  /// @param ambient  light that comes from all around, 0 to 1; much of it keeps colours readable
+  void draw(const TriangleMesh& mesh, const Paint& paint, double ambient = 0.42);
   /// Dots of two pixels, nearer ones darker.
   void draw(std::span<const Vec3> points, const Rgb& colour);
   /// Lines, of a pixel and a half, where nothing hides them.

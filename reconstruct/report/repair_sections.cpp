@@ -22,14 +22,17 @@ std::string share(double value) {
 
 }  // namespace
 
-std::string repair_section(const RepairReport& report) {
-  std::string html = paragraph("As read and welded: " + std::to_string(report.as_read.vertices) +
-                               " vertices, " + std::to_string(report.as_read.triangles) +
-                               " triangles; " + report.as_read.summary() + ".");
+std::string repair_section(const RepairReport& report, bool cloud) {
+  std::string html = paragraph(
+      (cloud ? "The surface put through the points: " : "As read and welded: ") +
+      std::to_string(report.as_read.vertices) + " vertices, " +
+      std::to_string(report.as_read.triangles) + " triangles; " + report.as_read.summary() + ".");
   if (report.defects.empty()) {
-    return section(
-        "Defects found and mended",
-        html + paragraph("None: the surface was closed and sound, and was not changed."));
+    return section("Defects found and mended",
+                   html + paragraph(report.as_read.closed()
+                                        ? "None: the surface was closed and sound, and was not "
+                                          "changed."
+                                        : "None beside the open side, of which more below."));
   }
   HtmlTable defects(
       {"what", "no.", "count", "share of surface", "largest m", "at (file's x, y, z)"}, 2);

@@ -9,7 +9,8 @@
 namespace clast {
 
 /// Tables of the defects and of the holes, with counts, sizes and places.
-std::string repair_section(const RepairReport& report);
+/// @param cloud  the scan was points, and the report is of the surface that was put through them
+std::string repair_section(const RepairReport& report, bool cloud = false);
 
 /// The numbers of those tables where they have a place: "1", "2" ... for defects, "H1" ... for the
 /// largest holes.

@@ -275,11 +275,14 @@ std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, do
   return three_views(
              cameras_on(scan.vertices),
              [&](Canvas& canvas) {
-               canvas.draw(skin, [&](std::uint32_t, const Vec3& place, bool) {
-                 const auto closest = tree.signed_closest(place, hint);
-                 hint = closest.triangle;
-                 return deviation_colour(closest.distance / reach);
-               });
+               canvas.draw(
+                   skin,
+                   [&](std::uint32_t, const Vec3& place, bool) {
+                     const auto closest = tree.signed_closest(place, hint);
+                     hint = closest.triangle;
+                     return deviation_colour(closest.distance / reach);
+                   },
+                   0.7);
              },
              "The block, coloured by how far its surface lies outside (red) or inside (blue) the "
              "closed scan.") +
