@@ -13,6 +13,7 @@
 #include "library/unseen_range.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
+#include "shapes/mesh_io.hpp"
 #include "shapes/self_intersection.hpp"
 
 namespace clast {
@@ -199,7 +200,7 @@ void add_unseen(Block& block, const Underside& side) {
 }
 
 /// Thins and measures one block of a scan.
-Block block_from(FieldBlock found, const std::string& id, BlockSource source,
+Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
                  const ScanToBlockOptions& options,
                  const std::function<void(const std::string&)>& begin) {
   Scan& scan = found.scan;
@@ -276,16 +277,18 @@ void ScanToBlockOptions::check() const {
 
 std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std::string& id,
                                     const ScanToBlockOptions& options,
-                                    const std::function<void(const std::string&)>& stage) {
+                                    const std::function<void(const std::string&)>& stage,
+                                    const BlockWitness& witness) {
   const auto begin = [&](const std::string& what) {
     if (stage) stage(what);
   };
   begin("reading " + id);
-  std::vector<FieldBlock> found;
+  FieldScan found;
   if (options.block.core) {
     ScanOptions reading = options.scan;
     reading.repair.invent = false;  // every vertex of a core is meant
-    found.push_back({read_scan(path, reading), {}});
+    found.blocks.push_back({read_scan(path, reading), {}});
+    if (witness) found.raw = read_mesh(path);
   } else {
     found = read_field_scan(path, {.scan = options.scan,
                                    .up_given = options.up_given,
@@ -297,10 +300,11 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";
   std::vector<Block> blocks;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool several = options.split;
-    const std::string name = several ? id + "_" + std::to_string(i + 1) : id;
-    blocks.push_back(block_from(std::move(found[i]), name, source, options, begin));
+  for (std::size_t i = 0; i < found.blocks.size(); ++i) {
+    const std::string name = options.split ? id + "_" + std::to_string(i + 1) : id;
+    blocks.push_back(block_from(found.blocks[i], name, source, options, begin));
+    if (witness) witness(blocks.back(), found.raw, found.blocks[i]);
+    found.blocks[i] = {};  // memory is bounded by one block's needs
   }
   return blocks;
 }

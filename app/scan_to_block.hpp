@@ -42,6 +42,12 @@ std::string scale_text(const ScanToBlockOptions& options);
 /// Adds a warning where the surface passes through itself.
 void warn_of_crossings(Block& block, const TriangleMesh& surface);
 
+/// Called with a block and what it was made from, while that is there.
+/// @param raw    as read, in the file's units and axes; of a cloud the points alone
+/// @param found  the closed scan, in the frame of the block
+using BlockWitness =
+    std::function<void(const Block& block, const TriangleMesh& raw, const FieldBlock& found)>;
+
 /// Reads, mends, thins and measures one scan. With `split` its blocks are `id`_1, `id`_2, ...,
 /// in order of x, then y, of the file; else there is one, `id`.
 /// @param stage  called with the name of each step before it starts
@@ -49,6 +55,7 @@ void warn_of_crossings(Block& block, const TriangleMesh& surface);
 ///         `check_size` throws
 std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std::string& id,
                                     const ScanToBlockOptions& options,
-                                    const std::function<void(const std::string&)>& stage = {});
+                                    const std::function<void(const std::string&)>& stage = {},
+                                    const BlockWitness& witness = {});
 
 }  // namespace clast

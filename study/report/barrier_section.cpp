@@ -1,6 +1,6 @@
 #include "study/report/report_sections.hpp"
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/report_groups.hpp"
 
 namespace clast {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/report_groups.hpp"
 #include "study/report/svg_map.hpp"
 

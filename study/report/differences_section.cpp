@@ -1,5 +1,5 @@
+#include "core/html_page.hpp"
 #include "core/number_text.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/report_sections.hpp"
 
 namespace clast {

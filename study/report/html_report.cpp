@@ -1,6 +1,6 @@
 #include "study/report/html_report.hpp"
 
-#include "study/report/html_page.hpp"
+#include "study/report/report_page.hpp"
 #include "study/report/report_sections.hpp"
 #include "study/report/scene_section.hpp"
 
@@ -13,11 +13,11 @@ std::string html_report(const Comparison& comparison) {
   if (comparison.results.size() > 1) {
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
-  return page(title, head_section(comparison) + class_section(comparison) +
-                         map_section(comparison) + scene_section(comparison) +
-                         runout_section(comparison) + differences_section(comparison) +
-                         barrier_section(comparison) + block_section(comparison) +
-                         quality_section(comparison) + provenance_section(comparison));
+  return report_page(title, head_section(comparison) + class_section(comparison) +
+                                map_section(comparison) + scene_section(comparison) +
+                                runout_section(comparison) + differences_section(comparison) +
+                                barrier_section(comparison) + block_section(comparison) +
+                                quality_section(comparison) + provenance_section(comparison));
 }
 
 }  // namespace clast

@@ -1,6 +1,6 @@
 #include "study/report/map_legend.hpp"
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 
 namespace clast {
 namespace {

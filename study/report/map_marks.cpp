@@ -1,6 +1,6 @@
 #include "study/report/map_marks.hpp"
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/marks.hpp"
 
 namespace clast {

@@ -1,7 +1,7 @@
 #include "study/report/plan_map.hpp"
 
+#include "core/html_page.hpp"
 #include "study/comparison.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/svg_map.hpp"
 
 namespace clast {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/report_groups.hpp"
 
 namespace clast {

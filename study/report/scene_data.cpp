@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/png.hpp"
 #include "study/report/palette.hpp"
-#include "terrain/png.hpp"
 #include "terrain/relief.hpp"
 
 namespace clast {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <set>
 
+#include "core/html_page.hpp"
 #include "core/text_file.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/palette.hpp"
 #include "study/report/scene_script.hpp"
 

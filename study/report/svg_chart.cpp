@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/ticks.hpp"
 
 namespace clast {

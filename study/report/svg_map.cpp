@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/map_legend.hpp"
 #include "study/report/map_marks.hpp"
 #include "study/report/ticks.hpp"
@@ -69,7 +69,7 @@ std::string relief_image(const Comparison& comparison, const Sheet& sheet, doubl
       relief_png(relief, first.terrain.zone_names, first.frame.origin.z(), interval);
   return "<image x=\"" + fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" +
          fixed(sheet.width(), 1) + "\" height=\"" + fixed(sheet.height(), 1) +
-         "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," + base64(png) + "\"/>";
+         "\" preserveAspectRatio=\"none\" href=\"" + png_link(png) + "\"/>";
 }
 
 std::string axes(const Sheet& sheet) {

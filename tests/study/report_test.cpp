@@ -6,14 +6,14 @@
 #include <memory>
 
 #include "core/error.hpp"
+#include "core/html_page.hpp"
+#include "core/png.hpp"
 #include "core/random.hpp"
 #include "core/text_file.hpp"
 #include "study/report/gis_layers.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/html_report.hpp"
 #include "study/report/svg_map.hpp"
 #include "study/report/ticks.hpp"
-#include "terrain/png.hpp"
 #include "terrain/relief.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/markup.hpp"
@@ -180,6 +180,40 @@ TEST(Png, IsReadBackByGdal) {
       CE_None);
   EXPECT_EQ(back, pixels);
   EXPECT_EQ(band->GetColorTable()->GetColorEntry(100)->c2, 155);
+}
+
+TEST(Png, ColoursAreReadBackByGdal) {
+  GDALAllRegister();
+  const ScratchFolder folder;
+  Random random(6);
+  const int width = 131, height = 77;
+  std::vector<Rgb> pixels(width * height);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const bool noisy = i / width % 2 == 0;  // rows for either filter
+    for (std::uint8_t& part : pixels[i]) {
+      part = static_cast<std::uint8_t>(noisy ? random.below(256) : i % width);
+    }
+  }
+  write_text_file(folder / "a.png", rgb_png(width, height, pixels));
+  const Dataset dataset(
+      GDALDataset::Open((folder / "a.png").c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  ASSERT_NE(dataset, nullptr);
+  ASSERT_EQ(dataset->GetRasterCount(), 3);
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<std::uint8_t> back(pixels.size());
+    ASSERT_EQ(dataset->GetRasterBand(channel + 1)
+                  ->RasterIO(GF_Read, 0, 0, width, height, back.data(), width, height, GDT_Byte, 0,
+                             0),
+              CE_None);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      ASSERT_EQ(back[i], pixels[i][static_cast<std::size_t>(channel)]) << i;
+    }
+  }
+}
+
+TEST(HtmlPage, LinksKeepOddNames) {
+  EXPECT_EQ(link_to("blocks/B 1 #2?.html"), "blocks/B%201%20%232%3F.html");
+  EXPECT_EQ(link_to("\xC3\xA9"), "%C3%A9");
 }
 
 TEST(Base64, EncodesTheVectorsOfRfc4648) {
