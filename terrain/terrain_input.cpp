@@ -15,6 +15,7 @@
 #include "terrain/detail/grid_holes.hpp"
 #include "terrain/detail/layers.hpp"
 #include "terrain/detail/mending.hpp"
+#include "terrain/detail/spike_groups.hpp"
 #include "terrain/detail/spikes.hpp"
 #include "terrain/detail/surface_holes.hpp"
 #include "terrain/detail/thinning.hpp"
@@ -159,10 +160,11 @@ void mend(RawSurface& raw, const std::vector<std::string>& files,
           TerrainReport& report) {
   detail::weld(raw, report);
   detail::drop_useless_triangles(raw, files, zone_of_file, report);
+  detail::level_spike_groups(raw.mesh, options.spike_steepness, options.crack, report);
   detail::close_cracks(raw, options.crack, report);
   detail::drop_unused_vertices(raw.mesh);
   detail::orient_upwards(raw, report);
-  detail::drop_double_ground(raw, report);
+  detail::drop_double_ground(raw, options.crack, report);
   detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * detail::median_edge(raw.mesh)),
                              report);
   detail::note_slivers(raw, report);
@@ -346,6 +348,7 @@ Terrain read_terrain(const TerrainOptions& options) {
     for (const fs::path& file : options.surface) files.push_back(file.string());
     mend(raw, files, zone_of_file, options, terrain.report);
   } else {
+    detail::level_spike_groups(raw.mesh, options.spike_steepness, 0.0, terrain.report);
     detail::orient_upwards(raw, terrain.report);
   }
   detail::level_spikes(raw, options.spike_steepness, terrain.report);
