@@ -166,7 +166,7 @@ void mend(RawSurface& raw, const std::vector<std::string>& files,
   detail::orient_upwards(raw, report);
   detail::drop_double_ground(raw, options.crack, report);
   detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * detail::median_edge(raw.mesh)),
-                             report);
+                             options.crack, report);
   detail::note_slivers(raw, report);
 }
 
