@@ -40,8 +40,8 @@ struct TerrainOptions {
   double spike_steepness = 3.0;
   /// Rounds of smoothing, each halfway to the plane through the neighbours; 0: none.
   int smoothing = 0;
-  /// Vertices of any ground are left out where the surface keeps within this height of all the
-  /// vertices and midpoints of edges it had, m. Overhangs stay as they are.
+  /// Vertices of any ground are left out where the surface keeps within this height of what it was,
+  /// m, everywhere and not only at its vertices. Overhangs stay as they are.
   std::optional<double> tolerance = {};
   /// Files of lines with heights (GeoJSON, GeoPackage, Shapefile) that become edges of the surface
   /// of a raster or cloud.
