@@ -15,6 +15,7 @@
 #include "terrain/detail/grid_holes.hpp"
 #include "terrain/detail/layers.hpp"
 #include "terrain/detail/mending.hpp"
+#include "terrain/detail/resampling.hpp"
 #include "terrain/detail/spike_groups.hpp"
 #include "terrain/detail/spikes.hpp"
 #include "terrain/detail/surface_holes.hpp"
@@ -306,11 +307,10 @@ Terrain read_terrain(const TerrainOptions& options) {
     throw InputError(options.surface.front().string() +
                      ": breaklines are for rasters and clouds; a mesh has its edges already");
   }
-  if (options.resolution && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
-    throw InputError(
-        options.surface.front().string() +
-        ": resolution is for rasters and clouds; leave it out, or thin the mesh with a "
-        "tolerance");
+  if (options.resolution && kind == Kind::kTerrain) {
+    throw InputError(options.surface.front().string() +
+                     ": a terrain file is checked and mended already; leave out resolution, or "
+                     "start from the survey");
   }
   std::vector<std::string> digests;
   const auto digest = [](const fs::path& file) {
@@ -352,6 +352,9 @@ Terrain read_terrain(const TerrainOptions& options) {
     detail::orient_upwards(raw, terrain.report);
   }
   detail::level_spikes(raw, options.spike_steepness, terrain.report);
+  if (options.resolution && kind == Kind::kMesh) {
+    raw = detail::resampled(raw, *options.resolution, options.surface.front(), terrain.report);
+  }
   detail::smooth(raw.mesh, options.smoothing, terrain.report);
   if (!options.breaklines.empty()) {
     std::vector<detail::MapLine> lines;

@@ -21,8 +21,9 @@ struct TerrainOptions {
   /// "scree=height<1450&slope>=30", "soil=else". Empty: one zone, "ground".
   std::vector<std::string> zones = {};
   std::string up = "z";  ///< of meshes and clouds: "z" or "y"; "y" turns (x, y, z) to (x, -z, y)
-  /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), and
-  /// of a raster that is to be made coarser.
+  /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), of
+  /// a raster that is to be made coarser, and of the grid that a mesh without walls and overhangs
+  /// is to be made into.
   std::optional<double> resolution = {};
   /// Height of a cloud's cell: this percentile of the points in it, 0 the lowest, 100 the highest;
   /// their mean when absent.
