@@ -15,6 +15,8 @@
 #include "terrain/detail/grid_holes.hpp"
 #include "terrain/detail/layers.hpp"
 #include "terrain/detail/mending.hpp"
+#include "terrain/detail/resampling.hpp"
+#include "terrain/detail/spike_groups.hpp"
 #include "terrain/detail/spikes.hpp"
 #include "terrain/detail/surface_holes.hpp"
 #include "terrain/detail/thinning.hpp"
@@ -159,12 +161,13 @@ void mend(RawSurface& raw, const std::vector<std::string>& files,
           TerrainReport& report) {
   detail::weld(raw, report);
   detail::drop_useless_triangles(raw, files, zone_of_file, report);
+  detail::level_spike_groups(raw.mesh, options.spike_steepness, options.crack, report);
   detail::close_cracks(raw, options.crack, report);
   detail::drop_unused_vertices(raw.mesh);
   detail::orient_upwards(raw, report);
-  detail::drop_double_ground(raw, report);
+  detail::drop_double_ground(raw, options.crack, report);
   detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * detail::median_edge(raw.mesh)),
-                             report);
+                             options.crack, report);
   detail::note_slivers(raw, report);
 }
 
@@ -304,11 +307,10 @@ Terrain read_terrain(const TerrainOptions& options) {
     throw InputError(options.surface.front().string() +
                      ": breaklines are for rasters and clouds; a mesh has its edges already");
   }
-  if (options.resolution && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
-    throw InputError(
-        options.surface.front().string() +
-        ": resolution is for rasters and clouds; leave it out, or thin the mesh with a "
-        "tolerance");
+  if (options.resolution && kind == Kind::kTerrain) {
+    throw InputError(options.surface.front().string() +
+                     ": a terrain file is checked and mended already; leave out resolution, or "
+                     "start from the survey");
   }
   std::vector<std::string> digests;
   const auto digest = [](const fs::path& file) {
@@ -346,9 +348,13 @@ Terrain read_terrain(const TerrainOptions& options) {
     for (const fs::path& file : options.surface) files.push_back(file.string());
     mend(raw, files, zone_of_file, options, terrain.report);
   } else {
+    detail::level_spike_groups(raw.mesh, options.spike_steepness, 0.0, terrain.report);
     detail::orient_upwards(raw, terrain.report);
   }
   detail::level_spikes(raw, options.spike_steepness, terrain.report);
+  if (options.resolution && kind == Kind::kMesh) {
+    raw = detail::resampled(raw, *options.resolution, options.surface.front(), terrain.report);
+  }
   detail::smooth(raw.mesh, options.smoothing, terrain.report);
   if (!options.breaklines.empty()) {
     std::vector<detail::MapLine> lines;

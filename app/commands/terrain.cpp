@@ -175,8 +175,8 @@ void make_terrain(TerrainArgs args) {
 void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& breaklines) {
   command
       .add_option("--resolution", options.resolution,
-                  "Cell size for clouds and resampled rasters, m; default of clouds: about four "
-                  "points per cell")
+                  "Cell size for clouds, and for rasters and meshes that are to be resampled, m; "
+                  "default: about four points of a cloud per cell, others as they are")
       ->check(positive_number())
       ->type_name("M");
   command

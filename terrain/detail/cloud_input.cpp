@@ -236,6 +236,12 @@ void note_fill(const HolesFilled& filled, double widest, CloudGrid& result, cons
 
 }  // namespace
 
+HeightGrid covering_grid(const Vec2& low, const Vec2& high, double cell, const fs::path& path) {
+  HeightGrid grid = Cells(low, high, cell, path).grid();
+  std::fill(grid.heights.begin(), grid.heights.end(), kUnknown);
+  return grid;
+}
+
 HeightGrid binned(std::span<const Vec3> points, double cell, const fs::path& path) {
   Bounds box;
   for (const Vec3& point : points) box.include(point);
