@@ -50,14 +50,13 @@ table.wide th,table.wide td{padding:3px 4px}
 table.wide td.wrap{min-width:15ch}
 figure{margin:0}
 figcaption{font-size:13.5px;color:var(--soft);margin-top:4px}
-.key{cursor:pointer}
 #scene .view{min-height:320px;background:var(--band);line-height:0}
 #scene .bar{display:flex;flex-wrap:wrap;gap:6px 16px;align-items:center;padding:7px 0;font-size:14px}
 #scene input[type=range]{flex:1;min-width:160px}
 #scene output{min-width:6ch;text-align:right;font-variant-numeric:tabular-nums}
-.key.off{opacity:.35}
-.hidden{display:none}
-.stop:hover,.block:hover,.lit{stroke:#000;stroke-width:2}
+.chart{min-height:400px}
+.chart.map{min-height:640px}
+.block:hover,.lit{stroke:#000;stroke-width:2}
 details{margin:10px 0}
 summary{cursor:pointer;font-weight:600}
 pre{background:var(--band);padding:12px;overflow-x:auto;font-size:12.5px;line-height:1.4}
@@ -86,12 +85,6 @@ document.querySelectorAll('th').forEach(function(th){
   }
   th.addEventListener('click',sort);
   th.addEventListener('keydown',function(e){if(e.key==='Enter'||e.key===' '){e.preventDefault();sort()}});
-});
-document.querySelectorAll('.key').forEach(function(key){
-  key.addEventListener('click',function(){
-    var off=key.classList.toggle('off');
-    document.querySelectorAll('.'+key.dataset.shows).forEach(function(e){e.classList.toggle('hidden',off)});
-  });
 });
 (function(){
   var lit=[];

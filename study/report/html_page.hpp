@@ -54,8 +54,8 @@ std::string fact(std::string_view name, std::string_view value);
 /// A coloured box with a list of what must not be missed.
 std::string note_box(std::string_view title, const std::vector<std::string>& notes);
 
-/// The whole page, with its style and the few lines of script that sort tables, hide map keys and
-/// light up every mark with the same data-block as the one under the pointer.
+/// The whole page, with its style and the few lines of script that sort tables and light
+/// up every mark with the same data-block as the one under the pointer.
 std::string page(std::string_view title, std::string_view body);
 
 }  // namespace clast
