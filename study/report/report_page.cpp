@@ -10,19 +10,12 @@ constexpr std::string_view kStyle = R"(
 #scene .bar{display:flex;flex-wrap:wrap;gap:6px 16px;align-items:center;padding:7px 0;font-size:14px}
 #scene input[type=range]{flex:1;min-width:160px}
 #scene output{min-width:6ch;text-align:right;font-variant-numeric:tabular-nums}
-.stop:hover,.block:hover,.lit{stroke:#000;stroke-width:2}
-.key{cursor:pointer}
-.key.off{opacity:.35}
-.hidden{display:none}
+.chart{min-height:400px}
+.chart.map{min-height:640px}
+.block:hover,.lit{stroke:#000;stroke-width:2}
 )";
 
 constexpr std::string_view kScript = R"(
-document.querySelectorAll('.key').forEach(function(key){
-  key.addEventListener('click',function(){
-    var off=key.classList.toggle('off');
-    document.querySelectorAll('.'+key.dataset.shows).forEach(function(e){e.classList.toggle('hidden',off)});
-  });
-});
 (function(){
   var lit=[];
   function light(on){lit.forEach(function(e){e.classList.toggle('lit',on)})}
