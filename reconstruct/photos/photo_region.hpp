@@ -8,7 +8,7 @@ namespace clast {
 struct PhotoRegion {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
-  bool from_points = false;  ///< else from the cameras alone, and wide
+  bool from_ground = false;  ///< a block was found on a ground; else a guess
 };
 
 /// The block that stands on the ground near where the cameras look, found in the sparse points as
@@ -17,7 +17,7 @@ struct PhotoRegion {
 /// @throws InputError  fewer than two photos, or cameras that don't look at one place
 PhotoRegion region_of(const PhotoModel& model);
 
-/// Photos in which the region's centre is seen, with the angle between two of them there, rad.
+/// The angle between two photos at the region's centre, rad.
 double angle_between(const PhotoModel& model, const PhotoRegion& region, std::size_t first,
                      std::size_t second);
 

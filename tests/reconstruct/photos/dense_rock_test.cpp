@@ -87,7 +87,7 @@ TEST(DenseBoulder, RealPhotosGivePointsAllRound) {
   std::cout << cloud.pairs.size() << " pairs, " << cloud.points.size() << " points, " << spent
             << " CPU s\n";
   for (const std::string& note : cloud.notes) std::cout << note << "\n";
-  EXPECT_TRUE(cloud.region.from_points);
+  EXPECT_TRUE(cloud.region.from_ground);
   EXPECT_GT(cloud.points.size(), 100000u);
   EXPECT_LT(spent, 90.0);
 }
