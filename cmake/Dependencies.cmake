@@ -18,6 +18,19 @@ find_package(GDAL 3.6 REQUIRED CONFIG)
 find_package(CLI11 2.1 REQUIRED CONFIG)
 find_package(tomlplusplus 3.3 REQUIRED CONFIG)
 find_package(nlohmann_json 3.11 REQUIRED CONFIG)
+find_package(pugixml 1.11 REQUIRED CONFIG)
+# Markers are a module of their own up to 4.6, and in objdetect since 4.7.
+find_package(OpenCV 4.5 REQUIRED CONFIG COMPONENTS core imgproc imgcodecs calib3d
+             OPTIONAL_COMPONENTS aruco objdetect)
+if(OpenCV_VERSION VERSION_LESS 4.7)
+  set(CLAST_MARKER_MODULE opencv_aruco)
+else()
+  set(CLAST_MARKER_MODULE opencv_objdetect)
+endif()
+if(NOT TARGET ${CLAST_MARKER_MODULE})
+  message(FATAL_ERROR "OpenCV lacks ${CLAST_MARKER_MODULE}, which finds markers in photographs; "
+                      "in Debian and Ubuntu it is in libopencv-dev.")
+endif()
 # Without MPI a campaign runs on one machine, or as shards that are merged.
 option(CLAST_MPI "Run campaigns under mpirun, where MPI is installed" ON)
 set(MPI_CXX_FOUND FALSE)

@@ -14,11 +14,11 @@ say() { printf '== %s\n' "$*"; }
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
 packages=(g++ cmake ninja-build libeigen3-dev libcgal-dev libassimp-dev libhdf5-dev libgdal-dev
-          libpcl-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libjs-three
-          python3-plotly libopenmpi-dev openmpi-bin)
+          libpcl-dev libopencv-dev libpugixml-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
+          libjs-three python3-plotly libopenmpi-dev openmpi-bin)
 case "${1-}" in
   program) ;;
-  tests) packages+=(libgtest-dev chromium) ;;
+  tests) packages+=(libgtest-dev chromium colmap) ;;
   *) printf 'usage: %s program|tests\n' "$0" >&2; exit 2 ;;
 esac
 

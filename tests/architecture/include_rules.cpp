@@ -25,6 +25,15 @@ const std::map<std::string, Folders> kArrows = {
     {"app", {"study", "reconstruct"}},
 };
 
+/// Libraries that are not named for their folder.
+const std::map<std::string, std::string> kInnerLibraries = {{"photos", "reconstruct"}};
+
+/// The folder of a library, by the target's name after "clast::".
+std::string folder_of_library(const std::string& library) {
+  const auto inner = kInnerLibraries.find(library);
+  return inner == kInnerLibraries.end() ? library : inner->second;
+}
+
 /// A package: how its headers and its CMake targets begin, and the folders that it is for.
 struct Package {
   std::string name;
@@ -44,7 +53,11 @@ const std::vector<Package> kHeavyPackages = {
     {"MPI", {"mpi.h"}, {"MPI::"}, {"study"}},
     {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"study"}},
     {"CLI11", {"CLI/"}, {"CLI11::"}, {"app"}},
-    {"nlohmann_json", {"nlohmann/"}, {"nlohmann_json::"}, {"library", "terrain", "study", "app"}},
+    {"nlohmann_json",
+     {"nlohmann/"},
+     {"nlohmann_json::"},
+     {"reconstruct", "library", "terrain", "study", "app"}},
+    {"pugixml", {"pugixml"}, {"pugixml::"}, {"reconstruct"}},
 };
 
 /// `dem` opens no file and prints nothing.
@@ -136,6 +149,15 @@ Findings include_findings(const SourceFile& file) {
           file, include.line,
           file.folder() + " may not include " + include.header + ", only from " + listed(allowed)));
     }
+    for (const auto& [inner, outer] : kInnerLibraries) {
+      const std::string place = outer + "/" + inner + "/";
+      if (file.folder() == outer && !file.path.starts_with(place) &&
+          include.header.starts_with(place)) {
+        findings.push_back(finding(file, include.line,
+                                   outer + " may not include " + include.header +
+                                       ": clast::" + inner + " is built on clast::" + outer));
+      }
+    }
     if (is_public_header(file) && include.header.find("/detail/") != std::string::npos) {
       findings.push_back(
           finding(file, include.line,
@@ -178,7 +200,8 @@ Findings link_findings(const SourceFile& cmake_lists) {
   if (cmake_lists.path != folder + "/CMakeLists.txt" || !kArrows.contains(folder)) return findings;
   const Folders allowed = reachable(folder);
   for (const Link& link : links_of(cmake_lists)) {
-    if (link.target.starts_with("clast::") && !allowed.contains(link.target.substr(7))) {
+    if (link.target.starts_with("clast::") &&
+        !allowed.contains(folder_of_library(link.target.substr(7)))) {
       findings.push_back(
           finding(cmake_lists, link.line,
                   folder + " may not link " + link.target + ", only " + listed(allowed)));
@@ -199,7 +222,8 @@ Findings unlinked_findings(const std::vector<SourceFile>& tree) {
   for (const SourceFile& file : tree) {
     if (file.path != file.folder() + "/CMakeLists.txt") continue;
     for (const Link& link : links_of(file)) {
-      if (link.target.starts_with("clast::")) linked[file.folder()].insert(link.target.substr(7));
+      if (link.target.starts_with("clast::"))
+        linked[file.folder()].insert(folder_of_library(link.target.substr(7)));
     }
   }
   // Links of links, until nothing is added; the folders are few.

@@ -68,6 +68,16 @@ TEST(IncludeRules, SiblingsDoNotKnowEachOther) {
   EXPECT_EQ(include_findings(source_file("core/a.cpp", "#include \"shapes/a.hpp\"\n")).size(), 1u);
 }
 
+TEST(IncludeRules, AnInnerLibraryIsBuiltOnItsFoldersAndNotTheOtherWayRound) {
+  const std::string text = "#include \"reconstruct/photos/lens.hpp\"\n";
+  EXPECT_EQ(include_findings(source_file("reconstruct/scan.cpp", text)).size(), 1u);
+  EXPECT_TRUE(include_findings(source_file("reconstruct/photos/a.cpp", text)).empty());
+  EXPECT_TRUE(include_findings(source_file("app/a.cpp", text)).empty());
+  EXPECT_TRUE(link_findings(source_file("app/CMakeLists.txt", "LINK clast::study clast::photos\n"))
+                  .empty());
+  EXPECT_EQ(link_findings(source_file("dem/CMakeLists.txt", "PUBLIC clast::photos\n")).size(), 1u);
+}
+
 TEST(IncludeRules, LibrariesDoNotIncludeTests) {
   const std::string text = "#include \"tests/support/scratch_folder.hpp\"\n";
   EXPECT_EQ(include_findings(source_file("app/a.cpp", text)).size(), 1u);

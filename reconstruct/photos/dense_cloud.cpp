@@ -1,0 +1,243 @@
+#include "reconstruct/photos/dense_cloud.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <unordered_map>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/parallel.hpp"
+#include "reconstruct/photos/detail/photo_image.hpp"
+#include "reconstruct/photos/detail/rectified_pair.hpp"
+#include "reconstruct/photos/photo_sharpness.hpp"
+
+namespace clast {
+
+namespace {
+
+using detail::kNoShift;
+using detail::PairDepths;
+
+/// Pairs that look in directions farther apart see different sides.
+constexpr double kSameSide = 0.5;  ///< cosine
+/// A pair that has seen something this many pixels behind a point has looked through it.
+constexpr double kSeenThrough = 3.0;  ///< times the tolerance
+constexpr double kShiftUnit = 16.0;
+constexpr std::size_t kFewestPoints = 2000;
+constexpr std::size_t kAtATime = 8;  ///< pairs that are fused before their points are added
+
+/// How a pair sees points, as one matrix: (u z, v z, z) = matrix * (p - left).
+struct View {
+  Mat3 matrix;
+  Vec3 left;
+  double f_base, offset;
+  Vec3 direction;
+  const PairDepths* depths;
+
+  explicit View(const PairDepths& pair) : depths(&pair) {
+    const detail::Rectification& r = pair.view;
+    Mat3 lens;
+    lens << r.f, 0.0, r.cx, 0.0, r.f, r.cy, 0.0, 0.0, 1.0;
+    matrix = lens * r.turn;
+    left = r.left;
+    f_base = r.f * r.base;
+    offset = r.offset;
+    direction = r.direction();
+  }
+};
+
+struct Fused {
+  Vec3 place;
+  cv::Vec3b colour;
+};
+
+/// Points of one pair that others agree with.
+std::vector<Fused> fused(const std::vector<View>& views, std::size_t own,
+                         const DenseOptions& options) {
+  const View& view = views[own];
+  std::vector<const View*> others;
+  for (std::size_t j = 0; j < views.size(); ++j) {
+    if (j != own && views[j].direction.dot(view.direction) > kSameSide) others.push_back(&views[j]);
+  }
+  const detail::Rectification& r = view.depths->view;
+  const double through = kSeenThrough * options.tolerance;
+  std::vector<Fused> points;
+  for (int v = 0; v < r.height; ++v) {
+    const auto* row = view.depths->shift.ptr<short>(v);
+    for (int u = 0; u < r.width; ++u) {
+      if (row[u] == kNoShift) continue;
+      const Vec3 place = r.point(u, v, row[u] / kShiftUnit);
+      Vec3 sum = place;
+      std::size_t agree = 1, against = 0;
+      for (const View* other : others) {
+        const Vec3 q = other->matrix * (place - other->left);
+        if (!(q.z() > 0.0)) continue;
+        const double inverse = 1.0 / q.z();
+        const int x = static_cast<int>(q.x() * inverse + 0.5);
+        const int y = static_cast<int>(q.y() * inverse + 0.5);
+        const cv::Mat& shift = other->depths->shift;
+        if (x < 0 || y < 0 || x >= shift.cols || y >= shift.rows) continue;
+        const short known = shift.at<short>(y, x);
+        if (known == kNoShift) continue;
+        const double expected = other->f_base * inverse - other->offset;
+        const double nearer = expected - known / kShiftUnit;
+        if (std::abs(nearer) <= options.tolerance) {
+          sum += other->depths->view.point(q.x() * inverse, q.y() * inverse, known / kShiftUnit);
+          ++agree;
+        } else if (nearer > through) {
+          ++against;
+        }
+      }
+      if (agree < options.agreeing || against >= agree) continue;
+      points.push_back({sum / static_cast<double>(agree), view.depths->colour.at<cv::Vec3b>(v, u)});
+    }
+  }
+  return points;
+}
+
+/// Means of points and colours in cubes.
+class Cells {
+ public:
+  Cells(const Vec3& origin, double side) : origin_(origin), side_(side) {}
+
+  void add(const Fused& point) {
+    const Vec3 at = (point.place - origin_) / side_;
+    std::uint64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto step = static_cast<std::int64_t>(std::floor(at[axis])) + kHalf;
+      key = (key << kBits) | (static_cast<std::uint64_t>(step) & (2 * kHalf - 1));
+    }
+    Cell& cell = cells_[key];
+    cell.place += point.place;
+    for (int c = 0; c < 3; ++c) cell.colour[c] += point.colour[c];
+    ++cell.count;
+  }
+
+  void hand_over(DenseCloud& cloud) const {
+    std::vector<std::uint64_t> keys;
+    for (const auto& [key, cell] : cells_) keys.push_back(key);
+    std::sort(keys.begin(), keys.end());
+    for (const std::uint64_t key : keys) {
+      const Cell& cell = cells_.at(key);
+      cloud.points.push_back(cell.place / static_cast<double>(cell.count));
+      std::array<std::uint8_t, 3> colour{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        colour[c] = static_cast<std::uint8_t>(cell.colour[2 - c] / cell.count);
+      }
+      cloud.colours.push_back(colour);
+    }
+  }
+
+ private:
+  static constexpr int kBits = 21;
+  static constexpr std::int64_t kHalf = std::int64_t{1} << (kBits - 1);
+  struct Cell {
+    Vec3 place = Vec3::Zero();
+    std::uint32_t colour[3] = {0, 0, 0};
+    std::uint32_t count = 0;
+  };
+  Vec3 origin_;
+  double side_;
+  std::unordered_map<std::uint64_t, Cell> cells_;
+};
+
+/// The mask of each photo; none where no folder is given.
+std::vector<std::filesystem::path> masks_of(const PhotoModel& model,
+                                            const std::filesystem::path& folder) {
+  if (folder.empty()) return {};
+  std::map<std::string, std::filesystem::path> by_stem;
+  for (const std::filesystem::path& file : photos_in(folder)) by_stem[file.stem().string()] = file;
+  std::vector<std::filesystem::path> masks;
+  for (const Photo& photo : model.photos) {
+    // "a.png" or "a.jpg.png" for the photo a.jpg; some programs append "_mask".
+    std::filesystem::path found;
+    const std::string stem = photo.file.stem().string();
+    for (const std::string& name : {stem, photo.file.filename().string(), stem + "_mask"}) {
+      if (found.empty() && by_stem.contains(name)) found = by_stem[name];
+    }
+    if (found.empty()) {
+      throw InputError(folder.string() + ": no mask for photo " + photo.name + "; looked for " +
+                       stem + ".png and " + stem + "_mask.png");
+    }
+    masks.push_back(found);
+  }
+  return masks;
+}
+
+void skip_blurred(const PhotoModel& model, const DenseOptions& options, DenseCloud& cloud) {
+  const std::vector<Sharpness> sharpness = sharpness_of(model, cloud.region, options.threads);
+  std::string names;
+  for (std::size_t i = 0; i < sharpness.size(); ++i) {
+    if (!sharpness[i].blurred) continue;
+    cloud.blurred.push_back(i);
+    names += (names.empty() ? "" : ", ") + model.photos[i].name + " (sharpness " +
+             with_digits(sharpness[i].relative, 2) + " of the median)";
+  }
+  if (!names.empty()) cloud.notes.push_back("blurred photos were skipped: " + names);
+}
+
+}  // namespace
+
+void DenseOptions::check() const {
+  pairs.check();
+  const auto require = [](bool fine, const char* name, double value) {
+    if (fine) return;
+    throw InputError(std::string(name) + " = " + with_digits(value, 4) + " is out of range");
+  };
+  require(most_pixels >= 100 && most_pixels <= 10000, "most_pixels", most_pixels);
+  require(agreeing >= 1 && agreeing <= 20, "agreeing", static_cast<double>(agreeing));
+  require(tolerance > 0.0 && tolerance <= 10.0, "tolerance", tolerance);
+  require(cell > 0.0 && cell <= 100.0, "cell", cell);
+}
+
+DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
+                       const std::function<void(std::size_t, std::size_t)>& progress) {
+  options.check();
+  const detail::SingleThreaded guard;
+  DenseCloud cloud;
+  cloud.region = region_of(model);
+  const std::vector<std::filesystem::path> masks = masks_of(model, options.masks);
+  if (options.skip_blurred) skip_blurred(model, options, cloud);
+  cloud.pairs = stereo_pairs(model, cloud.region, cloud.blurred, options.pairs);
+
+  const std::size_t count = cloud.pairs.size();
+  std::vector<PairDepths> depths(count);
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(count, options.threads, [&](std::size_t i) {
+    depths[i] =
+        detail::pair_depths(model, cloud.pairs[i], cloud.region, options.most_pixels, masks);
+    const std::lock_guard lock(mutex);
+    if (progress) progress(++done, count + count / 4);
+  });
+  std::vector<View> views;
+  std::vector<double> widths;  // of a pixel on the block
+  for (const PairDepths& pair : depths) {
+    views.emplace_back(pair);
+    widths.push_back((cloud.region.centre - pair.view.left).norm() / pair.view.f);
+  }
+  std::sort(widths.begin(), widths.end());
+  cloud.cell = options.cell * widths[widths.size() / 2];
+  Cells cells(cloud.region.centre, cloud.cell);
+  for (std::size_t first = 0; first < count; first += kAtATime) {
+    std::vector<std::vector<Fused>> points(std::min(kAtATime, count - first));
+    parallel_for(points.size(), options.threads,
+                 [&](std::size_t i) { points[i] = fused(views, first + i, options); });
+    for (const auto& of_pair : points) {
+      for (const Fused& point : of_pair) cells.add(point);
+    }
+    if (progress) progress(count + (first + points.size()) / 4, count + count / 4);
+  }
+  cells.hand_over(cloud);
+  if (cloud.points.size() < kFewestPoints) {
+    throw InputError("the photos agree on " + std::to_string(cloud.points.size()) +
+                     " points only, from " + std::to_string(count) +
+                     " pairs: too few for a surface. They are blurred, without texture, or too "
+                     "far apart: take one every 10-15 degrees, in even light");
+  }
+  return cloud;
+}
+
+}  // namespace clast

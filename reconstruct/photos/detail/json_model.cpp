@@ -1,0 +1,27 @@
+#include "reconstruct/photos/detail/json_model.hpp"
+
+#include "core/number_text.hpp"
+#include "core/text_file.hpp"
+
+namespace clast::detail {
+
+nlohmann::json json_of(const std::filesystem::path& file) {
+  return nlohmann::json::parse(read_text_file(file));
+}
+
+double json_number(const nlohmann::json& value) {
+  if (!value.is_string()) return value.get<double>();
+  const std::optional<double> number = number_in(value.get<std::string>());
+  if (!number) throw InputError("\"" + value.get<std::string>() + "\" is no number");
+  return *number;
+}
+
+Vec3 json_vector(const nlohmann::json& value) {
+  return {json_number(value.at(0)), json_number(value.at(1)), json_number(value.at(2))};
+}
+
+std::string json_id(const nlohmann::json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+}  // namespace clast::detail

@@ -1,0 +1,34 @@
+#pragma once
+/// What the readers of camera models in JSON share.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/types.hpp"
+
+namespace clast::detail {
+
+/// The file's content. @throws nlohmann::json::exception  it is no JSON
+nlohmann::json json_of(const std::filesystem::path& file);
+
+/// A number that may be written as a text, as AliceVision does.
+double json_number(const nlohmann::json& value);
+
+/// Three numbers.
+Vec3 json_vector(const nlohmann::json& value);
+
+/// A number or a text as text: the ids of items.
+std::string json_id(const nlohmann::json& value);
+
+/// What `read` makes of the file; what the JSON library throws becomes an InputError.
+template <class Read>
+auto json_read(const std::filesystem::path& file, const Read& read) {
+  try {
+    return read(json_of(file));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file.string() + ": not the layout of a camera model (" + error.what() + ")");
+  }
+}
+
+}  // namespace clast::detail

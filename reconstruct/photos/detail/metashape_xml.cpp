@@ -1,0 +1,166 @@
+#include <map>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "reconstruct/photos/detail/model_readers.hpp"
+
+namespace clast::detail {
+
+namespace {
+
+std::vector<double> numbers_in(const pugi::xml_node& node, std::size_t count) {
+  std::istringstream words(node.text().as_string());
+  std::vector<double> values;
+  for (std::string word; words >> word;) {
+    const std::optional<double> value = number_in(word);
+    if (!value)
+      throw InputError("<" + std::string(node.name()) + ">: \"" + word + "\" is no number");
+    values.push_back(*value);
+  }
+  if (values.size() != count) {
+    throw InputError("<" + std::string(node.name()) + "> holds " + std::to_string(values.size()) +
+                     " numbers in place of " + std::to_string(count));
+  }
+  return values;
+}
+
+double number_of(const pugi::xml_node& parent, const char* name, double otherwise) {
+  const pugi::xml_node node = parent.child(name);
+  return node ? numbers_in(node, 1)[0] : otherwise;
+}
+
+Lens lens_of(const pugi::xml_node& sensor) {
+  pugi::xml_node calibration = sensor.find_child_by_attribute("calibration", "class", "adjusted");
+  if (!calibration) calibration = sensor.child("calibration");
+  const std::string label = "sensor " + std::string(sensor.attribute("label").as_string());
+  if (!calibration) throw InputError(label + " has no calibration; align the photos first");
+  pugi::xml_node size = calibration.child("resolution");
+  if (!size) size = sensor.child("resolution");
+  std::string type = calibration.attribute("type").as_string();
+  if (type.empty()) type = sensor.attribute("type").as_string("frame");
+  if (type != "frame" && type != "fisheye" && type != "equidistant_fisheye") {
+    throw InputError(label + ": cameras of type " + type + " aren't known, only frame and fisheye");
+  }
+  for (const char* name : {"p3", "p4"}) {
+    if (number_of(calibration, name, 0.0) != 0.0) {
+      throw InputError(label + ": distortion " + name +
+                       " isn't known; optimize the cameras without it");
+    }
+  }
+  Lens lens{.width = size.attribute("width").as_int(), .height = size.attribute("height").as_int()};
+  lens.fisheye = type != "frame";
+  if (calibration.child("fx")) {  // PhotoScan up to 1.1: the centre from the corner
+    lens.fx = number_of(calibration, "fx", 0.0);
+    lens.fy = number_of(calibration, "fy", 0.0);
+    lens.cx = number_of(calibration, "cx", 0.0) - 0.5;
+    lens.cy = number_of(calibration, "cy", 0.0) - 0.5;
+    lens.skew = number_of(calibration, "skew", 0.0);
+  } else {
+    lens.fy = number_of(calibration, "f", 0.0);
+    lens.fx = lens.fy + number_of(calibration, "b1", 0.0);
+    lens.skew = number_of(calibration, "b2", 0.0);
+    lens.cx = 0.5 * lens.width + number_of(calibration, "cx", 0.0) - 0.5;
+    lens.cy = 0.5 * lens.height + number_of(calibration, "cy", 0.0) - 0.5;
+  }
+  lens.radial = {number_of(calibration, "k1", 0.0), number_of(calibration, "k2", 0.0),
+                 number_of(calibration, "k3", 0.0), number_of(calibration, "k4", 0.0)};
+  // Metashape's P1 goes with r^2 + 2 x^2, OpenCV's with 2 x y.
+  lens.p1 = number_of(calibration, "p2", 0.0);
+  lens.p2 = number_of(calibration, "p1", 0.0);
+  return lens;
+}
+
+/// Rotation and scale that take a chunk's or a component's frame to metres. The translation is left
+/// out: it is of the order of the earth's radius, and the origin is free.
+struct ToMetres {
+  Quat rotation = Quat::Identity();
+  double scale = 1.0;
+  bool known = false;
+};
+
+ToMetres to_metres(const pugi::xml_node& transform) {
+  ToMetres result;
+  if (!transform.child("scale")) return result;
+  result.scale = number_of(transform, "scale", 1.0);
+  if (!(result.scale > 0.0)) throw InputError("<scale> of the chunk is not positive");
+  result.known = true;
+  if (transform.child("rotation")) {
+    const std::vector<double> r = numbers_in(transform.child("rotation"), 9);
+    Mat3 m;
+    m << r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8];
+    result.rotation = rotation_from(m, "chunk");
+  }
+  return result;
+}
+
+}  // namespace
+
+PhotoModel read_metashape(const std::filesystem::path& file) {
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_file(file.c_str());
+  if (!parsed) {
+    throw InputError(file.string() + ": not XML at byte " + std::to_string(parsed.offset) + " (" +
+                     parsed.description() + ")");
+  }
+  const pugi::xml_node chunk = document.child("document").child("chunk");
+  if (!chunk.child("cameras")) {
+    throw InputError(file.string() +
+                     ": no <chunk> with <cameras>; write it with File > Export > Export Cameras");
+  }
+  PhotoModel model;
+  model.source = "Metashape";
+  std::map<std::string, std::size_t> lens_number;
+  std::map<std::string, pugi::xml_node> sensors;
+  for (const pugi::xml_node sensor : chunk.child("sensors").children("sensor")) {
+    sensors[sensor.attribute("id").as_string()] = sensor;
+  }
+  const ToMetres of_chunk = to_metres(chunk.child("transform"));
+  std::map<std::string, ToMetres> components;
+  for (const pugi::xml_node component : chunk.child("components").children("component")) {
+    components[component.attribute("id").as_string()] = to_metres(component.child("transform"));
+  }
+  std::vector<pugi::xml_node> cameras;
+  for (const pugi::xml_node node : chunk.child("cameras").children()) {
+    if (std::string(node.name()) == "camera") cameras.push_back(node);
+    for (const pugi::xml_node inner : node.children("camera")) cameras.push_back(inner);
+  }
+  std::string component;
+  for (const pugi::xml_node& camera : cameras) {
+    if (!camera.attribute("enabled").as_bool(true)) continue;
+    if (!camera.child("transform")) {
+      ++model.unplaced;
+      continue;
+    }
+    const std::string label = camera.attribute("label").as_string();
+    const std::string own = camera.attribute("component_id").as_string();
+    if (!model.photos.empty() && own != component) {
+      throw InputError("photo " + label +
+                       " is in another component than the ones before it: the "
+                       "photos are in separate groups; add photos between them and align again");
+    }
+    component = own;
+    const std::string sensor = camera.attribute("sensor_id").as_string();
+    if (!sensors.contains(sensor)) {
+      throw InputError("photo " + label + " names sensor " + sensor + ", which isn't there");
+    }
+    if (!lens_number.contains(sensor)) {
+      lens_number[sensor] = model.lenses.size();
+      model.lenses.push_back(lens_of(sensors[sensor]));
+    }
+    const auto found = components.find(own);
+    const bool in_component = found != components.end() && found->second.known;
+    const ToMetres& metres = in_component ? found->second : of_chunk;
+    model.metric = metres.known;
+    const std::vector<double> t = numbers_in(camera.child("transform"), 16);
+    Mat3 rotation;
+    rotation << t[0], t[1], t[2], t[4], t[5], t[6], t[8], t[9], t[10];
+    const Pose world_from_camera{metres.scale * (metres.rotation * Vec3(t[3], t[7], t[11])),
+                                 metres.rotation * rotation_from(rotation, "photo " + label)};
+    model.photos.push_back({label, {}, lens_number[sensor], world_from_camera.inverse()});
+  }
+  return model;
+}
+
+}  // namespace clast::detail

@@ -1,0 +1,28 @@
+#pragma once
+/// One reader for each format of camera models. Each returns photos in order of their names.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "reconstruct/photos/photo_model.hpp"
+
+namespace clast::detail {
+
+PhotoModel read_colmap_text(const std::filesystem::path& folder);
+PhotoModel read_colmap_binary(const std::filesystem::path& folder);
+PhotoModel read_metashape(const std::filesystem::path& file);
+PhotoModel read_alicevision(const std::filesystem::path& file);
+PhotoModel read_openmvg(const std::filesystem::path& file);
+PhotoModel read_bundler(const std::filesystem::path& file, const std::filesystem::path& photos);
+
+/// Lens of COLMAP's camera `model` ("SIMPLE_RADIAL"); pixels are moved by half a pixel.
+/// @throws InputError  a model that isn't known, or a wrong number of parameters
+Lens colmap_lens(const std::string& model, int width, int height, const std::vector<double>& p);
+
+/// Sorts photos by name and renumbers what names them.
+PhotoModel in_order_of_names(PhotoModel model);
+
+/// A rotation from a matrix; @throws InputError with `what` where it is none.
+Quat rotation_from(const Mat3& matrix, const std::string& what);
+
+}  // namespace clast::detail

@@ -1,0 +1,33 @@
+#pragma once
+/// Pixels of photos, by OpenCV.
+#include <filesystem>
+#include <opencv2/core.hpp>
+
+namespace clast::detail {
+
+struct PhotoSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// The pixels as the camera wrote them: a note of the file on how to turn it is not obeyed, as
+/// structure from motion does not either.
+/// @throws InputError  missing or no photo, by name
+cv::Mat read_colour_photo(const std::filesystem::path& file);
+cv::Mat read_grey_photo(const std::filesystem::path& file);
+PhotoSize photo_size(const std::filesystem::path& file);
+
+/// OpenCV works in one thread while this lives: photos are worked on in parallel instead, and its
+/// results are the same on any machine.
+class SingleThreaded {
+ public:
+  SingleThreaded();
+  ~SingleThreaded();
+  SingleThreaded(const SingleThreaded&) = delete;
+  SingleThreaded& operator=(const SingleThreaded&) = delete;
+
+ private:
+  int before_;
+};
+
+}  // namespace clast::detail

@@ -1,0 +1,112 @@
+#include "reconstruct/photos/detail/triangulation.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace clast::detail {
+
+namespace {
+
+constexpr std::size_t kMostPairs = 400;
+constexpr double kLeastAngle = 0.03;  ///< between two rays, rad: less says nothing of the depth
+constexpr int kSteps = 10;
+
+struct Ray {
+  Vec3 from, along;  ///< `along` is unit
+};
+
+/// The middle of the shortest line between two rays.
+std::optional<Vec3> meeting(const Ray& a, const Ray& b) {
+  const double c = a.along.dot(b.along), sine2 = 1.0 - c * c;
+  if (sine2 < kLeastAngle * kLeastAngle) return std::nullopt;
+  const Vec3 between = b.from - a.from;
+  const double s = (a.along.dot(between) - c * b.along.dot(between)) / sine2;
+  const double t = (c * a.along.dot(between) - b.along.dot(between)) / sine2;
+  if (!(s > 0.0 && t > 0.0)) return std::nullopt;
+  return 0.5 * (a.from + s * a.along + b.from + t * b.along);
+}
+
+Triangulated judged(const PhotoModel& model, const std::vector<Sighting>& sightings,
+                    const Vec3& place, double largest_error) {
+  Triangulated result{place, std::vector<bool>(sightings.size()), 0, 0.0};
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    const std::optional<Vec2> seen = seen_at(model, sightings[i].photo, place);
+    const double error2 = seen ? (*seen - sightings[i].pixel).squaredNorm() : 1e300;
+    if (error2 > largest_error * largest_error) continue;
+    result.agrees[i] = true;
+    ++result.agreeing;
+    result.squared_error += error2;
+  }
+  return result;
+}
+
+/// A step of least squares over the sightings that agree; derivatives by differences.
+Vec3 improved(const PhotoModel& model, const std::vector<Sighting>& sightings,
+              const Triangulated& now) {
+  Mat3 normal = Mat3::Zero();
+  Vec3 right = Vec3::Zero();
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    if (!now.agrees[i]) continue;
+    const std::size_t photo = sightings[i].photo;
+    const Photo& camera = model.photos[photo];
+    const double step = 1e-6 * (camera.camera_from_world * now.place).norm();
+    const std::optional<Vec2> here = seen_at(model, photo, now.place);
+    Eigen::Matrix<double, 2, 3> slope;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 move = step * Vec3::Unit(axis);
+      const std::optional<Vec2> ahead = seen_at(model, photo, now.place + move);
+      const std::optional<Vec2> behind = seen_at(model, photo, now.place - move);
+      if (!ahead || !behind) return now.place;
+      slope.col(axis) = (*ahead - *behind) / (2.0 * step);
+    }
+    normal += slope.transpose() * slope;
+    right += slope.transpose() * (sightings[i].pixel - *here);
+  }
+  const Vec3 move = normal.ldlt().solve(right);
+  return move.allFinite() ? Vec3(now.place + move) : now.place;
+}
+
+}  // namespace
+
+std::optional<Triangulated> triangulated(const PhotoModel& model,
+                                         const std::vector<Sighting>& sightings,
+                                         double largest_error) {
+  std::vector<std::optional<Ray>> rays;
+  for (const Sighting& sighting : sightings) {
+    const Photo& photo = model.photos[sighting.photo];
+    const std::optional<Vec3> direction = direction_at(model.lenses[photo.lens], sighting.pixel);
+    const Pose world_from_camera = photo.camera_from_world.inverse();
+    rays.push_back(direction
+                       ? std::optional(Ray{world_from_camera.translation,
+                                           world_from_camera.rotation * direction->normalized()})
+                       : std::nullopt);
+  }
+  std::optional<Triangulated> best;
+  const std::size_t count = sightings.size(), pairs = count * (count - 1) / 2;
+  const std::size_t stride = pairs / kMostPairs + 1;
+  std::size_t pair = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      if (pair++ % stride != 0 || !rays[i] || !rays[j]) continue;
+      const std::optional<Vec3> place = meeting(*rays[i], *rays[j]);
+      if (!place) continue;
+      Triangulated trial = judged(model, sightings, *place, largest_error);
+      const bool better =
+          !best || trial.agreeing > best->agreeing ||
+          (trial.agreeing == best->agreeing && trial.squared_error < best->squared_error);
+      if (trial.agreeing >= 2 && better) best = std::move(trial);
+    }
+  }
+  if (!best) return std::nullopt;
+  for (int step = 0; step < kSteps; ++step) {
+    Triangulated next = judged(model, sightings, improved(model, sightings, *best), largest_error);
+    if (next.agreeing < best->agreeing) break;
+    const bool still = (next.place - best->place).norm() < 1e-12 * best->place.norm();
+    best = std::move(next);
+    if (still) break;
+  }
+  return best;
+}
+
+}  // namespace clast::detail

@@ -1,0 +1,120 @@
+#include "reconstruct/photos/model_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "reconstruct/photos/detail/model_readers.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_file(const fs::path& path) {
+  std::error_code code;
+  return fs::is_regular_file(path, code);
+}
+
+bool holds_colmap(const fs::path& folder, const std::string& extension) {
+  return is_file(folder / ("cameras" + extension)) && is_file(folder / ("images" + extension));
+}
+
+/// The file, or the folder of COLMAP's files, that `path` stands for; empty where there is none.
+fs::path model_at(const fs::path& path) {
+  if (is_file(path)) return path;
+  for (const char* inner : {"", "sparse/0", "sparse", "colmap_txt"}) {
+    const fs::path folder = *inner == '\0' ? path : path / inner;
+    if (holds_colmap(folder, ".txt") || holds_colmap(folder, ".bin")) return folder;
+  }
+  for (const char* name :
+       {"cameras.xml", "cameras.sfm", "sfm.json", "sfm_data.json", "bundle.out", "bundler.out"}) {
+    if (is_file(path / name)) return path / name;
+  }
+  return {};
+}
+
+PhotoModel read_at(const fs::path& path, const fs::path& photos) {
+  if (holds_colmap(path, ".txt")) return detail::read_colmap_text(path);
+  if (holds_colmap(path, ".bin")) return detail::read_colmap_binary(path);
+  const std::string extension = extension_of(path);
+  if (extension == ".xml") return detail::read_metashape(path);
+  if (extension == ".out") return detail::read_bundler(path, photos);
+  if (extension == ".sfm") return detail::read_alicevision(path);
+  if (extension == ".json") {
+    // Both programs use the extension; only OpenMVG has a root_path.
+    const bool openmvg = read_text_file(path).find("\"root_path\"") != std::string::npos;
+    return openmvg ? detail::read_openmvg(path) : detail::read_alicevision(path);
+  }
+  throw InputError(path.string() +
+                   ": not a camera model; known are folders of COLMAP (cameras, images and "
+                   "points3D as .txt or .bin), .xml of Metashape, .sfm and .json of AliceVision, "
+                   "sfm_data.json of OpenMVG, and bundle.out");
+}
+
+}  // namespace
+
+bool holds_photo_model(const fs::path& folder) { return !model_at(folder).empty(); }
+
+PhotoModel read_photo_model(const fs::path& path, const fs::path& photos) {
+  std::error_code code;
+  if (!fs::exists(path, code)) throw InputError(path.string() + ": no such file or folder");
+  const fs::path found = model_at(path);
+  if (found.empty()) {
+    throw InputError(path.string() +
+                     ": no camera model in this folder; COLMAP's has cameras.txt "
+                     "or cameras.bin, Metashape's is cameras.xml");
+  }
+  try {
+    PhotoModel model = detail::in_order_of_names(read_at(found, photos));
+    model.check();
+    return model;
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    if (what.find(found.string()) != std::string::npos) throw;
+    throw InputError(found.string() + ": " + what);
+  }
+}
+
+namespace detail {
+
+PhotoModel in_order_of_names(PhotoModel model) {
+  std::vector<std::uint32_t> order(model.photos.size()), number(model.photos.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return model.photos[a].name < model.photos[b].name;
+  });
+  std::vector<Photo> photos;
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    number[order[i]] = i;
+    photos.push_back(std::move(model.photos[order[i]]));
+    if (i > 0 && photos[i].name == photos[i - 1].name) {
+      throw InputError("photo " + photos[i].name + " stands twice in the model");
+    }
+  }
+  model.photos = std::move(photos);
+  for (SparsePoint& point : model.points) {
+    for (std::uint32_t& photo : point.photos) {
+      if (photo >= number.size()) throw InputError("a point names a photo that isn't there");
+      photo = number[photo];
+    }
+    std::sort(point.photos.begin(), point.photos.end());
+    point.photos.erase(std::unique(point.photos.begin(), point.photos.end()), point.photos.end());
+  }
+  return model;
+}
+
+Quat rotation_from(const Mat3& matrix, const std::string& what) {
+  if (!matrix.allFinite() || (matrix * matrix.transpose() - Mat3::Identity()).norm() > 1e-3 ||
+      matrix.determinant() < 0.0) {
+    throw InputError(what + ": its rotation is none");
+  }
+  return Quat(matrix).normalized();
+}
+
+}  // namespace detail
+
+}  // namespace clast

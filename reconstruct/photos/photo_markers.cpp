@@ -1,0 +1,142 @@
+#include "reconstruct/photos/photo_markers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/parallel.hpp"
+#include "reconstruct/photos/detail/marker_corners.hpp"
+#include "reconstruct/photos/detail/photo_image.hpp"
+#include "reconstruct/photos/detail/triangulation.hpp"
+
+namespace clast {
+
+namespace {
+
+/// Photos that "auto" tries every dictionary on.
+constexpr std::size_t kTriedPhotos = 8;
+/// Fewer sightings in those are chance: what looks like a marker on a rock.
+constexpr std::size_t kFewestSightings = 3;
+
+using detail::MarkerInPhoto;
+
+Lens lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) {
+  const Photo& p = model.photos[photo];
+  try {
+    return resized(model.lenses[p.lens], image.cols, image.rows);
+  } catch (const InputError& error) {
+    throw InputError("photo " + p.name + ": " + error.what());
+  }
+}
+
+/// The dictionary with the most markers on some photos; empty when none has enough.
+std::string likely_dictionary(const PhotoModel& model, unsigned threads) {
+  const std::size_t tried = std::min(kTriedPhotos, model.photos.size());
+  const std::vector<std::string>& names = detail::dictionary_names();
+  std::vector<std::vector<std::size_t>> counts(tried, std::vector<std::size_t>(names.size()));
+  parallel_for(tried, threads, [&](std::size_t i) {
+    const cv::Mat grey =
+        detail::read_grey_photo(model.photos[i * model.photos.size() / tried].file);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      counts[i][k] = detail::markers_in(grey, names[k]).size();
+    }
+  });
+  std::string best;
+  std::size_t most = kFewestSightings - 1;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < tried; ++i) sum += counts[i][k];
+    if (sum > most) {
+      most = sum;
+      best = names[k];
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+void MarkerOptions::check() const {
+  const std::vector<std::string>& known = detail::dictionary_names();
+  if (dictionary != "auto" && dictionary != "none" &&
+      std::find(known.begin(), known.end(), dictionary) == known.end()) {
+    std::string names;
+    for (const std::string& name : known) names += " " + name;
+    throw InputError("marker dictionary " + dictionary + " isn't known; known are auto none" +
+                     names);
+  }
+  if (fewest_photos < 2) throw InputError("fewest_photos must be 2 at least");
+  if (!(largest_error > 0.0 && largest_error < 100.0)) {
+    throw InputError("largest_error = " + with_digits(largest_error, 4) + " px is out of range");
+  }
+}
+
+Vec3 FoundMarker::centre() const {
+  return 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+}
+
+double FoundMarker::side() const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) sum += (corners[k] - corners[(k + 1) % 4]).norm();
+  return 0.25 * sum;
+}
+
+std::vector<std::string> marker_dictionaries() { return detail::dictionary_names(); }
+
+std::vector<FoundMarker> found_markers(const PhotoModel& model, const MarkerOptions& options) {
+  options.check();
+  if (options.dictionary == "none" || model.photos.empty()) return {};
+  const detail::SingleThreaded guard;
+  const std::string dictionary =
+      options.dictionary == "auto" ? likely_dictionary(model, options.threads) : options.dictionary;
+  if (dictionary.empty()) return {};
+  std::vector<std::vector<MarkerInPhoto>> seen(model.photos.size());
+  parallel_for(model.photos.size(), options.threads, [&](std::size_t i) {
+    const cv::Mat grey = detail::read_grey_photo(model.photos[i].file);
+    const Lens lens = lens_for(model, i, grey);
+    const Lens& original = model.lenses[model.photos[i].lens];
+    const double to_original = static_cast<double>(original.width) / lens.width;
+    for (const MarkerInPhoto& raw : detail::markers_in(grey, dictionary)) {
+      std::optional<MarkerInPhoto> fine = detail::with_edge_corners(raw, grey, lens);
+      if (!fine) continue;
+      for (Vec2& corner : fine->corners) {
+        corner = to_original * (corner + Vec2(0.5, 0.5)) - Vec2(0.5, 0.5);
+      }
+      seen[i].push_back(*fine);
+    }
+  });
+  std::set<int> ids;
+  for (const auto& markers : seen) {
+    for (const MarkerInPhoto& marker : markers) ids.insert(marker.id);
+  }
+  std::vector<FoundMarker> found;
+  for (const int id : ids) {
+    FoundMarker marker{id, {}, model.photos.size(), 0.0};
+    bool complete = true;
+    double squares = 0.0, count = 0.0;
+    for (std::size_t k = 0; k < 4 && complete; ++k) {
+      std::vector<detail::Sighting> sightings;
+      for (std::size_t i = 0; i < seen.size(); ++i) {
+        for (const MarkerInPhoto& one : seen[i]) {
+          if (one.id == id) sightings.push_back({i, one.corners[k]});
+        }
+      }
+      const auto corner = detail::triangulated(model, sightings, options.largest_error);
+      complete = corner && corner->agreeing >= options.fewest_photos;
+      if (!complete) break;
+      marker.corners[k] = corner->place;
+      marker.photos = std::min(marker.photos, corner->agreeing);
+      squares += corner->squared_error;
+      count += static_cast<double>(corner->agreeing);
+    }
+    if (!complete) continue;
+    marker.error = std::sqrt(squares / count);
+    found.push_back(marker);
+  }
+  return found;
+}
+
+}  // namespace clast

@@ -1,0 +1,138 @@
+#include "reconstruct/photos/photo_region.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/ground.hpp"
+#include "reconstruct/standing_blocks.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr std::size_t kFewestPoints = 300;  ///< sparse points, for a ground and a block among them
+constexpr std::size_t kFewestPhotos = 3;    ///< that a sparse point was seen in
+constexpr int kNeighbours = 12;             ///< of the test for outliers
+constexpr double kDeviations = 1.5;
+/// Distance of the block's farthest points from its middle times this: sparse points end a little
+/// short of the rock, and the ground is wanted on all sides.
+constexpr double kMargin = 1.15;
+constexpr double kFarthestShare = 0.995;  ///< of the block's points; the rest may be strays
+/// Of what a photo holds: a block that fills it, with the ground about it.
+constexpr double kFilled = 0.8;
+/// How far from the middle sparse points are looked at, as shares of the cameras' distance: the
+/// nearest ground is the one wanted, but of a large block little of it may be near.
+constexpr std::array<double, 3> kForegrounds = {0.8, 3.0, 10.0};
+/// Without a ground the ball holds this share of the points in the foreground,
+constexpr double kHeldShare = 0.9;
+/// and has at most this share of the cameras' distance.
+constexpr double kLargest = 0.6;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The place nearest to the lines that the cameras look along.
+Vec3 looked_at(const PhotoModel& model) {
+  Mat3 sum = Mat3::Zero();
+  Vec3 right = Vec3::Zero();
+  for (const Photo& photo : model.photos) {
+    const Pose world_from_camera = photo.camera_from_world.inverse();
+    const Vec3 axis = world_from_camera.rotation * Vec3::UnitZ();
+    const Mat3 across = Mat3::Identity() - axis * axis.transpose();
+    sum += across;
+    right += across * world_from_camera.translation;
+  }
+  // Parallel axes meet nowhere: the matrix is singular then.
+  if (!(sum.determinant() > 1e-6 * std::pow(static_cast<double>(model.photos.size()), 3))) {
+    throw InputError("the " + std::to_string(model.photos.size()) +
+                     " cameras look along parallel lines, not at one block: take photos all "
+                     "round it");
+  }
+  const Vec3 place = sum.ldlt().solve(right);
+  for (const Photo& photo : model.photos) {
+    if ((photo.camera_from_world * place).z() > 0.0) return place;
+  }
+  throw InputError("the cameras look away from each other and not at one block");
+}
+
+/// The block on the ground among sparse points not farther than `reach` from the middle; none where
+/// there is no ground, or the block is not what the cameras look at.
+std::optional<PhotoRegion> standing_region(const PhotoModel& model, const Vec3& middle,
+                                           double reach, double most_aside) {
+  std::vector<Vec3> near;
+  for (const SparsePoint& point : model.points) {
+    const bool known = point.photos.size() >= kFewestPhotos;
+    if (known && (point.place - middle).norm() < reach) near.push_back(point.place);
+  }
+  if (near.size() < kFewestPoints) return std::nullopt;
+  std::vector<Vec3> points;
+  for (const std::uint32_t i : detail::without_outliers(near, kNeighbours, kDeviations)) {
+    points.push_back(near[i]);
+  }
+  const std::optional<Ground> ground = found_ground(points);
+  if (!ground) return std::nullopt;
+  const StandingBlocks standing = standing_blocks(points, *ground);
+  if (standing.blocks.empty()) return std::nullopt;
+  const StandingBlock& block = standing.blocks[standing.central];
+  Bounds box;
+  for (const std::uint32_t i : block.points) box.include(points[i]);
+  const Vec3 centre = 0.5 * (box.low + box.high);
+  std::vector<double> distances;
+  for (const std::uint32_t i : block.points) distances.push_back((points[i] - centre).norm());
+  std::sort(distances.begin(), distances.end());
+  const double radius = kMargin * distances[static_cast<std::size_t>(
+                                      kFarthestShare * static_cast<double>(distances.size() - 1))];
+  if ((centre - middle).norm() > radius + most_aside) return std::nullopt;
+  return PhotoRegion{centre, radius, true};
+}
+
+}  // namespace
+
+PhotoRegion region_of(const PhotoModel& model) {
+  if (model.photos.size() < 2) {
+    throw InputError(std::to_string(model.photos.size()) +
+                     " photos with a camera are too few; a block needs 20 at least, all round it");
+  }
+  const Vec3 middle = looked_at(model);
+  std::vector<double> distances, reaches;
+  for (const Photo& photo : model.photos) {
+    const Lens& lens = model.lenses[photo.lens];
+    const double distance = (photo.centre() - middle).norm();
+    distances.push_back(distance);
+    const double half = 0.5 * std::min(lens.width / lens.fx, lens.height / lens.fy);
+    reaches.push_back(distance * std::sin(std::atan(half)));
+  }
+  const double away = median(distances);
+  PhotoRegion region{middle, kFilled * median(reaches), false};
+  for (const double share : kForegrounds) {
+    if (const auto found = standing_region(model, middle, share * away, 0.2 * away)) return *found;
+  }
+  std::vector<double> known;
+  for (const SparsePoint& point : model.points) {
+    const double distance = (point.place - middle).norm();
+    if (point.photos.size() >= kFewestPhotos && distance < kForegrounds[0] * away) {
+      known.push_back(distance);
+    }
+  }
+  if (known.size() < kFewestPoints) return region;
+  std::sort(known.begin(), known.end());
+  const double held =
+      known[static_cast<std::size_t>(kHeldShare * static_cast<double>(known.size()))];
+  return {middle, std::min(kMargin * held, kLargest * away), false};
+}
+
+double angle_between(const PhotoModel& model, const PhotoRegion& region, std::size_t first,
+                     std::size_t second) {
+  const Vec3 a = model.photos[first].centre() - region.centre;
+  const Vec3 b = model.photos[second].centre() - region.centre;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace clast
