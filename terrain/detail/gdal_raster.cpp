@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -23,11 +24,34 @@ void check_units(const std::filesystem::path& path, const OGRSpatialReference* s
                      ": coordinates are degrees; project it to metres first, for example with "
                      "gdalwarp -t_srs EPSG:25832");
   }
+  if (system->IsCompound()) {
+    const double height_unit = system->GetTargetLinearUnits("VERT_CS");
+    if (std::abs(height_unit - 1.0) > 1e-9) {
+      throw InputError(path.string() + ": its heights are in units of " +
+                       std::to_string(height_unit) +
+                       " m; bring them to metres first (gdalwarp -t_srs EPSG:CODE+CODE with a "
+                       "system of heights in metres)");
+    }
+  }
   const double metres = system->GetLinearUnits();
   if (std::abs(metres - 1.0) > 1e-9) {
     throw InputError(path.string() + ": its map unit is " + std::to_string(metres) +
                      " m; project it to a system in metres first (gdalwarp -t_srs)");
   }
+}
+
+/// A band may name the unit of its heights: "m", "metre", "ft", "US survey foot".
+void check_height_unit(const std::filesystem::path& path, GDALRasterBand& band) {
+  std::string unit = band.GetUnitType();
+  std::transform(unit.begin(), unit.end(), unit.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (unit.find("ft") == std::string::npos && unit.find("foot") == std::string::npos &&
+      unit.find("feet") == std::string::npos) {
+    return;
+  }
+  throw InputError(path.string() + ": its heights are in feet (unit \"" + band.GetUnitType() +
+                   "\"); bring them to metres first (gdal_calc.py -A " + path.filename().string() +
+                   " --calc=A*0.3048 --outfile=metres.tif)");
 }
 
 std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesystem::path& path) {
@@ -47,7 +71,8 @@ std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesy
   }
   if (!(transform[1] > 0.0) || transform[5] == 0.0) {
     throw InputError(path.string() + ": cell size " + std::to_string(transform[1]) + " x " +
-                     std::to_string(transform[5]) + "; columns must run east, cells have a size");
+                     std::to_string(transform[5]) +
+                     "; columns must run east, cells have a size (gdalwarp turns it)");
   }
   return transform;
 }
@@ -75,13 +100,14 @@ void read_row(GDALRasterBand& band, int row, std::vector<double>& values,
 std::string crs_name(const OGRSpatialReference* system) {
   if (!system) return {};
   OGRSpatialReference known(*system);
+  if (known.IsCompound()) known.StripVertical();  // the plan decides where things are
   known.AutoIdentifyEPSG();
   const char* authority = known.GetAuthorityName(nullptr);
   const char* code = known.GetAuthorityCode(nullptr);
   if (authority && code && std::string(authority) == "EPSG") return std::string("EPSG:") + code;
   char* wkt = nullptr;
   std::string text;
-  if (system->exportToWkt(&wkt) == OGRERR_NONE && wkt) text = wkt;
+  if (known.exportToWkt(&wkt) == OGRERR_NONE && wkt) text = wkt;
   CPLFree(wkt);
   return text;
 }
@@ -108,6 +134,7 @@ Raster read_raster(const std::filesystem::path& path) {
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   Raster raster;
   check_units(path, dataset->GetSpatialRef());
+  check_height_unit(path, band);
   raster.crs = crs_name(dataset->GetSpatialRef());
   const std::array<double, 6> transform = north_up_transform(*dataset, path);
 

@@ -11,12 +11,12 @@ namespace clast::detail {
 /// One band on a north-up grid. Heights of a digital elevation model, or class numbers.
 struct Raster {
   HeightGrid grid;
-  std::string crs;  ///< "EPSG:2154" or WKT; empty when there is none
+  std::string crs;  ///< of the plan, "EPSG:2154" or WKT; empty when there is none
 };
 
 /// Reads a raster with one band; rows that run north are turned over.
-/// @throws InputError  not a raster, without georeference, several bands, rotated, in degrees, not
-/// in metres, too small
+/// @throws InputError  not a raster, without georeference, several bands, rotated, in degrees, plan
+/// or heights not in metres
 Raster read_raster(const std::filesystem::path& path);
 
 /// Writes heights as GeoTIFF (float, deflated, nodata -9999), north up.
