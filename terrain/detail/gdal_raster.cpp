@@ -17,26 +17,26 @@ namespace {
 
 constexpr double kNoData = -9999.0;
 
-void check_units(const std::filesystem::path& path, const OGRSpatialReference* system) {
-  if (!system) return;
-  if (system->IsGeographic()) {
-    throw InputError(path.string() +
-                     ": coordinates are degrees; project it to metres first, for example with "
-                     "gdalwarp -t_srs EPSG:25832");
+void check_units(const std::string& name, const OGRSpatialReference& system,
+                 const std::string& way) {
+  if (system.IsGeographic()) {
+    throw InputError(name +
+                     ": coordinates are degrees; project it to metres first, for example "
+                     "with " +
+                     way);
   }
-  if (system->IsCompound()) {
-    const double height_unit = system->GetTargetLinearUnits("VERT_CS");
+  if (system.IsCompound()) {
+    const double height_unit = system.GetTargetLinearUnits("VERT_CS");
     if (std::abs(height_unit - 1.0) > 1e-9) {
-      throw InputError(path.string() + ": its heights are in units of " +
-                       std::to_string(height_unit) +
-                       " m; bring them to metres first (gdalwarp -t_srs EPSG:CODE+CODE with a "
-                       "system of heights in metres)");
+      throw InputError(name + ": its heights are in units of " + std::to_string(height_unit) +
+                       " m; bring them to metres first, with a system of heights in metres (" +
+                       way + "+CODE)");
     }
   }
-  const double metres = system->GetLinearUnits();
+  const double metres = system.GetLinearUnits();
   if (std::abs(metres - 1.0) > 1e-9) {
-    throw InputError(path.string() + ": its map unit is " + std::to_string(metres) +
-                     " m; project it to a system in metres first (gdalwarp -t_srs)");
+    throw InputError(name + ": its map unit is " + std::to_string(metres) +
+                     " m; project it to a system in metres first (" + way + ")");
   }
 }
 
@@ -97,6 +97,13 @@ void read_row(GDALRasterBand& band, int row, std::vector<double>& values,
 
 }  // namespace
 
+void check_metres(const std::string& name, const std::string& crs, const std::string& way) {
+  if (crs.empty()) return;
+  const GdalSession session;
+  OGRSpatialReference system;
+  if (system.SetFromUserInput(crs.c_str()) == OGRERR_NONE) check_units(name, system, way);
+}
+
 std::string crs_name(const OGRSpatialReference* system) {
   if (!system) return {};
   OGRSpatialReference known(*system);
@@ -133,7 +140,9 @@ Raster read_raster(const std::filesystem::path& path) {
   }
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   Raster raster;
-  check_units(path, dataset->GetSpatialRef());
+  if (const OGRSpatialReference* system = dataset->GetSpatialRef()) {
+    check_units(path.string(), *system, "gdalwarp -t_srs EPSG:25832");
+  }
   check_height_unit(path, band);
   raster.crs = crs_name(dataset->GetSpatialRef());
   const std::array<double, 6> transform = north_up_transform(*dataset, path);

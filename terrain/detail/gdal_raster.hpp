@@ -19,6 +19,13 @@ struct Raster {
 /// or heights not in metres
 Raster read_raster(const std::filesystem::path& path);
 
+/// Refuses a map system in degrees or feet, or with heights in feet.
+/// @param name  of the file, for the message
+/// @param crs   as GDAL understands it; one that it does not is let through
+/// @param way   how to bring the file to metres
+/// @throws InputError
+void check_metres(const std::string& name, const std::string& crs, const std::string& way);
+
 /// Writes heights as GeoTIFF (float, deflated, nodata -9999), north up.
 void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
                    const std::string& crs);
