@@ -17,11 +17,16 @@
 namespace clast::detail {
 namespace {
 
-void check_one_height(const TriangleMesh& mesh, const std::filesystem::path& path) {
+/// What is smaller than a cell, as the sides of a crack that was filled, no grid would show anyway.
+void check_one_height(const TriangleMesh& mesh, double cell, const std::filesystem::path& path) {
   std::size_t count = 0;
   Vec3 first = Vec3::Zero();
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (area_vector(mesh, t).z() > 0.0) continue;
+    Bounds box;
+    for (const std::uint32_t v : mesh.triangles[t]) box.include(mesh.vertices[v]);
+    const double plan = std::abs(area_vector(mesh, t).z()) / 2.0;
+    if (box.high.z() - box.low.z() <= cell && plan <= cell * cell) continue;
     if (count++ == 0) first = centroid(mesh, t);
   }
   if (count == 0) return;
@@ -131,7 +136,7 @@ void note_change(const TriangleMesh& mesh, const TriangleMesh& grid, double cell
 
 RawSurface resampled(const RawSurface& surface, double cell, const std::filesystem::path& path,
                      TerrainReport& report) {
-  check_one_height(surface.mesh, path);
+  check_one_height(surface.mesh, cell, path);
   const HeightGrid grid = heights_of(surface.mesh, cell, path);
   RawSurface result{.mesh = grid_surface(grid, path),
                     .source = {},

@@ -13,7 +13,9 @@ namespace clast::detail {
 /// the largest change at a vertex of the mesh, is noted.
 /// @param surface  oriented
 /// @param path     for messages
-/// @throws GeometryError  a wall or an overhang, with its place: a grid has one height over a place
+/// @throws GeometryError  a wall or an overhang larger than a cell, with its place: a grid has one
+/// height
+///                        over a place
 /// @throws InputError     too many cells, or no four neighbouring ones with ground
 RawSurface resampled(const RawSurface& surface, double cell, const std::filesystem::path& path,
                      TerrainReport& report);

@@ -6,6 +6,8 @@ std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const st
                                     std::uint32_t vertex) {
   if (ring.size() < 3) return std::nullopt;
   const Vec3& centre = mesh.vertices[vertex];
+  // Not the vertex's own height: that of a spike may be so large that nothing is left beside it.
+  const double level = mesh.vertices[ring.front()].z();
   Mat3 normal = Mat3::Zero();
   Vec3 right = Vec3::Zero();
   RingPlane plane;
@@ -13,7 +15,7 @@ std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const st
     const Vec3 d = mesh.vertices[v] - centre;
     const Vec3 row(1.0, d.x(), d.y());
     normal += row * row.transpose();
-    right += d.z() * row;
+    right += (mesh.vertices[v].z() - level) * row;
     plane.distance += d.head<2>().norm();
   }
   plane.distance /= static_cast<double>(ring.size());
@@ -23,7 +25,7 @@ std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const st
   if (!(xx * yy - xy * xy > 1e-4 * sum * sum)) return std::nullopt;
   const Vec3 fit = normal.ldlt().solve(right);
   if (!fit.allFinite()) return std::nullopt;
-  plane.height = centre.z() + fit[0];
+  plane.height = level + fit[0];
   plane.slope = fit.tail<2>();
   return plane;
 }

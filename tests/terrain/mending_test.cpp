@@ -61,6 +61,30 @@ TEST_F(Mending, WiderGapsThanAskedStayOpen) {
   const Terrain terrain = read(apart, {.crack = 0.0});
   EXPECT_EQ(terrain.report.closed_cracks, 0u);
   EXPECT_EQ(terrain.report.components, 2u);
+  EXPECT_TRUE(
+      contains(notes(terrain), "the ground is in 2 pieces with gaps or steps between them"));
+}
+
+// Eleven vertices on either side; the corners see the other tile within a cell as well.
+TEST_F(Mending, GapsAndStepsBetweenTilesAreTold) {
+  for (const Vec3& shift : {Vec3(0.4, 0.0, 0.0), Vec3(0.0, 0.0, 3.0)}) {
+    TriangleMesh right = squares(10, 1.0, [](double, double) { return 5.0; });
+    const TriangleMesh left = right;
+    for (Vec3& v : right.vertices) v += Vec3(10.0, 0.0, 0.0) + shift;
+    const Terrain terrain = read(merged(left, right));
+    EXPECT_EQ(terrain.report.components, 2u);
+    const std::string text = notes(terrain);
+    EXPECT_TRUE(contains(text,
+                         "border vertices are near another piece but apart from it, the "
+                         "nearest by " +
+                             std::string(shift.z() > 0.0 ? "3" : "0.4") + " m, at x 10."))
+        << text;
+  }
+  // Ground that is far away is meant to be.
+  TriangleMesh far = squares(10, 1.0, [](double, double) { return 5.0; });
+  const TriangleMesh near = far;
+  for (Vec3& v : far.vertices) v.x() += 30.0;
+  EXPECT_FALSE(contains(notes(read(merged(near, far))), "gaps or steps"));
 }
 
 TEST_F(Mending, TJunctionsBecomeCorners) {
@@ -197,6 +221,11 @@ TEST_F(Mending, SpikesInGroupsAndOnBordersAreLevelled) {
     for (const Vec3& v : terrain.surface.vertices) EXPECT_NEAR(v.z(), plane(v.x(), v.y()), 1e-9);
     EXPECT_TRUE(contains(notes(terrain), " vertices far above or below the ground, in groups"));
     EXPECT_EQ(read(mesh, {.spike_steepness = 0.0}).report.levelled_spikes, 0u);
+    // However far off: nothing is lost to rounding.
+    for (const std::size_t v : group) mesh.vertices[v].z() *= 1e30;
+    for (const Vec3& v : read(mesh).surface.vertices) {
+      EXPECT_NEAR(v.z(), plane(v.x(), v.y()), 1e-9);
+    }
   }
 
   // The hole is 3 m wide in plan, and 12 m high as long as the spike is there.

@@ -97,6 +97,19 @@ TEST_F(Resampling, WallsAndOverhangsAreRefusedWithTheirPlace) {
   EXPECT_TRUE(contains(message, " at x ") && contains(message, "thin the mesh with a tolerance"));
 }
 
+// Tiles of two sizes meet in steps of centimetres that were filled upright: no cell shows them.
+TEST_F(Resampling, WallsLowerThanACellAreNoHindrance) {
+  const auto wavy = [](double, double y) { return 0.2 * std::sin(y); };
+  TriangleMesh coarse = squares(10, 1.0, wavy), fine = squares(20, 0.5, wavy);
+  for (Vec3& v : fine.vertices) v.x() += 10.0;
+  write_mesh(folder_ / "coarse.ply", coarse);
+  write_mesh(folder_ / "fine.ply", fine);
+  const Terrain terrain =
+      read_terrain({.surface = {folder_ / "coarse.ply", folder_ / "fine.ply"}, .resolution = 0.5});
+  EXPECT_EQ(terrain.report.boundary_edges, 2u * (39 + 19));
+  EXPECT_EQ(facing_down(terrain), 0u);
+}
+
 TEST_F(Resampling, ImpossibleSizesAreRefused) {
   write_mesh(folder_ / "ground.ply", squares(4, 1.0, [](double, double) { return 0.0; }));
   const auto refused = [&](double cell) {
