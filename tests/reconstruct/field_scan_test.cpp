@@ -145,7 +145,7 @@ TEST(FieldScan, ThreeBlocksAreSplitInOrder) {
   const std::vector<FieldBlock> one = field_blocks(scene, "scene", options);
   ASSERT_EQ(one.size(), 1u);
   EXPECT_TRUE(
-      contains(one[0].scan.notes[0], "3 blocks stand on the ground; the one near the middle"));
+      contains(one[0].scan.notes[1], "3 blocks stand on the ground; the one near the middle"));
   options.split = true;
   const std::vector<FieldBlock> all = field_blocks(scene, "scene", options);
   ASSERT_EQ(all.size(), 3u);
