@@ -26,7 +26,7 @@ TEST(Results, WhatIsNotAResultsFileIsRefused) {
   Hdf5File::create(folder / "blocks.h5", "clast block library", 1);
   EXPECT_TRUE(contains(refused("blocks.h5"), "blocks.h5: is a \"clast block library\" file"));
   Hdf5File::create(folder / "newer.h5", "clast results", 3);
-  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 3"));
+  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 4"));
   Hdf5File::create(folder / "older.h5", "clast results", 1);
   EXPECT_TRUE(contains(refused("older.h5"), "has schema version 1 of an older clast"));
   Hdf5File::create(folder / "bare.h5", "clast results", 2);
