@@ -79,9 +79,9 @@ void warn_of_reassigned(const Comparison& comparison, std::vector<std::string>& 
       "share their stiffness anew (at most " +
       with_digits(100.0 * largest, 3) + " %, run " + std::to_string(worst->record->run) +
       ", block " + worst->block->id +
-      "); try a stiffer contact (stiffness = \"auto\"), a smaller [contact] time_step_s, or "
-      "weights = "
-      "\"patch\"");
+      "); it acts like a little more friction. Run some of them with half the [contact] "
+      "time_step_s "
+      "to see whether the results depend on it");
 }
 
 /// Mean mass of the blocks of every Garcia class, each block once.

@@ -126,7 +126,7 @@ struct Outcome {
   std::array<std::size_t, 4> reasons = {};
   std::size_t below_ground = 0;
   double largest_energy_error = 0.0;
-  std::size_t reassigned = 0;  ///< runs named by `warning_of`
+  std::size_t reassigned = 0;  ///< runs above 1 %
   double largest_reassigned = 0.0;
   std::string first_error;
 
@@ -164,7 +164,8 @@ void print_outcome(const CampaignResults& results) {
         << "warning: " << counted(outcome.reassigned, "run")
         << " lose or gain more than 1 % of the energy they dissipate where contacts change, at "
            "most "
-        << rounded(100.0 * outcome.largest_reassigned, 2) << " %; the report says what to try\n";
+        << rounded(100.0 * outcome.largest_reassigned, 2)
+        << " %; `clast compare` says which and what to try\n";
   }
 }
 
