@@ -102,7 +102,7 @@ class ReportPage : public testing::Test {
     std::string page = read_text_file(folder / "report" / "report.html");
     page.replace(page.rfind("</body>"), 7, kProbe);
     write_text_file(folder / "page.html", page);
-    browser.push_back("--virtual-time-budget=60000");  // charts are drawn later than the page
+    browser.push_back("--virtual-time-budget=20000");  // charts are drawn later than the page
     browser.push_back("--host-resolver-rules=MAP * ~NOTFOUND");
     browser.push_back("--dump-dom");
     browser.push_back("file://" + (folder / "page.html").string());
