@@ -109,8 +109,6 @@ TEST(Results, DamageIsNamed) {
                        "bad.h5: /shapes/1: face_vertices names a vertex that is not there"));
   EXPECT_TRUE(contains(replaced("blocks", "mass_kg", std::vector<double>{1.0}),
                        "bad.h5: /blocks/mass_kg has 1 values where 2 belong"));
-  EXPECT_TRUE(contains(replaced("barriers", "to_m", std::vector<double>{1.0, 2.0}, {1, 2}),
-                       "bad.h5: /barriers/from_m and to_m do not have one row per name"));
 }
 
 TEST(Results, TruncatedFileIsRefusedAtAnyLength) {
