@@ -120,9 +120,12 @@ std::string barrier_section(const Comparison& comparison) {
       "of the block, both above the ground under it. Energy is translational plus rotational.");
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
-    html += "<h3>" + escaped(barrier.name) + "</h3>\n<p class=\"note\">from (" +
-            fixed(barrier.from.x(), 2) + ", " + fixed(barrier.from.y(), 2) + ") to (" +
-            fixed(barrier.to.x(), 2) + ", " + fixed(barrier.to.y(), 2) + ") m</p>\n";
+    std::string points;
+    for (const Vec2& point : barrier.through) {
+      points +=
+          (points.empty() ? "(" : " to (") + fixed(point.x(), 2) + ", " + fixed(point.y(), 2) + ")";
+    }
+    html += "<h3>" + escaped(barrier.name) + "</h3>\n<p class=\"note\">from " + points + " m</p>\n";
     html += passage_table(comparison, line) + impact_table(comparison, line) +
             barrier_charts(comparison, line);
   }

@@ -109,8 +109,12 @@ std::string runout_section(const Comparison& comparison) {
                          histogram_traces(series_of(comparison, GroupKind::kGarcia, lateral)));
   charts += plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
                          cumulative_traces(by_class));
-  charts += plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},
-                         cumulative_traces(series_of(comparison, GroupKind::kBlock, along)));
+  // More than two dozen curves can't be told apart, in colour or dash.
+  constexpr std::size_t kMostCurves = 24;
+  if (groups_of(comparison, GroupKind::kBlock).size() <= kMostCurves) {
+    charts += plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},
+                           cumulative_traces(series_of(comparison, GroupKind::kBlock, along)));
+  }
   return section(
       "Runout", paragraph("Horizontal distance from each run's own release point to its stop along "
                           "the downslope direction; runs at rest, their number in brackets.") +

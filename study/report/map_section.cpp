@@ -166,18 +166,16 @@ void add_barriers(const Comparison& comparison, Json& data, Json& notes) {
   for (const BarrierLine& line : comparison.lines) {
     Json trace = points_trace(line.name);
     trace["mode"] = "lines";
-    for (const Vec2& end : {line.from, line.to}) add_point(trace, end, escaped(line.name));
+    for (const Vec2& point : line.through) add_point(trace, point, escaped(line.name));
     trace["line"] = {{"color", "#111"}, {"width", 3}};
     trace["showlegend"] = false;
     data.push_back(std::move(trace));
-    const Vec2 run = (line.to - line.from).normalized();
-    const Vec2 forward(run.y(), -run.x());
-    const Vec2 middle = 0.5 * (line.from + line.to);
+    const ForwardArrow arrow = forward_arrow(line);
     constexpr double kArrow = 26.0;  // px
-    notes.push_back({{"x", on_map(middle.x())},
-                     {"y", on_map(middle.y())},
-                     {"ax", -kArrow * forward.x()},
-                     {"ay", kArrow * forward.y()},
+    notes.push_back({{"x", on_map(arrow.root.x())},
+                     {"y", on_map(arrow.root.y())},
+                     {"ax", -kArrow * arrow.forward.x()},
+                     {"ay", kArrow * arrow.forward.y()},
                      {"showarrow", true},
                      {"arrowhead", 2},
                      {"arrowwidth", 2},
@@ -233,6 +231,7 @@ std::string map_figure(const Comparison& comparison) {
        {{"family", "system-ui,Segoe UI,Roboto,Helvetica Neue,Arial,sans-serif"}, {"size", 12}}},
       {"xaxis", axis("x, m", window.low.x(), window.high.x())},
       {"yaxis", y},
+      {"legend", {{"y", 0.93}}},  // below the buttons
       {"dragmode", "pan"},
       {"hovermode", "closest"},
       {"annotations", notes},

@@ -26,8 +26,7 @@ Window map_window(const Comparison& comparison) {
     if (row.record->result.stop_reason != StopReason::kError) include(window, row.stop.head<2>());
   }
   for (const BarrierLine& line : comparison.lines) {
-    include(window, line.from);
-    include(window, line.to);
+    for (const Vec2& point : line.through) include(window, point);
   }
   if (comparison.measured) {
     for (const MeasuredStop& stop : comparison.measured->stops) include(window, stop.place);
@@ -43,6 +42,13 @@ Window map_window(const Comparison& comparison) {
   Vec2 size = window.size() + Vec2::Constant(0.14 * longer);
   size = size.cwiseMax(kNarrowest * size.maxCoeff());
   return {middle - 0.5 * size, middle + 0.5 * size};
+}
+
+ForwardArrow forward_arrow(const BarrierLine& line) {
+  const std::size_t middle = (line.through.size() - 1) / 2;
+  const Vec2 &from = line.through[middle], &to = line.through[middle + 1];
+  const Vec2 along = (to - from).normalized();
+  return {0.5 * (from + to), Vec2(along.y(), -along.x())};
 }
 
 double contour_interval(const Comparison& comparison) {

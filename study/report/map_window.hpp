@@ -12,6 +12,14 @@ namespace clast {
 /// coordinates. Of a plan (no groups) the whole terrain.
 Window map_window(const Comparison& comparison);
 
+/// Where a barrier is marked, and which way is forward (unit), both on the map.
+struct ForwardArrow {
+  Vec2 root = Vec2::Zero();
+  Vec2 forward = Vec2::UnitX();
+};
+/// On the middle of the line's middle segment.
+ForwardArrow forward_arrow(const BarrierLine& line);
+
 /// Metres between contours: about a dozen over the heights the runs pass.
 double contour_interval(const Comparison& comparison);
 

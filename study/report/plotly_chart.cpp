@@ -23,7 +23,7 @@ constexpr std::size_t kMostCharacters = 40;  // of a name in the legend
 constexpr const char* kChartScript = R"js(
 var clastCharts=(function(){
   var boxes=Array.from(document.querySelectorAll('.chart'));
-  var settings={responsive:true,displaylogo:false,modeBarButtonsToRemove:['lasso2d','select2d'],
+  var settings={responsive:true,displaylogo:false,modeBarButtonsToRemove:['lasso2d','select2d','zoomIn2d','zoomOut2d','autoScale2d'],
     toImageButtonOptions:{format:'svg'}};
   function draw(box){
     if(box.dataset.drawn)return Promise.resolve(box);

@@ -56,26 +56,27 @@ std::string axes(const Sheet& sheet) {
 std::string barriers(const Comparison& comparison, const Sheet& sheet) {
   std::string svg;
   for (const BarrierLine& line : comparison.lines) {
-    const Vec2 from(sheet.x(line.from.x()), sheet.y(line.from.y()));
-    const Vec2 to(sheet.x(line.to.x()), sheet.y(line.to.y()));
-    const auto stroke = [&](const char* style) {
-      return svg_line(from.x(), from.y(), to.x(), to.y(), style);
-    };
-    svg += stroke("stroke=\"#fff\" stroke-width=\"5\" stroke-linecap=\"round\"");
-    svg += stroke("stroke=\"#111\" stroke-width=\"2.2\" stroke-linecap=\"round\"");
-    const Vec2 run = to - from;
-    if (run.norm() > 1.0) {
-      // Forward is to the right of from -> to; on the picture y points down.
-      const Vec2 along = run.normalized(), forward(-along.y(), along.x());
-      const Vec2 root = 0.5 * (from + to), tip = root + 11.0 * forward;
-      const Vec2 a = root + 5.0 * along, b = root - 5.0 * along;
-      svg += "<path fill=\"#111\" stroke=\"#fff\" d=\"M" + fixed(a.x(), 1) + " " + fixed(a.y(), 1) +
-             "L" + fixed(tip.x(), 1) + " " + fixed(tip.y(), 1) + "L" + fixed(b.x(), 1) + " " +
-             fixed(b.y(), 1) + "Z\"><title>forward through " + escaped(line.name) +
-             "</title></path>";
+    std::string path;
+    Vec2 end(0.0, INFINITY);  // its upper end
+    for (const Vec2& point : line.through) {
+      const Vec2 at(sheet.x(point.x()), sheet.y(point.y()));
+      path += (path.empty() ? "M" : "L") + fixed(at.x(), 1) + " " + fixed(at.y(), 1);
+      if (at.y() < end.y()) end = at;
     }
+    for (const char* style :
+         {"stroke=\"#fff\" stroke-width=\"5\"", "stroke=\"#111\" stroke-width=\"2.2\""}) {
+      svg += "<path fill=\"none\" stroke-linecap=\"round\" " + std::string(style) + " d=\"" + path +
+             "\"/>";
+    }
+    const ForwardArrow arrow = forward_arrow(line);
+    const Vec2 root(sheet.x(arrow.root.x()), sheet.y(arrow.root.y()));
+    const Vec2 forward(arrow.forward.x(), -arrow.forward.y());  // on the picture y points down
+    const Vec2 across(-forward.y(), forward.x());
+    const Vec2 tip = root + 11.0 * forward, a = root + 5.0 * across, b = root - 5.0 * across;
+    svg += "<path fill=\"#111\" stroke=\"#fff\" d=\"M" + fixed(a.x(), 1) + " " + fixed(a.y(), 1) +
+           "L" + fixed(tip.x(), 1) + " " + fixed(tip.y(), 1) + "L" + fixed(b.x(), 1) + " " +
+           fixed(b.y(), 1) + "Z\"><title>forward through " + escaped(line.name) + "</title></path>";
     // Named at its upper end, inside the frame.
-    const Vec2 end = from.y() < to.y() ? from : to;
     svg += svg_text(end.x(), std::max(end.y() - 7.0, kMapTop + 13.0), line.name,
                     std::string(kHalo) + " text-anchor=\"middle\"");
   }
