@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/utf8.hpp"
+#include "reconstruct/photos/photo_scan.hpp"
 #include "shapes/mesh_io.hpp"
 
 namespace clast {
@@ -25,6 +26,27 @@ bool is_scan_file(const fs::path& path) {
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
+/// Folders of photographs in one that holds no scan: itself, or those below it.
+std::vector<fs::path> photo_folders_in(const fs::path& folder) {
+  if (is_photo_folder(folder)) return {folder};
+  std::vector<fs::path> found;
+  std::vector<fs::path> inner;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    const bool hidden = entry.path().filename().string().starts_with(".");
+    std::error_code unseen;
+    if (!hidden && entry.is_directory(unseen) && !entry.is_symlink(unseen)) {
+      inner.push_back(entry.path());
+    }
+  }
+  std::sort(inner.begin(), inner.end());
+  for (const fs::path& path : inner) {
+    const std::vector<fs::path> deeper = photo_folders_in(path);
+    found.insert(found.end(), deeper.begin(), deeper.end());
+  }
+  return found;
+}
+
 std::vector<fs::path> scans_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code code;
@@ -40,11 +62,13 @@ std::vector<fs::path> scans_in(const fs::path& folder) {
     }
   }
   if (code) throw InputError(folder.string() + ": can't be searched (" + code.message() + ")");
+  if (found.empty()) found = photo_folders_in(folder);
   if (found.empty()) {
     std::string known;
     for (const std::string& extension : readable_mesh_extensions()) known += " " + extension;
     throw InputError(folder.string() + ": no mesh or cloud file in this folder; known are" + known +
-                     " .las .pcd .pts .xyz .shp");
+                     " .las .pcd .pts .xyz .shp; nor three photographs (.jpg .png .tif) for a "
+                     "block");
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -65,7 +89,12 @@ std::string id_from_name(const std::string& name) {
 /// One entry for a mesh; for a .shp file one for each shape, or one without when it can't be read:
 /// the reason is told when its turn comes.
 std::vector<ScanFile> scans_of(const fs::path& path) {
-  ScanFile file{path, path.stem().string(), {}};
+  // A folder of photographs may have dots in its name, and a last slash.
+  std::error_code code;
+  const bool photos = fs::is_directory(path, code);
+  const std::string folder =
+      photos ? (fs::absolute(path) / "x").lexically_normal().parent_path().filename().string() : "";
+  ScanFile file{path, photos ? folder : path.stem().string(), {}};
   if (!file.is_shp()) return {file};
   try {
     std::vector<ScanFile> scans;

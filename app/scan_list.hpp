@@ -9,8 +9,8 @@
 
 namespace clast {
 
-/// A scan file and the id of its block; of a .shp file one of its shapes, none where it can't be
-/// read.
+/// A scan file, or a folder of photographs, and the id of its block; of a .shp file one of its
+/// shapes, none where it can't be read.
 struct ScanFile {
   std::filesystem::path path;
   std::string id;
@@ -20,10 +20,12 @@ struct ScanFile {
 };
 
 /// Files as they are, folders as every mesh and shape file in them (map files of the extension .shp
-/// left out), deeper folders included, sorted by path; a file that is named twice is taken once.
+/// left out), deeper folders included, sorted by path; a file that is named twice is taken once. A
+/// folder with photographs and no such file is one block, and so is each folder of photographs in
+/// one without any.
 /// The id is the file's stem, or the name of a shape where a .shp file holds several (of a name
 /// that is a path, the stem); where two share an id, parent folder and id.
-/// @throws InputError  a folder without a mesh file, or files that share folder name and id
+/// @throws InputError  a folder without a scan, or files that share folder name and id
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs);
 
 }  // namespace clast

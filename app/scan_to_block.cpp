@@ -234,7 +234,43 @@ Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
   return block;
 }
 
+/// The blocks of a folder of photos, with what its cameras and its scale were.
+FieldScan photographed_blocks(const std::filesystem::path& folder,
+                              const ScanToBlockOptions& options, FieldScanOptions reading,
+                              BlockSource& source,
+                              const std::function<void(const std::string&)>& begin) {
+  PhotoScanOptions photos = options.photos;
+  if (reading.scan.unit != 1.0) photos.metres_per_unit = reading.scan.unit;
+  const PhotoScan scan = photo_scan(folder, photos, begin);
+  if (!scan.metric && options.block.mass) {
+    throw InputError(folder.string() +
+                     ": --mass needs a scale, and these photos have none; give --scale-bar or "
+                     "--marker-size");
+  }
+  reading.scan.unit = 1.0;
+  begin("finding the surface in " + std::to_string(scan.cloud.points.size()) + " points");
+  FieldScan found;
+  found.blocks = field_blocks(scan.cloud.points, folder.string(), reading);
+  found.raw.vertices = scan.cloud.points;
+  source.options = "photos=" + std::to_string(scan.model.photos.size()) +
+                   " cameras=" + scan.model.source + " scale=" + scan.scale_source;
+  for (FieldBlock& block : found.blocks) {
+    std::vector<std::string>& notes = block.scan.notes;
+    notes.insert(notes.begin(), scan.notes.begin(), scan.notes.end());
+    if (!scan.metric) {
+      notes.insert(notes.begin(),
+                   "UNSCALED: lengths are in units of the cameras; shapes are usable, volume and "
+                   "mass are not");
+    }
+  }
+  return found;
+}
+
 }  // namespace
+
+std::string digest_of_scan(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) ? photo_set_digest(path) : sha256_of_file(path);
+}
 
 void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options) {
   const double length = (box.high - box.low).maxCoeff();
@@ -284,19 +320,22 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
   };
   begin("reading " + id);
   FieldScan found;
-  if (options.block.core) {
+  BlockSource source{as_utf8(path.string()), digest_of_scan(path),
+                     scale_text(options) + " up=" + options.scan.up, ""};
+  const FieldScanOptions reading_field = {.scan = options.scan,
+                                          .up_given = options.up_given,
+                                          .find_ground = options.find_ground,
+                                          .split = options.split};
+  if (std::filesystem::is_directory(path)) {
+    found = photographed_blocks(path, options, reading_field, source, begin);
+  } else if (options.block.core) {
     ScanOptions reading = options.scan;
     reading.repair.invent = false;  // every vertex of a core is meant
     found.blocks.push_back({read_scan(path, reading), {}});
     if (witness) found.raw = read_mesh(path);
   } else {
-    found = read_field_scan(path, {.scan = options.scan,
-                                   .up_given = options.up_given,
-                                   .find_ground = options.find_ground,
-                                   .split = options.split});
+    found = read_field_scan(path, reading_field);
   }
-  BlockSource source{as_utf8(path.string()), sha256_of_file(path),
-                     scale_text(options) + " up=" + options.scan.up, ""};
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";
   std::vector<Block> blocks;

@@ -8,6 +8,7 @@
 
 #include "library/make_block.hpp"
 #include "reconstruct/field_scan.hpp"
+#include "reconstruct/photos/photo_scan.hpp"
 #include "reconstruct/simplify.hpp"
 
 namespace clast {
@@ -26,7 +27,8 @@ struct ScanToBlockOptions {
   bool any_size = false;      ///< take blocks beyond the usual sizes
   bool up_given = false;      ///< `scan.up` is the user's and holds whatever the ground says
   bool find_ground = true;
-  bool split = false;  ///< every block that stands on the ground of a scan
+  bool split = false;       ///< every block that stands on the ground of a scan
+  PhotoScanOptions photos;  ///< of folders of photographs
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -47,6 +49,10 @@ void warn_of_crossings(Block& block, const TriangleMesh& surface);
 /// @param found  the closed scan, in the frame of the block
 using BlockWitness =
     std::function<void(const Block& block, const TriangleMesh& raw, const FieldBlock& found)>;
+
+/// Digest of a file, or of the photos in a folder.
+/// @throws InputError  it can't be read
+std::string digest_of_scan(const std::filesystem::path& path);
 
 /// Reads, mends, thins and measures one scan. With `split` its blocks are `id`_1, `id`_2, ...,
 /// in order of x, then y, of the file; else there is one, `id`.

@@ -11,6 +11,7 @@
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/ordered_jobs.hpp"
+#include "app/photo_options.hpp"
 #include "app/progress.hpp"
 #include "app/scan_list.hpp"
 #include "app/scan_report.hpp"
@@ -40,6 +41,7 @@ struct ReconstructArgs {
   bool resume = false;
   bool json = false;
   std::string report;  ///< folder of pages; empty: none are written
+  PhotoArgs photos;
   ScanToBlockOptions options;
 };
 
@@ -86,6 +88,7 @@ std::string request(const ReconstructArgs& args) {
                           o.scan.repair.keep_inner_shells, o.up_given, o.find_ground, o.split}) {
     text += flag ? "y" : "n";
   }
+  text += photo_request(o.photos);
   return "request=" + sha256(text).substr(0, 16);
 }
 
@@ -139,7 +142,7 @@ class Batch {
     if (!library_.has(first)) return false;
     const BlockSource& source = library_.block(first).source;
     if (args_.resume && source.options.ends_with(request_) &&
-        source.sha256 == sha256_of_file(scan.path)) {
+        source.sha256 == digest_of_scan(scan.path)) {
       return true;
     }
     if (args_.replace) return false;
@@ -254,6 +257,7 @@ class Batch {
 void reconstruct(ReconstructArgs args) {
   ScanToBlockOptions& options = args.options;
   options.unit_name = args.units;
+  options.photos = args.photos.parsed();
   options.scale_factor = args.scale_factor;
   options.scaled_by_length = !args.scale_length.empty();
   options.scan.unit =
@@ -273,12 +277,13 @@ void add_reconstruct(CLI::App& app) {
   ScanToBlockOptions& options = args->options;
   CLI::App* command = app.add_subcommand(
       "reconstruct",
-      "Turn scans (meshes and point clouds) into blocks of a library, mending what is dirty");
+      "Turn scans (meshes, point clouds, photographs) into blocks of a library, mending what is "
+      "dirty");
   command
       ->add_option("scans", args->scans,
                    "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), point clouds (ply, pcd, "
                    "las, xyz, txt, csv), Rockable or ExaDEM shapes (shp: cores with their "
-                   "radius), or folders of them")
+                   "radius), or folders of them; a folder of photographs is one block")
       ->required()
       ->type_name("SCAN");
   command
@@ -399,6 +404,7 @@ void add_reconstruct(CLI::App& app) {
           "was mended, deviation map) and a summary, index.html and summary.csv")
       ->type_name("DIR");
   command->add_flag("--json", args->json, "Print the blocks as JSON");
+  add_photo_options(*command, args->photos);
   command->footer(
       "Examples:\n"
       "  clast reconstruct scans/ -o blocks.h5 --units mm --density 2650\n"
@@ -406,6 +412,7 @@ void add_reconstruct(CLI::App& app) {
       "  clast reconstruct rock.ply --scale-length \"0.2,1.1,0;3.9,1.3,0.4;0.52\"\n"
       "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342\n"
       "  clast reconstruct slope.las -o blocks.h5 --split\n"
+      "  clast reconstruct photos/B017 -o blocks.h5 --scale-bar 0,3,1.254 --marker-size 0.2\n"
       "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
   command->callback([args, density, radius, share, up] {
     args->options.up_given = up->count() > 0;

@@ -26,7 +26,7 @@ bool holds_colmap(const fs::path& folder, const std::string& extension) {
 /// The file, or the folder of COLMAP's files, that `path` stands for; empty where there is none.
 fs::path model_at(const fs::path& path) {
   if (is_file(path)) return path;
-  for (const char* inner : {"", "sparse/0", "sparse", "colmap_txt"}) {
+  for (const char* inner : {"", "sparse/0", "sparse", "colmap"}) {
     const fs::path folder = *inner == '\0' ? path : path / inner;
     if (holds_colmap(folder, ".txt") || holds_colmap(folder, ".bin")) return folder;
   }

@@ -13,9 +13,9 @@ namespace clast {
 /// - OpenMVG: sfm_data.json
 /// - Bundler: bundle.out, with list.txt beside it that names the photos
 ///
-/// A folder may also hold one of these files, or a model in `sparse/0` or `sparse`. Bundler's file
-/// has no sizes of photos: those are read from the photos, which must lie in `photos`.
-/// Photos without a pose are counted and left out.
+/// A folder may also hold one of these files, or a model in `sparse/0`, `sparse` or `colmap`.
+/// Bundler's file has no sizes of photos: those are read from the photos, which must lie in
+/// `photos`. Photos without a pose are counted and left out.
 /// @throws InputError  no model there; a file cut short, damaged or of a lens that isn't known
 PhotoModel read_photo_model(const std::filesystem::path& path,
                             const std::filesystem::path& photos = {});

@@ -1,0 +1,111 @@
+#include "app/photo_options.hpp"
+
+#include "app/option_values.hpp"
+#include "core/number_text.hpp"
+
+namespace clast {
+
+namespace {
+
+/// "ID,ID,METRES".
+ScaleBar bar_from(const std::string& text) {
+  const std::vector<std::string> pieces = split_list(text);
+  std::vector<double> numbers;
+  for (const std::string& piece : pieces) {
+    if (const std::optional<double> number = number_in(piece)) numbers.push_back(*number);
+  }
+  const bool whole = pieces.size() == 3 && numbers.size() == 3 && numbers[0] >= 0.0 &&
+                     numbers[1] >= 0.0 && numbers[0] < 1e5 && numbers[1] < 1e5 &&
+                     numbers[0] == static_cast<int>(numbers[0]) &&
+                     numbers[1] == static_cast<int>(numbers[1]) && numbers[0] != numbers[1] &&
+                     numbers[2] > 0.0 && numbers[2] < 1e4;
+  if (!whole) {
+    throw CLI::ValidationError("--scale-bar",
+                               "\"" + text +
+                                   "\" is not two different markers and the metres between their "
+                                   "centres, such as 0,3,1.254");
+  }
+  return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), numbers[2]};
+}
+
+}  // namespace
+
+PhotoScanOptions PhotoArgs::parsed() const {
+  PhotoScanOptions result = options;
+  for (const std::string& bar : bars) result.scale.bars.push_back(bar_from(bar));
+  if (marker_size > 0.0) result.scale.marker_side = marker_size;
+  result.colmap.seconds = 60.0 * colmap_minutes;
+  check_usage([&] { result.check(); });
+  return result;
+}
+
+void add_photo_options(CLI::App& command, PhotoArgs& args) {
+  const std::string group = "Photographs";
+  PhotoScanOptions& options = args.options;
+  command
+      .add_option("--scale-bar", args.bars,
+                  "Distance between the centres of two printed markers, m; may be given several "
+                  "times")
+      ->allow_extra_args(false)
+      ->type_name("ID,ID,M")
+      ->group(group);
+  command
+      .add_option("--marker-size", args.marker_size,
+                  "Side of the black square of every marker, m: sets the scale, or checks the bars")
+      ->check(positive_number())
+      ->type_name("M")
+      ->group(group);
+  std::vector<std::string> dictionaries = marker_dictionaries();
+  dictionaries.insert(dictionaries.begin(), {"auto", "none"});
+  command.add_option("--markers", options.markers.dictionary, "Kind of the markers")
+      ->check(CLI::IsMember(dictionaries))
+      ->type_name("KIND")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_flag("--allow-unscaled", options.allow_unscaled,
+                "Make blocks without any scale: their shape is usable, their mass is not")
+      ->group(group);
+  command
+      .add_option("--model", options.model,
+                  "Finished cameras: folder of COLMAP, .xml of Metashape, .sfm or .json of "
+                  "AliceVision, sfm_data.json of OpenMVG, bundle.out; without it one in the folder "
+                  "of the photos, else the program colmap is run")
+      ->type_name("PATH")
+      ->group(group);
+  command
+      .add_option("--masks", options.dense.masks,
+                  "Folder of images named as the photos, black where a photo is not to be used")
+      ->type_name("DIR")
+      ->group(group);
+  command.add_option("--colmap", options.colmap.program, "The program colmap, by name or path")
+      ->type_name("PROGRAM")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--colmap-minutes", args.colmap_minutes,
+                  "Time that each step of colmap has, minutes")
+      ->check(number_between(0.01, 1e4))
+      ->type_name("MIN")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--photo-cache", options.colmap.cache,
+                  "Folder that keeps what colmap found, by the content of the photos; default: "
+                  "clast/photos in the user's folder for caches")
+      ->type_name("DIR")
+      ->group(group);
+}
+
+std::string photo_request(const PhotoScanOptions& options) {
+  std::string text = options.model.string() + " " + options.dense.masks.string() + " " +
+                     options.markers.dictionary + (options.allow_unscaled ? " y" : " n");
+  for (const ScaleBar& bar : options.scale.bars) {
+    text += " " + std::to_string(bar.first) + "," + std::to_string(bar.second) + "," +
+            with_digits(bar.length, 17);
+  }
+  if (options.scale.marker_side) text += " " + with_digits(*options.scale.marker_side, 17);
+  return text;
+}
+
+}  // namespace clast

@@ -1,0 +1,28 @@
+#pragma once
+/// Options of `clast reconstruct` for folders of photographs.
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "reconstruct/photos/photo_scan.hpp"
+
+namespace clast {
+
+/// The options as they are written; what they hold goes into a `PhotoScanOptions`.
+struct PhotoArgs {
+  std::vector<std::string> bars;
+  double marker_size = 0.0;  ///< m; 0: not given
+  double colmap_minutes = 60.0;
+  PhotoScanOptions options;
+
+  /// @throws CLI::ValidationError  what is no scale bar
+  PhotoScanOptions parsed() const;
+};
+
+/// Adds them to the command, in a group of their own.
+void add_photo_options(CLI::App& command, PhotoArgs& args);
+
+/// A short text of what was asked, for `--resume` to know it again.
+std::string photo_request(const PhotoScanOptions& options);
+
+}  // namespace clast

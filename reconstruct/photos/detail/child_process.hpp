@@ -1,0 +1,32 @@
+#pragma once
+/// Another program at work, with an end to the waiting.
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace clast::detail {
+
+struct ChildEnd {
+  int exit_code = -1;      ///< 128 + signal when it was killed
+  bool timed_out = false;  ///< it was ended because its time was over
+};
+
+/// Runs a program to its end. It reads nothing, writes both outputs to `log`, is ended with all it
+/// started when its time is over, and when this program ends.
+/// @param words        path of the program, and its arguments
+/// @param environment  variables set for it beside the usual ones
+/// @param seconds      time it has
+/// @param waiting      called about twice a second while it runs
+/// @throws InputError  it can't be started
+ChildEnd run_child(const std::vector<std::string>& words,
+                   const std::vector<std::pair<std::string, std::string>>& environment,
+                   const std::filesystem::path& log, double seconds,
+                   const std::function<void()>& waiting = {});
+
+/// The file that a name stands for, by PATH; itself where it holds a slash. Empty: there is none
+/// that may be run.
+std::filesystem::path program_named(const std::string& name);
+
+}  // namespace clast::detail

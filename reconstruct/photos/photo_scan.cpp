@@ -1,0 +1,115 @@
+#include "reconstruct/photos/photo_scan.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "reconstruct/photos/model_files.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kFewestPhotos = 3;
+constexpr double kToldDifference = 0.005;  ///< between markers and the model's own metres
+
+std::size_t photos_directly_in(const fs::path& folder) {
+  std::size_t count = 0;
+  std::error_code code;
+  if (!fs::is_directory(folder, code)) return 0;
+  for (const fs::path& file : photos_in(folder)) count += file.parent_path() == folder ? 1 : 0;
+  return count;
+}
+
+/// Where the photos of a folder are.
+fs::path folder_of_photos(const fs::path& folder) {
+  const bool inside = photos_directly_in(folder) < kFewestPhotos &&
+                      photos_directly_in(folder / "images") >= kFewestPhotos;
+  return inside ? folder / "images" : folder;
+}
+
+PhotoModel cameras_of(const fs::path& folder, const fs::path& photos,
+                      const PhotoScanOptions& options,
+                      const std::function<void(const std::string&)>& stage) {
+  for (const fs::path& place : {options.model, folder}) {
+    if (place.empty() || (place == folder && !holds_photo_model(folder))) continue;
+    PhotoModel model = read_photo_model(place, photos);
+    if (model.photos.empty()) {
+      throw InputError(place.string() + ": none of its photos has a camera; align them first");
+    }
+    return with_files(std::move(model), photos);
+  }
+  return colmap_cameras(photos, options.colmap, stage);
+}
+
+}  // namespace
+
+void PhotoScanOptions::check() const {
+  colmap.check();
+  markers.check();
+  scale.check();
+  dense.check();
+  if (metres_per_unit && !(*metres_per_unit > 0.0)) {
+    throw InputError("metres_per_unit = " + with_digits(*metres_per_unit, 6) + " must be positive");
+  }
+}
+
+bool is_photo_folder(const fs::path& folder) {
+  return photos_directly_in(folder) >= kFewestPhotos ||
+         photos_directly_in(folder / "images") >= kFewestPhotos;
+}
+
+PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
+                     const std::function<void(const std::string&)>& stage) {
+  options.check();
+  const auto begin = [&](const std::string& what) {
+    if (stage) stage(what);
+  };
+  PhotoScan scan;
+  scan.model = cameras_of(folder, folder_of_photos(folder), options, stage);
+  const std::size_t all = scan.model.photos.size() + scan.model.unplaced;
+  scan.notes.push_back("cameras of " + std::to_string(scan.model.photos.size()) + " of " +
+                       std::to_string(all) + " photos, by " + scan.model.source);
+  double factor = 1.0;
+  const bool sizes_known = options.scale.marker_side || !options.scale.bars.empty();
+  if (sizes_known) {
+    begin("finding markers");
+    scan.markers = found_markers(scan.model, options.markers);
+    scan.scale = scale_from_markers(scan.markers, options.scale);
+    factor = scan.scale->metres_per_unit;
+    scan.scale_source = scan.scale->from_bars ? "distances of markers" : "sides of markers";
+    scan.notes.insert(scan.notes.end(), scan.scale->notes.begin(), scan.scale->notes.end());
+    if (scan.model.metric && std::abs(factor - 1.0) > kToldDifference) {
+      scan.notes.push_back("by the markers, lengths are " + with_digits(factor, 4) +
+                           " times what " + scan.model.source + " says; the markers were taken");
+    }
+    scan.metric = true;
+  } else if (options.metres_per_unit) {
+    factor = *options.metres_per_unit;
+    scan.scale_source = "given factor";
+    scan.metric = true;
+  } else if (scan.model.metric) {
+    scan.scale_source = scan.model.source;
+    scan.metric = true;
+  } else if (options.allow_unscaled) {
+    scan.scale_source = "none";
+  } else {
+    throw InputError(
+        "no scale: the units of the cameras are arbitrary. Give the distance between "
+        "two markers with --scale-bar, their side with --marker-size, or a measured "
+        "length with --scale-length; --allow-unscaled goes on without: shapes are "
+        "usable then, masses are not");
+  }
+  scan.model = scaled(std::move(scan.model), factor);
+  for (FoundMarker& marker : scan.markers) {
+    for (Vec3& corner : marker.corners) corner *= factor;
+  }
+  begin("comparing photos");
+  scan.cloud = dense_cloud(scan.model, options.dense);
+  scan.notes.insert(scan.notes.end(), scan.cloud.notes.begin(), scan.cloud.notes.end());
+  return scan;
+}
+
+}  // namespace clast
