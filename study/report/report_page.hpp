@@ -5,8 +5,8 @@
 
 namespace clast {
 
-/// `page` with the style of charts and the script that lights up every mark with the same data-block
-/// as the one under the pointer.
+/// `page` with the style of charts and the script that lights up every mark with the same
+/// data-block as the one under the pointer.
 std::string report_page(std::string_view title, std::string_view body);
 
 }  // namespace clast

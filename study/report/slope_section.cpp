@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "dem/terrain_surface.hpp"
 #include "core/html_page.hpp"
+#include "dem/terrain_surface.hpp"
 #include "study/report/plotly_chart.hpp"
 #include "study/report/report_groups.hpp"
 #include "study/report/report_sections.hpp"

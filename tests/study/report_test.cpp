@@ -299,10 +299,10 @@ TEST(Png, ColoursAreReadBackByGdal) {
   ASSERT_EQ(dataset->GetRasterCount(), 3);
   for (int channel = 0; channel < 3; ++channel) {
     std::vector<std::uint8_t> back(pixels.size());
-    ASSERT_EQ(dataset->GetRasterBand(channel + 1)
-                  ->RasterIO(GF_Read, 0, 0, width, height, back.data(), width, height, GDT_Byte, 0,
-                             0),
-              CE_None);
+    ASSERT_EQ(
+        dataset->GetRasterBand(channel + 1)
+            ->RasterIO(GF_Read, 0, 0, width, height, back.data(), width, height, GDT_Byte, 0, 0),
+        CE_None);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       ASSERT_EQ(back[i], pixels[i][static_cast<std::size_t>(channel)]) << i;
     }
