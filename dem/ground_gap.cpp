@@ -1,9 +1,10 @@
+#include "dem/ground_gap.hpp"
+
 #include <algorithm>
 
 #include "dem/detail/contact_search.hpp"
 #include "dem/detail/segment_distance.hpp"
 #include "dem/detail/terrain_impl.hpp"
-#include "dem/release.hpp"
 
 namespace clast {
 namespace {
@@ -29,18 +30,33 @@ NearbyGround nearby(const IndexedSurface& ground, const Bounds& box, double reac
 
 }  // namespace
 
-std::optional<double> ground_gap(const TerrainSurface& terrain, const RigidBody& body,
-                                 const RigidState& state, double reach) {
-  const IndexedSurface& ground = terrain.impl().surface;
-  const BlockSurface surface(body.shape);
+struct GroundGap::Impl {
+  Impl(const TerrainSurface& terrain, const RigidBody& of)
+      : ground(terrain.impl().surface), body(of), surface(of.shape) {}
+  const IndexedSurface& ground;
+  const RigidBody& body;
+  BlockSurface surface;
+};
+
+GroundGap::GroundGap(const TerrainSurface& terrain, const RigidBody& body)
+    : impl_(std::make_unique<Impl>(terrain, body)) {}
+GroundGap::~GroundGap() = default;
+
+double GroundGap::overlap(const RigidState& state) const {
+  const auto& [ground, body, surface] = *impl_;
+  if (!ground.nearest(state.position, body.bounding_radius() + ground.radius)) return 0.0;
   ContactSearch search(ground, surface, body.size());
-  const Pose world_from_body = state.world_from_body();
   double deepest = 0.0;
-  for (const ContactPoint& contact : search.contacts(world_from_body, 0.0)) {
+  for (const ContactPoint& contact : search.contacts(state.world_from_body(), 0.0)) {
     deepest = std::max(deepest, contact.overlap);
   }
-  if (deepest > 0.0) return -deepest;
+  return deepest;
+}
 
+std::optional<double> GroundGap::gap(const RigidState& state, double reach) const {
+  const auto& [ground, body, surface] = *impl_;
+  if (const double deepest = overlap(state); deepest > 0.0) return -deepest;
+  const Pose world_from_body = state.world_from_body();
   const SurfaceFeatures& block = surface.features;
   const double radii = body.shape.radius + ground.radius;
   double nearest = reach + radii;

@@ -85,9 +85,4 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
                                const RigidState& start, const ReleaseSettings& settings,
                                const MotionObserver& observe = {});
 
-/// Smallest gap between the rounded body and the ground's skin, m; negative when they overlap. None
-/// when farther than `reach`.
-std::optional<double> ground_gap(const TerrainSurface& terrain, const RigidBody& body,
-                                 const RigidState& state, double reach);
-
 }  // namespace clast
