@@ -3,7 +3,6 @@
 
 #include <iostream>
 
-#include "massprops/solid.hpp"
 #include "reconstruct/field_scan.hpp"
 #include "reconstruct/photos/photo_scan.hpp"
 #include "shapes/mesh_io.hpp"
@@ -30,7 +29,7 @@ TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
   const FieldBlock block = field_blocks(scan.cloud.points, "rock", reading).front();
   EXPECT_TRUE(inspect(block.scan.mesh).closed());
   const TriangleMesh truth = read_mesh(rock("gt_rock.ply"));
-  const double volume = solid_mass_properties(truth, 1.0).volume;
+  const double volume = 0.137;  // the set's own statement, m^3
   const Vec3 sides = smallest_box(block.scan.mesh.vertices).lengths;
   const Vec3 errors = sides.cwiseQuotient(smallest_box(truth.vertices).lengths) - Vec3::Ones();
   ASSERT_TRUE(block.underside.has_value());
