@@ -32,8 +32,8 @@ constexpr double kLargestLeap = 2.5;  ///< from one number of vertices to the ne
 constexpr int kRadiusHalvings = 3;
 
 /// Photos give points so dense and exact that a finer surface than that of other clouds pays: with
-/// the usual cell a sharp end of a block is 0.6 % of L short, with this one 0.2 %.
-constexpr double kPhotoCell = 0.005;
+/// the usual cell a sharp end of a block is 0.6 % of L short, with this one 0.14 %.
+constexpr double kPhotoCell = 0.003;
 
 /// The unit in which a length of `raw` file units is that of a usual block.
 std::string likely_unit(double raw) {

@@ -25,7 +25,7 @@ TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
   EXPECT_TRUE(scan.metric);
   ASSERT_EQ(scan.markers.size(), 4u);
   FieldScanOptions reading;
-  reading.surface.cell = 0.005;
+  reading.surface.cell = 0.003;
   const FieldBlock block = field_blocks(scan.cloud.points, "rock", reading).front();
   EXPECT_TRUE(inspect(block.scan.mesh).closed());
   const TriangleMesh truth = read_mesh(rock("gt_rock.ply"));
