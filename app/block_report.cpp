@@ -98,6 +98,9 @@ Json block_json(const Block& block) {
   Json json;
   json["id"] = block.id;
   json["source"] = block.source.file;
+  json["provenance"] = {{"sha256", block.source.sha256},
+                        {"options", block.source.options},
+                        {"program_version", block.source.program_version}};
   json["vertices"] = block.body.vertices.size();
   json["edges"] = block.body.edges.size();
   const std::vector<EdgeBend> bends = edge_bends(block.body);

@@ -13,6 +13,7 @@
 #include "library/unseen_range.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
+#include "shapes/mesh_io.hpp"
 #include "shapes/self_intersection.hpp"
 
 namespace clast {
@@ -203,7 +204,7 @@ void add_unseen(Block& block, const Underside& side) {
 }
 
 /// Thins and measures one block of a scan.
-Block block_from(FieldBlock found, const std::string& id, BlockSource source,
+Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
                  const ScanToBlockOptions& options,
                  const std::function<void(const std::string&)>& begin) {
   Scan& scan = found.scan;
@@ -238,10 +239,10 @@ Block block_from(FieldBlock found, const std::string& id, BlockSource source,
 }
 
 /// The blocks of a folder of photos, with what its cameras and its scale were.
-std::vector<FieldBlock> photographed_blocks(const std::filesystem::path& folder,
-                                            const ScanToBlockOptions& options,
-                                            FieldScanOptions reading, BlockSource& source,
-                                            const std::function<void(const std::string&)>& begin) {
+FieldScan photographed_blocks(const std::filesystem::path& folder,
+                              const ScanToBlockOptions& options, FieldScanOptions reading,
+                              BlockSource& source,
+                              const std::function<void(const std::string&)>& begin) {
   PhotoScanOptions photos = options.photos;
   if (reading.scan.unit != 1.0) photos.metres_per_unit = reading.scan.unit;
   const PhotoScan scan = photo_scan(folder, photos, begin);
@@ -253,10 +254,12 @@ std::vector<FieldBlock> photographed_blocks(const std::filesystem::path& folder,
   reading.scan.unit = 1.0;
   reading.surface.cell = kPhotoCell;
   begin("finding the surface in " + std::to_string(scan.cloud.points.size()) + " points");
-  std::vector<FieldBlock> blocks = field_blocks(scan.cloud.points, folder.string(), reading);
+  FieldScan found;
+  found.blocks = field_blocks(scan.cloud.points, folder.string(), reading);
+  found.raw.vertices = scan.cloud.points;
   source.options = "photos=" + std::to_string(scan.model.photos.size()) +
                    " cameras=" + scan.model.source + " scale=" + scan.scale_source;
-  for (FieldBlock& block : blocks) {
+  for (FieldBlock& block : found.blocks) {
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), scan.notes.begin(), scan.notes.end());
     if (!scan.metric) {
@@ -265,7 +268,7 @@ std::vector<FieldBlock> photographed_blocks(const std::filesystem::path& folder,
                    "mass are not");
     }
   }
-  return blocks;
+  return found;
 }
 
 }  // namespace
@@ -315,12 +318,13 @@ void ScanToBlockOptions::check() const {
 
 std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std::string& id,
                                     const ScanToBlockOptions& options,
-                                    const std::function<void(const std::string&)>& stage) {
+                                    const std::function<void(const std::string&)>& stage,
+                                    const BlockWitness& witness) {
   const auto begin = [&](const std::string& what) {
     if (stage) stage(what);
   };
   begin("reading " + id);
-  std::vector<FieldBlock> found;
+  FieldScan found;
   BlockSource source{as_utf8(path.string()), digest_of_scan(path),
                      scale_text(options) + " up=" + options.scan.up, ""};
   const FieldScanOptions reading_field = {.scan = options.scan,
@@ -332,17 +336,19 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
   } else if (options.block.core) {
     ScanOptions reading = options.scan;
     reading.repair.invent = false;  // every vertex of a core is meant
-    found.push_back({read_scan(path, reading), {}});
+    found.blocks.push_back({read_scan(path, reading), {}});
+    if (witness) found.raw = read_mesh(path);
   } else {
     found = read_field_scan(path, reading_field);
   }
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";
   std::vector<Block> blocks;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool several = options.split;
-    const std::string name = several ? id + "_" + std::to_string(i + 1) : id;
-    blocks.push_back(block_from(std::move(found[i]), name, source, options, begin));
+  for (std::size_t i = 0; i < found.blocks.size(); ++i) {
+    const std::string name = options.split ? id + "_" + std::to_string(i + 1) : id;
+    blocks.push_back(block_from(found.blocks[i], name, source, options, begin));
+    if (witness) witness(blocks.back(), found.raw, found.blocks[i]);
+    found.blocks[i] = {};  // memory is bounded by one block's needs
   }
   return blocks;
 }

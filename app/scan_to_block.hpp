@@ -44,6 +44,12 @@ std::string scale_text(const ScanToBlockOptions& options);
 /// Adds a warning where the surface passes through itself.
 void warn_of_crossings(Block& block, const TriangleMesh& surface);
 
+/// Called with a block and what it was made from, while that is there.
+/// @param raw    as read, in the file's units and axes; of a cloud the points alone
+/// @param found  the closed scan, in the frame of the block
+using BlockWitness =
+    std::function<void(const Block& block, const TriangleMesh& raw, const FieldBlock& found)>;
+
 /// Digest of a file, or of the photos in a folder.
 /// @throws InputError  it can't be read
 std::string digest_of_scan(const std::filesystem::path& path);
@@ -55,6 +61,7 @@ std::string digest_of_scan(const std::filesystem::path& path);
 ///         `check_size` throws
 std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std::string& id,
                                     const ScanToBlockOptions& options,
-                                    const std::function<void(const std::string&)>& stage = {});
+                                    const std::function<void(const std::string&)>& stage = {},
+                                    const BlockWitness& witness = {});
 
 }  // namespace clast

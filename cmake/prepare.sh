@@ -14,8 +14,8 @@ say() { printf '== %s\n' "$*"; }
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
 packages=(g++ cmake ninja-build libeigen3-dev libcgal-dev libassimp-dev libhdf5-dev libgdal-dev
-          libpcl-dev libopencv-dev libpugixml-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libjs-three
-          libopenmpi-dev openmpi-bin)
+          libpcl-dev libopencv-dev libpugixml-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
+          libjs-three python3-plotly libopenmpi-dev openmpi-bin)
 case "${1-}" in
   program) ;;
   tests) packages+=(libgtest-dev chromium colmap) ;;

@@ -27,7 +27,9 @@ void CsvText::cell(double value) {
   begin_cell();
   if (!std::isfinite(value)) return;
   std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  // A minus before zero is a residue of signs, and reads as if it meant something.
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value == 0.0 ? 0.0 : value);
   text_.append(text.data(), end.ptr);
 }
 

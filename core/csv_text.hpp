@@ -7,7 +7,7 @@
 namespace clast {
 
 /// CSV after RFC 4180, with "\n" line ends. Numbers are the shortest text that reads back to the
-/// same bits; what is not known is an empty cell.
+/// same bits (-0 is written as 0); what is not known is an empty cell.
 /// @cite rfc4180
 class CsvText {
  public:

@@ -24,6 +24,10 @@ constexpr double kUnstable = 2.0;
 constexpr double kTravelShare = 0.25;
 /// Arm of the rolling spring, share of S: k_r = k_t (S/2)^2 winds up over the same slip as k_t.
 constexpr double kRollingArmShare = 0.5;
+/// Share of k_n that carries a block at rest below which `auto` warns of what it costs.
+constexpr double kDearRestShare = 1e-3;
+/// What such a ground is compared with: the e_n^2 of the paper's zones.
+constexpr double kUsualRestShare = 0.01;
 
 /// Largest eigenvalue of the mobility 1/m + [x]^T I^-1 [x] over the points of the body, 1/kg: how
 /// easily a force at its surface moves the surface there.
@@ -114,6 +118,13 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
         " N/m that \"auto\" would take: blocks settle " + number(choice.settled_depth) +
         " m deep (" + number(100.0 * worst_rest_share) + " % of S) and the fastest impact goes " +
         number(choice.impact_depth) + " m deep");
+  }
+  if (!options.normal && rest_share < kDearRestShare) {
+    choice.warnings.push_back(
+        "energy_restitution = " + number(rest_share) +
+        " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +
+        number(chosen.normal) + " N/m and steps of " + number(chosen.time_step) +
+        " s: " + number(std::sqrt(kUsualRestShare / rest_share)) + " times the work of 0.01");
   }
   if (chosen.time_step * frequency > 0.5) {
     choice.warnings.push_back("time step " + number(chosen.time_step) +

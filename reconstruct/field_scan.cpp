@@ -13,6 +13,7 @@
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
+#include "reconstruct/detail/stored_digits.hpp"
 #include "reconstruct/standing_blocks.hpp"
 #include "reconstruct/weld.hpp"
 #include "shapes/detail/half_edges.hpp"
@@ -32,11 +33,9 @@ constexpr double kSurfacePoints = 60000.0;
 /// A piece beside an open block with more of its area is no scrap.
 constexpr double kScrapArea = 0.1;
 constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and told
-constexpr double kToldTilt = 1.0;       ///< degrees; a turn by less is not told
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
+/// An open scan of which less than this share is filled in was closed by other means before.
+constexpr double kHardlyOpen = 0.01;
+constexpr double kToldTilt = 1.0;  ///< degrees; a turn by less is not told
 
 double degrees_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / kPi;
@@ -89,9 +88,9 @@ TriangleMesh without_ears(TriangleMesh mesh) {
   return mesh;
 }
 
-class FieldScan {
+class Separation {
  public:
-  FieldScan(std::string name, const FieldScanOptions& options)
+  Separation(std::string name, const FieldScanOptions& options)
       : name_(std::move(name)), options_(options) {}
 
   std::vector<FieldBlock> of_mesh(const TriangleMesh& raw) {
@@ -106,20 +105,24 @@ class FieldScan {
     std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
     double scraps = 0.0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
-      const double share = pieces[i].area / pieces[0].area;
-      if (share > kScrapArea) {
+      if (pieces[i].area > kScrapArea * pieces[0].area) {
         return {{cleaned_scan(raw, name_, options_.scan), {}}};  // says what is wrong
       }
-      scraps += share;
+      scraps += pieces[i].area / surface_area(*sheet);
     }
     if (pieces.size() > 1) {
-      notes_.push_back(counted(pieces.size() - 1, "loose scrap", "loose scraps") + " with " +
-                       with_digits(100.0 * scraps, 2) + " % of the block's area dropped");
+      mended_.defects.push_back(
+          {DefectKind::kIsland, pieces.size() - 1, scraps, 0.0, pieces[1].mesh.vertices[0]});
     }
     return {closed_block(std::move(pieces[0].mesh), {}, Vec3::Zero())};
   }
 
   std::vector<FieldBlock> of_cloud(const std::vector<Vec3>& raw) {
+    if (!all_within_reach(raw)) {
+      throw InputError(name_ + ": a point is not finite or farther than " +
+                       with_digits(kLargestCoordinate, 3) +
+                       " m from the origin: the file is damaged, or its unit is wrong");
+    }
     if (raw.size() < kFewestPoints) {
       throw InputError(name_ + ": no block: " + std::to_string(raw.size()) +
                        " points are too few for one; a scan of a block has " +
@@ -146,24 +149,69 @@ class FieldScan {
   }
 
  private:
+  bool all_within_reach(const std::vector<Vec3>& points) const {
+    return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+      return p.allFinite() && p.cwiseAbs().maxCoeff() * options_.scan.unit <= kLargestCoordinate &&
+             p.cwiseAbs().maxCoeff() <= kLargestCoordinate;
+    });
+  }
+
   /// The mesh welded and turned one way, when it is an open surface and nothing worse; none when
   /// cleaning alone does, or has to say what is wrong.
   std::optional<TriangleMesh> open_sheet(const TriangleMesh& raw) {
-    for (const Vec3& vertex : raw.vertices) {
-      if (!vertex.allFinite()) return std::nullopt;
-    }
-    TriangleMesh mesh = welded(raw, options_.scan.repair.weld_tolerance * bounds(raw).diagonal());
+    if (!all_within_reach(raw.vertices)) return std::nullopt;
+    const double tolerance = options_.scan.repair.weld_tolerance * bounds(raw).diagonal();
+    TriangleMesh mesh = welded(raw, tolerance);
+    RepairReport report;
+    report.as_read = inspect(mesh);
+    const double area = surface_area(mesh);
+    const auto note = [&](DefectKind kind, std::size_t count, double dropped = 0.0,
+                          std::optional<Vec3> where = {}, double size = 0.0) {
+      if (count > 0) report.defects.push_back({kind, count, dropped / area, size, where});
+    };
+    const auto note_mended = [&](DefectKind kind, const detail::Mended& mended) {
+      note(kind, mended.count, mended.area, mended.place);
+    };
+    note(DefectKind::kNearVertices, welded(raw, 0.0).vertices.size() - mesh.vertices.size(), 0.0,
+         {}, tolerance * options_.scan.unit);
+    note(DefectKind::kNoArea, raw.triangles.size() - mesh.triangles.size());
     const detail::SoupMends mends = detail::mend_soup(mesh, detail::kFinArea);
     if (mesh.triangles.empty() || !mends.orientation.orientable) return std::nullopt;
-    detail::close_by_fans(mesh, detail::kFanEdges);
+    note_mended(DefectKind::kFolded, mends.folded);
+    note_mended(DefectKind::kFin, mends.fins);
+    note_mended(DefectKind::kTouchingEdge, mends.touching);
+    if (mends.orientation.turned > 0) {
+      note(DefectKind::kMixedWinding, mends.orientation.turned, 0.0,
+           mesh.vertices[mends.orientation.first]);
+    }
+    const std::vector<FilledHole> fans = detail::close_by_fans(mesh, detail::kFanEdges);
     if (inspect(mesh).closed()) return std::nullopt;
-    detail::split_pinched_vertices(mesh);
-    detail::flatten_spikes(mesh);
+    note_mended(DefectKind::kPinchedVertex, detail::split_pinched_vertices(mesh));
+    const detail::Spikes spikes = detail::flatten_spikes(mesh);
+    note(DefectKind::kSpike, spikes.count, 0.0, spikes.place, spikes.highest * options_.scan.unit);
+    take_fans(report, fans, surface_area(mesh));
+    mended_ = std::move(report);
     return mesh;
   }
 
-  /// Drops what hangs on edges with more than two triangles: fins, which have a border, where two
-  /// others go on; else all.
+  void take_fans(RepairReport& report, const std::vector<FilledHole>& fans, double area) const {
+    if (fans.empty()) return;
+    const double unit = options_.scan.unit;
+    double share = 0.0;
+    for (FilledHole hole : fans) {
+      hole.area_share = hole.area / area;
+      share += hole.area_share;
+      hole.perimeter *= unit;
+      hole.radius *= unit;
+      hole.area *= unit * unit;
+      report.holes.push_back(hole);
+    }
+    std::stable_sort(report.holes.begin(), report.holes.end(),
+                     [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
+    report.defects.push_back(
+        {DefectKind::kHole, fans.size(), share, report.holes[0].radius, report.holes[0].centre});
+  }
+
   StandingBlocks standing_on(const std::vector<Vec3>& points, const Ground& ground) const {
     StandingBlocks standing = standing_blocks(points, ground);
     if (standing.blocks.empty()) {
@@ -174,6 +222,7 @@ class FieldScan {
   }
 
   std::vector<const StandingBlock*> chosen(const StandingBlocks& standing) {
+    notes_.push_back("the ground around it was found and taken away");
     std::vector<const StandingBlock*> blocks;
     if (options_.split) {
       for (const StandingBlock& block : standing.blocks) blocks.push_back(&block);
@@ -246,6 +295,8 @@ class FieldScan {
     }
     ScanOptions options = options_.scan;
     FieldBlock block{cleaned_scan(side ? side->best : std::move(open), name_, options), {}};
+    block.scan.report = joined(mended_, std::move(block.scan.report));
+    block.scan.notes = repair_notes(block.scan.report);
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), notes_.begin(), notes_.end());
     const auto to_metres = [&](Vec3 p) -> Vec3 {
@@ -264,9 +315,16 @@ class FieldScan {
                         " degrees so that z points up from the ground; --up keeps the file's axes");
       }
       for (Vec3& vertex : block.scan.mesh.vertices) vertex = turn * vertex;
+      block.block_from_file = turn;
     }
     if (side) {
       notes.insert(notes.end(), side->notes.begin(), side->notes.end());
+      if (side->invented_share < kHardlyOpen) {
+        notes.push_back(
+            "hardly any surface was missing, so the bounds are narrow; whether the scanning "
+            "software had closed a side before that nobody saw, such as the bottom, the file does "
+            "not tell: check the volume by weighing (--mass with --density)");
+      }
       block.underside = moved(std::move(*side), [&](const Vec3& p) { return turn * to_metres(p); });
     }
     return block;
@@ -313,6 +371,7 @@ class FieldScan {
   std::string name_;
   const FieldScanOptions& options_;
   std::vector<std::string> notes_;
+  RepairReport mended_;  ///< before the surface was closed; empty for a cloud
 };
 
 bool is_cloud(const std::filesystem::path& path) {
@@ -333,22 +392,30 @@ void FieldScanOptions::check() const {
 std::vector<FieldBlock> field_blocks(const TriangleMesh& raw, const std::string& name,
                                      const FieldScanOptions& options) {
   options.check();
-  return FieldScan(name, options).of_mesh(raw);
+  return Separation(name, options).of_mesh(raw);
 }
 
 std::vector<FieldBlock> field_blocks(const std::vector<Vec3>& points, const std::string& name,
                                      const FieldScanOptions& options) {
   options.check();
-  return FieldScan(name, options).of_cloud(points);
+  return Separation(name, options).of_cloud(points);
 }
 
-std::vector<FieldBlock> read_field_scan(const std::filesystem::path& path,
-                                        const FieldScanOptions& options) {
+FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options) {
   options.check();
-  if (is_cloud(path)) return field_blocks(read_cloud(path), path.string(), options);
-  const TriangleMesh mesh = read_mesh_or_points(path);
-  if (mesh.triangles.empty()) return field_blocks(mesh.vertices, path.string(), options);
-  return field_blocks(mesh, path.string(), options);
+  FieldScan scan;
+  if (is_cloud(path)) {
+    scan.raw.vertices = read_cloud(path);
+  } else {
+    scan.raw = read_mesh_or_points(path);
+  }
+  const std::string note = detail::digits_note(scan.raw, path, options.scan.unit);
+  scan.blocks = scan.raw.triangles.empty() ? field_blocks(scan.raw.vertices, path.string(), options)
+                                           : field_blocks(scan.raw, path.string(), options);
+  for (FieldBlock& block : scan.blocks) {
+    if (!note.empty()) block.scan.notes.push_back(note);
+  }
+  return scan;
 }
 
 }  // namespace clast

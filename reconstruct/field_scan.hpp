@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/pose.hpp"
 #include "reconstruct/cloud_surface.hpp"
 #include "reconstruct/ground.hpp"
 #include "reconstruct/scan.hpp"
@@ -27,15 +28,24 @@ struct FieldScanOptions {
 struct FieldBlock {
   Scan scan;                           ///< closed, in metres, z up
   std::optional<Underside> underside;  ///< of a scan that was open; in the frame of `scan`
+  /// To the frame of `scan` from the file's coordinates in metres, z up.
+  Pose block_from_file = {Vec3::Zero(), Quat::Identity()};
+};
+
+/// A file and the blocks it gave.
+struct FieldScan {
+  TriangleMesh raw;  ///< as read, in the file's units and axes; of a cloud the points alone
+  std::vector<FieldBlock> blocks;
 };
 
 /// The blocks of a mesh or cloud, at least one. A closed mesh is cleaned as `read_scan` does. Of an
 /// open one the ground is taken away and the underside closed. Points become a surface first.
 /// With `split` the blocks come in order of x, then y, of the file; without, there is one.
-/// @throws InputError     what `read_mesh` and `stream_cloud` throw; a cloud of too few points
+/// @throws InputError     what `read_mesh` and `stream_cloud` throw; a cloud of too few points;
+///                        coordinates that lost the block's shape because the file keeps too few
+///                        digits of them
 /// @throws GeometryError  only ground, and what `cleaned_scan` and `closed_underside` throw
-std::vector<FieldBlock> read_field_scan(const std::filesystem::path& path,
-                                        const FieldScanOptions& options = {});
+FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options = {});
 
 /// The same of a mesh or of points in memory; `name` is used in messages.
 std::vector<FieldBlock> field_blocks(const TriangleMesh& raw, const std::string& name,

@@ -466,6 +466,11 @@ Repaired repaired(const TriangleMesh& dirty, const RepairOptions& options) {
     if (!dirty.vertices[v].allFinite()) {
       throw GeometryError("vertex " + std::to_string(v + 1) + " is not a finite point");
     }
+    const double farthest = dirty.vertices[v].cwiseAbs().maxCoeff();
+    if (farthest > kLargestCoordinate) {
+      throw GeometryError("vertex " + std::to_string(v + 1) + " lies " + with_digits(farthest, 3) +
+                          " m from the origin: the file is damaged, or its unit is wrong");
+    }
   }
   return Route(options).run(dirty);
 }

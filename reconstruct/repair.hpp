@@ -23,6 +23,10 @@ struct RepairOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
+/// Coordinates beyond this (m) are no place on Earth or any rock: the file is damaged. Squares and
+/// cubes of lengths stay finite below it.
+inline constexpr double kLargestCoordinate = 1e15;
+
 struct Repaired {
   TriangleMesh mesh;  ///< closed, 2-manifold, outward, crosses itself nowhere; cavities inward
   RepairReport report;

@@ -153,6 +153,69 @@ const Defect* RepairReport::find(DefectKind kind) const {
   return found == defects.end() ? nullptr : &*found;
 }
 
+RepairReport joined(RepairReport first, RepairReport second) {
+  if (first.as_read.triangles > 0) second.as_read = first.as_read;
+  for (const Defect& defect : first.defects) {
+    const auto same = std::find_if(second.defects.begin(), second.defects.end(),
+                                   [&](const Defect& other) { return other.kind == defect.kind; });
+    if (same == second.defects.end()) {
+      second.defects.push_back(defect);
+      continue;
+    }
+    same->count += defect.count;
+    same->area_share += defect.area_share;
+    if (defect.size >= same->size && defect.place) same->place = defect.place;
+    same->size = std::max(same->size, defect.size);
+  }
+  std::stable_sort(second.defects.begin(), second.defects.end(),
+                   [](const Defect& a, const Defect& b) { return a.kind < b.kind; });
+  for (const FilledHole& hole : first.holes) {
+    second.holes.push_back(hole);
+    second.invented_share += hole.area_share;
+  }
+  std::stable_sort(second.holes.begin(), second.holes.end(),
+                   [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
+  second.inner_shells += first.inner_shells;
+  second.inner_shell_volume += first.inner_shell_volume;
+  return second;
+}
+
+const char* name_of(DefectKind kind) {
+  switch (kind) {
+    case DefectKind::kNearVertices:
+      return "vertices stored more than once, joined";
+    case DefectKind::kNoArea:
+      return "triangles without area or stored twice, dropped";
+    case DefectKind::kFolded:
+      return "triangles back to back with another, dropped";
+    case DefectKind::kFin:
+      return "triangles that stand on the surface or double it, dropped";
+    case DefectKind::kTouchingEdge:
+      return "edges of more than two triangles, cut apart";
+    case DefectKind::kMixedWinding:
+      return "triangles that face the other way, turned";
+    case DefectKind::kPinchedVertex:
+      return "vertices where the surface touches itself, split";
+    case DefectKind::kDoubleSheet:
+      return "sheets that lie on the block, dropped";
+    case DefectKind::kIsland:
+      return "loose scraps, dropped";
+    case DefectKind::kInnerShell:
+      return "closed shells inside (bubbles)";
+    case DefectKind::kSpike:
+      return "spikes, put back into the surface";
+    case DefectKind::kHole:
+      return "holes, filled";
+    case DefectKind::kCrossing:
+      return "pairs of triangles through each other, replaced";
+    case DefectKind::kInward:
+      return "surface that faced inwards, turned";
+    case DefectKind::kTunnel:
+      return "tunnels through the block, left open";
+  }
+  return "";
+}
+
 std::vector<std::string> repair_notes(const RepairReport& report) {
   return Sentences(report).all();
 }

@@ -69,6 +69,13 @@ struct RepairReport {
   const Defect* find(DefectKind kind) const;  ///< null: none of that kind
 };
 
+/// One report of two mends of the same surface: counts of a kind add up, the larger place stays.
+/// The surface as read is that of the first, unless nothing is known of it.
+RepairReport joined(RepairReport first, RepairReport second);
+
+/// What a kind is called in a table: "spikes put back".
+const char* name_of(DefectKind kind);
+
 /// The report as sentences, one for each mend, with counts, sizes and places.
 std::vector<std::string> repair_notes(const RepairReport& report);
 

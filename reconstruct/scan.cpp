@@ -1,49 +1,12 @@
 #include "reconstruct/scan.hpp"
 
 #include <cmath>
-#include <optional>
 
 #include "core/error.hpp"
-#include "core/number_text.hpp"
-#include "core/text_file.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
 #include "shapes/mesh_io.hpp"
 
 namespace clast {
-
-namespace {
-
-/// Step of the coordinates over the diagonal above which the shape is lost, and above which it is
-/// worth a note.
-constexpr double kShapeLost = 1e-2, kDigitsLost = 1e-4;
-/// So many vertices of a text file that all fall on the steps are no chance and no handmade model.
-constexpr std::size_t kNoChance = 100;
-
-/// The note on a file that keeps too few digits, empty where there are enough.
-/// @throws InputError  the shape of the block is lost
-std::string digits_note(const TriangleMesh& mesh, const std::filesystem::path& path, double unit) {
-  const std::string extension = extension_of(path);
-  const bool keeps_floats =
-      extension == ".stl" || extension == ".glb" || extension == ".gltf" || extension == ".3ds";
-  if (!keeps_floats && mesh.vertices.size() < kNoChance) return "";
-  const std::optional<detail::CoordinateStep> found = detail::coordinate_step(mesh);
-  if (!found) return "";
-  const double diagonal = bounds(mesh).diagonal();
-  const double share = found->step / diagonal;
-  if (!(share > kDigitsLost)) return "";
-  const std::string text = "precision was lost in the file itself: its coordinates reach " +
-                           with_digits(found->largest, 9) + " and are kept in steps of " +
-                           with_digits(found->step * unit, 3) + " m, " +
-                           with_digits(100.0 * share, 3) + " % of the scan's diagonal of " +
-                           with_digits(diagonal * unit, 3) + " m";
-  const std::string advice =
-      "; export it again with a local origin (CloudCompare: accept the global shift when loading) "
-      "or as PLY with doubles";
-  if (share <= kShapeLost) return text + advice;
-  throw InputError(path.string() + ": " + text + ", so that its shape is lost" + advice);
-}
-
-}  // namespace
 
 void ScanOptions::check() const {
   if (!(unit > 0.0) || !std::isfinite(unit)) {
@@ -57,7 +20,7 @@ void ScanOptions::check() const {
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
   options.check();
   const TriangleMesh raw = read_mesh(path);
-  const std::string note = digits_note(raw, path, options.unit);
+  const std::string note = detail::digits_note(raw, path, options.unit);
   Scan scan = cleaned_scan(raw, path.string(), options);
   if (!note.empty()) scan.notes.push_back(note);
   return scan;

@@ -234,7 +234,8 @@ class Closing {
     const double ground = options_.ground->distance;
     result_.gap = mean_rim - ground;
     if (low_rim - ground < kClearOfGround * height) return buried;
-    return std::max(buried, ground - kSunk * height);
+    // Something holds it up: under an overhang it reaches the ground however far below that is.
+    return ground - kSunk * height;
   }
 
   /// `lower` with the filling moved down so that `added` volume lies under it, no deeper than

@@ -25,7 +25,7 @@ struct UndersideOptions {
   /// that is.
   std::optional<Plane> ground = {};
   /// At most this much is buried, as a share of the height that was seen: a quarter of the whole
-  /// height by default.
+  /// height by default. Not where the ground is known and the rim is clear of it.
   double deepest = 1.0 / 3.0;
   /// A hole whose flat filling has less than this share of the closed surface is left alone.
   double smallest_share = 0.001;

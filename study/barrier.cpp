@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace clast {
 namespace {
@@ -12,17 +13,16 @@ constexpr double kTimeTolerance = 1e-9;
 // A centre exactly on the plane counts as right of it, so that a path is split at the plane once.
 bool is_left(double distance) { return distance > 0.0; }
 
-}  // namespace
-
-std::optional<Crossing> find_crossing(const Barrier& barrier, const RigidBody& body,
-                                      const MotionStep& step, const TerrainSurface& terrain,
-                                      double gravity) {
-  const Vec2 span = barrier.to - barrier.from;
+/// @param closed  the point at `to` belongs to the segment
+std::optional<Crossing> crossing_of_segment(const Vec2& from, const Vec2& to, bool closed,
+                                            const RigidBody& body, const MotionStep& step,
+                                            const TerrainSurface& terrain, double gravity) {
+  const Vec2 span = to - from;
   const double length = span.norm();
   const Vec2 along = span / length;
   const Vec2 left(-along.y(), along.x());
   const auto distance_left = [&](const RigidState& state) {
-    return left.dot(state.position.head<2>() - barrier.from);
+    return left.dot(state.position.head<2>() - from);
   };
   const double begin = distance_left(step.begin);
   const double end = distance_left(step.end);
@@ -48,8 +48,8 @@ std::optional<Crossing> find_crossing(const Barrier& barrier, const RigidBody& b
     state = state_at(body, step, after, gravity);
   }
 
-  const double reach = along.dot(state.position.head<2>() - barrier.from);
-  if (reach < 0.0 || reach > length) return std::nullopt;
+  const double reach = along.dot(state.position.head<2>() - from);
+  if (reach < 0.0 || reach > length || (reach == length && !closed)) return std::nullopt;
   const Vec3& centre = state.position;
   const std::optional<double> ground = terrain.height(centre.x(), centre.y(), centre.z());
   if (!ground) return std::nullopt;
@@ -70,6 +70,24 @@ std::optional<Crossing> find_crossing(const Barrier& barrier, const RigidBody& b
   crossing.translational_energy = translational_energy(body, state);
   crossing.rotational_energy = rotational_energy(body, state);
   return crossing;
+}
+
+}  // namespace
+
+std::vector<Crossing> find_crossings(const Barrier& barrier, const RigidBody& body,
+                                     const MotionStep& step, const TerrainSurface& terrain,
+                                     double gravity) {
+  std::vector<Crossing> found;
+  for (std::size_t i = 0; i + 1 < barrier.through.size(); ++i) {
+    const bool last = i + 2 == barrier.through.size();
+    if (const std::optional<Crossing> crossing = crossing_of_segment(
+            barrier.through[i], barrier.through[i + 1], last, body, step, terrain, gravity)) {
+      found.push_back(*crossing);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.time < b.time; });
+  return found;
 }
 
 }  // namespace clast

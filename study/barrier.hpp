@@ -1,6 +1,5 @@
 #pragma once
 /// Virtual barriers: vertical planes in which passing blocks are counted and measured.
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,11 +7,11 @@
 
 namespace clast {
 
-/// A vertical plane over a segment of the map. Forward is from the left of from -> to to its right.
+/// Vertical planes over the segments of a line on the map. Forward is from the left of the line, as
+/// it runs, to its right.
 struct Barrier {
   std::string name;
-  Vec2 from = Vec2::Zero();  ///< local frame, m
-  Vec2 to = Vec2::Zero();
+  std::vector<Vec2> through;  ///< local frame, m; two points at least, neighbours differ
 };
 
 /// One passage of a centre of mass through a barrier.
@@ -30,12 +29,13 @@ struct Crossing {
   double rotational_energy = 0.0;        ///< J
 };
 
-/// The crossing of `step` through the barrier, if there is one: exact time in flight, to 1e-9 s
-/// otherwise. A centre exactly on the plane counts as right of it. None where the centre is not
-/// over surveyed ground; where only the lowest skin point is not, its clearance is taken to the
-/// ground under the centre. `run` and `barrier` of the result are left to the caller.
-std::optional<Crossing> find_crossing(const Barrier& barrier, const RigidBody& body,
-                                      const MotionStep& step, const TerrainSurface& terrain,
-                                      double gravity);
+/// The crossings of `step` through the barrier in order of time, one at most through each segment:
+/// exact time in flight, to 1e-9 s otherwise. A centre exactly on a plane counts as right of it,
+/// and an inner point of the line belongs to the segment that begins there. None where the centre
+/// is not over surveyed ground; where only the lowest skin point is not, its clearance is taken to
+/// the ground under the centre. `run` and `barrier` of the results are left to the caller.
+std::vector<Crossing> find_crossings(const Barrier& barrier, const RigidBody& body,
+                                     const MotionStep& step, const TerrainSurface& terrain,
+                                     double gravity);
 
 }  // namespace clast

@@ -103,6 +103,38 @@ void read_contact(const TomlTable& top, Campaign& campaign) {
   }
 }
 
+/// `from` and `to`, or all points of a line as `through`.
+std::vector<Vec2> read_barrier_line(const TomlTable& table) {
+  const std::string expected = "a list of two points or more, [[x, y], [x, y], ...]";
+  const TomlNode* line = table.find("through");
+  if (!line) {
+    table.required("from", "two numbers, [x, y]");
+    table.required("to", "two numbers, [x, y]");
+    const std::vector<Vec2> ends = {*table.vec2("from"), *table.vec2("to")};
+    if (!((ends[1] - ends[0]).norm() > 0.0)) {
+      table.refuse("to", *table.find("to"), "must differ from from");
+    }
+    return ends;
+  }
+  for (const char* end : {"from", "to"}) {
+    if (table.find(end)) {
+      table.refuse(end, *table.find(end), "contradicts through, which has all points of the line");
+    }
+  }
+  if (line->kind != TomlNode::Kind::kList || line->list.size() < 2) {
+    table.refuse("through", *line, "must be " + expected);
+  }
+  std::vector<Vec2> points;
+  for (const TomlNode& point : line->list) {
+    const std::vector<double> xy = table.numbers("through", point, 2, 2, "points [x, y]");
+    points.emplace_back(xy[0], xy[1]);
+    if (points.size() > 1 && !((points.back() - points[points.size() - 2]).norm() > 0.0)) {
+      table.refuse("through", point, "two points after each other must differ");
+    }
+  }
+  return points;
+}
+
 std::vector<Barrier> read_barriers(const TomlTable& top) {
   std::vector<Barrier> barriers;
   const TomlNode* all = top.find("barrier");
@@ -111,14 +143,9 @@ std::vector<Barrier> read_barriers(const TomlTable& top) {
     top.refuse("barrier", *all, "each barrier is a table [[barrier]]");
   }
   for (const TomlNode& node : all->list) {
-    const TomlTable table(node, top.file(), "[[barrier]]", {"name", "from", "to"});
+    const TomlTable table(node, top.file(), "[[barrier]]", {"name", "from", "to", "through"});
     table.required("name", "a text in quotes");
-    table.required("from", "two numbers, [x, y]");
-    table.required("to", "two numbers, [x, y]");
-    const Barrier barrier{*table.text("name"), *table.vec2("from"), *table.vec2("to")};
-    if (!((barrier.to - barrier.from).norm() > 0.0)) {
-      table.refuse("to", *table.find("to"), "must differ from from");
-    }
+    const Barrier barrier{*table.text("name"), read_barrier_line(table)};
     for (const Barrier& other : barriers) {
       if (other.name == barrier.name) {
         table.refuse("name", *table.find("name"), "another barrier has this name");

@@ -266,11 +266,15 @@ std::vector<std::string> warnings_of(const PreparedCampaign& prepared) {
   }
   const Bounds& ground = prepared.surface->extent();
   for (const Barrier& barrier : prepared.header.barriers) {
-    const Vec2 low = barrier.from.cwiseMin(barrier.to), high = barrier.from.cwiseMax(barrier.to);
+    Vec2 low = barrier.through.front(), high = low;
+    for (const Vec2& point : barrier.through) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
     if ((high.array() < ground.low.head<2>().array()).any() ||
         (low.array() > ground.high.head<2>().array()).any()) {
       warnings.push_back("barrier " + barrier.name +
-                         " lies off the terrain, so nothing can cross it; from and to are x, y of "
+                         " lies off the terrain, so nothing can cross it; its points are x, y of "
                          "the z-up map");
     }
   }
@@ -322,8 +326,7 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
   }
   const Vec2 origin = terrain.frame.origin.head<2>();
   for (Barrier barrier : campaign.barriers) {
-    barrier.from -= origin;
-    barrier.to -= origin;
+    for (Vec2& point : barrier.through) point -= origin;
     header.barriers.push_back(barrier);
   }
   header.zone_names = terrain.zone_names;

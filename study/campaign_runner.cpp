@@ -39,12 +39,12 @@ class RunObserver {
       }
     }
     for (std::uint32_t i = 0; i < prepared_.header.barriers.size(); ++i) {
-      std::optional<Crossing> crossing =
-          find_crossing(prepared_.header.barriers[i], body_, step, *prepared_.surface, gravity);
-      if (!crossing) continue;
-      crossing->run = run_;
-      crossing->barrier = i;
-      crossings.push_back(*crossing);
+      for (Crossing& crossing :
+           find_crossings(prepared_.header.barriers[i], body_, step, *prepared_.surface, gravity)) {
+        crossing.run = run_;
+        crossing.barrier = i;
+        crossings.push_back(crossing);
+      }
     }
     impacts.see(step);
     last = step.end;

@@ -41,9 +41,8 @@ struct Group {
 
 /// A barrier on the map. The same name and line in several files is one barrier.
 struct BarrierLine {
-  std::string name;          ///< made unique by " (file 2)" where lines differ
-  Vec2 from = Vec2::Zero();  ///< map, m
-  Vec2 to = Vec2::Zero();
+  std::string name;                  ///< made unique by " (file 2)" where lines differ
+  std::vector<Vec2> through;         ///< map, m
   std::vector<std::uint32_t> files;  ///< that have it
 };
 
@@ -131,6 +130,10 @@ struct Runout {
 };
 /// @param downslope  unit
 Runout runout(const Vec3& start, const Vec3& stop, const Vec2& downslope);
+
+/// How much of the energy that a run dissipates is lost or gained where contacts or weights change;
+/// none when it dissipates nothing.
+std::optional<double> reassigned_share(const EnergyLedger& energy);
 
 /// What a reader of the tables must know: unfinished or lost runs, unequal masses, poor energy
 /// balance. Called by `compare`.

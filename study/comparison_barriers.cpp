@@ -22,17 +22,18 @@ Lines collect_lines(const std::vector<CampaignResults>& results) {
     const Vec2 origin = results[file].frame.origin.head<2>();
     std::vector<std::size_t> line_of;
     for (const Barrier& barrier : results[file].barriers) {
-      const Vec2 from = barrier.from + origin, to = barrier.to + origin;
+      std::vector<Vec2> through = barrier.through;
+      for (Vec2& point : through) point += origin;
       std::size_t line = 0;
       bool name_taken = false;
       for (; line < found.lines.size(); ++line) {
         if (plain_names[line] != barrier.name) continue;
-        if (found.lines[line].from == from && found.lines[line].to == to) break;
+        if (found.lines[line].through == through) break;
         name_taken = true;
       }
       if (line == found.lines.size()) {
         const std::string suffix = name_taken ? " (file " + std::to_string(file + 1) + ")" : "";
-        found.lines.push_back({barrier.name + suffix, from, to, {}});
+        found.lines.push_back({barrier.name + suffix, std::move(through), {}});
         plain_names.push_back(barrier.name);
       }
       std::vector<std::uint32_t>& files = found.lines[line].files;

@@ -307,7 +307,8 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("impacts.csv", impacts_csv(comparison));
   write("ground_sets.csv", ground_sets_csv(comparison));
   write("differences.csv", differences_csv(comparison));
-  write("profiles.csv", profiles_csv(comparison));
+  const std::vector<ProfileBin> bins = profiles(comparison);
+  write("profiles.csv", profiles_csv(comparison, bins));
   if (comparison.measured) write("measured.csv", measured_csv(comparison));
   write("provenance.json", provenance_json(comparison));
   written.push_back(folder / "stops.gpkg");
@@ -315,7 +316,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   const std::vector<std::filesystem::path> rasters = write_rasters(
       folder / "rasters", path_rasters(comparison), comparison.results.front().frame.crs);
   written.insert(written.end(), rasters.begin(), rasters.end());
-  write("report.html", html_report(comparison));
+  write("report.html", html_report(comparison, bins));
   return written;
 }
 

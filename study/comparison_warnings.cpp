@@ -14,6 +14,9 @@ namespace {
 constexpr double kNotableMassDifference = 0.01;
 /// Share of the dissipated energy that a run's balance may miss before it is named.
 constexpr double kNotableEnergyError = 0.01;
+/// Share of the dissipated energy that may vanish or appear where contacts or weights change before
+/// a run is named.
+constexpr double kNotableReassigned = 0.01;
 
 std::string of(std::size_t part, std::size_t all) {
   return std::to_string(part) + " of " + std::to_string(all);
@@ -56,6 +59,29 @@ void warn_of_lost_runs(const Comparison& comparison, std::vector<std::string>& w
   warn(unbalanced,
        "miss more than 1 % of the dissipated energy in their balance; try a smaller "
        "[contact] time_step_s");
+}
+
+void warn_of_reassigned(const Comparison& comparison, std::vector<std::string>& warnings) {
+  std::size_t count = 0;
+  double largest = 0.0;
+  const RunRow* worst = nullptr;
+  for (const RunRow& row : comparison.rows) {
+    const std::optional<double> share = reassigned_share(row.record->result.energy);
+    if (!share || !(*share > kNotableReassigned)) continue;
+    ++count;
+    if (*share > largest) worst = &row;
+    largest = std::max(largest, *share);
+  }
+  if (count == 0) return;
+  warnings.push_back(
+      of(count, comparison.rows.size()) +
+      " runs lose or gain more than 1 % of the energy they dissipate where contacts begin, end or "
+      "share their stiffness anew (at most " +
+      with_digits(100.0 * largest, 3) + " %, run " + std::to_string(worst->record->run) +
+      ", block " + worst->block->id +
+      "); it acts like a little more friction. Run some of them with half the [contact] "
+      "time_step_s "
+      "to see whether the results depend on it");
 }
 
 /// Mean mass of the blocks of every Garcia class, each block once.
@@ -167,10 +193,17 @@ void warn_of_changed_blocks(const Comparison& comparison, std::vector<std::strin
 
 }  // namespace
 
+std::optional<double> reassigned_share(const EnergyLedger& energy) {
+  const double dissipated = energy.normal + energy.friction + energy.rolling;
+  if (!(dissipated > 0.0) || !std::isfinite(energy.reassigned)) return std::nullopt;
+  return std::abs(energy.reassigned) / dissipated;
+}
+
 std::vector<std::string> comparison_warnings(const Comparison& comparison) {
   std::vector<std::string> warnings;
   warn_of_unfinished(comparison, warnings);
   warn_of_lost_runs(comparison, warnings);
+  warn_of_reassigned(comparison, warnings);
   warn_of_masses(comparison, warnings);
   warn_of_slopes(comparison, warnings);
   warn_of_changed_blocks(comparison, warnings);

@@ -1,5 +1,6 @@
 #include "study/measured_stops.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -9,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/group_differences.hpp"
 #include "core/number_text.hpp"
+#include "core/random.hpp"
 #include "core/sample_tests.hpp"
 #include "core/text_file.hpp"
 #include "study/comparison.hpp"
@@ -70,6 +72,19 @@ Vec2 mean_release(const Comparison& comparison) {
   return first + sum / static_cast<double>(comparison.rows.size());
 }
 
+/// Of the cumulative shares of two samples in ascending order.
+double largest_distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double distance = 0.0;
+  for (std::size_t i = 0, k = 0; i < a.size() && k < b.size();) {
+    const double value = std::min(a[i], b[k]);
+    while (i < a.size() && a[i] == value) ++i;
+    while (k < b.size() && b[k] == value) ++k;
+    distance = std::max(distance, std::abs(static_cast<double>(i) / static_cast<double>(a.size()) -
+                                           static_cast<double>(k) / static_cast<double>(b.size())));
+  }
+  return distance;
+}
+
 bool belongs(const MeasuredStop& stop, const Group& group) {
   switch (group.kind) {
     case GroupKind::kAll:
@@ -83,6 +98,55 @@ bool belongs(const MeasuredStop& stop, const Group& group) {
       break;
   }
   return false;
+}
+
+Quartiles quartiles_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return {quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)};
+}
+
+struct BootstrapIntervals {
+  Interval median_difference;
+  Interval ks_distance;
+};
+
+/// Measured stops are drawn one by one, simulated ones by whole release points, since runs of one
+/// point share its ground; by runs where there is one point only.
+BootstrapIntervals bootstrapped(const std::vector<double>& seen,
+                                const std::map<std::uint64_t, std::vector<double>>& by_point) {
+  constexpr std::uint64_t kSeed = 20220310;  // any is good; a fixed one gives the same interval
+  constexpr std::size_t kDraws = 1000, kMostDrawn = 20'000'000;
+  std::vector<std::vector<double>> pieces;
+  std::size_t runs = 0;
+  for (const auto& [point, values] : by_point) {
+    pieces.push_back(values);
+    runs += values.size();
+  }
+  if (pieces.size() == 1) {
+    const std::vector<double> values = std::move(pieces.front());
+    pieces.clear();
+    for (const double value : values) pieces.push_back({value});
+  }
+  Random random(kSeed);
+  std::vector<double> medians, distances;
+  const std::size_t draws = std::clamp<std::size_t>(kMostDrawn / (runs + seen.size()), 100, kDraws);
+  for (std::size_t draw = 0; draw < draws; ++draw) {
+    std::vector<double> a, b;
+    for (std::size_t i = 0; i < seen.size(); ++i) a.push_back(seen[random.below(seen.size())]);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const std::vector<double>& piece = pieces[random.below(pieces.size())];
+      b.insert(b.end(), piece.begin(), piece.end());
+    }
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    medians.push_back(quantile(a, 0.5) - quantile(b, 0.5));
+    distances.push_back(largest_distance(a, b));
+  }
+  const auto interval = [](std::vector<double>& values) {
+    std::sort(values.begin(), values.end());
+    return Interval{quantile(values, 0.025), quantile(values, 0.975)};
+  };
+  return {interval(medians), interval(distances)};
 }
 
 }  // namespace
@@ -123,6 +187,7 @@ void hold_against(const Comparison& comparison, MeasuredStops& measured) {
     const Group& group = comparison.groups[g];
     if (group.file) continue;
     std::vector<double> seen, lateral, simulated;
+    std::map<std::uint64_t, std::vector<double>> by_point;
     for (const MeasuredStop& stop : measured.stops) {
       if (!belongs(stop, group)) continue;
       seen.push_back(stop.runout);
@@ -130,13 +195,17 @@ void hold_against(const Comparison& comparison, MeasuredStops& measured) {
     }
     for (const std::size_t row : group.rows) {
       const RunRow& run = comparison.rows[row];
-      if (run.record->result.stop_reason == StopReason::kRest) simulated.push_back(run.runout);
+      if (run.record->result.stop_reason != StopReason::kRest) continue;
+      simulated.push_back(run.runout);
+      by_point[std::uint64_t{run.file} << 32 | run.record->point].push_back(run.runout);
     }
     if (seen.empty() || simulated.empty()) continue;
     const TestResult test = *two_sample_ks(seen, simulated);
-    measured.groups.push_back({g, seen.size(), simulated.size(), summarise(seen),
-                               summarise(lateral), summarise(simulated).mean,
-                               *cliffs_delta(seen, simulated), test.statistic, test.p_value, 1.0});
+    const BootstrapIntervals intervals = bootstrapped(seen, by_point);
+    measured.groups.push_back(
+        {g, seen.size(), simulated.size(), summarise(seen), summarise(lateral), quartiles_of(seen),
+         summarise(simulated).mean, quartiles_of(simulated), intervals.median_difference,
+         *cliffs_delta(seen, simulated), test.statistic, intervals.ks_distance, test.p_value, 1.0});
     p_values.push_back(test.p_value);
   }
   const std::vector<double> corrected = holm(p_values);
@@ -149,7 +218,9 @@ std::string measured_csv(const Comparison& comparison) {
   csv.header(
       "group,measured,simulated,runout_mean_m,runout_std_m,runout_median_m,runout_p95_m,"
       "runout_max_m,lateral_mean_deg,lateral_std_deg,simulated_runout_mean_m,difference_m,"
-      "cliffs_delta,ks_distance,p_value,p_holm");
+      "cliffs_delta,ks_distance,p_value,p_holm,runout_q25_m,runout_q75_m,simulated_runout_q25_m,"
+      "simulated_runout_median_m,simulated_runout_q75_m,median_difference_m,"
+      "median_difference_low_m,median_difference_high_m,ks_distance_low,ks_distance_high");
   if (!comparison.measured) return csv.take();
   for (const MeasuredGroup& group : comparison.measured->groups) {
     csv.cell(std::string_view(comparison.groups[group.group].name));
@@ -160,8 +231,15 @@ std::string measured_csv(const Comparison& comparison) {
          {runouts.mean, runouts.std, runouts.median, runouts.p95, runouts.max,
           group.lateral.mean * kDegrees, group.lateral.std * kDegrees, group.simulated_runout,
           runouts.mean - group.simulated_runout, group.cliffs_delta, group.ks_distance,
-          group.p_value, group.p_holm}) {
+          group.p_value, group.p_holm, group.quartiles.low, group.quartiles.high,
+          group.simulated_quartiles.low, group.simulated_quartiles.median,
+          group.simulated_quartiles.high,
+          group.quartiles.median - group.simulated_quartiles.median}) {
       csv.cell(value);
+    }
+    for (const Interval& interval : {group.median_difference, group.ks_interval}) {
+      csv.cell(interval.low);
+      csv.cell(interval.high);
     }
     csv.end_row();
   }

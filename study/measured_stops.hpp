@@ -22,15 +22,26 @@ struct MeasuredStop {
   double lateral = 0.0;       ///< rad
 };
 
+/// The values that a quarter, a half and three quarters of a sample lie below.
+struct Quartiles {
+  double low = 0.0;
+  double median = 0.0;
+  double high = 0.0;
+};
+
 /// Measured stops of a group against the simulated deposits of the same group.
 struct MeasuredGroup {
   std::size_t group = 0;  ///< into Comparison::groups
   std::size_t measured = 0;
   std::size_t simulated = 0;      ///< runs of the group that came to rest
   Summary runout, lateral;        ///< measured, m and rad
+  Quartiles quartiles;            ///< of the measured runouts, m
   double simulated_runout = 0.0;  ///< mean, m
-  double cliffs_delta = 0.0;      ///< measured against simulated runout
+  Quartiles simulated_quartiles;
+  Interval median_difference;  ///< 95 %, of measured less simulated median, m
+  double cliffs_delta = 0.0;   ///< measured against simulated runout
   double ks_distance = 0.0;
+  Interval ks_interval;  ///< 95 %, of the distance
   double p_value = 1.0;
   double p_holm = 1.0;  ///< corrected for all groups
 };

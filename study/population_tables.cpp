@@ -5,12 +5,12 @@
 
 #include "core/csv_text.hpp"
 #include "core/error.hpp"
+#include "core/html_page.hpp"
 #include "core/output_file.hpp"
 #include "core/parallel.hpp"
 #include "core/text_file.hpp"
 #include "core/version.hpp"
 #include "study/population_report.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/population_page.hpp"
 
 namespace clast {

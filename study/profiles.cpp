@@ -18,6 +18,8 @@ struct Largest {
   double energy = 0.0;
   double speed = 0.0;
   double height = -INFINITY;
+  Vec2 places = Vec2::Zero();  ///< sum, local
+  double samples = 0.0;
 };
 using Passage = std::map<int, Largest>;  ///< by number of the bin
 
@@ -42,6 +44,8 @@ std::vector<Passage> passages(const Comparison& comparison, double width) {
       here.energy = std::max(here.energy, sample.energy);
       here.speed = std::max(here.speed, sample.speed);
       if (std::isfinite(sample.height)) here.height = std::max(here.height, sample.height);
+      here.places += sample.position.head<2>();
+      here.samples += 1.0;
     });
   });
   return all;
@@ -56,6 +60,7 @@ std::vector<ProfileBin> profiles(const Comparison& comparison) {
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
     struct Values {
       std::vector<double> energy, speed, height;
+      Vec2 places = Vec2::Zero();
     };
     std::map<int, Values> by_bin;
     for (const std::size_t row : comparison.groups[g].rows) {
@@ -64,22 +69,27 @@ std::vector<ProfileBin> profiles(const Comparison& comparison) {
         values.energy.push_back(largest.energy);
         values.speed.push_back(largest.speed);
         if (std::isfinite(largest.height)) values.height.push_back(largest.height);
+        values.places += largest.places / largest.samples;
       }
     }
     for (const auto& [bin, values] : by_bin) {
+      const double runs = static_cast<double>(values.energy.size());
+      // Map frames of all files are the same.
+      const Vec2 place = comparison.results.front().frame.origin.head<2>() + values.places / runs;
       bins.push_back({g, bin * width, (bin + 1) * width, values.energy.size(),
-                      summarise(values.energy), summarise(values.speed), summarise(values.height)});
+                      summarise(values.energy), summarise(values.speed), summarise(values.height),
+                      place});
     }
   }
   return bins;
 }
 
-std::string profiles_csv(const Comparison& comparison) {
+std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
   CsvText csv;
   csv.header(
       "group,from_m,to_m,runs,energy_mean_j,energy_p95_j,energy_max_j,speed_mean_m_s,"
       "speed_p95_m_s,speed_max_m_s,height_mean_m,height_p95_m,height_max_m");
-  for (const ProfileBin& bin : profiles(comparison)) {
+  for (const ProfileBin& bin : bins) {
     csv.cell(std::string_view(comparison.groups[bin.group].name));
     csv.cell(bin.from);
     csv.cell(bin.to);

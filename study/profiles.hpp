@@ -17,12 +17,14 @@ struct ProfileBin {
   Summary energy;  ///< J
   Summary speed;   ///< m/s
   Summary height;  ///< of the centre above the ground, m: the envelope of passing heights
+  Vec2 place = Vec2::Zero();  ///< map, m: mean of the runs' mean places here, the mean path
 };
 
 /// By group, then distance; from the stored trajectories, so empty where there are none. Bins are
 /// about a fiftieth of the longest runout and at least 0.5 m, a round number of metres.
 std::vector<ProfileBin> profiles(const Comparison& comparison);
 
-std::string profiles_csv(const Comparison& comparison);
+/// @param bins  `profiles` of the comparison
+std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins);
 
 }  // namespace clast

@@ -128,14 +128,14 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   write_shapes(root.create_group("shapes"), header.shapes);
 
   Hdf5Group barriers = root.create_group("barriers");
-  std::vector<Vec2> from, to;
+  std::vector<Vec2> points;
   for (const Barrier& barrier : header.barriers) {
-    from.push_back(barrier.from);
-    to.push_back(barrier.to);
+    points.insert(points.end(), barrier.through.begin(), barrier.through.end());
   }
   write_column(barriers, "name", "", header.barriers, [](const Barrier& b) { return b.name; });
-  write_vectors(barriers, "from_m", "m", from);
-  write_vectors(barriers, "to_m", "m", to);
+  write_column(barriers, "point_count", "", header.barriers,
+               [](const Barrier& b) { return static_cast<std::uint32_t>(b.through.size()); });
+  write_vectors(barriers, "points_m", "m", points);
 
   Hdf5Group ground = root.create_group("ground");
   const auto& zones = header.ground;

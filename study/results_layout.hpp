@@ -10,7 +10,8 @@
 namespace clast::results_layout {
 
 inline constexpr const char* kFormat = "clast results";
-inline constexpr int kSchemaVersion = 2;
+inline constexpr int kSchemaVersion = 3;
+inline constexpr int kOldestSchema = 2;  ///< that is read
 
 /// A column and the field of a row that it holds.
 template <class Row, class T>

@@ -147,13 +147,29 @@ void read_blocks(const Reader& reader, CampaignResults& results) {
 
 void read_barriers(const Reader& reader, CampaignResults& results) {
   const std::vector<std::string> names = reader.group.read<std::string>("name");
+  if (reader.group.has("points_m")) {
+    const auto counts = reader.column<std::uint32_t>("point_count", names.size());
+    const auto points = reader.vectors<Vec2>("points_m");
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (counts[i] < 2 || counts[i] > points.size() - at) {
+        reader.damaged("point_count", "does not fit points_m");
+      }
+      const auto begin = points.begin() + static_cast<std::ptrdiff_t>(at);
+      results.barriers.push_back({names[i], {begin, begin + counts[i]}});
+      at += counts[i];
+    }
+    if (at != points.size()) reader.damaged("points_m", "has more points than barriers have");
+    return;
+  }
+  // Schema 2 had straight barriers only.
   const auto from = reader.vectors<Vec2>("from_m");
   const auto to = reader.vectors<Vec2>("to_m");
   if (from.size() != names.size() || to.size() != names.size()) {
     reader.damaged("from_m", "and to_m do not have one row per name");
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
-    results.barriers.push_back({names[i], from[i], to[i]});
+    results.barriers.push_back({names[i], {from[i], to[i]}});
   }
 }
 
@@ -284,7 +300,7 @@ CampaignResults read_results(const fs::path& path) {
   const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
   const Reader root{path.string(), "", file.root()};
   const auto schema = root.group.attribute<std::int64_t>("schema_version");
-  if (schema < kSchemaVersion) {
+  if (schema < kOldestSchema) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
                      " of an older clast, which kept less of each run; run the campaign again");
   }

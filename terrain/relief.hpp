@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "terrain/png.hpp"
+#include "core/png.hpp"
 #include "terrain/terrain.hpp"
 
 namespace clast {

@@ -5,6 +5,7 @@
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "shapes/mesh_io.hpp"
 #include "shapes/point_cloud.hpp"
@@ -15,6 +16,8 @@
 #include "terrain/detail/grid_holes.hpp"
 #include "terrain/detail/layers.hpp"
 #include "terrain/detail/mending.hpp"
+#include "terrain/detail/resampling.hpp"
+#include "terrain/detail/spike_groups.hpp"
 #include "terrain/detail/spikes.hpp"
 #include "terrain/detail/surface_holes.hpp"
 #include "terrain/detail/thinning.hpp"
@@ -36,6 +39,10 @@ constexpr double kMeshHole = 3.0;
 // A ground smaller or larger than this is rather one in other units.
 constexpr double kSmallGround = 2.0, kLargeGround = 1e5;  // m
 
+// Heights beyond are none.
+constexpr double kHighest = 12000.0;      // m
+constexpr double kUsualNoData = -9999.0;  // m, deep under any slope
+
 enum class Kind { kMesh, kRaster, kCloud, kTerrain };
 
 Kind kind_of(const fs::path& path) {
@@ -49,7 +56,8 @@ Kind kind_of(const fs::path& path) {
   throw InputError(path.string() +
                    ": a ground is a mesh (stl, ply, obj, ...), a raster (tif, asc, "
                    "...), a cloud (las, xyz, txt, csv, pts, pcd) or a terrain file (h5), not \"" +
-                   extension + "\"");
+                   extension + "\"; other rasters become one by gdal_translate " +
+                   path.filename().string() + " ground.tif");
 }
 
 Kind common_kind(const std::vector<fs::path>& files) {
@@ -107,9 +115,25 @@ std::string cells_of(double size) {
   return "cells of " + text + " m";
 }
 
+/// Numbers that stand for "no height" in a file that does not say so make pits without a bottom.
+void check_heights(const detail::HeightGrid& grid, const fs::path& path) {
+  for (std::size_t i = 0; i < grid.heights.size(); ++i) {
+    const double height = grid.heights[i];
+    if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData))
+      continue;
+    const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
+    const std::string number = with_digits(height, 9);
+    throw InputError(path.string() + ": the height at " +
+                     detail::place({centre.x(), centre.y(), height}) + " m is none on earth. If " +
+                     number + " stands for no data, say so first: gdal_translate -a_nodata " +
+                     number + " " + path.filename().string() + " ground.tif");
+  }
+}
+
 RawSurface read_one_raster(const TerrainOptions& options) {
   const fs::path& path = options.surface.front();
   detail::Raster raster = detail::read_raster(path);
+  check_heights(raster.grid, path);
   std::vector<std::string> notes;
   if (options.resolution) {
     const detail::HeightGrid& grid = raster.grid;
@@ -159,12 +183,14 @@ void mend(RawSurface& raw, const std::vector<std::string>& files,
           TerrainReport& report) {
   detail::weld(raw, report);
   detail::drop_useless_triangles(raw, files, zone_of_file, report);
+  detail::level_spike_groups(raw.mesh, options.spike_steepness, options.crack, report);
   detail::close_cracks(raw, options.crack, report);
   detail::drop_unused_vertices(raw.mesh);
   detail::orient_upwards(raw, report);
-  detail::drop_double_ground(raw, report);
+  detail::drop_double_ground(raw, options.crack, report);
   detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * detail::median_edge(raw.mesh)),
-                             report);
+                             options.crack, report);
+  detail::note_gaps(raw, detail::median_edge(raw.mesh), report);
   detail::note_slivers(raw, report);
 }
 
@@ -188,6 +214,14 @@ std::vector<std::uint16_t> zones_of_files(const TerrainOptions& options, Kind ki
   }
   std::vector<std::uint16_t> zone_of_file;
   for (const std::string& name : options.zones) {
+    std::error_code code;
+    if (fs::exists(name, code) && fs::path(name).has_extension()) {
+      throw InputError(
+          "zones: " + name +
+          " is a file, but not of zones: those are rasters (tif, asc, ...) or polygons "
+          "in geojson, gpkg or shp; convert it (ogr2ogr zones.gpkg " +
+          fs::path(name).filename().string() + ")");
+    }
     const auto known = std::find(names.begin(), names.end(), name);
     zone_of_file.push_back(static_cast<std::uint16_t>(known - names.begin()));
     if (known == names.end()) names.push_back(name);
@@ -304,11 +338,10 @@ Terrain read_terrain(const TerrainOptions& options) {
     throw InputError(options.surface.front().string() +
                      ": breaklines are for rasters and clouds; a mesh has its edges already");
   }
-  if (options.resolution && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
-    throw InputError(
-        options.surface.front().string() +
-        ": resolution is for rasters and clouds; leave it out, or thin the mesh with a "
-        "tolerance");
+  if (options.resolution && kind == Kind::kTerrain) {
+    throw InputError(options.surface.front().string() +
+                     ": a terrain file is checked and mended already; leave out resolution, or "
+                     "start from the survey");
   }
   std::vector<std::string> digests;
   const auto digest = [](const fs::path& file) {
@@ -346,9 +379,13 @@ Terrain read_terrain(const TerrainOptions& options) {
     for (const fs::path& file : options.surface) files.push_back(file.string());
     mend(raw, files, zone_of_file, options, terrain.report);
   } else {
+    detail::level_spike_groups(raw.mesh, options.spike_steepness, 0.0, terrain.report);
     detail::orient_upwards(raw, terrain.report);
   }
   detail::level_spikes(raw, options.spike_steepness, terrain.report);
+  if (options.resolution && kind == Kind::kMesh) {
+    raw = detail::resampled(raw, *options.resolution, options.surface.front(), terrain.report);
+  }
   detail::smooth(raw.mesh, options.smoothing, terrain.report);
   if (!options.breaklines.empty()) {
     std::vector<detail::MapLine> lines;

@@ -21,8 +21,9 @@ struct TerrainOptions {
   /// "scree=height<1450&slope>=30", "soil=else". Empty: one zone, "ground".
   std::vector<std::string> zones = {};
   std::string up = "z";  ///< of meshes and clouds: "z" or "y"; "y" turns (x, y, z) to (x, -z, y)
-  /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), and
-  /// of a raster that is to be made coarser.
+  /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), of
+  /// a raster that is to be made coarser, and of the grid that a mesh without walls and overhangs
+  /// is to be made into.
   std::optional<double> resolution = {};
   /// Height of a cloud's cell: this percentile of the points in it, 0 the lowest, 100 the highest;
   /// their mean when absent.
@@ -40,8 +41,8 @@ struct TerrainOptions {
   double spike_steepness = 3.0;
   /// Rounds of smoothing, each halfway to the plane through the neighbours; 0: none.
   int smoothing = 0;
-  /// Vertices of any ground are left out where the surface keeps within this height of all the
-  /// vertices and midpoints of edges it had, m. Overhangs stay as they are.
+  /// Vertices of any ground are left out where the surface keeps within this height of what it was,
+  /// m, everywhere and not only at its vertices. Overhangs stay as they are.
   std::optional<double> tolerance = {};
   /// Files of lines with heights (GeoJSON, GeoPackage, Shapefile) that become edges of the surface
   /// of a raster or cloud.

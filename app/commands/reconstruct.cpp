@@ -14,6 +14,7 @@
 #include "app/photo_options.hpp"
 #include "app/progress.hpp"
 #include "app/scan_list.hpp"
+#include "app/scan_report.hpp"
 #include "app/scan_to_block.hpp"
 #include "app/shape_to_block.hpp"
 #include "app/text_table.hpp"
@@ -39,6 +40,7 @@ struct ReconstructArgs {
   bool replace = false;
   bool resume = false;
   bool json = false;
+  std::string report;  ///< folder of pages; empty: none are written
   PhotoArgs photos;
   ScanToBlockOptions options;
 };
@@ -47,14 +49,28 @@ struct ReconstructArgs {
 /// its block already.
 struct Outcome {
   std::vector<Block> blocks;
+  std::vector<std::string> pages;  ///< of the blocks, where they are wanted
   std::string failure;
 };
 
-std::vector<Block> blocks_from(const ScanFile& scan, const ScanToBlockOptions& options,
-                               const std::function<void(const std::string&)>& stage) {
-  if (!scan.is_shp()) return blocks_from_scan(scan.path, scan.id, options, stage);
-  const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
-  return {block_from_shape(shape, scan.path, scan.id, options, stage)};
+/// @param paged  are pages wanted?
+Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool paged,
+                   const std::function<void(const std::string&)>& stage) {
+  Outcome outcome;
+  if (scan.is_shp()) {
+    const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
+    outcome.blocks = {block_from_shape(shape, scan.path, scan.id, options, stage)};
+    if (paged) outcome.pages = {block_page(outcome.blocks[0], {}, options)};
+    return outcome;
+  }
+  BlockWitness witness;
+  if (paged) {
+    witness = [&](const Block& block, const TriangleMesh& raw, const FieldBlock& found) {
+      outcome.pages.push_back(block_page(block, {.raw = &raw, .found = &found}, options));
+    };
+  }
+  outcome.blocks = blocks_from_scan(scan.path, scan.id, options, stage, witness);
+  return outcome;
 }
 
 /// A short name of everything that was asked of a scan, for `--resume` to know it again.
@@ -91,6 +107,7 @@ class Batch {
     if (std::filesystem::exists(args.library)) library_ = BlockLibrary::read(args.library);
     // A place that can't be written is refused before the work and not after it.
     const OutputFile trial(args.library);
+    if (!args.report.empty()) report_.emplace(args.report);
   }
 
   void run() {
@@ -99,6 +116,7 @@ class Batch {
         [&](std::size_t i, Outcome& outcome) { take(scans_[i], outcome); });
     progress_.clear();
     if (!made_.empty()) library_.write(args_.library);
+    if (report_) report_->finish();
     print_end();
     if (failed_.empty()) return;
     if (scans_.size() == 1) throw InputError(last_failure_);
@@ -135,12 +153,12 @@ class Batch {
   Outcome made(const ScanFile& scan) {
     try {
       if (is_done(scan)) return {};
-      std::vector<Block> blocks =
-          blocks_from(scan, args_.options, [&](const std::string& what) { tell(what); });
-      for (Block& block : blocks) block.source.options += " " + request_;
-      return {std::move(blocks), ""};
+      Outcome outcome = outcome_of(scan, args_.options, report_.has_value(),
+                                   [&](const std::string& what) { tell(what); });
+      for (Block& block : outcome.blocks) block.source.options += " " + request_;
+      return outcome;
     } catch (const Error& error) {  // one bad scan never costs the batch
-      return {{}, error.what()};
+      return {{}, {}, error.what()};
     }
   }
 
@@ -150,15 +168,47 @@ class Batch {
     steps_ = std::max(steps_, kStages * ++taken_);
     if (!outcome.blocks.empty()) {
       for (const Block& block : outcome.blocks) add(block);
+      if (report_) write_pages(scan, outcome);
     } else if (outcome.failure.empty()) {
-      ++skipped_;
+      skip(scan);
     } else {
-      const std::string path = scan.path.string();
-      const std::string& reason = outcome.failure;
-      failed_.push_back({{"scan", as_utf8(path)}, {"reason", as_utf8(reason)}});
-      last_failure_ = reason.find(path) == std::string::npos ? path + ": " + reason : reason;
-      if (scans_.size() > 1) std::cerr << "clast: " << last_failure_ << "\n";
+      if (report_) report_->add_failure(scan.path.string(), outcome.failure);
+      fail(scan, outcome.failure);
     }
+  }
+
+  void fail(const ScanFile& scan, const std::string& reason) {
+    const std::string path = scan.path.string();
+    failed_.push_back({{"scan", as_utf8(path)}, {"reason", as_utf8(reason)}});
+    last_failure_ = reason.find(path) == std::string::npos ? path + ": " + reason : reason;
+    if (scans_.size() > 1) std::cerr << "clast: " << last_failure_ << "\n";
+  }
+
+  void write_pages(const ScanFile& scan, const Outcome& outcome) {
+    for (std::size_t i = 0; i < outcome.blocks.size(); ++i) {
+      try {
+        report_->add(outcome.blocks[i], outcome.pages[i]);
+      } catch (const Error& error) {  // a name too long for a page never costs the batch
+        fail(scan, "block " + outcome.blocks[i].id +
+                       " was made, but not its page: " + std::string(error.what()));
+      }
+    }
+  }
+
+  void skip(const ScanFile& scan) {
+    ++skipped_;
+    if (!report_) return;
+    for (const Block* block : blocks_of(scan)) report_->add_earlier(*block);
+  }
+
+  /// Those that the library has of a scan.
+  std::vector<const Block*> blocks_of(const ScanFile& scan) const {
+    if (!args_.options.split || scan.is_shp()) return {&library_.block(scan.id)};
+    std::vector<const Block*> blocks;
+    for (std::size_t i = 1; library_.has(scan.id + "_" + std::to_string(i)); ++i) {
+      blocks.push_back(&library_.block(scan.id + "_" + std::to_string(i)));
+    }
+    return blocks;
   }
 
   void add(const Block& block) {
@@ -195,6 +245,7 @@ class Batch {
   std::string request_;
   Progress progress_;
   BlockLibrary library_;
+  std::optional<ScanReport> report_;
   std::mutex mutex_;  ///< of all below, the library and the progress
   std::size_t steps_ = 0, taken_ = 0, skipped_ = 0;
   nlohmann::ordered_json made_ = nlohmann::ordered_json::array();
@@ -346,12 +397,18 @@ void add_reconstruct(CLI::App& app) {
   command->add_flag("--resume", args->resume,
                     "Skip scans whose block is in the library already, made of the same file with "
                     "the same options");
+  command
+      ->add_option(
+          "--report", args->report,
+          "Folder for a page about each block (pictures of the scan before and after, what "
+          "was mended, deviation map) and a summary, index.html and summary.csv")
+      ->type_name("DIR");
   command->add_flag("--json", args->json, "Print the blocks as JSON");
   add_photo_options(*command, args->photos);
   command->footer(
       "Examples:\n"
       "  clast reconstruct scans/ -o blocks.h5 --units mm --density 2650\n"
-      "  clast reconstruct scans/ -o blocks.h5 --units mm --jobs 4 --resume\n"
+      "  clast reconstruct scans/ -o blocks.h5 --units mm --jobs 4 --resume --report pages\n"
       "  clast reconstruct rock.ply --scale-length \"0.2,1.1,0;3.9,1.3,0.4;0.52\"\n"
       "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342\n"
       "  clast reconstruct slope.las -o blocks.h5 --split\n"

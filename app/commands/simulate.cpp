@@ -19,6 +19,7 @@
 #include "core/parallel.hpp"
 #include "core/text_file.hpp"
 #include "study/campaign_runner.hpp"
+#include "study/comparison.hpp"
 #include "study/report/plan_map.hpp"
 
 namespace clast {
@@ -125,7 +126,11 @@ struct Outcome {
   std::array<std::size_t, 4> reasons = {};
   std::size_t below_ground = 0;
   double largest_energy_error = 0.0;
+  std::size_t reassigned = 0;  ///< runs above 1 %
+  double largest_reassigned = 0.0;
   std::string first_error;
+
+  std::size_t errors() const { return reasons.back(); }  ///< `kReasons` ends with them
 };
 
 Outcome outcome_of(const CampaignResults& results) {
@@ -135,6 +140,9 @@ Outcome outcome_of(const CampaignResults& results) {
     ++outcome.reasons[static_cast<std::size_t>(reason - kReasons.begin())];
     if (run.result.below_ground) ++outcome.below_ground;
     outcome.largest_energy_error = std::max(outcome.largest_energy_error, run.result.energy.error);
+    const double reassigned = reassigned_share(run.result.energy).value_or(0.0);
+    if (reassigned > 0.01) ++outcome.reassigned;
+    outcome.largest_reassigned = std::max(outcome.largest_reassigned, reassigned);
     if (run.result.stop_reason == StopReason::kError && outcome.first_error.empty()) {
       outcome.first_error = "run " + std::to_string(run.run) + ": " + run.result.message;
     }
@@ -151,7 +159,28 @@ void print_outcome(const CampaignResults& results) {
   std::cout << table.text() << outcome.below_ground << " runs ended below ground, "
             << results.crossings.size() << " barrier crossings, largest energy error "
             << rounded(outcome.largest_energy_error, 2) << "\n";
-  if (!outcome.first_error.empty()) std::cout << "first error: " << outcome.first_error << "\n";
+  if (outcome.reassigned > 0) {
+    std::cout
+        << "warning: " << counted(outcome.reassigned, "run")
+        << " lose or gain more than 1 % of the energy they dissipate where contacts change, at "
+           "most "
+        << rounded(100.0 * outcome.largest_reassigned, 2)
+        << " %; `clast compare` says which and what to try\n";
+  }
+}
+
+/// All runs are kept, but a campaign with failed ones has failed.
+/// @throws SimulationError  any run ended with an error
+void check_outcome(const CampaignResults& results, const std::filesystem::path& file) {
+  const Outcome outcome = outcome_of(results);
+  if (outcome.errors() == 0) return;
+  throw SimulationError(
+      std::to_string(outcome.errors()) + " of " + counted(results.runs.size(), "run") +
+      " ended with an error, the first: " + outcome.first_error + ". All runs are in " +
+      file.string() +
+      "; `clast compare` lists the failed ones and leaves them out of its statistics. Try a "
+      "smaller "
+      "[contact] time_step_s, or stiffness = \"auto\", and look at the ground at the place named");
 }
 
 nlohmann::ordered_json outcome_json(const CampaignResults& results) {
@@ -163,7 +192,8 @@ nlohmann::ordered_json outcome_json(const CampaignResults& results) {
   return {{"stop_reasons", reasons},
           {"below_ground", outcome.below_ground},
           {"crossings", results.crossings.size()},
-          {"largest_energy_error", outcome.largest_energy_error}};
+          {"largest_energy_error", outcome.largest_energy_error},
+          {"largest_reassigned_share", outcome.largest_reassigned}};
 }
 
 void print_results(const std::filesystem::path& file, const SimulateArgs& args,
@@ -172,10 +202,11 @@ void print_results(const std::filesystem::path& file, const SimulateArgs& args,
   if (args.json) {
     summary.update(outcome_json(results));
     std::cout << summary.dump(2) << "\n";
-    return;
+  } else {
+    print_outcome(results);
+    std::cout << file.string() << ": written\n";
   }
-  print_outcome(results);
-  std::cout << file.string() << ": written\n";
+  check_outcome(results, file);
 }
 
 void join_parts(const SimulateArgs& args) {

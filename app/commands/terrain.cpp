@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,6 +8,8 @@
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
+#include "core/error.hpp"
+#include "core/text_file.hpp"
 #include "shapes/point_cloud.hpp"
 #include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
@@ -144,13 +147,58 @@ void draw_picture(const TerrainArgs& args, const std::vector<Vec3>& releases,
   write_hillshade(args.picture, terrain, marks);
 }
 
+/// Whether `output` would be written over `input`.
+bool is_same_file(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code none;
+  return std::filesystem::weakly_canonical(output, none) ==
+             std::filesystem::weakly_canonical(input, none) ||
+         std::filesystem::equivalent(output, input, none);
+}
+
+/// Refuses outputs of a kind that can't be written, or in the place of what is read.
+void check_outputs(const TerrainArgs& args) {
+  const auto check_extension = [](const std::string& option, const std::string& file,
+                                  const std::vector<std::string>& known) {
+    if (file.empty()) return;
+    const std::string extension = extension_of(file);
+    if (std::find(known.begin(), known.end(), extension) != known.end()) return;
+    std::string names;
+    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+    throw InputError(option + " " + file + ": its name must end in " + names);
+  };
+  check_extension("--output", args.output, {".h5", ".hdf5"});
+  check_extension("--export", args.exported,
+                  {".stl", ".ply", ".obj", ".vtp", ".glb", ".tif", ".tiff"});
+  check_extension("--picture", args.picture, {".png"});
+  std::vector<std::string> inputs = split_list(args.breaklines);
+  for (const std::string& file : {args.releases, args.barriers}) {
+    if (!file.empty()) inputs.push_back(file);
+  }
+  if (const std::optional<ZoneFile> zones = zone_file(args.options.zones)) {
+    inputs.push_back(zones->path.string());
+  }
+  // A terrain file may be written anew under its own name.
+  for (const std::string& file : args.inputs) {
+    if (file != args.output) inputs.push_back(file);
+  }
+  for (const std::string& output : {args.output, args.exported, args.picture}) {
+    for (const std::string& input : inputs) {
+      if (output.empty() || !is_same_file(output, input)) continue;
+      throw InputError(output + ": is read, and would be written over; give another name");
+    }
+  }
+}
+
 void make_terrain(TerrainArgs args) {
   args.options.surface.assign(args.inputs.begin(), args.inputs.end());
   args.options.zones = split_list(args.zones);
   for (const std::string& file : split_list(args.breaklines)) {
     args.options.breaklines.emplace_back(file);
   }
-  check_usage([&] { args.options.check(); });
+  check_usage([&] {
+    args.options.check();
+    check_outputs(args);
+  });
   const std::vector<Vec3> releases = release_points(args);
   Terrain terrain = read_terrain(args.options);
   check_fit(args, releases, terrain);
@@ -175,8 +223,8 @@ void make_terrain(TerrainArgs args) {
 void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& breaklines) {
   command
       .add_option("--resolution", options.resolution,
-                  "Cell size for clouds and resampled rasters, m; default of clouds: about four "
-                  "points per cell")
+                  "Cell size for clouds, and for rasters and meshes that are to be resampled, m; "
+                  "default: about four points of a cloud per cell, others as they are")
       ->check(positive_number())
       ->type_name("M");
   command

@@ -26,10 +26,7 @@ bool ContactSearch::meets_edge(std::uint32_t edge, const Vec3& normal) const {
 bool ContactSearch::edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge& of_block,
                                 const Vec3& normal) const {
   const Vec3 in_body = -(rotation_.transpose() * normal);
-  if (ground_.of_block) {
-    return near_arc(ground_.features, of_ground, normal) && near_arc(block_, of_block, in_body);
-  }
-  return in_arc(ground_.features, of_ground, normal) && in_arc(block_, of_block, in_body);
+  return near_arc(ground_.features, of_ground, normal) && near_arc(block_, of_block, in_body);
 }
 
 void ContactSearch::list_due_sides() {
@@ -233,8 +230,7 @@ void ContactSearch::look_at_face_vertex(std::uint32_t block_face, Pair& pair) {
   sleep(pair, std::abs(height));
   if (height >= reach_ || height < -depth_limit_) return;
   const Vec3 normal = -(rotation_ * face.normal);
-  const auto carries = ground_.of_block ? near_cone : in_cone;
-  if (carries(ground_.features, pair.ground_feature, normal)) {
+  if (near_cone(ground_.features, pair.ground_feature, normal)) {
     touch_corner(block_face, pair, normal, height);
   }
 }

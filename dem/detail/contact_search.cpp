@@ -39,6 +39,7 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& b
       block_(block.features),
       parts_(block.parts),
       reach_(block.radius + ground.radius),
+      size_(size),
       margin_(kMarginShare * size),
       depth_limit_(kDepthShare * size) {
   for (const Vec3& vertex : block_.vertices) {
@@ -69,7 +70,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   }
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   look_at_due_sides(std::max(reach_, deepest_pair()) + kPairMargins * margin_);
-  if (ground_.of_block) drop_resolved(contacts_, ground_, surface_, ground_from_body);
+  drop_resolved(contacts_, ground_, surface_, ground_from_body, size_);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   if (!contacts_.empty()) {

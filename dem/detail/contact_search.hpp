@@ -193,6 +193,7 @@ class ContactSearch {
   const BlockParts& parts_;        ///< and its parts
   double reach_;                   ///< block radius + skin radius, m
   double bounding_radius_ = 0.0;   ///< of the core about the centre, m
+  double size_;                    ///< smallest side, m
   double margin_;                  ///< how far lists look ahead, m
   double depth_limit_;             ///< edge and face contacts deeper than this are not trusted, m
 

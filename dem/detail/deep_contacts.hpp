@@ -11,6 +11,6 @@ namespace clast {
 /// it only sank a little into the top. Contacts of the skins alone are left as they are.
 /// @param contacts  in the frame of the ground
 void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
-                   const IndexedSurface& block, const Pose& ground_from_block);
+                   const IndexedSurface& block, const Pose& ground_from_block, double size);
 
 }  // namespace clast

@@ -16,12 +16,15 @@ namespace {
 constexpr double kFlatSine = 1e-7;
 /// Slack of the arc and cone tests, a sine.
 constexpr double kConeSlack = 1e-9;
-/// Share of the turn at an edge or vertex that its arc or cone gives: 3 degrees at a right angle,
-/// as much as a block of the settled depth tilts.
-constexpr double kGiveShare = 1.0 / 30.0;
+/// What the turn at an edge or vertex adds to the slack, as a share of the distance between the
+/// normals: 3 degrees at a right angle, as much as a block of the settled depth tilts.
+constexpr double kGiveShare = 0.037;
+/// The most that gives, for faces back to back. Few directions are so near the limit that their own
+/// must be known.
+constexpr double kMostGive = 2.0 * kGiveShare;
 
 double give_of(const Vec3& normal, const Vec3& other) {
-  return std::sin(kGiveShare * std::atan2(normal.cross(other).norm(), normal.dot(other)));
+  return kGiveShare * (normal - other).norm();
 }
 
 /// In the plane of the face, perpendicular to its edge, into the face; unit when the edge is.
@@ -250,7 +253,11 @@ bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3&
 }
 
 bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
-  if (edge.kind != EdgeKind::kRidge) return in_arc(surface, edge, direction);
+  if (in_arc(surface, edge, direction)) return true;
+  if (edge.kind != EdgeKind::kRidge ||
+      !within_arc(surface, edge, direction, kConeSlack + kMostGive)) {
+    return false;
+  }
   const double give =
       give_of(surface.faces[edge.faces[0]].normal, surface.faces[edge.faces[1]].normal);
   return within_arc(surface, edge, direction, kConeSlack + give);
@@ -261,6 +268,8 @@ bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& d
 }
 
 bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  if (in_cone(surface, vertex, direction)) return true;
+  if (!within_cone(surface, vertex, direction, kConeSlack + 2.0 * kMostGive)) return false;
   double give = 0.0;
   for (const std::uint32_t e : surface.edges_at(vertex)) {
     for (const std::uint32_t f : surface.edges[e].faces) {

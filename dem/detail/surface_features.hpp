@@ -74,10 +74,9 @@ double depth_in_face(const SurfaceFeatures& surface, const SurfaceFace& face, co
 /// True when `direction` points out of the solid at the edge: within the arc between the normals
 /// of its faces (to 1e-9).
 bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
-/// The same, and a thirtieth of the angle by which the edge's faces turn beyond it: 3 degrees at a
-/// right angle and nothing where they are smooth. Where flat faces of two blocks overlap partly,
-/// the edges that bound the overlap then carry their share whichever way the faces are tilted a
-/// little.
+/// The same, and beyond it 3 degrees where the edge's faces stand at a right angle and nothing where
+/// they are smooth. Where a flat face of one body lies partly over another, the edges that bound
+/// the overlap then carry their share whichever way the two are tilted a little.
 bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
 
 /// True when no edge leaving the vertex rises along `direction`, and it points out of the solid: it

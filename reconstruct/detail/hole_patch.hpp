@@ -1,5 +1,10 @@
 #pragma once
 /// Filling one hole by a smooth skin of triangles as fine as its rim.
+///
+/// Not by `fill_holes` of holes.hpp, which fairs: its filling goes on as the rim leans, which is
+/// the likeliest rock behind a gap, but of a whole underside it may bulge by tenths of the volume
+/// either way. A bracket needs the opposite: a film that adds nothing beyond its rim (the lower
+/// bound), with the shape by which it is then lowered.
 #include <cstdint>
 #include <vector>
 

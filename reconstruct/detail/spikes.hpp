@@ -13,8 +13,9 @@ struct Spikes {
 };
 
 /// Moves every vertex that is farther from the centroid of its neighbours than 1.5 times their mean
-/// distance from it, and than 2.5 median edges of the mesh, to that centroid; a few passes. The
-/// second bound leaves the corners of coarse models alone. Vertices at a border stay.
+/// distance from it to that centroid, in a few passes, where it also stands taller than 2.5 median
+/// edges of the mesh, or than 1.2 where the surface around it is smooth without it. That leaves the
+/// corners of coarse models and the tips of ridges alone. Vertices at a border stay.
 Spikes flatten_spikes(TriangleMesh& mesh);
 
 }  // namespace clast::detail

@@ -5,9 +5,19 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/text_file.hpp"
+
 namespace clast::detail {
 
 namespace {
+
+/// Step of the coordinates over the diagonal above which the shape is lost, and above which it is
+/// worth a note.
+constexpr double kShapeLost = 1e-2, kDigitsLost = 1e-4;
+/// So many vertices of a text file that all fall on the steps are no chance and no handmade model.
+constexpr std::size_t kNoChance = 100;
 
 constexpr int kFloatBits = 24, kTextDigits = 7;
 /// How far from a whole number of steps a coordinate read from text may be, by its rounding.
@@ -47,6 +57,28 @@ std::optional<CoordinateStep> coordinate_step(const TriangleMesh& mesh) {
     if (step > coarsest.step) coarsest = {step, largest};
   }
   return coarsest.step > 0.0 ? std::optional(coarsest) : std::nullopt;
+}
+
+std::string digits_note(const TriangleMesh& mesh, const std::filesystem::path& path, double unit) {
+  const std::string extension = extension_of(path);
+  const bool keeps_floats =
+      extension == ".stl" || extension == ".glb" || extension == ".gltf" || extension == ".3ds";
+  if (!keeps_floats && mesh.vertices.size() < kNoChance) return "";
+  const std::optional<CoordinateStep> found = coordinate_step(mesh);
+  if (!found) return "";
+  const double diagonal = bounds(mesh).diagonal();
+  const double share = found->step / diagonal;
+  if (!(share > kDigitsLost)) return "";
+  const std::string text = "precision was lost in the file itself: its coordinates reach " +
+                           with_digits(found->largest, 9) + " and are kept in steps of " +
+                           with_digits(found->step * unit, 3) + " m, " +
+                           with_digits(100.0 * share, 3) + " % of the scan's diagonal of " +
+                           with_digits(diagonal * unit, 3) + " m";
+  const std::string advice =
+      "; export it again with a local origin (CloudCompare: accept the global shift when loading) "
+      "or as PLY with doubles";
+  if (share <= kShapeLost) return text + advice;
+  throw InputError(path.string() + ": " + text + ", so that its shape is lost" + advice);
 }
 
 }  // namespace clast::detail

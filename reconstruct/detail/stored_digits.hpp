@@ -1,6 +1,8 @@
 #pragma once
 /// How finely a file keeps coordinates.
+#include <filesystem>
 #include <optional>
+#include <string>
 
 #include "shapes/triangle_mesh.hpp"
 
@@ -14,5 +16,11 @@ struct CoordinateStep {
 /// The step that all coordinates of an axis are multiples of because they were stored as 32-bit
 /// floats or written with seven digits. None: coordinates of every axis have more digits.
 std::optional<CoordinateStep> coordinate_step(const TriangleMesh& mesh);
+
+/// The note on a file that keeps too few digits of its coordinates, empty where there are enough.
+/// @param mesh  as read from `path`, in its units
+/// @param unit  metres per unit
+/// @throws InputError  the shape of the block is lost
+std::string digits_note(const TriangleMesh& mesh, const std::filesystem::path& path, double unit);
 
 }  // namespace clast::detail

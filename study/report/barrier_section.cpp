@@ -1,6 +1,7 @@
 #include "study/report/report_sections.hpp"
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
+#include "study/report/plotly_chart.hpp"
 #include "study/report/report_groups.hpp"
 
 namespace clast {
@@ -86,21 +87,26 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   }
   if (!any) return paragraph("No run crossed this barrier.");
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
-    return figure(cumulative_chart({title, label},
-                                   series_of(comparison, GroupKind::kGarcia,
-                                             [&](std::size_t row) -> std::optional<double> {
-                                               if (first[row] == nullptr) return std::nullopt;
-                                               return value(*first[row]);
-                                             }),
-                                   true));
+    return plotly_chart({title, label, "share of crossings", true},
+                        cumulative_traces(series_of(comparison, GroupKind::kGarcia,
+                                                    [&](std::size_t row) -> std::optional<double> {
+                                                      if (first[row] == nullptr) {
+                                                        return std::nullopt;
+                                                      }
+                                                      return value(*first[row]);
+                                                    }),
+                                          true));
   };
   return "<div class=\"charts\">\n" +
-         chart("Share of crossings above this energy", "total kinetic energy, kJ",
+         chart(comparison.lines[line].name + ": crossings above an energy",
+               "total kinetic energy, kJ",
                [](const Crossing& c) {
                  return (c.translational_energy + c.rotational_energy) / 1000.0;
                }) +
-         chart("Share of crossings above this height", "height of the centre above ground, m",
-               [](const Crossing& c) { return c.height; }) +
+         chart(comparison.lines[line].name + ": crossings above a height",
+               "height of the centre above ground, m", [](const Crossing& c) { return c.height; }) +
+         chart(comparison.lines[line].name + ": crossings faster than a speed", "speed, m/s",
+               [](const Crossing& c) { return c.velocity.norm(); }) +
          "</div>\n";
 }
 
@@ -114,9 +120,12 @@ std::string barrier_section(const Comparison& comparison) {
       "of the block, both above the ground under it. Energy is translational plus rotational.");
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
-    html += "<h3>" + escaped(barrier.name) + "</h3>\n<p class=\"note\">from (" +
-            fixed(barrier.from.x(), 2) + ", " + fixed(barrier.from.y(), 2) + ") to (" +
-            fixed(barrier.to.x(), 2) + ", " + fixed(barrier.to.y(), 2) + ") m</p>\n";
+    std::string points;
+    for (const Vec2& point : barrier.through) {
+      points +=
+          (points.empty() ? "(" : " to (") + fixed(point.x(), 2) + ", " + fixed(point.y(), 2) + ")";
+    }
+    html += "<h3>" + escaped(barrier.name) + "</h3>\n<p class=\"note\">from " + points + " m</p>\n";
     html += passage_table(comparison, line) + impact_table(comparison, line) +
             barrier_charts(comparison, line);
   }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
+#include "study/report/plotly_chart.hpp"
 #include "study/report/report_groups.hpp"
-#include "study/report/svg_map.hpp"
 
 namespace clast {
 
@@ -90,14 +90,6 @@ std::string block_section(const Comparison& comparison) {
                                shapes.html() + stops.html());
 }
 
-std::string map_section(const Comparison& comparison) {
-  const std::string caption =
-      "Centres of mass at the end of each run, in map coordinates. Relief lit from the north-west" +
-      std::string(several_files(comparison) ? "; the surface is that of file 1." : ".") +
-      " Rest the pointer on a stop to see which run it is.";
-  return section("Where the blocks stop", figure(svg_map(comparison), caption));
-}
-
 std::string runout_section(const Comparison& comparison) {
   const auto at_rest = [&](std::size_t row) {
     return comparison.rows[row].record->result.stop_reason == StopReason::kRest;
@@ -110,15 +102,19 @@ std::string runout_section(const Comparison& comparison) {
   };
   const std::vector<Series> by_class = series_of(comparison, GroupKind::kGarcia, along);
   std::string charts = "<div class=\"charts\">\n";
-  charts += figure(histogram_chart({"Runout by class", "runout, m"}, by_class));
-  charts += figure(histogram_chart({"Lateral angle by class",
-                                    "lateral angle, deg (+ to the right "
-                                    "looking downslope)"},
-                                   series_of(comparison, GroupKind::kGarcia, lateral)));
-  charts +=
-      figure(cumulative_chart({"Share of runs that stop before, by class", "runout, m"}, by_class));
-  charts += figure(cumulative_chart({"Share of runs that stop before, by block", "runout, m"},
-                                    series_of(comparison, GroupKind::kBlock, along)));
+  charts += plotly_chart({"Runout by class", "runout, m", "share of runs", true},
+                         histogram_traces(by_class));
+  charts += plotly_chart({"Lateral angle by class", "angle, deg (+ to the right looking downslope)",
+                          "share of runs", true},
+                         histogram_traces(series_of(comparison, GroupKind::kGarcia, lateral)));
+  charts += plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
+                         cumulative_traces(by_class));
+  // More than two dozen curves can't be told apart, in colour or dash.
+  constexpr std::size_t kMostCurves = 24;
+  if (groups_of(comparison, GroupKind::kBlock).size() <= kMostCurves) {
+    charts += plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},
+                           cumulative_traces(series_of(comparison, GroupKind::kBlock, along)));
+  }
   return section(
       "Runout", paragraph("Horizontal distance from each run's own release point to its stop along "
                           "the downslope direction; runs at rest, their number in brackets.") +

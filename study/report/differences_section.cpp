@@ -1,5 +1,7 @@
+#include <map>
+
+#include "core/html_page.hpp"
 #include "core/number_text.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/report_sections.hpp"
 
 namespace clast {
@@ -10,16 +12,40 @@ std::string number(double value) { return with_digits(value, 3); }
 std::string measured_table(const Comparison& comparison) {
   HtmlTable table(
       {"group", "measured", "simulated", "measured runout mean, m", "simulated runout mean, m",
-       "difference, m", "Cliff's delta", "KS distance", "p (Holm)"},
+       "measured median, m", "simulated median, m", "difference of medians, m", "95 % from",
+       "95 % to", "Cliff's delta", "KS distance", "p (Holm)"},
       1);
   for (const MeasuredGroup& group : comparison.measured->groups) {
     table.row({comparison.groups[group.group].name, std::to_string(group.measured),
                std::to_string(group.simulated), fixed(group.runout.mean, 1),
-               fixed(group.simulated_runout, 1),
-               fixed(group.runout.mean - group.simulated_runout, 1), number(group.cliffs_delta),
-               number(group.ks_distance), with_digits(group.p_holm, 2)});
+               fixed(group.simulated_runout, 1), fixed(group.quartiles.median, 1),
+               fixed(group.simulated_quartiles.median, 1),
+               fixed(group.quartiles.median - group.simulated_quartiles.median, 1),
+               fixed(group.median_difference.low, 1), fixed(group.median_difference.high, 1),
+               number(group.cliffs_delta), number(group.ks_distance),
+               with_digits(group.p_holm, 2)});
   }
   return "<h3>Against stops measured in the field</h3>\n" + table.html();
+}
+
+/// Kinds of groups that are too many to be compared pair by pair.
+std::string too_many_groups(const Comparison& comparison) {
+  std::map<std::string, std::size_t> count;
+  for (const Group& group : comparison.groups) {
+    if (group.file || group.kind == GroupKind::kAll) continue;
+    ++count[group.kind == GroupKind::kBlock    ? "blocks"
+            : group.kind == GroupKind::kColumn ? "values of " + group.column
+                                               : "classes"];
+  }
+  std::string html;
+  for (const auto& [kind, number_of] : count) {
+    if (number_of <= kMostGroups) continue;
+    html += paragraph(std::to_string(number_of) + " " + kind + " are more than the " +
+                      std::to_string(kMostGroups) +
+                      " that are compared pair by pair: so many tests would find nothing after "
+                      "their correction. Compare a selection, or group by a column (--by).");
+  }
+  return html;
 }
 
 }  // namespace
@@ -47,7 +73,11 @@ std::string differences_section(const Comparison& comparison) {
     html += paragraph(
         "Intervals are from drawing whole release points, effect sizes from all pairs of runs, and "
         "p from Kolmogorov's and Smirnov's test after Holm's correction for all tests of the same "
-        "kind of group. All pairs, also of blocks, are in differences.csv.");
+        "kind of group. That test takes runs as independent: where both groups start from the same "
+        "points it errs on the careful side, since points spread both alike; where they start from "
+        "different points it can't tell groups from points, and the interval decides. All pairs, "
+        "also of blocks, are in differences.csv.");
+    html += too_many_groups(comparison);
     html += table.html() + sentences;
   }
   if (comparison.measured) html += measured_table(comparison);

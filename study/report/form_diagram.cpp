@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "classify/certainty.hpp"
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/marks.hpp"
 #include "study/report/palette.hpp"
 

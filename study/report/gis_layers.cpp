@@ -124,8 +124,7 @@ void write_barriers(Layer layer, const Comparison& comparison) {
       }
     }
     OGRLineString geometry;
-    geometry.addPoint(barrier.from.x(), barrier.from.y());
-    geometry.addPoint(barrier.to.x(), barrier.to.y());
+    for (const Vec2& point : barrier.through) geometry.addPoint(point.x(), point.y());
     layer.add(std::move(feature), geometry);
   }
 }

@@ -2,8 +2,8 @@
 
 #include <set>
 
+#include "core/html_page.hpp"
 #include "core/version.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/report_groups.hpp"
 
 namespace clast {

@@ -2,10 +2,11 @@
 /// The comparison as one self-contained HTML page: no script or picture from elsewhere.
 #include <string>
 
-#include "study/comparison.hpp"
+#include "study/profiles.hpp"
 
 namespace clast {
 
-std::string html_report(const Comparison& comparison);
+/// @param bins  `profiles` of the comparison
+std::string html_report(const Comparison& comparison, const std::vector<ProfileBin>& bins);
 
 }  // namespace clast

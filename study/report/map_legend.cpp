@@ -1,6 +1,6 @@
 #include "study/report/map_legend.hpp"
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 
 namespace clast {
 namespace {
@@ -23,12 +23,6 @@ class Legend {
     row("<rect x=\"" + fixed(x_, 1) + "\" y=\"" + fixed(y_ - 10, 1) +
             "\" width=\"16\" height=\"12\" fill=\"" + colour + "\" stroke=\"#8a949e\"/>",
         text);
-  }
-  /// A row that hides and shows everything of class `shows`.
-  void key(const std::string& mark, const std::string& text, const std::string& shows) {
-    svg_ += "<g class=\"key\" data-shows=\"" + shows + "\"><title>click to hide or show</title>";
-    row(mark, text);
-    svg_ += "</g>";
   }
   double mark_x() const { return x_ + 8.0; }
   double mark_y() const { return y_ - 4.0; }
@@ -56,41 +50,8 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
-MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval,
-                     bool density) {
-  constexpr std::size_t kMostBlocks = 18;  // more would outgrow the map
+MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval) {
   Legend legend(kMapLeft + sheet.width() + 22.0);
-  if (comparison.groups.empty()) {
-    // A plan has no stops.
-  } else if (density) {
-    legend.head("Stops per square");
-    legend.swatch(kDensityColours.front(), "few");
-    legend.swatch(kDensityColours.back(), "many");
-  } else {
-    legend.head("Stops by class");
-    for (const Group& group : comparison.groups) {
-      if (group.kind != GroupKind::kGarcia || group.file) continue;
-      legend.row(stop_mark(legend.mark_x(), legend.mark_y(), group.key, true, ""),
-                 shortened(group.key) + " (" + std::to_string(group.rows.size()) + ")");
-    }
-    legend.row(stop_mark(legend.mark_x(), legend.mark_y(), "compact", false, ""), "not at rest");
-    legend.head("Blocks (click to hide)");
-    std::size_t listed = 0;
-    for (std::size_t g = 0; g < comparison.groups.size() && listed < kMostBlocks; ++g) {
-      const Group& group = comparison.groups[g];
-      if (group.kind != GroupKind::kBlock || group.file) continue;
-      ++listed;
-      legend.key(stop_mark(legend.mark_x(), legend.mark_y(),
-                           comparison.rows[group.rows.front()].block->garcia, true, ""),
-                 shortened(group.key), block_class(g));
-    }
-  }
-  if (comparison.measured) {
-    const double x = legend.mark_x(), y = legend.mark_y();
-    legend.row(svg_line(x - 5, y, x + 5, y, "stroke=\"#c0104a\" stroke-width=\"2\"") +
-                   svg_line(x, y - 5, x, y + 5, "stroke=\"#c0104a\" stroke-width=\"2\""),
-               "measured stop");
-  }
   legend.head("Site");
   legend.row(release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");
   if (!comparison.lines.empty()) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The legend beside a report's map.
+/// The legend beside the map of a plan.
 #include <string>
 
 #include "study/comparison.hpp"
@@ -12,10 +12,8 @@ struct MapLegend {
   double bottom = 0.0;  ///< px
 };
 
-/// Classes, blocks (a click hides their stops), site and ground zones.
+/// Site and ground zones.
 /// @param contour_interval  m
-/// @param density           stops are drawn as a density
-MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval,
-                     bool density);
+MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval);
 
 }  // namespace clast

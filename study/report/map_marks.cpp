@@ -1,7 +1,6 @@
 #include "study/report/map_marks.hpp"
 
-#include "study/report/html_page.hpp"
-#include "study/report/marks.hpp"
+#include "core/html_page.hpp"
 
 namespace clast {
 
@@ -13,12 +12,5 @@ std::string release_mark(double x, double y, const std::string& title) {
          at + "m-5-5l10 10m0-10l-10 10\">" +
          (title.empty() ? "" : "<title>" + escaped(title) + "</title>") + "</path>";
 }
-
-std::string stop_mark(double x, double y, const std::string& garcia, bool at_rest,
-                      const std::string& title) {
-  return shape_mark(x, y, garcia, at_rest, "class=\"stop\"", title);
-}
-
-std::string block_class(std::size_t group) { return "block-" + std::to_string(group); }
 
 }  // namespace clast

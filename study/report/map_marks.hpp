@@ -2,7 +2,6 @@
 /// What the map and its legend draw alike.
 #include <string>
 
-#include "study/report/marks.hpp"
 #include "terrain/relief.hpp"
 
 namespace clast {
@@ -24,13 +23,5 @@ struct Sheet {
 
 /// Cross with a white edge, in px.
 std::string release_mark(double x, double y, const std::string& title);
-
-/// Circle for compact, diamond for the rest; hollow when the run did not come to rest.
-std::string stop_mark(double x, double y, const std::string& garcia, bool at_rest,
-                      const std::string& title);
-
-/// Name that ties the stops of a block to its key in the legend.
-/// @param group  index into Comparison::groups
-std::string block_class(std::size_t group);
 
 }  // namespace clast

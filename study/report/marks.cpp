@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/palette.hpp"
 
 namespace clast {

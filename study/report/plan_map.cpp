@@ -1,7 +1,7 @@
 #include "study/report/plan_map.hpp"
 
+#include "core/html_page.hpp"
 #include "study/comparison.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/svg_map.hpp"
 
 namespace clast {
@@ -26,7 +26,8 @@ std::string plan_map(const CampaignResults& header) {
   }
   const Vec2 origin = results.frame.origin.head<2>();
   for (const Barrier& barrier : results.barriers) {
-    plan.lines.push_back({barrier.name, barrier.from + origin, barrier.to + origin, {0}});
+    plan.lines.push_back({barrier.name, barrier.through, {0}});
+    for (Vec2& point : plan.lines.back().through) point += origin;
   }
   return svg_file(svg_map(plan));
 }

@@ -4,10 +4,11 @@
 
 #include "classify/box_effect.hpp"
 #include "classify/certainty.hpp"
+#include "core/html_page.hpp"
 #include "core/version.hpp"
 #include "study/report/form_diagram.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/palette.hpp"
+#include "study/report/report_page.hpp"
 #include "study/report/share_chart.hpp"
 #include "study/report/svg_chart.hpp"
 
@@ -431,7 +432,8 @@ std::string population_page(const PopulationReport& report, const Diagrams& diag
   for (const ReportedPopulation& reported : report.populations) {
     title += (&reported == &report.populations.front() ? ": " : ", ") + reported.population.name;
   }
-  return page(title, head(report) + comparison_section(report) + classes_section(report, diagrams) +
+  return report_page(title,
+                     head(report) + comparison_section(report) + classes_section(report, diagrams) +
                          diagrams_section(report, diagrams) + size_section(report, diagrams) +
                          blocks_section(report) + boxes_section(report) + sources_section(report));
 }

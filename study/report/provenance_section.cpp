@@ -1,7 +1,7 @@
 #include "study/report/report_sections.hpp"
 
+#include "core/html_page.hpp"
 #include "core/version.hpp"
-#include "study/report/html_page.hpp"
 
 namespace clast {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/report_groups.hpp"
 
 namespace clast {
@@ -67,6 +67,9 @@ std::string quality_section(const Comparison& comparison) {
   HtmlTable table({"measure", "worst run", "mean", "p95", "largest"}, 2);
   table.row(extreme(comparison, "energy not accounted for, share of the dissipated", "",
                     [](const RunRow& row) { return row.record->result.energy.error; }));
+  table.row(extreme(
+      comparison, "energy where contacts or weights change, share of the dissipated", "",
+      [](const RunRow& row) { return reassigned_share(row.record->result.energy).value_or(NAN); }));
   table.row(extreme(comparison, "largest penetration", ", mm",
                     [](const RunRow& row) { return row.record->result.max_penetration * 1000.0; }));
   table.row(extreme(comparison, "largest penetration, share of S", "", [](const RunRow& row) {

@@ -1,6 +1,6 @@
 #include "study/report/report_groups.hpp"
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 
 namespace clast {
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "study/comparison.hpp"
+#include "study/profiles.hpp"
 
 namespace clast {
 
@@ -12,9 +13,13 @@ std::string head_section(const Comparison& comparison);
 std::string class_section(const Comparison& comparison);
 /// A row per block (and file) with its shape, its runs and how they ended.
 std::string block_section(const Comparison& comparison);
+/// More stops than this are drawn as a density on the map, not one by one.
+inline constexpr std::size_t kMostSingleStops = 5000;
 std::string map_section(const Comparison& comparison);
 /// Distributions of runout and lateral angle.
 std::string runout_section(const Comparison& comparison);
+/// Energy and passing heights against distance, and the ground under the mean path.
+std::string slope_section(const Comparison& comparison, const std::vector<ProfileBin>& bins);
 /// How large and how sure the differences between classes are, and how measured stops compare.
 std::string differences_section(const Comparison& comparison);
 /// A table and exceedance curves for every barrier.

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/png.hpp"
 #include "study/report/palette.hpp"
-#include "terrain/png.hpp"
 #include "terrain/relief.hpp"
 
 namespace clast {
@@ -221,9 +221,11 @@ SceneData scene_data(const Comparison& comparison, const SceneLimits& limits) {
   }
   Json barriers = Json::array();
   for (const BarrierLine& line : comparison.lines) {
-    const Vec2 from = line.from - origin.head<2>(), to = line.to - origin.head<2>();
-    barriers.push_back(
-        {{"name", line.name}, {"from", {from.x(), from.y()}}, {"to", {to.x(), to.y()}}});
+    Json through = Json::array();
+    for (const Vec2& point : line.through) {
+      through.push_back({point.x() - origin.x(), point.y() - origin.y()});
+    }
+    barriers.push_back({{"name", line.name}, {"through", through}});
   }
   scene.json = Json{
       {"origin", {origin.x(), origin.y(), origin.z()}},

@@ -36,7 +36,9 @@ var clastScene=(function(){
   function walls(){
     var floor=new THREE.Box3().setFromObject(scene);
     data.barriers.forEach(function(b){
-      var points=[[b.from,floor.min.z],[b.to,floor.min.z],[b.to,floor.max.z],[b.from,floor.max.z],[b.from,floor.min.z]];
+      var points=[],last=b.through.length-1;
+      b.through.forEach(function(p,i){points.push([p,floor.max.z],[p,floor.min.z],[p,floor.max.z]);if(i<last)points.push([b.through[i+1],floor.max.z])});
+      b.through.slice().reverse().forEach(function(p){points.push([p,floor.min.z])});
       var g=new THREE.BufferGeometry().setFromPoints(points.map(function(p){return new THREE.Vector3(p[0][0],p[0][1],p[1])}));
       var line=new THREE.Line(g,new THREE.LineBasicMaterial({color:0xaa3377}));
       line.name=b.name;scene.add(line);

@@ -1,28 +1,15 @@
 #include "study/report/scene_section.hpp"
 
-#include <cstdlib>
 #include <set>
 
+#include "core/html_page.hpp"
 #include "core/text_file.hpp"
-#include "study/report/html_page.hpp"
+#include "study/report/page_script.hpp"
 #include "study/report/palette.hpp"
 #include "study/report/scene_script.hpp"
 
 namespace clast {
 namespace {
-
-/// Text inside a <script> element: what would end the element is written in another way, which
-/// means the same in strings of JavaScript and JSON.
-std::string inside_script(std::string text) {
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) {
-    text.insert(at + 1, 1, '\\');
-  }
-  return text;
-}
-
-std::string script(const std::string& code) {
-  return "<script>" + inside_script(code) + "</script>\n";
-}
 
 /// Check boxes that hide classes, and the slider.
 std::string controls(const Comparison& comparison) {
@@ -47,10 +34,7 @@ std::string controls(const Comparison& comparison) {
 
 }  // namespace
 
-std::filesystem::path three_folder() {
-  const char* named = std::getenv("CLAST_THREE");
-  return named && *named ? named : CLAST_THREE_FOLDER;
-}
+std::filesystem::path three_folder() { return installed_folder("CLAST_THREE", CLAST_THREE_FOLDER); }
 
 std::string scene_section(const Comparison& comparison, const SceneLimits& limits) {
   const std::string title = "In space";
@@ -81,9 +65,9 @@ std::string scene_section(const Comparison& comparison, const SceneLimits& limit
                        "move. " +
                        drawn + " Between stored states positions are interpolated.") +
                  "<div id=\"scene\"><div class=\"view\"></div>\n" + controls(comparison) +
-                 "</div>\n<script type=\"application/json\" id=\"scene-data\">" +
-                 inside_script(data.json) + "</script>\n") +
-         script(read_text_file(core)) + script(read_text_file(orbit)) + script(kSceneScript);
+                 "</div>\n" + json_element("id=\"scene-data\"", data.json)) +
+         script_element(read_text_file(core)) + script_element(read_text_file(orbit)) +
+         script_element(kSceneScript);
 }
 
 }  // namespace clast

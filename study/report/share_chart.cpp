@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 #include "study/report/ticks.hpp"
 
 namespace clast {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
+#include "study/report/bins.hpp"
 #include "study/report/ticks.hpp"
 
 namespace clast {
@@ -32,21 +33,13 @@ Range range_of(const std::vector<Series>& series, bool logarithmic = false) {
       range.high = std::max(range.high, value);
     }
   }
-  if (!(range.low <= range.high)) return {};
-  if (logarithmic) {
+  if (logarithmic && range.low <= range.high) {
     // A tenth of the width on either side, and room where all values are equal.
     const double margin = std::max(1.08, std::pow(range.high / range.low, 0.1));
     return {range.low / margin, range.high * margin, true};
   }
-  // An axis that nearly reaches zero is read as if it did: let it.
-  if (range.low > 0.0 && range.low < 0.5 * range.high) range.low = 0.0;
-  // Values that are equal to rounding get a width, so that ticks and bins stay countable.
-  const double size = std::max(std::abs(range.low), std::abs(range.high));
-  if (range.high - range.low <= 1e-9 * size || range.low == range.high) {
-    const double margin = std::max(0.5, 1e-6 * size);
-    return {range.low - margin, range.high + margin};
-  }
-  return range;
+  const Span span = axis_span(range.low, range.high);
+  return {span.low, span.high};
 }
 
 double x_at(const Range& range, double value) {
@@ -205,46 +198,6 @@ std::string names_in_bin(const std::vector<std::string>& names) {
   return text;
 }
 
-// A value is a hair beside the edge of a bin by rounding alone: 1.3/1.0 - 1 is above 0.3.
-constexpr double kOnEdge = 1e-9;  // widths of a bin
-
-bool is_whole(double number) { return std::abs(number - std::round(number)) < kOnEdge; }
-
-/// Bins of a histogram. A value on an edge is in the bin below it, as classes are: up to a limit.
-struct Bins {
-  double low = 0.0;
-  double width = 1.0;
-  std::size_t count = 1;
-
-  std::size_t of(double value) const {
-    const double place = std::ceil((value - low) / width - kOnEdge) - 1.0;
-    return std::min(static_cast<std::size_t>(std::max(place, 0.0)), count - 1);
-  }
-};
-
-/// About two dozen bins with round edges; up to five dozen where limits are on edges only then.
-Bins bins_of(const Range& data, const std::vector<Limit>& limits) {
-  constexpr double kUsual = 24.0, kMost = 60.0;
-  Bins bins;
-  bins.width = round_up_to_nice((data.high - data.low) / kUsual);
-  const auto fit = [&](double width) {
-    return std::all_of(limits.begin(), limits.end(),
-                       [&](const Limit& limit) { return is_whole(limit.value / width); });
-  };
-  for (double width = bins.width; (data.high - data.low) / width <= kMost;
-       width = round_up_to_nice(0.4 * width)) {
-    if (!fit(width)) continue;
-    bins.width = width;
-    break;
-  }
-  // Nothing is below a zero at the end: it is in the bin above it.
-  const double first = data.low == 0.0 ? 0.0 : std::ceil(data.low / bins.width - kOnEdge) - 1.0;
-  const double last = std::ceil(data.high / bins.width - kOnEdge);
-  bins.low = first * bins.width;
-  bins.count = static_cast<std::size_t>(std::max(1.0, last - first));
-  return bins;
-}
-
 }  // namespace
 
 std::string cumulative_chart(const ChartText& text, const std::vector<Series>& series,
@@ -295,7 +248,10 @@ std::string cumulative_chart(const ChartText& text, const std::vector<Series>& s
 
 std::string histogram_chart(const ChartText& text, const std::vector<Series>& series) {
   constexpr double kRow = 92.0, kGap = 24.0;
-  const Bins bins = bins_of(range_of(series), text.limits);
+  const Range data = range_of(series);
+  std::vector<double> limits;
+  for (const Limit& limit : text.limits) limits.push_back(limit.value);
+  const Bins bins = bins_of({data.low, data.high}, limits);
   const Range range{bins.low, bins.low + bins.width * static_cast<double>(bins.count)};
 
   std::vector<std::vector<double>> shares;

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "shapes/point_cloud.hpp"
+#include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/grid_holes.hpp"
 
 namespace clast::detail {
@@ -93,6 +94,12 @@ Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
         ground_box.include(cloud.y_up ? turned_z_up(batch.points[i]) : batch.points[i]);
       }
     });
+    check_metres(path.string(), summary.crs, "pdal translate, filters.reprojection, EPSG:25832");
+    if (!result.crs.empty() && !summary.crs.empty() && !same_crs(result.crs, summary.crs)) {
+      throw InputError(path.string() + ": is in " + summary.crs.substr(0, 40) +
+                       ", the clouds before it in " + result.crs.substr(0, 40) +
+                       "; bring them into one map system");
+    }
     if (!summary.crs.empty()) result.crs = summary.crs;
     const auto note = [&](std::size_t count, const std::string& what) {
       if (count > 0) result.notes.push_back(path.string() + ": " + std::to_string(count) + what);
@@ -235,6 +242,12 @@ void note_fill(const HolesFilled& filled, double widest, CloudGrid& result, cons
 }
 
 }  // namespace
+
+HeightGrid covering_grid(const Vec2& low, const Vec2& high, double cell, const fs::path& path) {
+  HeightGrid grid = Cells(low, high, cell, path).grid();
+  std::fill(grid.heights.begin(), grid.heights.end(), kUnknown);
+  return grid;
+}
 
 HeightGrid binned(std::span<const Vec3> points, double cell, const fs::path& path) {
   Bounds box;

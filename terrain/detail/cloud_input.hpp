@@ -25,6 +25,11 @@ struct CloudGrid {
 /// @throws InputError  unreadable, without points, too many cells, or nothing but outliers
 CloudGrid cloud_grid(const TerrainOptions& options);
 
+/// Square cells on multiples of their size over a plan box, without heights.
+/// @throws InputError  too many; the message is about `path`
+HeightGrid covering_grid(const Vec2& low, const Vec2& high, double cell,
+                         const std::filesystem::path& path);
+
 /// Mean height per square cell; cells lie on multiples of `cell`.
 HeightGrid binned(std::span<const Vec3> points, double cell, const std::filesystem::path& path);
 

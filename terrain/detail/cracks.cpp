@@ -259,4 +259,57 @@ void close_cracks(RawSurface& surface, double width, TerrainReport& report) {
                          with_digits(closed.widest, 3) + " m, at " + place(closed.at));
 }
 
+void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
+  if (report.components < 2) return;
+  const TriangleMesh& mesh = surface.mesh;
+  const TriangleLinks links = triangle_links(mesh);
+  const std::vector<std::uint32_t> piece = pieces_of(mesh, links);
+  std::vector<BorderSide> sides;
+  std::vector<PlanBox> boxes;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!links.on_border(t, k)) continue;
+      sides.push_back({t, k});
+      boxes.emplace_back();
+      boxes.back().include(mesh.vertices[mesh.triangles[t][k]].head<2>());
+      boxes.back().include(mesh.vertices[mesh.triangles[t][(k + 1) % 3]].head<2>());
+    }
+  }
+  const PlanIndex index(boxes);
+  std::size_t apart = 0;
+  double narrowest = 0.0;
+  Vec3 at = Vec3::Zero();
+  for (const auto& [triangle, side] : sides) {
+    const Vec3& point = mesh.vertices[mesh.triangles[triangle][side]];
+    PlanBox here;
+    here.include(point.head<2>());
+    double nearest = 1e300;
+    for (const std::uint32_t s : index.near(here.grown(reach))) {
+      const auto& [other, k] = sides[s];
+      if (piece[other] == piece[triangle]) continue;
+      const Vec3& a = mesh.vertices[mesh.triangles[other][k]];
+      const Vec3 along = mesh.vertices[mesh.triangles[other][(k + 1) % 3]] - a;
+      // Beside it in plan: above or below it counts as near.
+      const double share = std::clamp((point - a).head<2>().dot(along.head<2>()) /
+                                          std::max(along.head<2>().squaredNorm(), 1e-300),
+                                      0.0, 1.0);
+      const Vec3 gap = a + share * along - point;
+      if (gap.head<2>().norm() <= reach) nearest = std::min(nearest, gap.norm());
+    }
+    if (nearest == 1e300 || nearest == 0.0) continue;
+    if (apart++ == 0 || nearest < narrowest) {
+      narrowest = nearest;
+      at = point;
+    }
+  }
+  if (apart == 0) return;
+  report.notes.push_back("the ground is in " + std::to_string(report.components) +
+                         " pieces with gaps or steps between them: " + std::to_string(apart) +
+                         " border vertices are near another piece but apart from it, the nearest "
+                         "by " +
+                         with_digits(narrowest, 3) + " m, at " + place(at) +
+                         "; a block that gets there leaves the terrain. Join the tiles, or give a "
+                         "crack as wide as the gap");
+}
+
 }  // namespace clast::detail

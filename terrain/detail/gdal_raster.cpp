@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -16,18 +17,41 @@ namespace {
 
 constexpr double kNoData = -9999.0;
 
-void check_units(const std::filesystem::path& path, const OGRSpatialReference* system) {
-  if (!system) return;
-  if (system->IsGeographic()) {
-    throw InputError(path.string() +
-                     ": coordinates are degrees; project it to metres first, for example with "
-                     "gdalwarp -t_srs EPSG:25832");
+void check_units(const std::string& name, const OGRSpatialReference& system,
+                 const std::string& way) {
+  if (system.IsGeographic()) {
+    throw InputError(name +
+                     ": coordinates are degrees; project it to metres first, for example "
+                     "with " +
+                     way);
   }
-  const double metres = system->GetLinearUnits();
+  if (system.IsCompound()) {
+    const double height_unit = system.GetTargetLinearUnits("VERT_CS");
+    if (std::abs(height_unit - 1.0) > 1e-9) {
+      throw InputError(name + ": its heights are in units of " + std::to_string(height_unit) +
+                       " m; bring them to metres first, with a system of heights in metres (" +
+                       way + "+CODE)");
+    }
+  }
+  const double metres = system.GetLinearUnits();
   if (std::abs(metres - 1.0) > 1e-9) {
-    throw InputError(path.string() + ": its map unit is " + std::to_string(metres) +
-                     " m; project it to a system in metres first (gdalwarp -t_srs)");
+    throw InputError(name + ": its map unit is " + std::to_string(metres) +
+                     " m; project it to a system in metres first (" + way + ")");
   }
+}
+
+/// A band may name the unit of its heights: "m", "metre", "ft", "US survey foot".
+void check_height_unit(const std::filesystem::path& path, GDALRasterBand& band) {
+  std::string unit = band.GetUnitType();
+  std::transform(unit.begin(), unit.end(), unit.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (unit.find("ft") == std::string::npos && unit.find("foot") == std::string::npos &&
+      unit.find("feet") == std::string::npos) {
+    return;
+  }
+  throw InputError(path.string() + ": its heights are in feet (unit \"" + band.GetUnitType() +
+                   "\"); bring them to metres first (gdal_calc.py -A " + path.filename().string() +
+                   " --calc=A*0.3048 --outfile=metres.tif)");
 }
 
 std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesystem::path& path) {
@@ -47,7 +71,8 @@ std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesy
   }
   if (!(transform[1] > 0.0) || transform[5] == 0.0) {
     throw InputError(path.string() + ": cell size " + std::to_string(transform[1]) + " x " +
-                     std::to_string(transform[5]) + "; columns must run east, cells have a size");
+                     std::to_string(transform[5]) +
+                     "; columns must run east, cells have a size (gdalwarp turns it)");
   }
   return transform;
 }
@@ -72,16 +97,24 @@ void read_row(GDALRasterBand& band, int row, std::vector<double>& values,
 
 }  // namespace
 
+void check_metres(const std::string& name, const std::string& crs, const std::string& way) {
+  if (crs.empty()) return;
+  const GdalSession session;
+  OGRSpatialReference system;
+  if (system.SetFromUserInput(crs.c_str()) == OGRERR_NONE) check_units(name, system, way);
+}
+
 std::string crs_name(const OGRSpatialReference* system) {
   if (!system) return {};
   OGRSpatialReference known(*system);
+  if (known.IsCompound()) known.StripVertical();  // the plan decides where things are
   known.AutoIdentifyEPSG();
   const char* authority = known.GetAuthorityName(nullptr);
   const char* code = known.GetAuthorityCode(nullptr);
   if (authority && code && std::string(authority) == "EPSG") return std::string("EPSG:") + code;
   char* wkt = nullptr;
   std::string text;
-  if (system->exportToWkt(&wkt) == OGRERR_NONE && wkt) text = wkt;
+  if (known.exportToWkt(&wkt) == OGRERR_NONE && wkt) text = wkt;
   CPLFree(wkt);
   return text;
 }
@@ -107,7 +140,10 @@ Raster read_raster(const std::filesystem::path& path) {
   }
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   Raster raster;
-  check_units(path, dataset->GetSpatialRef());
+  if (const OGRSpatialReference* system = dataset->GetSpatialRef()) {
+    check_units(path.string(), *system, "gdalwarp -t_srs EPSG:25832");
+  }
+  check_height_unit(path, band);
   raster.crs = crs_name(dataset->GetSpatialRef());
   const std::array<double, 6> transform = north_up_transform(*dataset, path);
 

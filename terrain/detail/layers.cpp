@@ -13,35 +13,14 @@ namespace clast::detail {
 namespace {
 
 constexpr double kSmallPiece = 0.05;   // of the plan area of the largest piece
+constexpr double kNoRoom = 1e-6;       // m, between two faces, at least
 constexpr double kMostlyOver = 0.9;    // of a piece's plan area, beyond which it lies double
 constexpr double kFoldedShare = 1e-3;  // of all plan area, under which folds are only noted
 
-std::vector<std::uint32_t> pieces_of(const TriangleMesh& mesh) {
-  const TriangleLinks links = triangle_links(mesh);
-  std::vector<std::uint32_t> piece(mesh.triangles.size(), kNoTriangle);
-  std::vector<std::uint32_t> open;
-  std::uint32_t count = 0;
-  for (std::uint32_t seed = 0; seed < piece.size(); ++seed) {
-    if (piece[seed] != kNoTriangle) continue;
-    piece[seed] = count;
-    open.assign(1, seed);
-    while (!open.empty()) {
-      const std::uint32_t t = open.back();
-      open.pop_back();
-      for (const std::uint32_t other : links.across[t]) {
-        if (other == kNoTriangle || piece[other] != kNoTriangle) continue;
-        piece[other] = count;
-        open.push_back(other);
-      }
-    }
-    ++count;
-  }
-  return piece;
-}
-
 /// For every triangle that faces up, the one that faces up next over its centroid, if no face
-/// between faces down; and the other way round.
-std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh) {
+/// between faces down; and the other way round. Also one that faces down and lies on it: an
+/// overhang without room under it is the other side of a sheet that was joined round its border.
+std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
   const std::vector<PlanBox> boxes = plan_boxes(mesh);
   const PlanIndex index(boxes);
   std::vector<std::uint32_t> twin(mesh.triangles.size(), kNoTriangle);
@@ -71,7 +50,8 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh) {
     std::sort(hits.begin(), hits.end());
     for (std::size_t k = 0; k < hits.size(); ++k) {
       if (hits[k].triangle != t) continue;
-      if (k + 1 < hits.size() && hits[k + 1].up) twin[t] = hits[k + 1].triangle;
+      if (k + 1 < hits.size() && (hits[k + 1].up || hits[k + 1].z - hits[k].z <= width))
+        twin[t] = hits[k + 1].triangle;
       if (k > 0 && hits[k - 1].up) twin[t] = hits[k - 1].triangle;
     }
   }
@@ -80,13 +60,13 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh) {
 
 }  // namespace
 
-void drop_double_ground(RawSurface& surface, TerrainReport& report) {
+void drop_double_ground(RawSurface& surface, double width, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
-  const std::vector<std::uint32_t> twin = doubles_of(mesh);
+  const std::vector<std::uint32_t> twin = doubles_of(mesh, std::max(width, kNoRoom));
   if (std::all_of(twin.begin(), twin.end(), [](std::uint32_t t) { return t == kNoTriangle; })) {
     return;
   }
-  const std::vector<std::uint32_t> piece = pieces_of(mesh);
+  const std::vector<std::uint32_t> piece = pieces_of(mesh, triangle_links(mesh));
   const std::size_t count = *std::max_element(piece.begin(), piece.end()) + 1u;
   std::vector<double> area(count, 0.0), doubled(count, 0.0);
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
@@ -111,7 +91,8 @@ void drop_double_ground(RawSurface& surface, TerrainReport& report) {
     }
     if (twin[t] != kNoTriangle && !dropped[piece[twin[t]]]) {
       if (folded == 0.0) folded_at = centroid(mesh, t);
-      folded += plan / 2.0;  // seen from either side
+      // Two that face up are each seen from the other.
+      folded += area_vector(mesh, twin[t]).z() > 0.0 ? plan / 2.0 : plan;
     }
     mesh.triangles[kept] = mesh.triangles[t];
     surface.source[kept++] = surface.source[t];
@@ -120,8 +101,8 @@ void drop_double_ground(RawSurface& surface, TerrainReport& report) {
   if (folded > kFoldedShare * all) {
     throw GeometryError("the ground lies double over " + with_digits(folded, 4) +
                         " m2, the first at " + place(folded_at) +
-                        ": two surfaces face up over each other with no overhang between; remove "
-                        "one of the tiles, or the part of it that overlaps");
+                        ": two surfaces face up over each other with no overhang between, or lie "
+                        "on each other; remove one of the tiles, or the part of it that overlaps");
   }
   if (folded > 0.0) {
     report.notes.push_back("the ground folds over itself on " + with_digits(folded, 3) +
@@ -129,15 +110,16 @@ void drop_double_ground(RawSurface& surface, TerrainReport& report) {
   }
   mesh.triangles.resize(kept);
   surface.source.resize(kept);
-  report.dropped_pieces =
+  const auto pieces_dropped =
       static_cast<std::size_t>(std::count(dropped.begin(), dropped.end(), true));
-  if (report.dropped_pieces == 0) return;
+  if (pieces_dropped == 0) return;
+  report.dropped_pieces += pieces_dropped;
   drop_unused_vertices(mesh);
   const TriangleLinks links = triangle_links(mesh);
   report.boundary_edges = links.border_edges;
-  report.components -= report.dropped_pieces;
+  report.components -= pieces_dropped;
   report.notes.push_back(
-      std::to_string(report.dropped_pieces) + " small pieces of " + with_digits(dropped_area, 3) +
+      std::to_string(pieces_dropped) + " small pieces of " + with_digits(dropped_area, 3) +
       " m2 in plan that lie over other ground were dropped, the first at " + place(dropped_at));
 }
 

@@ -10,7 +10,8 @@ namespace clast::detail {
 /// every triangle. A small piece that lies so over (or under) other ground with nine tenths of its
 /// plan area is dropped; folds of less than a thousandth of the plan area are noted.
 /// @param surface  oriented
+/// @param width    an overhang with no more room under it than this lies double too, m
 /// @throws GeometryError  any other double ground: its area and a place
-void drop_double_ground(RawSurface& surface, TerrainReport& report);
+void drop_double_ground(RawSurface& surface, double width, TerrainReport& report);
 
 }  // namespace clast::detail

@@ -21,8 +21,8 @@ void add_line(const OGRLineString& line, const std::string& name, std::vector<Ma
 
 std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std::string& crs) {
   const GdalSession session;
-  const DatasetPointer dataset = open_layer(path, "lines");
-  OGRLayer& layer = *dataset->GetLayer(0);
+  const DatasetPointer dataset = open_features(path, "lines");
+  OGRLayer& layer = only_layer(*dataset, path, "lines");
   const Transformation transform = transformation(layer, crs, path);
   std::vector<MapLine> lines;
   layer.ResetReading();

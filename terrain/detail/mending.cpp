@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "terrain/detail/fins.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
 namespace clast::detail {
@@ -170,7 +171,8 @@ void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>&
 
 void orient_upwards(RawSurface& surface, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
-  const TriangleLinks links = triangle_links(mesh);
+  TriangleLinks links = triangle_links(mesh);
+  if (links.crowded_edges > 0 && drop_fins(surface, links, report)) links = triangle_links(mesh);
   report.boundary_edges = links.border_edges;
   if (links.crowded_edges > 0) {
     throw GeometryError("the ground has " + std::to_string(links.crowded_edges) +

@@ -21,7 +21,7 @@ void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>&
 
 void drop_unused_vertices(TriangleMesh& mesh);
 
-/// Turns triangles so that neighbours agree and every piece faces up over most of its plan area;
+/// Drops fins, and turns triangles so that neighbours agree and every piece faces up over most of its plan area;
 /// counts border edges and pieces.
 /// @throws GeometryError  an edge with more than two triangles, or a piece with one side only
 void orient_upwards(RawSurface& surface, TerrainReport& report);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/number_text.hpp"
+#include "terrain/detail/ring_plane.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
 namespace clast::detail {
@@ -64,40 +65,6 @@ Rings rings_of(const TriangleMesh& mesh) {
   return rings;
 }
 
-/// The plane z = height + slope . (x, y) about a vertex, by least squares through its neighbours.
-struct RingPlane {
-  double height = 0.0;  ///< at the vertex, m
-  Vec2 slope = Vec2::Zero();
-  double distance = 0.0;  ///< of the neighbours in plan, mean, m
-};
-
-/// None with fewer than three neighbours, or where they are in line.
-std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const std::uint32_t> ring,
-                                    std::uint32_t vertex) {
-  if (ring.size() < 3) return std::nullopt;
-  const Vec3& centre = mesh.vertices[vertex];
-  Mat3 normal = Mat3::Zero();
-  Vec3 right = Vec3::Zero();
-  RingPlane plane;
-  for (const std::uint32_t v : ring) {
-    const Vec3 d = mesh.vertices[v] - centre;
-    const Vec3 row(1.0, d.x(), d.y());
-    normal += row * row.transpose();
-    right += d.z() * row;
-    plane.distance += d.head<2>().norm();
-  }
-  plane.distance /= static_cast<double>(ring.size());
-  // Along their narrow side the neighbours must spread by more than a hundredth of the other.
-  const double xx = normal(1, 1), xy = normal(1, 2), yy = normal(2, 2);
-  const double sum = xx + yy;
-  if (!(xx * yy - xy * xy > 1e-4 * sum * sum)) return std::nullopt;
-  const Vec3 fit = normal.ldlt().solve(right);
-  if (!fit.allFinite()) return std::nullopt;
-  plane.height = centre.z() + fit[0];
-  plane.slope = fit.tail<2>();
-  return plane;
-}
-
 /// How far the neighbours and their neighbours are from the plane, the farthest of them left out:
 /// it may be a spike as well, m.
 double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32_t vertex,
@@ -112,7 +79,7 @@ double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32
   for (const std::uint32_t v : around) {
     if (v == vertex) continue;
     const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
-    const double on_plane = plane.height + plane.slope.dot(d.head<2>());
+    const double on_plane = plane.at(d.head<2>());
     const double off = std::abs(mesh.vertices[v].z() - on_plane);
     second = std::max(second, std::min(first, off));
     first = std::max(first, off);
@@ -134,7 +101,7 @@ std::optional<RingPlane> plane_without_one(const TriangleMesh& mesh, const Rings
     double farthest = 0.0;
     for (const std::uint32_t v : others) {
       const Vec3 d = mesh.vertices[v] - mesh.vertices[vertex];
-      const double on_plane = plane->height + plane->slope.dot(d.head<2>());
+      const double on_plane = plane->at(d.head<2>());
       farthest = std::max(farthest, std::abs(mesh.vertices[v].z() - on_plane));
     }
     if (best && farthest >= flattest) continue;
@@ -196,15 +163,15 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
     level_once(mesh, rings, steepness, spikes);
     if (spikes.levelled == before) break;
   }
-  report.levelled_spikes = spikes.levelled;
+  report.levelled_spikes += spikes.levelled;
   if (spikes.left > 0) {
     report.notes.push_back(std::to_string(spikes.left) +
                            " vertices stand far above or below their neighbours, but not alone, as "
                            "on crests and walls, and were kept; the first at " +
                            place(spikes.left_at));
   }
-  if (report.levelled_spikes == 0) return;
-  report.notes.push_back(std::to_string(report.levelled_spikes) +
+  if (spikes.levelled == 0) return;
+  report.notes.push_back(std::to_string(spikes.levelled) +
                          " single vertices far above or below all their neighbours were brought "
                          "to the plane through these, the farthest, by " +
                          with_digits(spikes.farthest, 3) + " m, at " + place(spikes.farthest_at));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "core/number_text.hpp"
@@ -20,6 +21,7 @@ struct Loop {
   std::vector<std::uint32_t> vertices;
   std::vector<std::uint32_t> triangles;  ///< behind every side
   Vec3 area = Vec3::Zero();              ///< vector of the loop, twice
+  double length = 0.0;                   ///< around, m
   Vec3 normal = Vec3::Zero();            ///< mean of the triangles behind it, not unit
   Bounds box;
 };
@@ -64,6 +66,7 @@ void measure(const TriangleMesh& mesh, Loop& loop) {
     const Vec3 a = mesh.vertices[loop.vertices[i]] - origin;
     const Vec3 b = mesh.vertices[loop.vertices[(i + 1) % loop.vertices.size()]] - origin;
     loop.area += a.cross(b);
+    loop.length += (b - a).norm();
     loop.normal += (b - a).norm() * area_vector(mesh, loop.triangles[i]).normalized();
     loop.box.include(a + origin);
   }
@@ -96,6 +99,28 @@ std::vector<Loop> border_loops(const TriangleMesh& mesh, const TriangleLinks& li
   }
   for (Loop& loop : loops) measure(mesh, loop);
   return loops;
+}
+
+/// Loops that run the other way round than an outer border. Of upright loops and of slits, whose
+/// sides may overlap, either way may be the hole's: they are holes where their piece has a larger
+/// loop, which is then the outer one.
+std::vector<bool> which_are_holes(const TriangleMesh& mesh, const TriangleLinks& links,
+                                  const std::vector<Loop>& loops, double slit) {
+  const std::vector<std::uint32_t> piece = pieces_of(mesh, links);
+  const auto size = [](const Loop& loop) { return (loop.box.high - loop.box.low).norm(); };
+  std::map<std::uint32_t, double> largest;
+  for (const Loop& loop : loops) {
+    double& known = largest[piece[loop.triangles[0]]];
+    known = std::max(known, size(loop));
+  }
+  std::vector<bool> holes;
+  for (const Loop& loop : loops) {
+    const bool upright = std::abs(loop.area.z()) < kSteepLoop * loop.area.norm();
+    const bool narrow = loop.area.norm() <= slit * loop.length;
+    const bool inner = size(loop) < largest[piece[loop.triangles[0]]];
+    holes.push_back(loop.area.dot(loop.normal) < 0.0 || ((upright || narrow) && inner));
+  }
+  return holes;
 }
 
 /// Ears cut off the loop, shortest diagonal first; none when it crosses itself. Seen from above, so
@@ -140,13 +165,16 @@ std::optional<std::vector<Triangle>> ears(const TriangleMesh& mesh, const Loop& 
 
 }  // namespace
 
-void fill_surface_holes(RawSurface& surface, double widest, TerrainReport& report) {
+void fill_surface_holes(RawSurface& surface, double widest, double slit, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
   const TriangleLinks links = triangle_links(mesh);
   double widest_filled = 0.0, widest_open = 0.0;
   Vec3 filled_at = Vec3::Zero(), open_at = Vec3::Zero();
-  for (const Loop& loop : border_loops(mesh, links)) {
-    if (loop.area.dot(loop.normal) >= 0.0) continue;
+  const std::vector<Loop> loops = border_loops(mesh, links);
+  const std::vector<bool> holes = which_are_holes(mesh, links, loops, slit);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (!holes[i]) continue;
+    const Loop& loop = loops[i];
     const double width = (loop.box.high - loop.box.low).maxCoeff();
     const Vec3 middle = (loop.box.low + loop.box.high) / 2.0;
     const std::optional<std::vector<Triangle>> filling =

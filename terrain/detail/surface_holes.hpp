@@ -7,9 +7,11 @@ namespace clast::detail {
 
 /// Triangulates the holes whose bounds are at most `widest` in every direction, and reports those
 /// that are wider. A hole is a loop of border sides that runs the other way round than the outer
-/// border of a piece does: clockwise, seen against the normals of the triangles along it. New
-/// triangles have the source of a triangle beside them.
+/// border of a piece does: clockwise, seen against the normals of the triangles along it; or an
+/// upright or narrow loop in a piece that has a larger one, its border. New triangles have the
+/// source of a triangle beside them.
 /// @param surface  triangles of a piece agree in orientation
-void fill_surface_holes(RawSurface& surface, double widest, TerrainReport& report);
+/// @param slit     mean width of what counts as narrow, m
+void fill_surface_holes(RawSurface& surface, double widest, double slit, TerrainReport& report);
 
 }  // namespace clast::detail

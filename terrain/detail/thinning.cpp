@@ -6,8 +6,10 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "core/error.hpp"
@@ -23,10 +25,10 @@ constexpr double kSteep = 0.05;  // cosine to the vertical: walls steeper than 8
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-/// The check in a face that is farthest off it.
+/// The vertex over or under a face that is farthest off it.
 struct Farthest {
   double error = 0.0;  ///< m
-  std::uint32_t check = 0;
+  std::uint32_t vertex = 0;
 };
 using FaceBase =
     CGAL::Triangulation_face_base_with_info_2<Farthest, Kernel,
@@ -55,45 +57,66 @@ std::vector<bool> kept_triangles(const TriangleMesh& mesh) {
   return kept;
 }
 
-/// A place where the new surface must be near the old one: a vertex, or the middle of an edge.
-struct Check {
-  Vec3 point;
-  std::uint32_t from, to;  ///< vertices; the same for a vertex
+using Edge = std::array<std::uint32_t, 2>;
 
-  bool is_vertex() const { return from == to; }
-};
-
-/// The triangulation that grows, in rounds, by what is farthest off in each of its faces.
+/// The triangulation that grows, in rounds, by what is farthest off.
 class Growing {
  public:
-  Growing(const std::vector<Vec3>& vertices, double tolerance)
-      : vertices_(vertices), tolerance_(tolerance), handles_(vertices.size()) {}
+  /// @param edges   of the old surface, apart from those that stay
+  /// @param length  of a usual edge, m
+  Growing(const std::vector<Vec3>& vertices, std::span<const Edge> edges, double length,
+          double tolerance)
+      : vertices_(vertices),
+        edges_(edges),
+        length_(length),
+        tolerance_(tolerance),
+        handles_(vertices.size()),
+        edge_index_(boxes_of(vertices, edges)) {}
 
-  void constrain(std::uint32_t a, std::uint32_t b) {
-    triangulation_.insert_constraint(handle(a), handle(b));
+  void constrain(const Edge& edge) {
+    triangulation_.insert_constraint(handle(edge[0]), handle(edge[1]));
   }
 
-  /// Every check that is off by more than the tolerance brings in its vertex; the middle of an edge
-  /// one of its ends, or, with both there, the edge itself: at worst the old triangles come back.
-  void grow(const std::vector<Check>& checks) {
-    for (std::vector<std::uint32_t> wanted = farthest(checks); !wanted.empty();
-         wanted = farthest(checks)) {
-      for (const std::uint32_t i : wanted) {
-        const Check& check = checks[i];
-        if (!is_in(check.from)) {
-          handle(check.from);
-        } else if (!is_in(check.to)) {
-          handle(check.to);
-        } else if (!check.is_vertex()) {
-          constrain(check.from, check.to);
+  /// Brings in vertices that are off by more than the tolerance; where edges cross that far apart,
+  /// an end of the old one, or, with both there, the edge itself: at worst the old triangles come
+  /// back. Two surfaces of triangles are farthest apart over a vertex or a crossing of edges, so
+  /// that then they are nowhere farther apart.
+  void grow(std::span<const std::uint32_t> vertices) {
+    for (;;) {
+      largest_ = 0.0;
+      const std::vector<std::uint32_t> wanted = far_vertices(vertices);
+      for (const std::uint32_t v : wanted) handle(v);
+      if (!wanted.empty()) continue;
+      const std::vector<std::uint32_t> crossed = far_edges();
+      if (crossed.empty()) return;
+      for (const std::uint32_t i : crossed) {
+        const Edge& edge = edges_[i];
+        if (!is_in(edge[0])) {
+          handle(edge[0]);
+        } else if (!is_in(edge[1])) {
+          handle(edge[1]);
+        } else {
+          constrain(edge);
         }
       }
     }
   }
 
   const Triangulation& triangulation() const { return triangulation_; }
+  /// Largest vertical distance of the two surfaces, anywhere, and a place of it.
+  double largest() const { return largest_; }
+  const Vec3& largest_at() const { return largest_at_; }
 
  private:
+  static std::vector<PlanBox> boxes_of(const std::vector<Vec3>& vertices,
+                                       std::span<const Edge> edges) {
+    std::vector<PlanBox> boxes(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      for (const std::uint32_t v : edges[i]) boxes[i].include(vertices[v].head<2>());
+    }
+    return boxes;
+  }
+
   bool is_in(std::uint32_t v) const { return handles_[v] != Triangulation::Vertex_handle(); }
 
   Triangulation::Vertex_handle handle(std::uint32_t v) {
@@ -108,59 +131,121 @@ class Growing {
     return handles_[v];
   }
 
-  double error(const Check& check, const Triangulation::Face_handle& face) const {
+  void note(double off, const Vec3& at) {
+    if (off <= largest_) return;
+    largest_ = off;
+    largest_at_ = at;
+  }
+
+  double error(const Vec3& point, const Triangulation::Face_handle& face) const {
     const Vec3& a = vertices_[face->vertex(0)->info()];
     const Vec3 ab = vertices_[face->vertex(1)->info()] - a;
     const Vec3 ac = vertices_[face->vertex(2)->info()] - a;
-    const Vec3 ap = check.point - a;
+    const Vec3 ap = point - a;
     const double area = ab.x() * ac.y() - ab.y() * ac.x();
     const double v = (ap.x() * ac.y() - ap.y() * ac.x()) / area;
     const double w = (ab.x() * ap.y() - ab.y() * ap.x()) / area;
     return std::abs(ap.z() - v * ab.z() - w * ac.z());
   }
 
-  /// Of every face the check that is farthest off, if by more than the tolerance; rising numbers.
-  std::vector<std::uint32_t> farthest(const std::vector<Check>& checks) {
+  /// Of every face the vertex that is farthest off, if by more than the tolerance; rising numbers.
+  std::vector<std::uint32_t> far_vertices(std::span<const std::uint32_t> vertices) {
     for (auto face = triangulation_.all_faces_begin(); face != triangulation_.all_faces_end();
          ++face) {
       face->info() = {};
     }
     Triangulation::Face_handle near;
-    for (std::uint32_t i = 0; i < checks.size(); ++i) {
-      const Check& check = checks[i];
-      if (check.is_vertex() && is_in(check.from)) continue;
-      near = triangulation_.locate({check.point.x(), check.point.y()}, near);
+    for (const std::uint32_t v : vertices) {
+      if (is_in(v)) continue;
+      const Vec3& point = vertices_[v];
+      near = triangulation_.locate({point.x(), point.y()}, near);
       if (triangulation_.is_infinite(near)) continue;
-      const double off = error(check, near);
-      if (off > tolerance_ && off > near->info().error) near->info() = {off, i};
+      const double off = error(point, near);
+      note(off, point);
+      if (off > tolerance_ && off > near->info().error) near->info() = {off, v};
     }
     std::vector<std::uint32_t> wanted;
     for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end();
          ++face) {
-      if (face->info().error > 0.0) wanted.push_back(face->info().check);
+      if (face->info().error > 0.0) wanted.push_back(face->info().vertex);
     }
     std::sort(wanted.begin(), wanted.end());
     return wanted;
   }
 
+  /// For every new edge the old one that it crosses at the largest distance, if that is more than
+  /// the tolerance; rising numbers, each once.
+  std::vector<std::uint32_t> far_edges() {
+    std::vector<std::uint32_t> wanted;
+    for (auto edge = triangulation_.finite_edges_begin(); edge != triangulation_.finite_edges_end();
+         ++edge) {
+      if (triangulation_.is_constrained(*edge)) continue;  // an old one: no other crosses it
+      const Edge ends = {edge->first->vertex(Triangulation::cw(edge->second))->info(),
+                         edge->first->vertex(Triangulation::ccw(edge->second))->info()};
+      const std::optional<std::uint32_t> farthest = farthest_across(ends);
+      if (farthest) wanted.push_back(*farthest);
+    }
+    std::sort(wanted.begin(), wanted.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+    return wanted;
+  }
+
+  std::optional<std::uint32_t> farthest_across(const Edge& ends) {
+    const Vec3 &from = vertices_[ends[0]], &to = vertices_[ends[1]];
+    const Vec3 along = to - from;
+    std::optional<std::uint32_t> farthest;
+    double most = tolerance_;
+    // In pieces: the box of a long edge would hold much that is far from it.
+    const double pieces = std::ceil(along.head<2>().norm() / (kPiece * length_));
+    for (double piece = 0.0; piece < pieces; ++piece) {
+      PlanBox box;
+      box.include((from + piece / pieces * along).head<2>());
+      box.include((from + (piece + 1.0) / pieces * along).head<2>());
+      for (const std::uint32_t i : edge_index_.near(box)) {
+        const auto& [a, b] = edges_[i];
+        if (a == ends[0] || a == ends[1] || b == ends[0] || b == ends[1]) continue;
+        const Vec3 across = vertices_[b] - vertices_[a], apart = vertices_[a] - from;
+        const double turn = along.x() * across.y() - along.y() * across.x();
+        if (turn == 0.0) continue;
+        const double t = (apart.x() * across.y() - apart.y() * across.x()) / turn;
+        const double u = (apart.x() * along.y() - apart.y() * along.x()) / turn;
+        if (t < 0.0 || t > 1.0 || u < 0.0 || u > 1.0) continue;
+        const Vec3 old = vertices_[a] + u * across;
+        const double off = std::abs(old.z() - from.z() - t * along.z());
+        note(off, old);
+        if (off <= most) continue;
+        most = off;
+        farthest = i;
+      }
+    }
+    return farthest;
+  }
+
+  static constexpr double kPiece = 4.0;  // usual edges
+
   const std::vector<Vec3>& vertices_;
+  std::span<const Edge> edges_;
+  double length_;
   double tolerance_;
   Triangulation triangulation_;
   std::vector<Triangulation::Vertex_handle> handles_;
   Triangulation::Vertex_handle last_;
+  PlanIndex edge_index_;
+  double largest_ = 0.0;  ///< m, in the last round
+  Vec3 largest_at_ = Vec3::Zero();
 };
 
 /// In rows that run to and fro, so that each is near the one before.
-void put_in_rows(std::vector<Check>& checks, double row) {
+void put_in_rows(std::vector<std::uint32_t>& vertices, const std::vector<Vec3>& points,
+                 double row) {
   std::vector<std::tuple<std::int64_t, double, std::uint32_t>> order;
-  for (std::uint32_t i = 0; i < checks.size(); ++i) {
-    const auto number = static_cast<std::int64_t>(std::floor(checks[i].point.y() / row));
-    order.emplace_back(number, number % 2 == 0 ? checks[i].point.x() : -checks[i].point.x(), i);
+  order.reserve(vertices.size());
+  for (const std::uint32_t v : vertices) {
+    const auto number = static_cast<std::int64_t>(std::floor(points[v].y() / row));
+    order.emplace_back(number, number % 2 == 0 ? points[v].x() : -points[v].x(), v);
   }
   std::sort(order.begin(), order.end());
-  std::vector<Check> sorted;
-  for (const auto& entry : order) sorted.push_back(checks[std::get<2>(entry)]);
-  checks.swap(sorted);
+  for (std::size_t i = 0; i < order.size(); ++i) vertices[i] = std::get<2>(order[i]);
 }
 
 /// The free triangle under a place of the plan.
@@ -179,8 +264,7 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
   const std::vector<bool> kept = kept_triangles(mesh);
   const TriangleLinks links = triangle_links(mesh);
   std::vector<bool> fixed(mesh.vertices.size(), false), in_free(mesh.vertices.size(), false);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> constraints;
-  std::vector<Check> checks;
+  std::vector<Edge> constraints, edges;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (kept[t]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -189,23 +273,25 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
       const std::uint32_t other = links.across[t][k];
       if (other == kNoTriangle || kept[other] || surface.source[other] != surface.source[t]) {
         fixed[a] = fixed[b] = true;
-        constraints.emplace_back(std::min(a, b), std::max(a, b));
+        constraints.push_back({std::min(a, b), std::max(a, b)});
       } else if (t < other) {
-        checks.push_back({(mesh.vertices[a] + mesh.vertices[b]) / 2.0, a, b});
+        edges.push_back({a, b});
       }
     }
   }
+  std::vector<std::uint32_t> free;
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (in_free[v] && !fixed[v]) checks.push_back({mesh.vertices[v], v, v});
+    if (in_free[v] && !fixed[v]) free.push_back(v);
   }
-  put_in_rows(checks, median_edge(mesh));
+  const double length = median_edge(mesh);
+  put_in_rows(free, mesh.vertices, length);
   std::sort(constraints.begin(), constraints.end());
   constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
 
-  Growing growing(mesh.vertices, tolerance);
+  Growing growing(mesh.vertices, edges, length, tolerance);
   try {
-    for (const auto& [a, b] : constraints) growing.constrain(a, b);
-    growing.grow(checks);
+    for (const Edge& edge : constraints) growing.constrain(edge);
+    growing.grow(free);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     throw GeometryError(
         "the border of the ground crosses itself in plan, so that it can't be thinned; leave out "
@@ -242,9 +328,12 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
     result.source.push_back(source);
   }
   drop_unused_vertices(result.mesh);
-  report.notes.push_back("thinned within " + with_digits(tolerance, 4) +
-                         " m: " + std::to_string(result.mesh.triangles.size()) + " of " +
-                         std::to_string(mesh.triangles.size()) + " triangles");
+  std::string note = "thinned within " + with_digits(tolerance, 4) +
+                     " m: " + std::to_string(result.mesh.triangles.size()) + " of " +
+                     std::to_string(mesh.triangles.size()) + " triangles; nowhere more than " +
+                     with_digits(growing.largest(), 4) + " m above or below what was there";
+  if (growing.largest() > 0.0) note += ", as at " + place(growing.largest_at());
+  report.notes.push_back(note);
   surface = std::move(result);
 }
 

@@ -53,6 +53,28 @@ TriangleLinks triangle_links(const TriangleMesh& mesh) {
   return links;
 }
 
+std::vector<std::uint32_t> pieces_of(const TriangleMesh& mesh, const TriangleLinks& links) {
+  std::vector<std::uint32_t> piece(mesh.triangles.size(), kNoTriangle);
+  std::vector<std::uint32_t> open;
+  std::uint32_t count = 0;
+  for (std::uint32_t seed = 0; seed < piece.size(); ++seed) {
+    if (piece[seed] != kNoTriangle) continue;
+    piece[seed] = count;
+    open.assign(1, seed);
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (const std::uint32_t other : links.across[t]) {
+        if (other == kNoTriangle || piece[other] != kNoTriangle) continue;
+        piece[other] = count;
+        open.push_back(other);
+      }
+    }
+    ++count;
+  }
+  return piece;
+}
+
 std::size_t side_between(const TriangleMesh::Triangle& triangle, std::uint32_t a, std::uint32_t b) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t from = triangle[k], to = triangle[(k + 1) % 3];

@@ -24,6 +24,9 @@ struct TriangleLinks {
 
 TriangleLinks triangle_links(const TriangleMesh& mesh);
 
+/// For every triangle the number of its piece; pieces are joined over edges of two triangles.
+std::vector<std::uint32_t> pieces_of(const TriangleMesh& mesh, const TriangleLinks& links);
+
 /// The side of `triangle` whose corners are `a` and `b`, in either order; 3 when it has none.
 std::size_t side_between(const TriangleMesh::Triangle& triangle, std::uint32_t a, std::uint32_t b);
 

@@ -2,23 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/error.hpp"
 
 namespace clast::detail {
 
-DatasetPointer open_layer(const std::filesystem::path& path, const std::string& what) {
+DatasetPointer open_features(const std::filesystem::path& path, const std::string& what) {
   DatasetPointer dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
   if (!dataset || dataset->GetLayerCount() < 1) {
     throw InputError(path.string() + ": holds no " + what + " that GDAL can read (" +
                      GdalSession::message() + ")");
   }
-  if (dataset->GetLayerCount() > 1) {
-    throw InputError(path.string() + ": " + std::to_string(dataset->GetLayerCount()) +
-                     " layers; save the one with the " + what + " by itself");
-  }
   return dataset;
+}
+
+OGRLayer& only_layer(GDALDataset& dataset, const std::filesystem::path& path,
+                     const std::string& what) {
+  std::vector<OGRLayer*> layers;
+  std::string names;
+  for (int i = 0; i < dataset.GetLayerCount(); ++i) {
+    OGRLayer* layer = dataset.GetLayer(i);
+    if (!layer || layer->GetGeomType() == wkbNone) continue;
+    layers.push_back(layer);
+    names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
+  }
+  if (layers.empty()) throw InputError(path.string() + ": holds no layer of " + what);
+  if (layers.size() > 1) {
+    throw InputError(path.string() + ": " + std::to_string(layers.size()) + " layers (" + names +
+                     "); save the one with the " + what + " by itself (ogr2ogr ONE.gpkg " +
+                     path.filename().string() + " LAYER)");
+  }
+  return *layers.front();
 }
 
 Transformation transformation(OGRLayer& layer, const std::string& crs,

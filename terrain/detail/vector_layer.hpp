@@ -22,10 +22,16 @@ struct DestroyTransformation {
 };
 using Transformation = std::unique_ptr<OGRCoordinateTransformation, DestroyTransformation>;
 
-/// A file with one layer of features.
+/// A file of features.
 /// @param what  "polygons", "lines"
-/// @throws InputError  unreadable, or several layers
-DatasetPointer open_layer(const std::filesystem::path& path, const std::string& what);
+/// @throws InputError  unreadable
+DatasetPointer open_features(const std::filesystem::path& path, const std::string& what);
+
+/// Its one layer with geometry. Tables without, as of the styles that QGIS keeps in a GeoPackage,
+/// do not count.
+/// @throws InputError  none, or several
+OGRLayer& only_layer(GDALDataset& dataset, const std::filesystem::path& path,
+                     const std::string& what);
 
 /// From the layer's system to the terrain's; none when they agree or one is unknown. GeoJSON that
 /// names no system counts as WGS 84 degrees, but is often written in map metres: numbers beyond

@@ -34,7 +34,12 @@ struct ReadPolygon {
 ReadPolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransformation* transform,
                        const std::filesystem::path& path) {
   ZonePolygon result;
-  if (feature.IsFieldSetAndNotNull(field)) result.zone = feature.GetFieldAsString(field);
+  if (feature.IsFieldSetAndNotNull(field)) {
+    // Blanks around a name are not seen in a table.
+    result.zone = feature.GetFieldAsString(field);
+    result.zone.erase(0, result.zone.find_first_not_of(" \t"));
+    result.zone.erase(result.zone.find_last_not_of(" \t") + 1);
+  }
   if (result.zone.empty()) {
     throw InputError(feature_name(feature, path) + " has an empty property \"zone\"");
   }
@@ -129,8 +134,8 @@ bool ZonePolygon::contains(const Vec2& point) const {
 std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
                                             const std::string& crs) {
   const GdalSession session;
-  const DatasetPointer dataset = open_layer(path, "polygons");
-  OGRLayer& layer = *dataset->GetLayer(0);
+  const DatasetPointer dataset = open_features(path, "polygons");
+  OGRLayer& layer = only_layer(*dataset, path, "polygons");
   const int field = layer.GetLayerDefn()->GetFieldIndex("zone");
   if (field < 0) {
     throw InputError(path.string() + ": its features have no property \"zone\" (there are: " +

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/slope_campaign.hpp"
+#include "tests/study/hand_made_results.hpp"
 
 namespace clast {
 namespace {
@@ -94,6 +95,41 @@ TEST_F(Campaigns, WhatAnInterruptedCampaignLeftIsNotThrownAway) {
   expect_refused(folder, {"simulate", "campaign.toml"}, 1, "--resume");
   EXPECT_EQ(read_text_file(folder / "results.h5.part"), "runs of yesterday");
   expect_refused(folder, {"simulate", "campaign.toml", "--resume"}, 1, "results.h5.part");
+}
+
+// A block that goes wrong is hard to find, so the results are written by hand and joined.
+TEST_F(Campaigns, RunsThatEndedWithAnErrorMakeTheCommandFail) {
+  const auto store = [&](const std::string& file, std::size_t failed) {
+    CampaignResults results = hand_made_results();
+    results.release_sets = {""};
+    results.set_of_point = {0};
+    results.ground_sets = {{"", 0, results.ground}};
+    ResultsWriter writer = ResultsWriter::create(folder / file, results);
+    for (RunRecord run : results.runs) {
+      if (run.run >= results.runs.size() - failed) {
+        run.result.stop_reason = StopReason::kError;
+        run.result.message = "the motion is not finite any more at 1.5 s";
+      }
+      StoredRun stored;
+      stored.record = run;
+      writer.add(stored);
+    }
+    writer.finish();
+  };
+  store("bad.h5", 2);
+  const ProgramRun bad =
+      run_clast({"simulate", "--merge", "bad.h5", "-o", "all.h5"}, folder.path());
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_TRUE(contains(bad.err,
+                       "2 of 6 runs ended with an error, the first: run 4: the motion is not "
+                       "finite any more at 1.5 s"))
+      << bad.err;
+  EXPECT_TRUE(contains(bad.err, "all.h5") && contains(bad.err, "time_step_s")) << bad.err;
+  EXPECT_TRUE(fs::exists(folder / "all.h5")) << "what was run is kept";
+  store("good.h5", 0);
+  const ProgramRun good =
+      run_clast({"simulate", "--merge", "good.h5", "-o", "all.h5"}, folder.path());
+  EXPECT_EQ(good.exit_code, 0) << good.err;
 }
 
 TEST_F(Campaigns, MistakesInTheCampaignFileAreNamed) {

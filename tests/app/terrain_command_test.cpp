@@ -77,5 +77,26 @@ TEST_F(TerrainCommand, RefusesWithoutLeavingFiles) {
                  "--picture");
 }
 
+TEST_F(TerrainCommand, OutputsNeverReplaceWhatIsReadAndHaveNamesThatTell) {
+  const std::string before = read_text_file(folder / "ground.obj");
+  write_text_file(folder / "zones.geojson", "{}");
+  const auto refuse = [&](std::vector<std::string> options, const std::string& why) {
+    options.insert(options.begin(), {"terrain", "ground.obj"});
+    expect_refused(folder, options, 2, why);
+  };
+  refuse({"-o", "t.h5", "--export", "ground.obj"},
+         "ground.obj: is read, and would be written over");
+  refuse({"-o", "t.h5", "--export", "./ground.obj"}, "is read, and would be written over");
+  refuse({"-o", "ground.obj"}, "--output ground.obj: its name must end in .h5, .hdf5");
+  refuse({"-o", "t.txt"}, "its name must end in .h5");
+  refuse({"-o", "t.h5", "--export", "t.xyz"}, "--export t.xyz: its name must end in .stl, .ply");
+  refuse({"-o", "t.h5", "--picture", "t.jpg"}, "--picture t.jpg: its name must end in .png");
+  EXPECT_EQ(read_text_file(folder / "ground.obj"), before);
+  EXPECT_FALSE(fs::exists(folder / "t.h5"));
+  // A terrain file may be written anew.
+  ASSERT_EQ(run_clast({"terrain", "ground.obj", "-o", "t.h5"}, folder.path()).exit_code, 0);
+  EXPECT_EQ(run_clast({"terrain", "t.h5", "-o", "t.h5"}, folder.path()).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace clast

@@ -48,6 +48,7 @@ const std::vector<Package> kHeavyPackages = {
     {"PCL", {"pcl/"}, {"pcl"}, {"reconstruct"}},
     {"OpenCV", {"opencv2/"}, {"opencv"}, {"reconstruct"}},
     {"HDF5", {"hdf5", "H5"}, {"hdf5::", "HDF5::"}, {"core"}},
+    {"zlib", {"zlib.h"}, {"ZLIB::"}, {"core"}},
     {"GDAL", {"gdal", "ogr", "cpl_"}, {"GDAL::"}, {"terrain", "study"}},
     {"MPI", {"mpi.h"}, {"MPI::"}, {"study"}},
     {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"study"}},

@@ -17,6 +17,14 @@ TEST(CsvText, QuotesOnlyWhatNeedsIt) {
   EXPECT_EQ(csv.take(), "a,b,c\nplain,\"with, comma\",\"12\"\" pipe\"\n");
 }
 
+TEST(CsvText, ZeroHasNoSign) {
+  CsvText csv;
+  csv.cell(-0.0);
+  csv.cell(0.0);
+  csv.cell(-1e-300);
+  EXPECT_EQ(csv.take(), "0,0,-1e-300");
+}
+
 TEST(CsvText, NumbersReadBackToTheSameBitsAndUnknownOnesAreEmpty) {
   CsvText csv;
   csv.cell(0.1);

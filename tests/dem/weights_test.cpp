@@ -189,6 +189,19 @@ TEST(AutoStiffness, AStepThatMakesEnergyOrPassesTheGroundIsRefused) {
             0.025);
 }
 
+TEST(AutoStiffness, HardlyAnyRestitutionIsDearAndSaysSo) {
+  const RigidBody body = box(1000.0, Vec3::Ones());
+  const auto warnings = [&](double energy_restitution) {
+    const std::vector<GroundParameters> zones = {{energy_restitution, 0.7, 0.0}};
+    return choose_stiffness(std::span(&body, 1), zones, 1.0, kG).warnings;
+  };
+  EXPECT_TRUE(warnings(0.01).empty());
+  ASSERT_EQ(warnings(1e-6).size(), 1u);
+  EXPECT_TRUE(contains(warnings(1e-6)[0], "energy_restitution = 1e-06"));
+  EXPECT_TRUE(contains(warnings(1e-6)[0], "k_n = 4.9e+11 N/m")) << warnings(1e-6)[0];
+  EXPECT_TRUE(contains(warnings(1e-6)[0], "100 times the work")) << warnings(1e-6)[0];
+}
+
 TEST(AutoStiffness, ASofterValueIsObeyedWithAWarning) {
   const RigidBody body = box(1000.0, Vec3::Ones());
   const std::vector<GroundParameters> zones = {{0.01, 0.7, 0.0}};

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+
 #include "core/error.hpp"
+#include "core/text_file.hpp"
 #include "shapes/mesh_io.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
@@ -10,6 +14,7 @@
 #include "tests/support/field_scene.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 namespace {
@@ -140,7 +145,7 @@ TEST(FieldScan, ThreeBlocksAreSplitInOrder) {
   const std::vector<FieldBlock> one = field_blocks(scene, "scene", options);
   ASSERT_EQ(one.size(), 1u);
   EXPECT_TRUE(
-      contains(one[0].scan.notes[0], "3 blocks stand on the ground; the one near the middle"));
+      contains(one[0].scan.notes[1], "3 blocks stand on the ground; the one near the middle"));
   options.split = true;
   const std::vector<FieldBlock> all = field_blocks(scene, "scene", options);
   ASSERT_EQ(all.size(), 3u);
@@ -150,6 +155,97 @@ TEST(FieldScan, ThreeBlocksAreSplitInOrder) {
     EXPECT_NEAR(all[static_cast<std::size_t>(k)].underside->best_volume, whole, 0.08 * whole) << k;
   }
   EXPECT_NEAR(one[0].underside->best_volume, all[1].underside->best_volume, 1e-12);
+}
+
+TEST(FieldScan, MendsOfAnOpenScanAreToldAsThoseOfAClosedOne) {
+  TriangleMesh open = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 4), 1, 11)[0].open;
+  const std::size_t vertices = open.vertices.size();
+  std::swap(open.triangles[7][0], open.triangles[7][1]);
+  open.triangles.push_back(open.triangles[3]);  // stored twice
+  // The vertex farthest up has neighbours all around.
+  const auto top = static_cast<std::uint32_t>(
+      std::max_element(open.vertices.begin(), open.vertices.end(),
+                       [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); }) -
+      open.vertices.begin());
+  open.vertices[top].z() += 0.4;
+  FieldScanOptions options;
+  options.find_ground = false;
+  const FieldBlock block = field_blocks(open, "open", options)[0];
+  const RepairReport& report = block.scan.report;
+  EXPECT_EQ(report.as_read.vertices, vertices);
+  EXPECT_GT(report.as_read.boundary_edges, 0u);
+  ASSERT_NE(report.find(DefectKind::kMixedWinding), nullptr);
+  EXPECT_EQ(report.find(DefectKind::kMixedWinding)->count, 1u);
+  ASSERT_NE(report.find(DefectKind::kNoArea), nullptr);
+  EXPECT_EQ(report.find(DefectKind::kNoArea)->count, 1u);
+  const Defect* spike = report.find(DefectKind::kSpike);
+  ASSERT_NE(spike, nullptr);
+  EXPECT_NEAR(spike->size, 0.4, 0.1);
+  EXPECT_LT((*spike->place - open.vertices[top]).norm(), 0.45);
+  EXPECT_TRUE(std::any_of(block.scan.notes.begin(), block.scan.notes.end(),
+                          [](const std::string& note) { return contains(note, "spike"); }));
+}
+
+TEST(FieldScan, TheWayFromTheFileToTheBlockIsTold) {
+  const FieldGround slope(0.2, 0.002, 0, 1.0, 3);
+  const TriangleMesh rock = buried_at(turned_rock(10, {0.4, 0.3, 0.25}, 3), 0.0, 0.1, 0.1, slope);
+  const FieldBlock block = field_blocks(merged(rock, ground_mesh(slope, 1.2, 40)), "scene")[0];
+  Vec3 highest = rock.vertices[0];
+  for (const Vec3& v : rock.vertices) {
+    if (v.z() > highest.z()) highest = v;
+  }
+  double nearest = 1e9;
+  for (const Vec3& v : block.scan.mesh.vertices) {
+    nearest = std::min(nearest, (v - block.block_from_file * highest).norm());
+  }
+  EXPECT_LT(nearest, 1e-9);
+}
+
+TEST(FieldScan, AScanThatWasClosedBeforeSaysThatItsBoundsKnowLittle) {
+  TriangleMesh mesh = rock_mesh(12, {0.5, 0.4, 0.3}, 4);
+  // Six triangles around a vertex: more than a fan closes.
+  std::erase_if(mesh.triangles, [](const TriangleMesh::Triangle& t) {
+    return t[0] == 40 || t[1] == 40 || t[2] == 40;
+  });
+  const FieldBlock block = field_blocks(mesh, "rock")[0];
+  ASSERT_TRUE(block.underside.has_value());
+  EXPECT_LT(block.underside->invented_share, 0.01);
+  EXPECT_TRUE(std::any_of(
+      block.scan.notes.begin(), block.scan.notes.end(),
+      [](const std::string& note) { return contains(note, "the file does not tell"); }));
+}
+
+TEST(FieldScan, CoordinatesBeyondAllReasonAreRefused) {
+  TriangleMesh mesh = rock_mesh(6, {0.5, 0.4, 0.3}, 4);
+  mesh.vertices[5].x() = 1e200;
+  EXPECT_TRUE(contains(refusal<GeometryError>([&] { field_blocks(mesh, "rock.ply"); }),
+                       "rock.ply: vertex 6 lies 1e+200 m from the origin"));
+  EXPECT_TRUE(contains(refusal<InputError>([&] {
+                         std::vector<Vec3> points(600, Vec3(1.0, 2.0, 3.0));
+                         points[77].y() = -1e200;
+                         field_blocks(points, "rock.xyz");
+                       }),
+                       "rock.xyz: a point is not finite or farther than 1e+15 m"));
+}
+
+TEST(FieldScan, AFileWithTooFewDigitsIsRefusedByTheWholeRouteToo) {
+  const ScratchFolder folder;
+  TriangleMesh far = rock_mesh(6, {0.5, 0.4, 0.3}, 4);
+  for (Vec3& v : far.vertices) v.y() += 6671300.0;
+  std::string text = "solid far\n";
+  for (const TriangleMesh::Triangle& t : far.triangles) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const std::uint32_t v : t) {
+      char line[120];
+      const Vec3& p = far.vertices[v];
+      std::snprintf(line, sizeof line, "vertex %.7g %.7g %.7g\n", p.x(), p.y(), p.z());
+      text += line;
+    }
+    text += "endloop\nendfacet\n";
+  }
+  write_text_file(folder / "far.stl", text + "endsolid far\n");
+  EXPECT_TRUE(contains(refusal<InputError>([&] { read_field_scan(folder / "far.stl"); }),
+                       "precision was lost in the file itself"));
 }
 
 }  // namespace

@@ -178,6 +178,21 @@ TEST(Repair, SpikesArePutBack) {
   EXPECT_LT(vertex_hausdorff(result.mesh, rock()), 0.01 * diagonal);
 }
 
+// On a coarse scan a spike is hardly longer than its edges: left standing, it is a longer block.
+TEST(Repair, SpikesOfCoarseScansArePutBack) {
+  const TriangleMesh sound = rock_mesh(9, {0.35, 0.30, 0.25}, 3, 0.08);
+  TriangleMesh dirty = sound;
+  const double diagonal = bounds(sound).diagonal();
+  for (const std::uint32_t v : {40u, 200u, 420u, 700u}) {
+    dirty.vertices[v] += 0.08 * diagonal * dirty.vertices[v].normalized();
+  }
+  const Repaired result = repaired(dirty);
+  expect_sound(result.mesh);
+  EXPECT_EQ(count(result, DefectKind::kSpike), 4u);
+  EXPECT_LT(vertex_hausdorff(result.mesh, sound), 0.015 * diagonal);
+  EXPECT_EQ(count(repaired(sound), DefectKind::kSpike), 0u);
+}
+
 TEST(Repair, TheCornersOfCoarseModelsAreNoSpikes) {
   TriangleMesh crystal = tetrahedron();
   for (Vec3& v : crystal.vertices) v.z() *= 8.0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 namespace clast {
 namespace {
@@ -46,7 +47,16 @@ MotionStep flight(const RigidBody& body) {
 }
 
 // Left of a line that runs to +y is -x: motion to +x is forward.
-const Barrier kAcross{"across", {1.2, -5}, {1.2, 5}};
+const Barrier kAcross{"across", {{1.2, -5}, {1.2, 5}}};
+
+/// The only crossing, if there is one.
+std::optional<Crossing> find_crossing(const Barrier& barrier, const RigidBody& body,
+                                      const MotionStep& step, const TerrainSurface& terrain,
+                                      double gravity) {
+  const std::vector<Crossing> found = find_crossings(barrier, body, step, terrain, gravity);
+  EXPECT_LE(found.size(), 1u);
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
 
 TEST(Barrier, FlightIsCrossedWhereTheParabolaSays) {
   const RigidBody body = cube();
@@ -68,7 +78,7 @@ TEST(Barrier, FlightIsCrossedWhereTheParabolaSays) {
 
 TEST(Barrier, TurnedBarrierIsCrossedBackward) {
   const RigidBody body = cube();
-  const Barrier turned{"turned", kAcross.to, kAcross.from};
+  const Barrier turned{"turned", {kAcross.through[1], kAcross.through[0]}};
   const auto crossing = find_crossing(turned, body, flight(body), plane(0.0), kGravity);
   ASSERT_TRUE(crossing);
   EXPECT_FALSE(crossing->forward);
@@ -80,10 +90,10 @@ TEST(Barrier, PassingBesideTheSegmentIsNoCrossing) {
   // The parabola passes x = 1.2 at y = 0.4.
   const MotionStep step = flight(body);
   const TerrainSurface ground = plane(0.0);
-  EXPECT_TRUE(find_crossing({"holds it", {1.2, 0.39}, {1.2, 5}}, body, step, ground, kGravity));
-  EXPECT_FALSE(find_crossing({"beyond", {1.2, 0.41}, {1.2, 5}}, body, step, ground, kGravity));
-  EXPECT_FALSE(find_crossing({"before", {1.2, -5}, {1.2, 0.39}}, body, step, ground, kGravity));
-  EXPECT_FALSE(find_crossing({"not reached", {3.1, -5}, {3.1, 5}}, body, step, ground, kGravity));
+  EXPECT_TRUE(find_crossing({"holds it", {{1.2, 0.39}, {1.2, 5}}}, body, step, ground, kGravity));
+  EXPECT_FALSE(find_crossing({"beyond", {{1.2, 0.41}, {1.2, 5}}}, body, step, ground, kGravity));
+  EXPECT_FALSE(find_crossing({"before", {{1.2, -5}, {1.2, 0.39}}}, body, step, ground, kGravity));
+  EXPECT_FALSE(find_crossing({"not reached", {{3.1, -5}, {3.1, 5}}}, body, step, ground, kGravity));
 }
 
 TEST(Barrier, ContactStepIsCrossedToANanosecond) {
@@ -151,8 +161,56 @@ TEST(Barrier, BesideTheSurveyedGroundNothingIsCounted) {
   MotionStep step = flight(body);
   step.begin.position.x() = 99.0;
   step.end = free_flight(body, step.begin, 1.0, kGravity);
-  const Barrier outside{"outside", {101, -5}, {101, 5}};
+  const Barrier outside{"outside", {{101, -5}, {101, 5}}};
   EXPECT_FALSE(find_crossing(outside, body, step, plane(0.0), kGravity));
+}
+
+// From (0, 0) to (3, 1) m in a second, in plan a straight line: y = x / 3.
+TEST(PolylineBarrier, EverySegmentThatTheFlightPassesIsCrossedInOrder) {
+  const RigidBody body = cube();
+  const Vec2 apex(2.5, 0.0);
+  // It starts inside and leaves over the upper side.
+  const Barrier wedge{"wedge", {{1.0, -5.0}, apex, {1.0, 5.0}}};
+  const auto found = find_crossings(wedge, body, flight(body), plane(0.0), kGravity);
+  ASSERT_EQ(found.size(), 1u);
+  // y = x / 3 meets the second side, x = 2.5 - 0.3 y, at x = 2.5 / 1.1.
+  EXPECT_NEAR(found[0].position.x(), 2.5 / 1.1, 1e-12);
+  EXPECT_NEAR(found[0].time, 4.0 + 2.5 / 1.1 / 3.0, 1e-12);
+  EXPECT_TRUE(found[0].forward);
+
+  // A hook that the flight enters at x = 1 and leaves at x = 2.
+  const Barrier hook{"hook", {{2.0, 5.0}, {2.0, -5.0}, {1.0, -5.0}, {1.0, 5.0}}};
+  const auto both = find_crossings(hook, body, flight(body), plane(0.0), kGravity);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_NEAR(both[0].time, 4.0 + 1.0 / 3.0, 1e-14);
+  EXPECT_NEAR(both[1].time, 4.0 + 2.0 / 3.0, 1e-14);
+  EXPECT_TRUE(both[0].forward) << "this side runs to +y, so its left is -x";
+  EXPECT_FALSE(both[1].forward) << "this one runs to -y";
+}
+
+TEST(PolylineBarrier, AnInnerPointIsCrossedOnce) {
+  const RigidBody body = cube();
+  // At x = 1 the flight is at y = 0.25; halves and quarters lose no digit.
+  MotionStep step = flight(body);
+  step.begin.velocity = Vec3(2.0, 0.5, 2.0);
+  step.end = free_flight(body, step.begin, 1.0, kGravity);
+  const Barrier bent{"bent", {{1.0, -5.0}, {1.0, 0.25}, {1.0, 5.0}}};
+  const auto found = find_crossings(bent, body, step, plane(0.0), kGravity);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].time, 4.5);
+  const Barrier ends_here{"ends here", {{1.0, -5.0}, {1.0, 0.25}}};
+  EXPECT_EQ(find_crossings(ends_here, body, step, plane(0.0), kGravity).size(), 1u);
+}
+
+TEST(PolylineBarrier, StraightPiecesAreTheStraightBarrier) {
+  const RigidBody body = cube();
+  const auto whole = find_crossings(kAcross, body, flight(body), plane(0.0), kGravity);
+  const Barrier pieces{"pieces", {{1.2, -5}, {1.2, 0.1}, {1.2, 0.7}, {1.2, 5}}};
+  const auto cut = find_crossings(pieces, body, flight(body), plane(0.0), kGravity);
+  ASSERT_EQ(whole.size(), 1u);
+  ASSERT_EQ(cut.size(), 1u);
+  EXPECT_EQ(cut[0].position, whole[0].position);
+  EXPECT_EQ(cut[0].time, whole[0].time);
 }
 
 }  // namespace

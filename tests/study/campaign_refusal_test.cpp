@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:28: [contacts]: unknown table; did you mean contact?"},
         Refused{"name = \"EC12\"", "name = \"EC12\"\ncolour = 1",
                 "campaign.toml:40: [[barrier]] colour = 1: unknown key; known here are name, from, "
-                "to"},
+                "to, through"},
         // missing
         Refused{"library = \"blocks.h5\"", "",
                 "campaign.toml:1: [blocks]: library is missing; it must be a block library made by "
@@ -132,6 +132,19 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:4: [blocks] select = \"B1\": the block is named twice"},
         Refused{"name = \"EC12\"", "name = \"EC11\"",
                 "campaign.toml:39: [[barrier]] name = \"EC11\": another barrier has this name"},
+        Refused{"to = [36, -340]", "through = [[36, -400], [36, -340]]",
+                "campaign.toml:40: [[barrier]] from = [36, -400]: contradicts through, which has "
+                "all points of the line"},
+        Refused{
+            "from = [36, -400]\nto = [36, -340]", "through = [[36, -400]]",
+            "campaign.toml:40: [[barrier]] through = [[36, -400]]: must be a list of two points "
+            "or more, [[x, y], [x, y], ...]"},
+        Refused{"from = [36, -400]\nto = [36, -340]",
+                "through = [[36, -400], [36, -340], [36, -340]]",
+                "campaign.toml:40: [[barrier]] through = [36, -340]: two points after each other "
+                "must differ"},
+        Refused{"from = [36, -400]\nto = [36, -340]", "through = [[36, -400], [36]]",
+                "campaign.toml:40: [[barrier]] through = [36]: must be points [x, y]"},
         Refused{"to = [36, -340]", "to = [36, -400]",
                 "campaign.toml:41: [[barrier]] to = [36, -400]: must differ from from"},
         Refused{

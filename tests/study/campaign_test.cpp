@@ -41,7 +41,7 @@ TEST_F(CampaignFile, EveryKeyArrives) {
   EXPECT_EQ(campaign.stiffness.time_step, 2e-5);
   ASSERT_EQ(campaign.barriers.size(), 2u);
   EXPECT_EQ(campaign.barriers[1].name, "EC12");
-  EXPECT_EQ(campaign.barriers[1].from, Vec2(36, -400));
+  EXPECT_EQ(campaign.barriers[1].through.front(), Vec2(36, -400));
   EXPECT_EQ(campaign.max_time, 30.0);
   EXPECT_EQ(campaign.rest_energy, 1e-4);
   EXPECT_EQ(campaign.rest_duration, 0.25);

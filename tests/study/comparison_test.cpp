@@ -208,6 +208,23 @@ TEST(Compare, UnfinishedBelowGroundAndUnbalancedRunsAreCounted) {
   EXPECT_TRUE(warns(comparison, "stiffness is softer than auto"));
 }
 
+TEST(Compare, EnergyThatContactsLoseOrGainIsNamedAboveOnePercentOfTheDissipated) {
+  CampaignResults results = hand_made_results();
+  for (RunRecord& run : results.runs) {
+    run.result.energy.normal = 700.0;
+    run.result.energy.friction = 200.0;
+    run.result.energy.rolling = 100.0;
+    run.result.energy.reassigned = 9.0;
+  }
+  EXPECT_FALSE(warns(compared(results), "lose or gain more than 1 %"));
+  results.runs[2].result.energy.reassigned = 25.0;
+  results.runs[5].result.energy.reassigned = -11.0;
+  const Comparison comparison = compared(std::move(results));
+  EXPECT_TRUE(warns(comparison, "2 of 6 runs lose or gain more than 1 %"));
+  EXPECT_TRUE(warns(comparison, "at most 2.5 %, run 2, block round<1>"));
+  EXPECT_FALSE(reassigned_share(EnergyLedger()));
+}
+
 // Blocks of one mass on a slope of 26.6 deg that brakes what rolls: atan 0.6 = 31 deg.
 CampaignResults clean_results() {
   CampaignResults results = hand_made_results();
@@ -261,7 +278,7 @@ TEST(Compare, TwoFilesAreGroupedTogetherAndEachAlone) {
 
 TEST(Compare, BarrierOfOneFileCountsOnlyThatFilesRuns) {
   CampaignResults second = hand_made_results();
-  second.barriers[0].from.y() = -5.0;  // another line under the same name
+  second.barriers[0].through[0].y() = -5.0;  // another line under the same name
   const Comparison comparison = compared(hand_made_results(), std::move(second));
   EXPECT_EQ(comparison.lines.size(), 3u);
   EXPECT_EQ(at_barrier(comparison, "B<1>", "all").started, 6u);

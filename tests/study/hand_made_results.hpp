@@ -67,8 +67,8 @@ inline CampaignResults hand_made_results() {
     block.shape = static_cast<std::uint32_t>(results.shapes.size());
     results.shapes.push_back(sphero_polyhedron(box, 0.0));
   }
-  results.barriers = {{"B<1>", Vec2(10.0, -20.0), Vec2(10.0, 20.0)},
-                      {"B2", Vec2(35.0, -20.0), Vec2(35.0, 20.0)}};
+  results.barriers = {{"B<1>", {Vec2(10.0, -20.0), Vec2(10.0, 20.0)}},
+                      {"B2", {Vec2(35.0, -20.0), Vec2(35.0, 20.0)}}};
   results.release_points = {Vec3(0.0, 0.0, 2.0)};
   results.zone_names = {"blue", "scree"};
   results.ground = {{0.01, 0.7, 0.35}, {0.01, 0.3, 0.0}};

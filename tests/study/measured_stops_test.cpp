@@ -44,6 +44,34 @@ TEST(MeasuredStops, AreHeldAgainstSimulatedOnesOfTheirGroup) {
   EXPECT_NE(provenance_json(comparison).find("seen.csv"), std::string::npos);
 }
 
+TEST(MeasuredStops, QuartilesAndIntervalsStandBesideTheMeans) {
+  const ScratchFolder folder;
+  // Compact blocks are simulated at 10, 20, 30, 40 m; measured 100 m farther.
+  const Comparison comparison = against(
+      "x,y,shape\n900110,6500000,compact\n900120,6500000,compact\n"
+      "900130,6500000,compact\n900140,6500000,compact\n",
+      folder);
+  const CsvTable table = read_csv(measured_csv(comparison));
+  const std::size_t compact = table.find("group", "class compact");
+  EXPECT_NEAR(table.number(compact, "runout_q25_m"), 117.5, 1e-9);
+  EXPECT_NEAR(table.number(compact, "runout_q75_m"), 132.5, 1e-9);
+  EXPECT_NEAR(table.number(compact, "simulated_runout_q25_m"), 17.5, 1e-9);
+  EXPECT_NEAR(table.number(compact, "simulated_runout_median_m"), 25.0, 1e-9);
+  EXPECT_NEAR(table.number(compact, "simulated_runout_q75_m"), 32.5, 1e-9);
+  EXPECT_NEAR(table.number(compact, "median_difference_m"), 100.0, 1e-9);
+  // Any draw of four from each leaves a difference of medians from 70 to 130 m.
+  const double low = table.number(compact, "median_difference_low_m"),
+               high = table.number(compact, "median_difference_high_m");
+  EXPECT_GE(low, 70.0);
+  EXPECT_LT(low, 100.0);
+  EXPECT_GT(high, 100.0);
+  EXPECT_LE(high, 130.0);
+  // The samples do not overlap, however they are drawn.
+  EXPECT_EQ(table.number(compact, "ks_distance"), 1.0);
+  EXPECT_EQ(table.number(compact, "ks_distance_low"), 1.0);
+  EXPECT_EQ(table.number(compact, "ks_distance_high"), 1.0);
+}
+
 TEST(MeasuredStops, MayNameTheirOwnStart) {
   const ScratchFolder folder;
   const Comparison comparison =

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/html_page.hpp"
 #include "core/random.hpp"
 #include "core/text_file.hpp"
 #include "core/utf8.hpp"
 #include "study/report/form_diagram.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/population_page.hpp"
 #include "study/report/share_chart.hpp"
 #include "study/report/svg_chart.hpp"

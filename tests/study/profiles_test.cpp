@@ -48,7 +48,7 @@ TEST(Profiles, CountEveryRunOncePerBinWithItsLargestValues) {
   const ScratchFolder folder;
   store_thrown(folder / "r.h5");
   const Comparison comparison = compared(read_results(folder / "r.h5"));
-  const CsvTable table = read_csv(profiles_csv(comparison));
+  const CsvTable table = read_csv(profiles_csv(comparison, profiles(comparison)));
   // The longest runout is 20 m: bins of 0.5 m, the first run to x = 5 m, the second to 2.5 m.
   const std::size_t all = table.find("group", "all");
   EXPECT_EQ(table.number(all, "from_m"), 0.0);

@@ -3,17 +3,20 @@
 #include <ogrsf_frmts.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/html_page.hpp"
+#include "core/png.hpp"
 #include "core/random.hpp"
 #include "core/text_file.hpp"
 #include "study/report/gis_layers.hpp"
-#include "study/report/html_page.hpp"
 #include "study/report/html_report.hpp"
-#include "study/report/svg_map.hpp"
+#include "study/report/plotly_chart.hpp"
+#include "study/report/report_sections.hpp"
 #include "study/report/ticks.hpp"
-#include "terrain/png.hpp"
 #include "terrain/relief.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/markup.hpp"
@@ -28,14 +31,18 @@ struct DatasetCloser {
 };
 using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
 
+std::string report_of(const Comparison& comparison) {
+  return html_report(comparison, profiles(comparison));
+}
+
 TEST(HtmlReport, TagsAreBalanced) {
-  EXPECT_EQ(unbalanced(html_report(compared(hand_made_results()))), "");
+  EXPECT_EQ(unbalanced(report_of(compared(hand_made_results()))), "");
   EXPECT_NE(unbalanced("<p><b>x</p></b>"), "");
   EXPECT_NE(unbalanced("<p>"), "");
 }
 
 TEST(HtmlReport, NamesEveryBlockWithItsCharactersEscaped) {
-  const std::string html = html_report(compared(hand_made_results()));
+  const std::string html = report_of(compared(hand_made_results()));
   EXPECT_TRUE(contains(html, "round&lt;1&gt;"));
   EXPECT_TRUE(contains(html, "long, &quot;2&quot;"));
   EXPECT_TRUE(contains(html, "B&lt;1&gt;"));
@@ -45,7 +52,7 @@ TEST(HtmlReport, NamesEveryBlockWithItsCharactersEscaped) {
 }
 
 TEST(HtmlReport, SaysWhatWasRun) {
-  const std::string html = html_report(compared(hand_made_results()));
+  const std::string html = report_of(compared(hand_made_results()));
   for (const std::string& part : {std::string(64, 'a'), std::string(64, 'b'), std::string(64, 'c'),
                                   std::string("hand-made.h5"), std::string("clast 0.1.0")}) {
     EXPECT_TRUE(contains(html, part)) << part;
@@ -53,7 +60,17 @@ TEST(HtmlReport, SaysWhatWasRun) {
 }
 
 TEST(HtmlReport, RefersToNothingOutsideItself) {
-  expect_self_contained(html_report(compared(hand_made_results())));
+  // What plotly.js says of itself in comments is not looked at: another one stands in for it.
+  const ScratchFolder folder;
+  write_text_file(folder / "plotly.js", "var Plotly={};");
+  ASSERT_EQ(::setenv("CLAST_PLOTLY", folder.path().c_str(), 1), 0);
+  std::string html = report_of(compared(hand_made_results()));
+  ::unsetenv("CLAST_PLOTLY");
+  EXPECT_TRUE(contains(html, "var Plotly={};"));
+  // The relief is data, too.
+  const std::string picture = "data:image/png;base64,";
+  EXPECT_EQ(count_of(html, picture), 1u);
+  expect_self_contained(html);
 }
 
 TEST(HtmlReport, ShowsWarningsAndLostRunsWithTheirReason) {
@@ -61,7 +78,7 @@ TEST(HtmlReport, ShowsWarningsAndLostRunsWithTheirReason) {
   results.runs[2].result.stop_reason = StopReason::kError;
   results.runs[2].result.message = "turned to <nan> in step 7";
   results.runs[2].result.final_state.position = Vec3::Constant(NAN);
-  const std::string html = html_report(compared(std::move(results)));
+  const std::string html = report_of(compared(std::move(results)));
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "mass differs between classes"));
   EXPECT_TRUE(contains(html, "1 of 6 runs ended with an error"));
@@ -76,7 +93,7 @@ TEST(HtmlReport, StandsRunsThatAllFailed) {
     run.result = ReleaseResult();
     run.result.final_state.position = Vec3::Constant(NAN);
   }
-  EXPECT_EQ(unbalanced(html_report(compared(std::move(results)))), "");
+  EXPECT_EQ(unbalanced(report_of(compared(std::move(results)))), "");
 }
 
 TEST(HtmlReport, StandsOneRunWithoutBarriersOrTerrain) {
@@ -86,14 +103,46 @@ TEST(HtmlReport, StandsOneRunWithoutBarriersOrTerrain) {
   results.barriers.clear();
   results.terrain = Terrain();
   results.terrain.frame = results.frame;
-  EXPECT_EQ(unbalanced(html_report(compared(std::move(results)))), "");
+  EXPECT_EQ(unbalanced(report_of(compared(std::move(results)))), "");
 }
 
-TEST(SvgMap, MarksEveryStopUntilThereAreTooMany) {
-  CampaignResults few = hand_made_results();
-  const std::string map = svg_map(compared(few));
-  EXPECT_TRUE(contains(map, "run 4, block long, &quot;2&quot;, point 0, orientation 4"));
-  EXPECT_TRUE(contains(map, "900010"));  // axis in map coordinates
+using Json = nlohmann::json;
+
+/// What the page's charts draw, by their labels.
+std::map<std::string, Json> figures_of(const std::string& html) {
+  std::map<std::string, Json> figures;
+  const std::string label = "aria-label=\"", open = "class=\"chart-data\">";
+  for (std::size_t at = html.find("<div class=\"chart "); at != std::string::npos;
+       at = html.find("<div class=\"chart ", at + 1)) {
+    const std::size_t name = html.find(label, at) + label.size();
+    const std::size_t begin = html.find(open, at) + open.size();
+    const std::string json = html.substr(begin, html.find("</script>", begin) - begin);
+    figures[html.substr(name, html.find('"', name) - name)] = Json::parse(json);
+  }
+  return figures;
+}
+
+const Json& trace_named(const Json& figure, const std::string& name) {
+  for (const Json& trace : figure.at("data")) {
+    if (trace.at("name") == name) return trace;
+  }
+  throw std::runtime_error("no trace " + name + " in " + figure.at("data").dump().substr(0, 400));
+}
+
+TEST(ReportMap, MarksEveryStopUntilThereAreTooMany) {
+  const auto few = figures_of(map_section(compared(hand_made_results())));
+  const Json& map = few.at("map of stops, release points and barriers");
+  const Json& stops = trace_named(map, "long, &quot;2&quot; (elongated)");
+  ASSERT_EQ(stops["x"].size(), 2u);
+  EXPECT_EQ(stops["x"][0], kMapOrigin.x() + 10.0);
+  EXPECT_EQ(stops["y"][0], kMapOrigin.y() - 10.0);
+  EXPECT_TRUE(contains(stops["text"][0], "run 4, block long, &quot;2&quot;, point 0, orient"));
+  EXPECT_EQ(trace_named(map, "release point")["x"].size(), 1u);
+  // B<1> runs from y = -20 to 20 m at x = 10 m, so forward is +x; pixels count y down.
+  const Json& arrow = map["layout"]["annotations"][0];
+  EXPECT_EQ(arrow["text"], "<b>B&lt;1&gt;</b>");
+  EXPECT_LT(double(arrow["ax"]), 0.0) << "it points from the tail at ax to the barrier";
+  EXPECT_NEAR(double(arrow["ay"]), 0.0, 1e-9);
 
   CampaignResults many = hand_made_results();
   Random random(1);
@@ -102,10 +151,59 @@ TEST(SvgMap, MarksEveryStopUntilThereAreTooMany) {
     many.runs.push_back(
         hand_made_run(run, run % 2, random.uniform(5.0, 45.0), random.uniform(-15.0, 15.0)));
   }
-  const std::string density = svg_map(compared(std::move(many)));
-  EXPECT_FALSE(contains(density, "class=\"stop\""));
-  EXPECT_TRUE(contains(density, " stops</title>"));
-  EXPECT_LT(density.size(), 2u << 20);
+  const std::size_t runs = many.runs.size();
+  const auto crowded = figures_of(map_section(compared(std::move(many))));
+  const Json& density =
+      trace_named(crowded.at("map of stops, release points and barriers"), "stops");
+  std::size_t counted = 0;
+  for (const Json& row : density["customdata"]) {
+    for (const Json& cell : row) counted += cell.is_null() ? 0 : std::size_t(cell);
+  }
+  EXPECT_EQ(counted, runs) << "every stop is in one square";
+}
+
+TEST(ReportCharts, HoldTheSharesOfEveryClass) {
+  const auto figures = figures_of(report_of(compared(hand_made_results())));
+  // Compact blocks stop at 10, 20, 30 and 40 m, elongated ones at 10 and 20 m.
+  const Json& stops =
+      trace_named(figures.at("Share of runs that stop before, by class"), "compact (4)");
+  EXPECT_EQ(stops["x"], Json::parse("[10.0,10.0,20.0,30.0,40.0]"));
+  EXPECT_EQ(stops["y"], Json::parse("[0.0,0.25,0.5,0.75,1.0]"));
+  const Json& bars = trace_named(figures.at("Runout by class"), "elongated (2)");
+  double sum = 0.0;
+  for (const Json& share : bars["y"]) sum += double(share);
+  EXPECT_NEAR(sum, 1.0, 1e-12);
+  // First crossings of B<1> have speeds 2, 4 and 6 m/s (compact) and 3 m/s: 150 v^2 + 50 J.
+  const Json& energy =
+      trace_named(figures.at("B&lt;1&gt;: crossings above an energy"), "elongated (1)");
+  EXPECT_EQ(energy["x"], Json::parse("[1.4,1.4]"));
+  EXPECT_EQ(energy["y"], Json::parse("[1.0,0.0]"));
+}
+
+TEST(ReportCharts, LargeSamplesAreThinnedToTheirEnds) {
+  Series sample{"many", "#000000", "", {}};
+  for (int i = 0; i < 100'000; ++i) sample.values.push_back(i);
+  const std::vector<Trace> traces = cumulative_traces({sample});
+  ASSERT_EQ(traces.size(), 1u);
+  EXPECT_LT(traces[0].x.size(), 2000u);
+  EXPECT_EQ(traces[0].x.front(), 0.0);
+  EXPECT_EQ(traces[0].x.back(), 99'999.0);
+  EXPECT_EQ(traces[0].y.back(), 1.0);
+  for (std::size_t i = 1; i + 1 < traces[0].x.size(); ++i) {
+    EXPECT_NEAR(traces[0].y[i], (traces[0].x[i] + 1.0) / 100'000.0, 1e-12);
+  }
+}
+
+TEST(ReportCharts, SayWhatIsMissingWhereTheLibraryIs) {
+  const ScratchFolder folder;
+  ASSERT_EQ(::setenv("CLAST_PLOTLY", folder.path().c_str(), 1), 0);
+  const std::string html = report_of(compared(hand_made_results()));
+  ::unsetenv("CLAST_PLOTLY");
+  EXPECT_TRUE(contains(html, "apt install python3-plotly"));
+  EXPECT_TRUE(contains(html, (folder / "plotly.js").string()));
+  EXPECT_TRUE(figures_of(html).empty());
+  EXPECT_TRUE(contains(html, "runout mean")) << "tables are there all the same";
+  EXPECT_EQ(unbalanced(html), "");
 }
 
 TEST(Geopackage, ReopensWithItsLayersOnTheMap) {
@@ -180,6 +278,40 @@ TEST(Png, IsReadBackByGdal) {
       CE_None);
   EXPECT_EQ(back, pixels);
   EXPECT_EQ(band->GetColorTable()->GetColorEntry(100)->c2, 155);
+}
+
+TEST(Png, ColoursAreReadBackByGdal) {
+  GDALAllRegister();
+  const ScratchFolder folder;
+  Random random(6);
+  const int width = 131, height = 77;
+  std::vector<Rgb> pixels(width * height);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const bool noisy = i / width % 2 == 0;  // rows for either filter
+    for (std::uint8_t& part : pixels[i]) {
+      part = static_cast<std::uint8_t>(noisy ? random.below(256) : i % width);
+    }
+  }
+  write_text_file(folder / "a.png", rgb_png(width, height, pixels));
+  const Dataset dataset(
+      GDALDataset::Open((folder / "a.png").c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  ASSERT_NE(dataset, nullptr);
+  ASSERT_EQ(dataset->GetRasterCount(), 3);
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<std::uint8_t> back(pixels.size());
+    ASSERT_EQ(dataset->GetRasterBand(channel + 1)
+                  ->RasterIO(GF_Read, 0, 0, width, height, back.data(), width, height, GDT_Byte, 0,
+                             0),
+              CE_None);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      ASSERT_EQ(back[i], pixels[i][static_cast<std::size_t>(channel)]) << i;
+    }
+  }
+}
+
+TEST(HtmlPage, LinksKeepOddNames) {
+  EXPECT_EQ(link_to("blocks/B 1 #2?.html"), "blocks/B%201%20%232%3F.html");
+  EXPECT_EQ(link_to("\xC3\xA9"), "%C3%A9");
 }
 
 TEST(Base64, EncodesTheVectorsOfRfc4648) {

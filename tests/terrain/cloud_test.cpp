@@ -1,9 +1,9 @@
 // Point clouds as ground, and one plane in three forms.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <sstream>
 
 #include "core/text_file.hpp"
@@ -263,8 +263,9 @@ TEST_F(CloudGround, PointsWithoutHeightAreLeftOutAndCounted) {
   EXPECT_TRUE(contains(terrain.report.notes.front(), "1 points without finite coordinates"));
 }
 
-// Version 1.2, format 0, steps of a centimetre: four ground points and one of a tree over them.
-TEST_F(CloudGround, OnlyGroundPointsOfClassifiedLidarCount) {
+/// Version 1.2, format 0, steps of a centimetre: four ground points and one of a tree over them.
+/// @param keys  GeoTIFF key entries (key, 0, 1, value) of the map system; none: not named
+std::string five_point_las(const std::vector<std::array<std::uint16_t, 4>>& keys = {}) {
   std::string las(227, '\0');
   const auto put = [&](std::size_t offset, auto value) {
     if (las.size() < offset + sizeof value) las.resize(offset + sizeof value, '\0');
@@ -274,24 +275,62 @@ TEST_F(CloudGround, OnlyGroundPointsOfClassifiedLidarCount) {
   put(24, std::uint8_t{1});
   put(25, std::uint8_t{2});
   put(94, std::uint16_t{227});
-  put(96, std::uint32_t{227});
+  std::size_t data = 227;
+  if (!keys.empty()) {
+    const std::size_t bytes = 8 + 8 * keys.size();
+    put(100, std::uint32_t{1});
+    las.resize(227 + 54 + bytes, '\0');
+    las.replace(229, 15, "LASF_Projection");
+    put(245, std::uint16_t{34735});
+    put(247, static_cast<std::uint16_t>(bytes));
+    const std::uint16_t head[4] = {1, 1, 0, static_cast<std::uint16_t>(keys.size())};
+    for (std::size_t k = 0; k < 4; ++k) put(281 + 2 * k, head[k]);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      for (std::size_t k = 0; k < 4; ++k) put(289 + 8 * i + 2 * k, keys[i][k]);
+    }
+    data = las.size();
+  }
+  put(96, static_cast<std::uint32_t>(data));
   put(105, std::uint16_t{20});
   put(107, std::uint32_t{5});
   for (std::size_t k = 0; k < 3; ++k) put(131 + 8 * k, 0.01);
   const std::int32_t points[5][4] = {
       {50, 50, 100, 2}, {150, 50, 200, 2}, {50, 150, 300, 2}, {150, 150, 400, 2}, {50, 50, 900, 5}};
   for (std::size_t i = 0; i < 5; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) put(227 + 20 * i + 4 * k, points[i][k]);
-    put(227 + 20 * i + 12, std::uint32_t{0});
-    put(227 + 20 * i + 15, static_cast<std::uint8_t>(points[i][3]));
-    put(227 + 20 * i + 16, std::uint32_t{0});
+    for (std::size_t k = 0; k < 3; ++k) put(data + 20 * i + 4 * k, points[i][k]);
+    put(data + 20 * i + 12, std::uint32_t{0});
+    put(data + 20 * i + 15, static_cast<std::uint8_t>(points[i][3]));
+    put(data + 20 * i + 16, std::uint32_t{0});
   }
-  write_text_file(folder_ / "slope.las", las);
+  return las;
+}
+
+TEST_F(CloudGround, OnlyGroundPointsOfClassifiedLidarCount) {
+  write_text_file(folder_ / "slope.las", five_point_las());
   const Terrain terrain = read_terrain({.surface = {folder_ / "slope.las"}, .resolution = 1.0});
   ASSERT_EQ(terrain.surface.vertices.size(), 4u);
   EXPECT_NEAR(bounds(terrain.surface).low.z(), 1.0, 1e-12);
   EXPECT_NEAR(bounds(terrain.surface).high.z(), 4.0, 1e-12);
   EXPECT_TRUE(contains(terrain.report.notes.front(), "1 points not classed as ground"));
+}
+
+// Keys of GeoTIFF: 1024 kind of system (1 projected, 2 geographic), 3072 and 2048 their codes.
+TEST_F(CloudGround, MapSystemsOfLidarAreKeptAndDegreesFeetAndMixturesRefused) {
+  const auto write = [&](const std::string& name, std::uint16_t kind, std::uint16_t code) {
+    const std::uint16_t key = kind == 1 ? 3072 : 2048;
+    write_text_file(folder_ / name, five_point_las({{1024, 0, 1, kind}, {key, 0, 1, code}}));
+    return folder_ / name;
+  };
+  const auto utm = write("utm.las", 1, 32632), other = write("other.las", 1, 2154);
+  const auto feet = write("feet.las", 1, 2225), degrees = write("degrees.las", 2, 4326);
+  EXPECT_EQ(read_terrain({.surface = {utm}, .resolution = 1.0}).frame.crs, "EPSG:32632");
+  const auto refused = [&](const std::vector<std::filesystem::path>& files) {
+    return refusal(TerrainOptions{.surface = files, .resolution = 1.0});
+  };
+  EXPECT_TRUE(contains(refused({feet}), "feet.las: its map unit is 0.3048"));
+  EXPECT_TRUE(contains(refused({degrees}), "degrees.las: coordinates are degrees"));
+  EXPECT_TRUE(contains(refused({utm, other}),
+                       "other.las: is in EPSG:2154, the clouds before it in EPSG:32632"));
 }
 
 TEST_F(CloudGround, LinesThatAreNoPointsAreRefusedWithTheirNumber) {

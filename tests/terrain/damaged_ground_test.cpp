@@ -13,6 +13,8 @@ namespace {
 constexpr int kSize = 40;
 constexpr double kFoot = 24.0;  // m: level beyond
 
+constexpr std::uint64_t kHarsh = 1000;  // seeds beyond
+
 double slope(double x, double y) {
   return 0.7 * std::max(0.0, kFoot - x) + 0.15 * std::sin(1.3 * x) * std::cos(0.9 * y);
 }
@@ -20,6 +22,19 @@ double slope(double x, double y) {
 TriangleMesh damaged(std::uint64_t seed) {
   Random random(seed);
   TriangleMesh mesh = squares(kSize, 1.0, slope);
+  if (seed > kHarsh) {
+    // Spikes wherever they fall, side by side, before and after the tiles are cut; and fins.
+    mesh = with_spike_groups(std::move(mesh), 2, 1 + seed % 5, random);
+    mesh = with_holes(mesh, 4, 0.8, random);
+    mesh = with_fins(std::move(mesh), 3, random);
+    mesh = with_t_junctions(mesh, 30.0, 0.005, random);
+    mesh = cracked(mesh, 12.0, 0.005, random);
+    mesh = with_spike_groups(std::move(mesh), 3, 1 + seed % 3, random);
+    mesh = with_a_spike_at(std::move(mesh), 12.0, random);
+    mesh = with_a_spike_at(std::move(mesh), 30.0, random);
+    mesh = with_a_spike_at(std::move(mesh), 0.0, random);
+    return flipped(std::move(mesh), 0.3, random);
+  }
   mesh = with_spikes(std::move(mesh), 3, {12.0, 30.0, 35.0}, random);
   mesh = with_holes(mesh, 4, 0.8, random);
   mesh = with_slivers(std::move(mesh), 6, {12.0, 30.0, 35.0}, random);
@@ -35,26 +50,46 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
   const std::uint64_t seed = GetParam();
   const ScratchFolder folder;
   write_mesh(folder / "ground.ply", damaged(seed));
-  const Terrain terrain = read_terrain({.surface = {folder / "ground.ply"}});
-  const TerrainReport& report = terrain.report;
-  EXPECT_EQ(report.components, 1u);
-  if (report.open_holes > 0) {
-    // A hole with a spike in its rim is too large to be filled unasked; it is named, not hidden.
-    EXPECT_TRUE(std::any_of(report.notes.begin(), report.notes.end(), [](const std::string& note) {
-      return contains(note, "1 holes stay open, the widest, ") && contains(note, " m, around x ");
-    }));
-    EXPECT_EQ(seed, 7u) << "of the thirty seeds one";
+  Terrain terrain;
+  try {
+    terrain = read_terrain({.surface = {folder / "ground.ply"}});
+  } catch (const GeometryError& error) {
+    // What is not clear is refused with its place, and never so for the gentler damage.
+    EXPECT_GT(seed, kHarsh) << error.what();
+    EXPECT_TRUE(contains(error.what(), " at x ")) << error.what();
+    std::cout << "seed " << seed << " refused: " << error.what() << "\n";
     return;
   }
-  EXPECT_EQ(report.boundary_edges, 4u * kSize);
-  EXPECT_EQ(facing_down(terrain), 0u);
-  EXPECT_GT(report.closed_cracks, 0u);
-  EXPECT_GT(report.slivers, 0u);
-  EXPECT_GT(report.turned_triangles, 0u);
-  for (const Vec3& v : terrain.surface.vertices) {
-    EXPECT_NEAR(v.z(), slope(v.x(), v.y()), 0.5) << v.transpose();
+  const TerrainReport& report = terrain.report;
+  EXPECT_EQ(report.components, 1u);
+  if (seed > kHarsh && report.open_holes > 0) {
+    EXPECT_TRUE(std::any_of(report.notes.begin(), report.notes.end(), [](const std::string& note) {
+      return contains(note, " holes stay open, the widest, ") && contains(note, " m, around x ");
+    }));
+    std::cout << "seed " << seed << " keeps a hole that is named\n";
+    return;
   }
-  EXPECT_EQ(report.dropped_duplicates > 0, seed % 2 == 0);
+  EXPECT_EQ(report.open_holes, 0u);
+  EXPECT_EQ(report.boundary_edges, 4u * kSize);
+  EXPECT_LE(facing_down(terrain), seed > kHarsh ? 2u : 0u) << "of a slit whose sides overlapped";
+  EXPECT_GT(report.closed_cracks, 0u);
+  EXPECT_GT(report.turned_triangles, 0u);
+  // A vertex that a cut put between two spikes may lie anywhere below the steepness of a spike, and
+  // groups that fell together into one too large are kept, and named.
+  const double allowed = seed > kHarsh ? 3.0 : 0.5;
+  const bool kept = std::any_of(
+      report.notes.begin(), report.notes.end(),
+      [](const std::string& note) { return contains(note, "were kept; the first at x "); });
+  for (const Vec3& v : terrain.surface.vertices) {
+    if (seed > kHarsh && kept) break;
+    EXPECT_NEAR(v.z(), slope(v.x(), v.y()), allowed) << v.transpose();
+  }
+  if (seed > kHarsh) {
+    EXPECT_GT(report.dropped_pieces, 0u);
+  } else {
+    EXPECT_GT(report.slivers, 0u);
+    EXPECT_EQ(report.dropped_duplicates > 0, seed % 2 == 0);
+  }
 
   const TerrainSurface surface = terrain_surface(terrain);
   const RigidBody body = rock(3, {0.42, 0.36, 0.30}, 0.02, 2700.0, 3);
@@ -87,6 +122,9 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, DamagedGround,
                          testing::Range<std::uint64_t>(1, 1 + CLAST_DAMAGE_SEEDS));
+INSTANTIATE_TEST_SUITE_P(HarshSeeds, DamagedGround,
+                         testing::Range<std::uint64_t>(kHarsh + 1,
+                                                       kHarsh + 1 + CLAST_DAMAGE_SEEDS));
 
 }  // namespace
 }  // namespace clast

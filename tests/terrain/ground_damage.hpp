@@ -131,6 +131,64 @@ inline TriangleMesh with_spikes(TriangleMesh mesh, int count, const std::vector<
   return mesh;
 }
 
+/// Groups of `size` vertices that edges join, each moved up or down by 5 to 15 m, in `count` places
+/// anywhere, on borders and cuts too.
+inline TriangleMesh with_spike_groups(TriangleMesh mesh, int count, std::size_t size,
+                                      Random& random) {
+  for (int i = 0; i < count; ++i) {
+    std::vector<std::uint32_t> group = {
+        static_cast<std::uint32_t>(random.below(mesh.vertices.size()))};
+    for (const TriangleMesh::Triangle& t : mesh.triangles) {
+      const bool beside = std::find(t.begin(), t.end(), group[0]) != t.end();
+      for (const std::uint32_t v : t) {
+        if (beside && group.size() < size &&
+            std::find(group.begin(), group.end(), v) == group.end()) {
+          group.push_back(v);
+        }
+      }
+    }
+    for (const std::uint32_t v : group) {
+      mesh.vertices[v].z() += (random.below(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
+    }
+  }
+  return mesh;
+}
+
+/// One of the vertices at x = `at`, moved up or down by 5 to 15 m; of one tile only at a cut.
+inline TriangleMesh with_a_spike_at(TriangleMesh mesh, double at, Random& random) {
+  std::vector<std::size_t> there;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (std::abs(mesh.vertices[v].x() - at) < 0.05) there.push_back(v);
+  }
+  mesh.vertices[there[random.below(there.size())]].z() +=
+      (random.below(2) == 0 ? 1.0 : -1.0) * random.uniform(5.0, 15.0);
+  return mesh;
+}
+
+/// Flaps of one to three triangles that stand on an edge between two triangles of the ground.
+inline TriangleMesh with_fins(TriangleMesh mesh, int count, Random& random) {
+  const std::size_t ground = mesh.triangles.size();
+  for (int i = 0; i < count;) {
+    const TriangleMesh::Triangle base = mesh.triangles[random.below(ground)];
+    std::uint32_t a = base[0], b = base[1];
+    const auto at_edge = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                       [&](const TriangleMesh::Triangle& t) {
+                                         return std::find(t.begin(), t.end(), a) != t.end() &&
+                                                std::find(t.begin(), t.end(), b) != t.end();
+                                       });
+    if (at_edge != 2) continue;
+    ++i;
+    for (std::size_t k = random.below(3) + 1; k > 0; --k) {
+      const auto tip = static_cast<std::uint32_t>(mesh.vertices.size());
+      mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]) / 2.0 +
+                              Vec3(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.8));
+      mesh.triangles.push_back({a, b, tip});
+      a = tip;
+    }
+  }
+  return mesh;
+}
+
 /// The part right of x = `at` a second time, `offset` higher.
 inline TriangleMesh with_a_tile_twice(const TriangleMesh& mesh, double at, double offset) {
   TriangleMesh tile = part_of(mesh, [&](const Vec3& p) { return p.x() >= at; });

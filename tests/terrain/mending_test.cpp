@@ -61,6 +61,30 @@ TEST_F(Mending, WiderGapsThanAskedStayOpen) {
   const Terrain terrain = read(apart, {.crack = 0.0});
   EXPECT_EQ(terrain.report.closed_cracks, 0u);
   EXPECT_EQ(terrain.report.components, 2u);
+  EXPECT_TRUE(
+      contains(notes(terrain), "the ground is in 2 pieces with gaps or steps between them"));
+}
+
+// Eleven vertices on either side; the corners see the other tile within a cell as well.
+TEST_F(Mending, GapsAndStepsBetweenTilesAreTold) {
+  for (const Vec3& shift : {Vec3(0.4, 0.0, 0.0), Vec3(0.0, 0.0, 3.0)}) {
+    TriangleMesh right = squares(10, 1.0, [](double, double) { return 5.0; });
+    const TriangleMesh left = right;
+    for (Vec3& v : right.vertices) v += Vec3(10.0, 0.0, 0.0) + shift;
+    const Terrain terrain = read(merged(left, right));
+    EXPECT_EQ(terrain.report.components, 2u);
+    const std::string text = notes(terrain);
+    EXPECT_TRUE(contains(text,
+                         "border vertices are near another piece but apart from it, the "
+                         "nearest by " +
+                             std::string(shift.z() > 0.0 ? "3" : "0.4") + " m, at x 10."))
+        << text;
+  }
+  // Ground that is far away is meant to be.
+  TriangleMesh far = squares(10, 1.0, [](double, double) { return 5.0; });
+  const TriangleMesh near = far;
+  for (Vec3& v : far.vertices) v.x() += 30.0;
+  EXPECT_FALSE(contains(notes(read(merged(near, far))), "gaps or steps"));
 }
 
 TEST_F(Mending, TJunctionsBecomeCorners) {
@@ -172,7 +196,102 @@ TEST_F(Mending, ATileThatIsThereTwiceIsDroppedOrRefused) {
   EXPECT_TRUE(contains(higher, "the ground lies double over 50 m2, the first at x 5."));
   EXPECT_TRUE(contains(higher, "remove one of the tiles"));
   const std::string little_higher = refused(with_a_tile_twice(ground, 5.0, 0.004));
-  EXPECT_TRUE(contains(little_higher, "more than two triangles meet, the first at x "));
+  EXPECT_TRUE(contains(little_higher, "the ground lies double over 49")) << little_higher;
+}
+
+// Far from the border, in the rim of a hole, on the border and in its corner; side by side; and on
+// one or both sides of a cut, where the crack must be closed as well.
+TEST_F(Mending, SpikesInGroupsAndOnBordersAreLevelled) {
+  const auto plane = [](double x, double y) { return 3.0 + 0.7 * x - 0.2 * y; };
+  const auto node = [](std::size_t x, std::size_t y) { return y * 13 + x; };
+  const TriangleMesh sound = squares(12, 1.0, plane);
+  const std::vector<std::vector<std::size_t>> groups = {
+      {node(6, 5), node(7, 5), node(7, 6)},
+      {node(6, 5), node(7, 5), node(6, 6), node(7, 6), node(5, 5)},
+      {node(0, 6)},
+      {node(0, 0)},
+      {node(12, 4), node(11, 4), node(12, 5)},
+      {node(5, 12), node(6, 12)}};
+  for (const std::vector<std::size_t>& group : groups) {
+    TriangleMesh mesh = sound;
+    double height = 9.0;
+    for (const std::size_t v : group) mesh.vertices[v].z() += height = -1.2 * height;
+    const Terrain terrain = read(mesh);
+    EXPECT_EQ(terrain.report.levelled_spikes, group.size());
+    for (const Vec3& v : terrain.surface.vertices) EXPECT_NEAR(v.z(), plane(v.x(), v.y()), 1e-9);
+    EXPECT_TRUE(contains(notes(terrain), " vertices far above or below the ground, in groups"));
+    EXPECT_EQ(read(mesh, {.spike_steepness = 0.0}).report.levelled_spikes, 0u);
+    // However far off: nothing is lost to rounding.
+    for (const std::size_t v : group) mesh.vertices[v].z() *= 1e30;
+    for (const Vec3& v : read(mesh).surface.vertices) {
+      EXPECT_NEAR(v.z(), plane(v.x(), v.y()), 1e-9);
+    }
+  }
+
+  // The hole is 3 m wide in plan, and 12 m high as long as the spike is there.
+  const TriangleMesh holed = part_of(sound, [](const Vec3& p) {
+    return !(p.x() > 4.0 && p.x() < 6.0 && p.y() > 4.0 && p.y() < 6.0);
+  });
+  TriangleMesh mesh = holed;
+  for (Vec3& v : mesh.vertices) {
+    if (v.head<2>() == Vec2(4.0, 5.0)) v.z() += 12.0;
+  }
+  const Terrain filled = read(mesh);
+  expect_sound(filled, 12);
+  EXPECT_EQ(filled.report.filled_holes, 1u);
+  for (const Vec3& v : filled.surface.vertices) EXPECT_NEAR(v.z(), plane(v.x(), v.y()), 1e-9);
+}
+
+TEST_F(Mending, SpikesAtCutsBetweenTilesLeaveNoCrack) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    TriangleMesh ground = squares(10, 1.0, slope);
+    if (seed % 2 == 0) ground = with_a_spike_at(std::move(ground), 5.0, random);  // on both sides
+    TriangleMesh cut = seed < 10 ? cracked(ground, 5.0, 0.008, random)
+                                 : with_t_junctions(ground, 5.0, 0.004, random);
+    if (seed % 2 == 1) cut = with_a_spike_at(std::move(cut), 5.0, random);  // on one of them
+    const Terrain terrain = read(cut);
+    expect_sound(terrain, 10);
+    EXPECT_GT(terrain.report.levelled_spikes, 0u);
+    for (const Vec3& v : terrain.surface.vertices) {
+      EXPECT_NEAR(v.z(), slope(v.x(), v.y()), 0.2) << "seed " << seed << ": " << v.transpose();
+    }
+  }
+}
+
+TEST_F(Mending, TowersAndCliffsOnTheBorderAreNoSpikes) {
+  // Nine vertices 8 m up; and a cliff across a corner, with 14 vertices at its top.
+  TriangleMesh mesh = squares(12, 1.0, slope);
+  for (std::size_t k = 0; k < 9; ++k) mesh.vertices[(4 + k / 3) * 13 + 4 + k % 3].z() += 8.0;
+  EXPECT_EQ(read(mesh).report.levelled_spikes, 0u);
+  mesh = squares(12, 1.0, [](double x, double y) { return 0.6 * x + y < 3.2 ? 9.0 : 0.0; });
+  EXPECT_EQ(read(mesh).report.levelled_spikes, 0u);
+}
+
+TEST_F(Mending, FinsAreDroppedWhereTheGroundGoesOnWithoutThem) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Random random(seed);
+    const TriangleMesh ground = squares(12, 1.0, slope);
+    const Terrain terrain = read(with_fins(ground, 3, random));
+    expect_sound(terrain, 12);
+    EXPECT_EQ(terrain.surface.triangles.size(), 288u);
+    EXPECT_EQ(terrain.surface.vertices.size(), 169u);
+    EXPECT_GT(terrain.report.dropped_pieces, 0u);
+    EXPECT_TRUE(contains(notes(terrain), ", which hung on an edge of the ground, were dropped"));
+  }
+}
+
+// A box on the ground is closed by the ground under it: which of the two is the ground is not said.
+TEST_F(Mending, ABoxOverItsOwnFloorIsRefusedWithThePlace) {
+  TriangleMesh mesh = squares(20, 1.0, [](double, double) { return 0.0; });
+  const auto node = [](std::uint32_t x, std::uint32_t y) { return y * 21 + x; };
+  const auto top = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.emplace_back(5.5, 5.5, 1.0);
+  const std::uint32_t ring[] = {node(5, 5), node(6, 5), node(6, 6), node(5, 6)};
+  for (int k = 0; k < 4; ++k) mesh.triangles.push_back({ring[k], ring[(k + 1) % 4], top});
+  EXPECT_TRUE(contains(refused(mesh),
+                       "the ground has 4 edges where more than two triangles meet, "
+                       "the first at x 5.5"));
 }
 
 TEST_F(Mending, ASmallPieceOverTheGroundIsDroppedAndOneBesideItIsKept) {

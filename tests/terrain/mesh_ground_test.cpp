@@ -195,8 +195,6 @@ TEST_F(MeshGround, WhatIsNoGroundIsRefused) {
                        "can't be mixed"));
   EXPECT_TRUE(
       contains(refusal(TerrainOptions{.surface = {folder_ / "b.ply"}, .up = "x"}), "up = \"x\""));
-  EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "b.ply"}, .resolution = 0.5}),
-                       "resolution is for rasters and clouds"));
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "b.ply"}, .resolution = -1.0}),
                        "resolution = -1"));
 }

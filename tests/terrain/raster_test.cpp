@@ -120,6 +120,32 @@ TEST_F(RasterGround, MapSystemIsCarriedThroughAsItsCode) {
   EXPECT_EQ(terrain.frame.map(box.low), Vec3(652000.5, 6202998.5, 1));
 }
 
+// A height system beside the map system changes nothing but must be in metres.
+TEST_F(RasterGround, HeightSystemsAreLeftOutAndFeetRefused) {
+  const std::string place = "<GeoTransform>652000, 1, 0, 5203000, 0, -1</GeoTransform>";
+  const std::vector<float> four = {1, 2, 3, 4};
+  const Terrain metres =
+      read_terrain({.surface = {vrt("<SRS>EPSG:32632+5783</SRS>" + place, four, 2)}});
+  EXPECT_EQ(metres.frame.crs, "EPSG:32632");
+  const std::string feet = refused(vrt("<SRS>EPSG:32632+8228</SRS>" + place, four, 2));
+  EXPECT_TRUE(contains(feet, "dem.vrt: its heights are in units of 0.3048")) << feet;
+  vrt(place, four, 2);
+  std::string text = read_text_file(folder_ / "dem.vrt");
+  text.insert(text.find("<SourceFilename"), "<UnitType>US survey foot</UnitType>");
+  write_text_file(folder_ / "dem.vrt", text);
+  EXPECT_TRUE(contains(refused(folder_ / "dem.vrt"), "its heights are in feet (unit \"US survey"));
+}
+
+TEST_F(RasterGround, NumbersThatStandForNoDataUndeclaredAreRefused) {
+  const std::string place = "<GeoTransform>0, 1, 0, 3, 0, -1</GeoTransform>";
+  for (const float value : {-9999.0f, -32768.0f, 3e38f, -3.4e38f, 1e20f}) {
+    const std::string message = refused(vrt(place, {5, 5, 5, 5, value, 5, 5, 5, 5}, 3));
+    EXPECT_TRUE(contains(message, "dem.vrt: the height at x 1.500, y 1.500, z ")) << message;
+    EXPECT_TRUE(contains(message, "gdal_translate -a_nodata ")) << message;
+  }
+  EXPECT_EQ(refused(vrt(place, {5, 5, 5, 5, 8849, 5, 5, 5, 5}, 3)), "") << "a mountain or a spike";
+}
+
 TEST_F(RasterGround, WhatIsNoHeightRasterIsRefused) {
   const std::vector<float> four = {1, 2, 3, 4};
   EXPECT_TRUE(contains(
@@ -137,6 +163,10 @@ TEST_F(RasterGround, WhatIsNoHeightRasterIsRefused) {
                        "3 x 1 cells"));
   EXPECT_TRUE(contains(refused(asc(4, 4, [](double, double) { return -9999.0; })),
                        "holds no heights, only nodata"));
+  EXPECT_TRUE(contains(refused(vrt("<GeoTransform>2, -1, 0, 2, 0, -1</GeoTransform>", four, 2)),
+                       "columns must run east"));
+  write_text_file(folder_ / "scene.nc", "CDF");
+  EXPECT_TRUE(contains(refused(folder_ / "scene.nc"), "gdal_translate scene.nc ground.tif"));
   write_text_file(folder_ / "empty.tif", "");
   EXPECT_TRUE(contains(refused(folder_ / "empty.tif"), "empty.tif: is not a raster"));
   const auto path = asc(3, 3, [](double, double) { return 1.0; });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/random.hpp"
 #include "terrain/terrain_file.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
@@ -57,6 +58,63 @@ TEST_F(Thinning, KeepsWithinTheToleranceAndTurnsNoFaceOver) {
     EXPECT_LE(worst, tolerance * (1.0 + 1e-9));
   }
   EXPECT_LT(last, 3200u / 4);
+}
+
+/// Largest difference in height anywhere, by another way: within the overlay of one old and one new
+/// triangle, cut out of each other, the difference is linear, so its extremes are at the corners.
+double largest_difference(const TriangleMesh& before, const TriangleMesh& after) {
+  double largest = 0.0;
+  for (const TriangleMesh::Triangle& t : after.triangles) {
+    for (const TriangleMesh::Triangle& s : before.triangles) {
+      std::vector<Vec2> ring;
+      for (const std::uint32_t v : s) ring.push_back(before.vertices[v].head<2>());
+      for (std::size_t k = 0; k < 3 && !ring.empty(); ++k) {
+        const Vec2 a = after.vertices[t[k]].head<2>(), b = after.vertices[t[(k + 1) % 3]].head<2>();
+        const auto side = [&](const Vec2& p) {
+          return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x();
+        };
+        std::vector<Vec2> inside;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const Vec2 &p = ring[i], &q = ring[(i + 1) % ring.size()];
+          if (side(p) >= 0.0) inside.push_back(p);
+          if (side(p) * side(q) < 0.0)
+            inside.push_back(p + side(p) / (side(p) - side(q)) * (q - p));
+        }
+        ring = inside;
+      }
+      const auto height = [](const TriangleMesh& mesh, const TriangleMesh::Triangle& corners,
+                             const Vec2& at) {
+        const Vec3& a = mesh.vertices[corners[0]];
+        const Vec3 normal = (mesh.vertices[corners[1]] - a).cross(mesh.vertices[corners[2]] - a);
+        return a.z() - normal.head<2>().dot(at - a.head<2>()) / normal.z();
+      };
+      for (const Vec2& p : ring) {
+        largest = std::max(largest, std::abs(height(before, s, p) - height(after, t, p)));
+      }
+    }
+  }
+  return largest;
+}
+
+TEST_F(Thinning, TheLargestDifferenceAnywhereIsWithinTheToleranceAndSaid) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Random random(seed);
+    TriangleMesh mesh = squares(14, 1.0, hills);
+    for (Vec3& v : mesh.vertices) {
+      const bool border = v.x() == 0.0 || v.y() == 0.0 || v.x() == 14.0 || v.y() == 14.0;
+      if (!border) v += 0.2 * random.direction();
+    }
+    const Terrain whole = read(mesh);
+    const double tolerance = 0.03 * static_cast<double>(seed);
+    const Terrain thin = read(mesh, tolerance);
+    EXPECT_LT(thin.surface.triangles.size(), whole.surface.triangles.size());
+    const double largest = largest_difference(whole.surface, thin.surface);
+    EXPECT_LE(largest, tolerance * (1.0 + 1e-9));
+    const std::string note = thin.report.notes.back();
+    const std::size_t said = note.find("nowhere more than ");
+    ASSERT_NE(said, std::string::npos) << note;
+    EXPECT_NEAR(std::stod(note.substr(said + 18)), largest, 1e-3 * largest) << note;
+  }
 }
 
 TEST_F(Thinning, OverhangsStayTriangleForTriangle) {

@@ -1,5 +1,6 @@
 // Ground zones from names, rasters and polygons.
 #include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
 
 #include <cmath>
 #include <map>
@@ -218,6 +219,54 @@ TEST_F(Zones, PolygonsThatDoNotFitAreRefused) {
   EXPECT_TRUE(contains(refused({(folder_ / "bad.geojson").string()}), "bad.geojson"));
   EXPECT_TRUE(contains(refused({geojson(box_feature("a", 0, 0, 10, 10)) + ":1=rock"}),
                        "leave \"1=rock\" out"));
+}
+
+TEST_F(Zones, BlanksAroundANameDoNotCount) {
+  const Terrain terrain = read({geojson(box_feature(" loose rock ", 0, 0, 5, 10) + "," +
+                                        box_feature("loose rock", 5, 0, 10, 10))});
+  EXPECT_EQ(terrain.zone_names, std::vector<std::string>{"loose rock"});
+  EXPECT_TRUE(contains(refused({geojson(box_feature("  ", 0, 0, 10, 10))}), "empty property"));
+}
+
+TEST_F(Zones, AFileOfAnotherKindIsNoNameOfAZone) {
+  write_text_file(folder_ / "zones.kml", "<kml/>");
+  const std::string message = refused({(folder_ / "zones.kml").string()});
+  EXPECT_TRUE(contains(message, "zones.kml is a file, but not of zones")) << message;
+  EXPECT_TRUE(contains(message, "ogr2ogr zones.gpkg zones.kml")) << message;
+}
+
+// QGIS keeps styles in a table of the same file; other layers with geometry are one too many.
+TEST_F(Zones, TablesWithoutGeometryInAGeoPackageDoNotCount) {
+  GDALAllRegister();
+  const std::string path = (folder_ / "zones.gpkg").string();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+  ASSERT_NE(driver, nullptr);
+  GDALDataset* dataset = driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
+  dataset->CreateLayer("layer_styles", nullptr, wkbNone);
+  const auto add = [&](const char* name) {
+    OGRLayer* layer = dataset->CreateLayer(name, nullptr, wkbPolygon);
+    OGRFieldDefn field("zone", OFTString);
+    layer->CreateField(&field);
+    OGRFeature feature(layer->GetLayerDefn());
+    feature.SetField("zone", "rock");
+    OGRLinearRing ring;
+    for (const auto& [x, y] : {std::pair{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}) {
+      ring.addPoint(x, y);
+    }
+    OGRPolygon polygon;
+    polygon.addRing(&ring);
+    feature.SetGeometry(&polygon);
+    EXPECT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
+  };
+  add("ground");
+  GDALClose(dataset);
+  EXPECT_EQ(read({path}).zone_names, std::vector<std::string>{"rock"});
+
+  dataset = static_cast<GDALDataset*>(
+      GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, nullptr, nullptr, nullptr));
+  add("older");
+  GDALClose(dataset);
+  EXPECT_TRUE(contains(refused({path}), "2 layers (ground, older); save the one"));
 }
 
 /// Plan area of every zone.

@@ -13,6 +13,10 @@ std::string escaped(std::string_view text);
 /// pictures, which don't grow with them.
 std::string shortened(std::string_view text, std::size_t most);
 
+/// A path below the page's folder as the href of a link: all but plain letters, digits, and /._-
+/// as %XX.
+std::string link_to(std::string_view path);
+
 /// A number with so many decimals; "-" when it is not finite.
 std::string fixed(double value, int decimals);
 /// A number with so many significant digits, with an exponent only when very large or small.
@@ -26,10 +30,13 @@ class HtmlTable {
  public:
   HtmlTable(std::vector<std::string> heads, std::size_t text_columns);
 
-  HtmlTable& row(std::vector<std::string> cells);  ///< plain text, escaped here
+  HtmlTable& row(std::vector<std::string> cells);              ///< plain text, escaped here
+  HtmlTable& html_row(const std::vector<std::string>& cells);  ///< HTML, as it is
   std::string html() const;
 
  private:
+  void add_cell(bool text, bool long_text, const std::string& html);
+
   std::vector<std::string> heads_;
   std::size_t text_columns_;
   std::string rows_;
@@ -54,8 +61,13 @@ std::string fact(std::string_view name, std::string_view value);
 /// A coloured box with a list of what must not be missed.
 std::string note_box(std::string_view title, const std::vector<std::string>& notes);
 
-/// The whole page, with its style and the few lines of script that sort tables, hide map keys and
-/// light up every mark with the same data-block as the one under the pointer.
-std::string page(std::string_view title, std::string_view body);
+/// What a kind of page has beside what all have.
+struct PageExtras {
+  std::string_view style = {};   ///< CSS
+  std::string_view script = {};  ///< run at the end
+};
+
+/// The whole page, with its style and the few lines of script that sort tables.
+std::string page(std::string_view title, std::string_view body, const PageExtras& extras = {});
 
 }  // namespace clast

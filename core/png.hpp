@@ -12,13 +12,20 @@ namespace clast {
 using Rgb = std::array<std::uint8_t, 3>;
 
 /// A PNG file of `width` x `height` palette indices, row by row from the top. Colour 0 of the
-/// palette is transparent. Stored without compression, which needs no library.
+/// palette is transparent.
 /// @param palette  1 to 256 colours
 /// @cite png3
 std::string palette_png(std::uint32_t width, std::uint32_t height,
                         std::span<const std::uint8_t> pixels, const std::vector<Rgb>& palette);
 
+/// A PNG file of `width` x `height` colours, row by row from the top.
+/// @cite png3
+std::string rgb_png(std::uint32_t width, std::uint32_t height, std::span<const Rgb> pixels);
+
 /// RFC 4648, with padding.
 std::string base64(std::string_view bytes);
+
+/// "data:image/png;base64,...", as a page that holds its pictures refers to one.
+std::string png_link(std::string_view png);
 
 }  // namespace clast

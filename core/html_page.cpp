@@ -1,4 +1,4 @@
-#include "study/report/html_page.hpp"
+#include "core/html_page.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,14 +50,6 @@ table.wide th,table.wide td{padding:3px 4px}
 table.wide td.wrap{min-width:15ch}
 figure{margin:0}
 figcaption{font-size:13.5px;color:var(--soft);margin-top:4px}
-.key{cursor:pointer}
-#scene .view{min-height:320px;background:var(--band);line-height:0}
-#scene .bar{display:flex;flex-wrap:wrap;gap:6px 16px;align-items:center;padding:7px 0;font-size:14px}
-#scene input[type=range]{flex:1;min-width:160px}
-#scene output{min-width:6ch;text-align:right;font-variant-numeric:tabular-nums}
-.key.off{opacity:.35}
-.hidden{display:none}
-.stop:hover,.block:hover,.lit{stroke:#000;stroke-width:2}
 details{margin:10px 0}
 summary{cursor:pointer;font-weight:600}
 pre{background:var(--band);padding:12px;overflow-x:auto;font-size:12.5px;line-height:1.4}
@@ -87,23 +79,6 @@ document.querySelectorAll('th').forEach(function(th){
   th.addEventListener('click',sort);
   th.addEventListener('keydown',function(e){if(e.key==='Enter'||e.key===' '){e.preventDefault();sort()}});
 });
-document.querySelectorAll('.key').forEach(function(key){
-  key.addEventListener('click',function(){
-    var off=key.classList.toggle('off');
-    document.querySelectorAll('.'+key.dataset.shows).forEach(function(e){e.classList.toggle('hidden',off)});
-  });
-});
-(function(){
-  var lit=[];
-  function light(on){lit.forEach(function(e){e.classList.toggle('lit',on)})}
-  document.addEventListener('pointerover',function(e){
-    var mark=e.target.closest&&e.target.closest('[data-block]');
-    light(false);lit=[];
-    if(!mark)return;
-    lit=Array.from(document.querySelectorAll('[data-block="'+mark.dataset.block+'"]'));
-    light(true);
-  });
-})();
 )";
 
 std::string number_text(double value, std::chars_format format, int precision) {
@@ -159,6 +134,22 @@ std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text);
 }
 
+std::string link_to(std::string_view path) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string link;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '/' || c == '.' || c == '_' || c == '-';
+    if (plain) {
+      link += c;
+    } else {
+      link += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+  }
+  return link;
+}
+
 std::string fixed(double value, int decimals) {
   return number_text(value, std::chars_format::fixed, decimals);
 }
@@ -182,14 +173,22 @@ HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
   constexpr std::size_t kLongText = 24;  // broken anywhere from here on, if there is no room
   rows_ += "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const bool text = i < text_columns_;
-    rows_ += !text                         ? "<td>"
-             : cells[i].size() > kLongText ? "<td class=\"t wrap\">"
-                                           : "<td class=\"t\">";
-    rows_ += escaped(cells[i]) + "</td>";
+    add_cell(i<text_columns_, cells[i].size()> kLongText, escaped(cells[i]));
   }
   rows_ += "</tr>\n";
   return *this;
+}
+
+HtmlTable& HtmlTable::html_row(const std::vector<std::string>& cells) {
+  rows_ += "<tr>";
+  for (std::size_t i = 0; i < cells.size(); ++i) add_cell(i < text_columns_, false, cells[i]);
+  rows_ += "</tr>\n";
+  return *this;
+}
+
+void HtmlTable::add_cell(bool text, bool long_text, const std::string& html) {
+  rows_ += !text ? "<td>" : long_text ? "<td class=\"t wrap\">" : "<td class=\"t\">";
+  rows_ += html + "</td>";
 }
 
 std::string HtmlTable::html() const {
@@ -253,12 +252,12 @@ std::string note_box(std::string_view title, const std::vector<std::string>& not
   return html + "</ul></div>\n";
 }
 
-std::string page(std::string_view title, std::string_view body) {
+std::string page(std::string_view title, std::string_view body, const PageExtras& extras) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         escaped(title) + "</title>\n<style>" + std::string(kStyle) +
+         escaped(title) + "</title>\n<style>" + std::string(kStyle) + std::string(extras.style) +
          "</style>\n</head>\n<body>\n<main>\n" + std::string(body) + "</main>\n<script>" +
-         std::string(kScript) + "</script>\n</body>\n</html>\n";
+         std::string(kScript) + std::string(extras.script) + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace clast

@@ -1,0 +1,254 @@
+#include "app/scan_report.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "app/text_table.hpp"
+#include "core/number_text.hpp"
+#include "core/output_file.hpp"
+#include "core/text_file.hpp"
+#include "core/utf8.hpp"
+#include "core/version.hpp"
+#include "library/unseen_range.hpp"
+#include "reconstruct/report/repair_sections.hpp"
+#include "reconstruct/report/scan_page.hpp"
+#include "reconstruct/report/scan_pictures.hpp"
+
+namespace clast {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Corners that no camera of a page could tell from rounder ones.
+constexpr int kSkinSegments = 2;
+
+std::string scale_in_words(const ScanToBlockOptions& options) {
+  std::string text = "one unit of the file is " + with_digits(options.scan.unit, 6) + " m";
+  text += options.scaled_by_length ? " (from a measured length" : " (--units " + options.unit_name;
+  if (options.scale_factor != 1.0) {
+    text += ", times --scale-factor " + with_digits(options.scale_factor, 6);
+  }
+  return text + ")";
+}
+
+/// "0.52" or, where a part was not seen, "0.52 (0.48 to 0.56)".
+std::string with_bounds(double value, double low, double high) {
+  std::string text = rounded(value);
+  if (low < high) text += " (" + rounded(low) + " to " + rounded(high) + ")";
+  return text;
+}
+
+std::string facts(const Block& block, const ScanToBlockOptions& options) {
+  const Axes axes = block.axes();
+  double low_volume = 0.0, high_volume = 0.0, low_mass = 0.0, high_mass = 0.0;
+  if (block.unseen) {
+    const UnseenRange range = unseen_range(block);
+    low_volume = block.unseen->lower_volume, high_volume = block.unseen->upper_volume;
+    low_mass = range.lower_mass, high_mass = range.upper_mass;
+  }
+  std::string html = "<dl class=\"facts\">";
+  html += fact("L x I x S, m",
+               rounded(axes.L, 3) + " x " + rounded(axes.I, 3) + " x " + rounded(axes.S, 3));
+  html += fact("volume, m3", with_bounds(block.mass.volume, low_volume, high_volume));
+  html += fact("mass, kg", with_bounds(block.mass.mass, low_mass, high_mass));
+  html += fact("density, kg/m3", rounded(block.density));
+  html +=
+      fact("shape", sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes));
+  html += fact("vertices of the block", std::to_string(block.body.vertices.size()));
+  html += fact("radius of its rounding, m", rounded(block.body.radius, 3));
+  html += fact("surface not seen but filled in",
+               block.unseen ? percent(block.unseen->invented_share) : "none, or small holes alone");
+  if (!block.from_core) {
+    html +=
+        fact("farthest from the scan", rounded(block.deviation.hausdorff, 2) + " m (" +
+                                           percent(block.deviation.hausdorff / axes.L) + " of L)");
+  }
+  return html + fact("scale", scale_in_words(options)) + "</dl>\n";
+}
+
+std::string notes(const Block& block) {
+  if (!block.warnings.empty()) return note_box("Notes", block.warnings);
+  return "<div class=\"fine\">The scan was closed and sound; nothing was mended.</div>\n";
+}
+
+/// How far the block is off the scan: the map and the numbers that go with it.
+std::string certificate(const Block& block, const FieldBlock& found) {
+  const Deviation& d = block.deviation;
+  std::string html;
+  if (d.hausdorff > 0.0) {
+    html += deviation_map(skin_mesh(block.body, kSkinSegments), found.scan.mesh, d.hausdorff);
+  }
+  html += "<dl class=\"facts\">";
+  html += fact("scan to block, at most", rounded(d.scan_to_body, 3) + " m");
+  html += fact("block to scan, at most", rounded(d.body_to_scan, 3) + " m");
+  html += fact("mean distance", rounded(d.mean, 3) + " m");
+  html += fact("volume against the scan", rounded(100.0 * d.volume_relative, 2) + " %");
+  html += fact("area against the scan", rounded(100.0 * d.area_relative, 2) + " %");
+  html += fact("principal moments, at most", rounded(100.0 * d.moments_relative, 2) + " %");
+  return section("The block against the scan",
+                 html + "</dl>\n" +
+                     paragraph("Both largest distances are upper bounds over the whole of either "
+                               "surface, not of samples."));
+}
+
+std::string mass_check(const Block& block, const ScanToBlockOptions& options) {
+  const std::optional<double>& weighed = block.field.weighed_mass;
+  if (!weighed) {
+    return section("Mass", paragraph("No weighed mass was given: " + rounded(block.mass.mass) +
+                                     " kg is volume times a density of " + rounded(block.density) +
+                                     " kg/m3. A weighed mass (--mass) would check the volume."));
+  }
+  if (!options.block.density_given) {
+    return section("Mass",
+                   paragraph("The weighed mass of " + rounded(*weighed) +
+                             " kg sets the density: " + rounded(block.density) +
+                             " kg/m3 over the volume of " + rounded(block.mass.volume) + " m3."));
+  }
+  const double gap = block.mass.mass / *weighed - 1.0;
+  std::string text = "Volume times density gives " + rounded(block.mass.mass) + " kg, " +
+                     percent(std::abs(gap)) + (gap < 0.0 ? " less" : " more") +
+                     " than the weighed " + rounded(*weighed) + " kg.";
+  if (block.unseen) {
+    const double low = block.density * block.unseen->lower_volume;
+    const double high = block.density * block.unseen->upper_volume;
+    const bool inside = low <= *weighed && *weighed <= high;
+    text += " The unseen side allows " + rounded(low) + " to " + rounded(high) +
+            " kg, which the weighed mass is " + (inside ? "within." : "outside of.");
+  }
+  return section("Mass check", paragraph(text));
+}
+
+std::string provenance(const Block& block) {
+  HtmlTable table({"what", "value"}, 2);
+  table.row({"scan", block.source.file});
+  table.row({"SHA-256 of the file", block.source.sha256});
+  table.row({"options", block.source.options});
+  table.row({"made by", "clast " + block.source.program_version});
+  return section("Where it comes from", table.html());
+}
+
+}  // namespace
+
+std::string block_page(const Block& block, const PagedScan& scan,
+                       const ScanToBlockOptions& options) {
+  std::string body = "<h1>Block " + escaped(block.id) + "</h1>\n<p class=\"lead\">from the scan " +
+                     escaped(block.source.file) + "</p>\n";
+  body += facts(block, options) + notes(block);
+  if (scan.found != nullptr) {
+    const RepairReport& report = scan.found->scan.report;
+    body += before_and_after(*scan.raw, options.scan, *scan.found, repair_marks(report));
+    body += repair_section(report, scan.raw->triangles.empty());
+    if (scan.found->underside) body += underside_section(*scan.found->underside);
+  }
+  for (const std::string& further : scan.sections) body += further;
+  if (scan.found != nullptr && !block.from_core) body += certificate(block, *scan.found);
+  body += mass_check(block, options) + provenance(block);
+  body += "<footer>clast " + escaped(version()) + "</footer>\n";
+  return scan_page("Block " + block.id, body);
+}
+
+ScanReport::ScanReport(fs::path folder)
+    : folder_(std::move(folder)),
+      blocks_({"block", "picture", "scan", "L m", "I m", "S m", "volume m3", "volume from",
+               "volume to", "filled in %", "mass kg", "s_c", "off scan, % of L", "notes"},
+              3),
+      failures_({"scan", "why there is no block"}, 2) {
+  const OutputFile trial(folder_ / "index.html");
+  csv_.header(
+      "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
+      "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"
+      "body_to_scan_m,notes,sha256,reason");
+}
+
+fs::path ScanReport::page_of(const Block& block) const {
+  return folder_ / "blocks" / (block.id + ".html");
+}
+
+void ScanReport::add(const Block& block, const std::string& page) {
+  write_text_file(page_of(block), page);
+  ++made_;
+  add_row(block, "made");
+}
+
+void ScanReport::add_earlier(const Block& block) {
+  ++earlier_;
+  add_row(block, "made earlier");
+}
+
+void ScanReport::add_row(const Block& block, const std::string& outcome) {
+  const Axes axes = block.axes();
+  const std::optional<UnseenPart>& unseen = block.unseen;
+  std::string name = escaped(block.id);
+  if (fs::exists(page_of(block))) {
+    name = "<a href=\"" + link_to("blocks/" + block.id + ".html") + "\">" + name + "</a>";
+  }
+  const auto bound = [&](double UnseenPart::*member) {
+    return unseen ? rounded((*unseen).*member) : std::string();
+  };
+  blocks_.html_row(
+      {name, thumbnail(block.surface, block.id), escaped(block.source.file), rounded(axes.L, 3),
+       rounded(axes.I, 3), rounded(axes.S, 3), rounded(block.mass.volume),
+       bound(&UnseenPart::lower_volume), bound(&UnseenPart::upper_volume),
+       unseen ? fixed(100.0 * unseen->invented_share, 1) : "", rounded(block.mass.mass),
+       rounded(elongation_s_c(axes), 3), fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
+       std::to_string(block.warnings.size())});
+
+  csv_.cell(block.id);
+  csv_.cell(outcome);
+  csv_.cell(block.source.file);
+  for (const double length : {axes.L, axes.I, axes.S, block.mass.volume}) csv_.cell(length);
+  if (unseen) {
+    csv_.cell(unseen->lower_volume);
+    csv_.cell(unseen->upper_volume);
+    csv_.cell(unseen->invented_share);
+  } else {
+    csv_.empty_cells(3);
+  }
+  csv_.cell(block.density);
+  csv_.cell(block.mass.mass);
+  csv_.cell(block.field.weighed_mass.value_or(std::nan("")));
+  csv_.cell(sneed_folk_class(axes));
+  csv_.cell(zingg_class(axes));
+  csv_.cell(garcia_class(axes));
+  csv_.count(block.body.vertices.size());
+  csv_.cell(block.body.radius);
+  csv_.cell(block.deviation.scan_to_body);
+  csv_.cell(block.deviation.body_to_scan);
+  csv_.count(block.warnings.size());
+  csv_.cell(block.source.sha256);
+  csv_.empty_cells(1);
+  csv_.end_row();
+}
+
+void ScanReport::add_failure(const std::string& scan, const std::string& reason) {
+  ++failed_;
+  failures_.row({as_utf8(scan), as_utf8(reason)});
+  csv_.empty_cells(1);
+  csv_.cell("failed");
+  csv_.cell(as_utf8(scan));
+  csv_.empty_cells(19);
+  csv_.cell(as_utf8(reason));
+  csv_.end_row();
+}
+
+void ScanReport::finish() {
+  std::string body =
+      "<h1>Blocks from scans</h1>\n<p class=\"lead\">" + counted(made_, "block") + " made";
+  if (earlier_ > 0) body += ", " + std::to_string(earlier_) + " made earlier";
+  if (failed_ > 0) body += ", " + counted(failed_, "scan") + " without a block";
+  body += "</p>\n";
+  if (failed_ > 0) body += section("Scans that gave no block", failures_.html());
+  if (made_ + earlier_ > 0) {
+    body += section("Blocks", paragraph("A click on a column's head sorts by it. L, I, S are the "
+                                        "sides of the smallest box; volumes from and to are the "
+                                        "bounds of a block whose underside was not seen.") +
+                                  blocks_.html());
+  }
+  body += "<footer>clast " + escaped(version()) +
+          "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
+  write_text_file(folder_ / "summary.csv", csv_.take());
+  write_text_file(folder_ / "index.html", scan_page("Blocks from scans", body));
+}
+
+}  // namespace clast

@@ -1,0 +1,52 @@
+#pragma once
+/// Pages about the scans of a batch: one for each block, and a summary.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/scan_to_block.hpp"
+#include "core/csv_text.hpp"
+#include "core/html_page.hpp"
+
+namespace clast {
+
+/// What a page of a block is written from. Without a scan (a shape that was read from a .shp file)
+/// it has no pictures of one.
+struct PagedScan {
+  const TriangleMesh* raw = nullptr;
+  const FieldBlock* found = nullptr;
+  /// Further parts of the page, each made with `section`: they follow what was mended.
+  std::vector<std::string> sections = {};
+};
+
+/// The page of a block, complete in itself.
+std::string block_page(const Block& block, const PagedScan& scan,
+                       const ScanToBlockOptions& options);
+
+/// FOLDER/index.html, FOLDER/summary.csv and FOLDER/blocks/ID.html.
+class ScanReport {
+ public:
+  /// @throws InputError  the folder can't be made or written to
+  explicit ScanReport(std::filesystem::path folder);
+
+  /// Writes the page of a block and adds it to the summary.
+  /// @throws InputError  the page can't be written
+  void add(const Block& block, const std::string& page);
+  /// Adds a block that an earlier batch made; its page is linked where it is there.
+  void add_earlier(const Block& block);
+  void add_failure(const std::string& scan, const std::string& reason);
+  /// Writes the summary. @throws InputError
+  void finish();
+
+ private:
+  std::filesystem::path page_of(const Block& block) const;
+  void add_row(const Block& block, const std::string& outcome);
+
+  std::filesystem::path folder_;
+  HtmlTable blocks_;
+  HtmlTable failures_;
+  CsvText csv_;
+  std::size_t made_ = 0, earlier_ = 0, failed_ = 0;
+};
+
+}  // namespace clast

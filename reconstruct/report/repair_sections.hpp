@@ -1,0 +1,22 @@
+#pragma once
+/// What was mended on a scan, as sections of its page.
+#include <string>
+#include <vector>
+
+#include "reconstruct/field_scan.hpp"
+#include "reconstruct/report/scan_pictures.hpp"
+
+namespace clast {
+
+/// Tables of the defects and of the holes, with counts, sizes and places.
+/// @param cloud  the scan was points, and the report is of the surface that was put through them
+std::string repair_section(const RepairReport& report, bool cloud = false);
+
+/// The numbers of those tables where they have a place: "1", "2" ... for defects, "H1" ... for the
+/// largest holes.
+std::vector<PlaceMark> repair_marks(const RepairReport& report);
+
+/// Bounds of an underside that nobody saw.
+std::string underside_section(const Underside& side);
+
+}  // namespace clast

@@ -1,0 +1,33 @@
+#pragma once
+/// The pictures of a scan's page: as it was read, closed, and how far the block is off it.
+#include <string>
+#include <vector>
+
+#include "reconstruct/field_scan.hpp"
+#include "reconstruct/report/mesh_picture.hpp"
+
+namespace clast {
+
+/// A number at a place of the scan, in the coordinates of its file.
+struct PlaceMark {
+  std::string label;
+  Vec3 place = Vec3::Zero();
+};
+
+/// The scan as it was read beside the closed one, from three sides, as a section of a page: borders
+/// of holes and what was filled in stand out, `marks` are numbered.
+/// @param raw      as read
+/// @param options  with which it was read
+std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options,
+                             const FieldBlock& block, const std::vector<PlaceMark>& marks);
+
+/// The block's surface coloured by its distance from the scan, with a colour bar, as a figure.
+/// @param skin   surface of the block
+/// @param scan   closed; in the same frame
+/// @param reach  distance of the darkest colours, m
+std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach);
+
+/// A small picture of a surface as an <img>.
+std::string thumbnail(const TriangleMesh& mesh, const std::string& name);
+
+}  // namespace clast
