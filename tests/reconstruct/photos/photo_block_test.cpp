@@ -36,11 +36,8 @@ TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
   std::cout << "L, I, S " << 100.0 * errors.transpose() << " %, volume "
             << block.underside->lower_volume << " " << block.underside->best_volume << " "
             << block.underside->upper_volume << " of " << volume << "\n";
-  EXPECT_LT(std::abs(errors[0]), 0.005);
-  // The rock is undercut all round its foot. I ends there, where no photo shows the rock, and is
-  // known as well as the filling: measured 3.2 %, beyond the 0.5 % that is wanted.
-  EXPECT_LT(std::abs(errors[1]), 0.04);
-  EXPECT_LT(std::abs(errors[2]), 0.005);
+  // The rock is undercut all round its foot, which no photo shows: I and S rest on the filling.
+  for (int axis = 0; axis < 3; ++axis) EXPECT_LT(std::abs(errors[axis]), 0.005) << axis;
   EXPECT_LE(block.underside->lower_volume, volume);
   EXPECT_GE(block.underside->upper_volume, volume);
 }
