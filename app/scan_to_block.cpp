@@ -32,6 +32,10 @@ constexpr double kLargestLeap = 2.5;  ///< from one number of vertices to the ne
 /// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
 constexpr int kRadiusHalvings = 3;
 
+/// Photos give points so dense and exact that a finer surface than that of other clouds pays: with
+/// the usual cell a sharp end of a block is 0.6 % of L short, with this one 0.14 %.
+constexpr double kPhotoCell = 0.003;
+
 /// The unit in which a length of `raw` file units is that of a usual block.
 std::string likely_unit(double raw) {
   constexpr std::array<std::pair<const char*, double>, 6> units = {
@@ -248,6 +252,7 @@ FieldScan photographed_blocks(const std::filesystem::path& folder,
                      "--marker-size");
   }
   reading.scan.unit = 1.0;
+  reading.surface.cell = kPhotoCell;
   begin("finding the surface in " + std::to_string(scan.cloud.points.size()) + " points");
   FieldScan found;
   found.blocks = field_blocks(scan.cloud.points, folder.string(), reading);

@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
-#include "reconstruct/cloud_surface.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/pieces.hpp"
@@ -246,7 +245,7 @@ class Separation {
 
   TriangleMesh surface_of(const std::vector<Vec3>& points) const {
     try {
-      return cloud_surface(points);
+      return cloud_surface(points, options_.surface);
     } catch (const GeometryError& error) {
       throw GeometryError(name_ + ": " + error.what());
     } catch (const InputError& error) {
@@ -385,7 +384,10 @@ bool is_cloud(const std::filesystem::path& path) {
 
 }  // namespace
 
-void FieldScanOptions::check() const { scan.check(); }
+void FieldScanOptions::check() const {
+  scan.check();
+  surface.check();
+}
 
 std::vector<FieldBlock> field_blocks(const TriangleMesh& raw, const std::string& name,
                                      const FieldScanOptions& options) {

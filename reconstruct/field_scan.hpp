@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/pose.hpp"
+#include "reconstruct/cloud_surface.hpp"
 #include "reconstruct/ground.hpp"
 #include "reconstruct/scan.hpp"
 #include "reconstruct/underside.hpp"
@@ -16,8 +17,9 @@ namespace clast {
 struct FieldScanOptions {
   ScanOptions scan;
   bool up_given = false;  ///< `scan.up` holds; else z points up from the ground where one is found
-  bool find_ground = true;  ///< false: the scan is of one block alone
-  bool split = false;       ///< every block on the ground; else the one near the middle
+  bool find_ground = true;           ///< false: the scan is of one block alone
+  bool split = false;                ///< every block on the ground; else the one near the middle
+  CloudSurfaceOptions surface = {};  ///< how points become one
 
   void check() const;  ///< throws what its members throw
 };

@@ -1,6 +1,7 @@
 #include "reconstruct/photos/photo_sharpness.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -30,11 +31,26 @@ cv::Rect about_block(const PhotoModel& model, std::size_t i, const PhotoRegion& 
   return inside.area() > 1000 ? inside : all;
 }
 
-double energy(const cv::Mat& image) {
+/// Energy of the changes along four directions.
+std::array<double, 4> energies(const cv::Mat& image) {
   cv::Mat dx, dy;
   cv::Sobel(image, dx, CV_32F, 1, 0);
   cv::Sobel(image, dy, CV_32F, 0, 1);
-  return dx.dot(dx) + dy.dot(dy);
+  const double xx = dx.dot(dx), yy = dy.dot(dy), xy = dx.dot(dy);
+  return {xx, yy, 0.5 * (xx + yy) + xy, 0.5 * (xx + yy) - xy};
+}
+
+/// Energy that smoothing takes away over what it leaves, along the direction where that is least: a
+/// photo may be blurred along one, by a hand that moved.
+double detail_of(const cv::Mat& grey) {
+  cv::Mat smooth;
+  cv::GaussianBlur(grey, smooth, {}, kSigma);
+  const std::array<double, 4> fine = energies(grey), coarse = energies(smooth);
+  double least = 1e300;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    if (coarse[i] > 0.0) least = std::min(least, std::max(0.0, fine[i] / coarse[i] - 1.0));
+  }
+  return least < 1e300 ? least : 0.0;
 }
 
 }  // namespace
@@ -42,7 +58,7 @@ double energy(const cv::Mat& image) {
 std::vector<Sharpness> sharpness_of(const PhotoModel& model, const PhotoRegion& region,
                                     unsigned threads) {
   const detail::SingleThreaded guard;
-  std::vector<double> lost(model.photos.size());
+  std::vector<double> kept(model.photos.size());
   parallel_for(model.photos.size(), threads, [&](std::size_t i) {
     cv::Mat grey = detail::read_grey_photo(model.photos[i].file);
     grey = grey(about_block(model, i, region, grey)).clone();
@@ -50,18 +66,13 @@ std::vector<Sharpness> sharpness_of(const PhotoModel& model, const PhotoRegion& 
       cv::resize(grey, grey, {}, static_cast<double>(kWidth) / grey.cols,
                  static_cast<double>(kWidth) / grey.cols, cv::INTER_AREA);
     }
-    cv::Mat smooth;
-    cv::GaussianBlur(grey, smooth, {}, kSigma);
-    const double fine = energy(grey);
-    lost[i] = fine > 0.0 ? 1.0 - energy(smooth) / fine : 0.0;
-    // As a ratio of energies lost and kept, which falls with the square of the blur.
-    lost[i] = lost[i] / std::max(1e-9, 1.0 - lost[i]);
+    kept[i] = detail_of(grey);
   });
-  std::vector<double> sorted = lost;
+  std::vector<double> sorted = kept;
   std::sort(sorted.begin(), sorted.end());
   const double middle = sorted.empty() ? 0.0 : sorted[sorted.size() / 2];
   std::vector<Sharpness> result;
-  for (const double value : lost) {
+  for (const double value : kept) {
     const double relative = middle > 0.0 ? value / middle : 1.0;
     result.push_back({relative, relative < kBlurred});
   }

@@ -16,7 +16,8 @@ struct Sharpness {
 inline constexpr double kBlurred = 0.25;
 
 /// The energy of fine detail over that of the same photo slightly smoothed, where it shows the
-/// block: a photo that was smooth already loses nothing. Independent of light and of what is seen.
+/// block, along the direction where that is least: a photo that was smooth already loses nothing.
+/// Independent of light, and nearly of what is seen.
 /// @param model  with files
 std::vector<Sharpness> sharpness_of(const PhotoModel& model, const PhotoRegion& region,
                                     unsigned threads = 1);

@@ -1,0 +1,29 @@
+#pragma once
+/// Where photos were taken from, for the page about a block.
+#include <string>
+#include <vector>
+
+#include "reconstruct/photos/photo_scan.hpp"
+
+namespace clast {
+
+/// A camera as seen from the block.
+struct CameraSeat {
+  std::string name;
+  double azimuth = 0.0;    ///< from x towards y, -pi to pi, rad
+  double elevation = 0.0;  ///< above the horizon, rad
+  double distance = 0.0;   ///< from the middle of the block, m
+  std::size_t pairs = 0;   ///< in which the photo was compared
+  bool blurred = false;
+};
+
+struct CameraRing {
+  std::vector<CameraSeat> seats;  ///< in order of the photos
+  double largest_gap = 0.0;       ///< of azimuth without a compared photo, rad; 2 pi with none
+  double gap_middle = 0.0;        ///< azimuth in its middle, rad
+};
+
+/// @param block_from_model  to the frame of the block, z up, from that of the cameras
+CameraRing camera_ring(const PhotoScan& scan, const Pose& block_from_model);
+
+}  // namespace clast

@@ -1,0 +1,40 @@
+/// Seats of made-up cameras.
+#include "reconstruct/photos/camera_ring.hpp"
+
+#include <gtest/gtest.h>
+
+namespace clast {
+namespace {
+
+constexpr double kDegree = kPi / 180.0;
+
+TEST(CameraRing, SeatsAndTheLargestGapAreThoseTheCamerasWerePutAt) {
+  PhotoScan scan;
+  scan.cloud.region.centre = {1.0, 2.0, 3.0};
+  // Every 30 degrees, 20 degrees up and 2 m away, but none from 120 to 240.
+  const Pose block_from_model{Vec3(0.5, 0.0, -1.0),
+                              Quat(Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, -1.0).normalized()))};
+  const Vec3 middle = block_from_model * scan.cloud.region.centre;
+  for (const double azimuth : {0.0, 30.0, 60.0, 90.0, 120.0, -120.0, -90.0, -60.0, -30.0}) {
+    const Vec3 out(std::cos(20.0 * kDegree) * std::cos(azimuth * kDegree),
+                   std::cos(20.0 * kDegree) * std::sin(azimuth * kDegree),
+                   std::sin(20.0 * kDegree));
+    const Vec3 centre = block_from_model.inverse() * (middle + 2.0 * out);
+    scan.model.photos.push_back({"p", {}, 0, {-centre, Quat::Identity()}});
+  }
+  for (std::size_t i = 0; i + 1 < 9; ++i) scan.cloud.pairs.push_back({i, i + 1, 0.5});
+  scan.cloud.blurred = {3};
+  const CameraRing ring = camera_ring(scan, block_from_model);
+  ASSERT_EQ(ring.seats.size(), 9u);
+  EXPECT_NEAR(ring.seats[5].azimuth, -120.0 * kDegree, 1e-12);
+  EXPECT_NEAR(ring.seats[5].elevation, 20.0 * kDegree, 1e-12);
+  EXPECT_NEAR(ring.seats[5].distance, 2.0, 1e-12);
+  EXPECT_EQ(ring.seats[0].pairs, 1u);
+  EXPECT_EQ(ring.seats[4].pairs, 2u);
+  EXPECT_TRUE(ring.seats[3].blurred);
+  EXPECT_NEAR(ring.largest_gap, 120.0 * kDegree, 1e-12);
+  EXPECT_NEAR(std::abs(ring.gap_middle), kPi, 1e-12);
+}
+
+}  // namespace
+}  // namespace clast
