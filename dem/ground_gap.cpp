@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "dem/detail/contact_search.hpp"
+#include "dem/detail/pierced_depth.hpp"
 #include "dem/detail/segment_distance.hpp"
 #include "dem/detail/terrain_impl.hpp"
 #include "dem/release.hpp"
@@ -39,6 +40,7 @@ std::optional<double> ground_gap(const TerrainSurface& terrain, const RigidBody&
   for (const ContactPoint& contact : search.contacts(world_from_body, 0.0)) {
     deepest = std::max(deepest, contact.overlap);
   }
+  deepest = std::max(deepest, pierced_depth(ground, surface, world_from_body));
   if (deepest > 0.0) return -deepest;
 
   const SurfaceFeatures& block = surface.features;
