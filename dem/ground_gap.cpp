@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dem/detail/contact_search.hpp"
+#include "dem/detail/pierced_depth.hpp"
 #include "dem/detail/segment_distance.hpp"
 #include "dem/detail/terrain_impl.hpp"
 
@@ -50,7 +51,7 @@ double GroundGap::overlap(const RigidState& state) const {
   for (const ContactPoint& contact : search.contacts(state.world_from_body(), 0.0)) {
     deepest = std::max(deepest, contact.overlap);
   }
-  return deepest;
+  return std::max(deepest, pierced_depth(ground, surface, state.world_from_body()));
 }
 
 std::optional<double> GroundGap::gap(const RigidState& state, double reach) const {

@@ -9,6 +9,7 @@
 #include "dem/detail/contact_search.hpp"
 #include "dem/detail/free_flight.hpp"
 #include "dem/detail/moving_body.hpp"
+#include "dem/detail/pierced_depth.hpp"
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
@@ -59,7 +60,8 @@ class Release {
 
   double start_overlap() {
     meet_ground(moving_.motion(), 0.0);
-    return forces_.max_overlap();
+    return std::max(forces_.max_overlap(), pierced_depth(terrain_.impl().surface, surface_,
+                                                         moving_.state().world_from_body()));
   }
 
  private:

@@ -215,6 +215,25 @@ void plan_runs(PreparedCampaign& prepared) {
   }
 }
 
+// A fall that ends faster than this, m/s, is of wrong heights or gravity, and its time step so
+// short that the run would never end.
+constexpr double kMostSpeed = 1000.0;
+
+void check_falls(const PreparedCampaign& prepared) {
+  const double lowest = prepared.surface->extent().low.z();
+  for (const RunRecord& run : prepared.runs) {
+    const double height = std::max(0.0, run.start.position.z() - lowest);
+    const double speed = std::sqrt(2.0 * prepared.campaign.gravity * height);
+    if (!(speed > kMostSpeed)) continue;
+    throw InputError(prepared.campaign.file.string() + ": release point " +
+                     std::to_string(run.point + 1) + " is " + metres(height) +
+                     " m above the lowest ground, where its blocks could arrive with " +
+                     metres(speed) +
+                     " m/s; at most 1000 m/s make sense: check heights, units "
+                     "and gravity_m_s2");
+  }
+}
+
 // No block can be faster: all energy of its start, and the fall to the lowest ground, in its speed.
 double fastest_speed(const PreparedCampaign& prepared) {
   const double lowest = prepared.surface->extent().low.z();
@@ -365,6 +384,7 @@ PreparedCampaign prepare_campaign(const Campaign& campaign) {
   prepared.surface.emplace(terrain_surface(header.terrain, campaign.terrain_radius));
 
   plan_runs(prepared);
+  check_falls(prepared);
   std::vector<GroundParameters> all_ground;
   for (const GroundSet& set : header.ground_sets) {
     all_ground.insert(all_ground.end(), set.zones.begin(), set.zones.end());

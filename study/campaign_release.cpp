@@ -1,5 +1,6 @@
 // [release] and [[release]] of a campaign file.
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "study/campaign_reading.hpp"
 #include "study/release_points.hpp"
 
@@ -8,6 +9,10 @@ namespace clast {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// No rock is faster, m/s and rad/s: more is a slip of units, and its time step would be so short
+/// that the run never ended.
+constexpr double kMostSpeed = 1000.0, kMostSpin = 1e4;
 
 std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, ReleasePlan& plan) {
   const std::string expected =
@@ -109,13 +114,23 @@ void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) 
   plan.files.push_back(file);
 }
 
+Vec3 start_rate(const TomlTable& table, const std::string& key, double most) {
+  const Vec3 rate = table.vec3(key).value_or(Vec3::Zero());
+  // The norm of huge numbers overflows, their largest does not.
+  if (rate.cwiseAbs().maxCoeff() > most || rate.norm() > most) {
+    table.refuse(key, *table.find(key),
+                 "must be " + with_digits(most, 6) + " in size at most; check the units");
+  }
+  return rate;
+}
+
 ReleasePlan read_release(const TomlTable& table, bool y_up) {
   ReleasePlan plan;
   plan.name = table.text("name").value_or("");
   plan.seed = table.count("seed", 0, INT64_MAX).value_or(plan.seed);
   plan.drop_height = table.number("height_m", kNotNegative);
-  plan.velocity = table.vec3("velocity_m_s").value_or(Vec3::Zero());
-  plan.angular_velocity = table.vec3("angular_velocity_rad_s").value_or(Vec3::Zero());
+  plan.velocity = start_rate(table, "velocity_m_s", kMostSpeed);
+  plan.angular_velocity = start_rate(table, "angular_velocity_rad_s", kMostSpin);
   plan.points = read_release_points(table, y_up, plan);
   read_orientation_set(table, y_up, plan);
   return plan;

@@ -111,6 +111,7 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
     now.emplace_back(points[i], zone_of_face_.empty() ? 0 : zone_of_face_[points[i].ground_face],
                      weights[i]);
   }
+  hand_on_springs();
   if constexpr (Law::kNeedsEffectiveMass) find_effective_masses(block, other);
 
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -128,8 +129,8 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
 
     // Where it was a step ago, what it held then, and the power it took at the begin of the step.
     OverlapPath path{duration, 0.0, overlap, 0.0};
-    double normal_before = 0.0, stored_before = 0.0, power_before = 0.0;
-    Vec3 tangential_before = Vec3::Zero(), rolling_before = Vec3::Zero();
+    double normal_before = 0.0, stored_before = 0.0, power_before = 0.0, weight_before = w;
+    const Vec3 tangential_before = contact.tangential, rolling_before = contact.rolling;
     bool continuous = true;
     if (previous_of_[i] >= 0) {
       const Contact& previous = contacts_[previous_of_[i]];
@@ -142,9 +143,8 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
       path.rate = same ? -begin_velocity(previous.place).dot(previous.point.normal)
                        : (path.after - path.before) / duration;
       normal_before = previous.normal;
-      tangential_before = turned_into_plane(previous.tangential, previous.point.normal, n);
-      rolling_before = previous.rolling;
       stored_before = previous.stored;
+      weight_before = previous.weight;
       const Vec3 force = previous.normal * previous.point.normal + previous.tangential;
       power_before = -previous.weight *
                      (force.dot(mean_velocity_from(previous.place)) + previous.rolling.dot(spin));
@@ -175,6 +175,8 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
       const double largest =
           ground.rolling_friction * contact.normal * arm.cross(contact.rolling).norm();
       if (squared > largest) contact.rolling *= largest / squared;
+    } else {
+      contact.rolling = Vec3::Zero();
     }
 
     const Vec3 force = w * (contact.normal * n + contact.tangential);
@@ -184,17 +186,19 @@ ContactLoad ContactForces::updated(const std::vector<Law>& laws,
         (contact.place - other.world_from_body.translation).cross(force) + w * contact.rolling;
     if (continuous) take_event(response, w, n, contact.place);
 
-    // Each law's own dissipation: its work less what it stores more. What the forces took beyond
-    // that, because weights, zones, normals or the contacts changed, is booked apart.
+    // Each law's own dissipation: its work less what it stores more, with the mean weight of the
+    // step. What the forces took beyond that, because weights, zones, normals or the contacts
+    // changed, is booked apart.
+    const double mean_weight = 0.5 * (weight_before + w);
     const double law_before = law.stored(std::max(0.0, path.before));
-    const double normal = w * (response.work - law.stored(overlap) + law_before);
+    const double normal = mean_weight * (response.work - law.stored(overlap) + law_before);
     const double tangential_squared = tangential_before.squaredNorm();
     const double friction =
-        -0.5 * w *
+        -0.5 * mean_weight *
         (duration * (tangential_before + contact.tangential).dot(sliding) +
          (contact.tangential.squaredNorm() - tangential_squared) * tangential_give_);
     const double rolling =
-        -0.5 * w *
+        -0.5 * mean_weight *
         (duration * (rolling_before + contact.rolling).dot(spin) +
          (contact.rolling.squaredNorm() - rolling_before.squaredNorm()) * rolling_give_);
     const double power = -force.dot(moving) - w * contact.rolling.dot(spin);
@@ -292,6 +296,45 @@ void ContactForces::match(const std::vector<ContactPoint>& points) {
   hand_over([&](const ContactPoint& a, const ContactPoint& b) {
     return (a.foot - b.foot).squaredNorm() < near_ * near_;
   });
+}
+
+void ContactForces::hand_on_springs() {
+  // Points on which a weight grows or shrinks within a law.
+  handed_.assign(now_.size(), {});
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    Contact& contact = now_[i];
+    double weight_before = 0.0;
+    if (previous_of_[i] >= 0) {
+      const Contact& previous = contacts_[previous_of_[i]];
+      weight_before = previous.weight;
+      contact.tangential =
+          turned_into_plane(previous.tangential, previous.point.normal, contact.point.normal);
+      contact.rolling = previous.rolling;
+    }
+    HandedShare& handed = handed_[patches_.law_of(i)];
+    const double more = contact.weight - weight_before;
+    if (more > 0.0) {
+      handed.gained += more;
+    } else {
+      handed.lost -= more;
+      handed.tangential -= more * contact.tangential;
+      handed.rolling -= more * contact.rolling;
+    }
+  }
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    const HandedShare& handed = handed_[patches_.law_of(i)];
+    if (!(handed.lost > 0.0)) continue;
+    Contact& contact = now_[i];
+    const double weight_before = previous_of_[i] >= 0 ? contacts_[previous_of_[i]].weight : 0.0;
+    const double more = contact.weight - weight_before;
+    if (!(more > 0.0)) continue;
+    // What more is gained than lost keeps the point's own springs.
+    const double taken = more / std::max(handed.gained, handed.lost);
+    const double own = 1.0 - taken * handed.lost / contact.weight;
+    const Vec3 tangential = own * contact.tangential + taken / contact.weight * handed.tangential;
+    contact.tangential = tangential - tangential.dot(contact.point.normal) * contact.point.normal;
+    contact.rolling = own * contact.rolling + taken / contact.weight * handed.rolling;
+  }
 }
 
 void ContactForces::find_effective_masses(const BodyMotion& block, const BodyMotion& other) {

@@ -124,6 +124,13 @@ class ContactForces {
     Vec3 torque_on_other = Vec3::Zero();
   };
 
+  /// What moves between the points of one law when their weights change.
+  struct HandedShare {
+    double gained = 0.0, lost = 0.0;  ///< sums over the points whose weight grew, and shrank
+    Vec3 tangential = Vec3::Zero();   ///< of the lost shares, N
+    Vec3 rolling = Vec3::Zero();      ///< N m
+  };
+
   template <class Law>
   struct ByZone {
     std::vector<Law> laws;
@@ -140,6 +147,8 @@ class ContactForces {
                       const BodyMotion& block, const BodyMotion& other, double duration,
                       EnergyLedger& ledger);
   void match(const std::vector<ContactPoint>& points);
+  /// Gives every point the springs it had, and those of the shares that moved to it.
+  void hand_on_springs();
   void find_effective_masses(const BodyMotion& block, const BodyMotion& other);
   template <class Law>
   void shift_overlaps(const std::vector<Law>& laws, const EventLoad& event, const BodyMotion& block,
@@ -162,6 +171,7 @@ class ContactForces {
   std::vector<int> previous_of_;  ///< contact of the step before, -1 for none
   std::vector<char> carried_on_;  ///< contacts of the step before that live on
   std::vector<LawAction> law_action_;
+  std::vector<HandedShare> handed_;
 };
 
 }  // namespace clast

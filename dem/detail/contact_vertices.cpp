@@ -159,14 +159,16 @@ void ContactSearch::add_outside_contacts(std::uint32_t v, const Vec3& centre) {
     const std::uint32_t f = local.face;
     const SurfaceFace& face = ground.faces[f];
     const double height = face.normal.dot(centre - ground.vertices[face.vertices[0]]);
-    if (height < 0.0 || height >= reach_) continue;
-    if (depth_in_face(ground, face, centre) >= 0.0) {
+    if (std::abs(height) >= reach_) continue;
+    if (height >= 0.0 && depth_in_face(ground, face, centre) >= 0.0) {
       touch(f, centre - height * face.normal, face.normal, height);
       continue;
     }
     for (int k = 0; k < 3; ++k) {
       const SurfaceEdge& edge = ground.edges[face.edges[k]];
-      if (edge.faces[0] == f && edge.convex()) {  // each edge once
+      // Each edge once. Over one sharper than a right angle lies air that is behind the plane of
+      // either face, but there is none to be told behind a border.
+      if (edge.faces[0] == f && edge.convex() && (height >= 0.0 || edge.kind == EdgeKind::kRidge)) {
         const double along = edge.direction.dot(centre - ground.vertices[edge.vertices[0]]);
         if (along >= 0.0 && along <= edge.length) {
           const Vec3 on_edge = ground.vertices[edge.vertices[0]] + along * edge.direction;

@@ -19,6 +19,9 @@ constexpr double kAsideShare = 0.5;
 /// A push sets free what it leaves inside by less than this share of itself.
 constexpr double kFreeShare = 0.1;
 
+/// A feature is in the other body when it is out of it by less than this share of the overlap.
+constexpr double kOutShare = 0.1;
+
 /// Where a feature is in the other body: a point of it, or two of an edge.
 using Places = std::array<Vec3, 2>;
 
@@ -39,6 +42,13 @@ bool free_of(const IndexedSurface& surface, const Places& places, const Vec3& pu
   });
 }
 
+/// True when the point is in the solid, or hardly out of it. What has no faces has no inside.
+bool hardly_out_of(const IndexedSurface& surface, const Vec3& place, double overlap) {
+  if (surface.features.faces.empty()) return true;
+  const std::optional<NearestPoint> nearest = surface.nearest(place, 2.0 * overlap);
+  return nearest && nearest->distance <= kOutShare * overlap;
+}
+
 }  // namespace
 
 void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
@@ -51,7 +61,14 @@ void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& gr
     // Where the core of either is farthest in the other, each in its own frame.
     const Pose block_from_ground = ground_from_block.inverse();
     const Vec3 of_ground = deep.foot - ground.radius * deep.normal;
+    const Vec3 of_ground_in_block = block_from_ground * of_ground;
     const Vec3 of_block = block_from_ground * (of_ground - (deep.overlap - reach) * deep.normal);
+    // Behind an edge or face of a thin or hollow body is air again: two that have only passed each
+    // other there do not touch.
+    if (!hardly_out_of(ground, ground_from_block * of_block, deep.overlap) ||
+        !hardly_out_of(block, of_ground_in_block, deep.overlap)) {
+      return true;
+    }
     Places ground_places{of_ground, of_ground}, block_places{of_block, of_block};
     if (deep.kind == ContactKind::kEdgeEdge) {
       const double aside = kAsideShare * deep.overlap;

@@ -58,5 +58,63 @@ INSTANTIATE_TEST_SUITE_P(Clefts, Wedged,
                                          Cleft{"Narrowing", 0.7, 0.3}),
                          [](const auto& test) { return test.param.name; });
 
+/// A cube of 0.4 m with a spike of 0.5 m on every face.
+RigidBody spiked() {
+  constexpr double kHalf = 0.2, kTip = 0.7;
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.vertices.emplace_back((i & 1) != 0 ? kHalf : -kHalf, (i & 2) != 0 ? kHalf : -kHalf,
+                               (i & 4) != 0 ? kHalf : -kHalf);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    mesh.vertices.emplace_back(-kTip * Vec3::Unit(axis));
+    mesh.vertices.emplace_back(kTip * Vec3::Unit(axis));
+  }
+  const std::array<std::array<std::uint32_t, 4>, 6> squares = {
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  for (std::uint32_t f = 0; f < 6; ++f) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      mesh.triangles.push_back({squares[f][k], squares[f][(k + 1) % 4], 8 + f});
+    }
+  }
+  RigidBody body;
+  body.shape = sphero_polyhedron(mesh, 0.005);
+  body.mass = 628.0;
+  body.moments = Vec3::Constant(21.0);  // equal by symmetry
+  body.smallest_side = 0.8;
+  return body;
+}
+
+// Behind the edge of a spike is air again. Edges of a thin ridge that get there have passed the
+// block, they are not inside it.
+TEST(Spikes, EdgesThatPassEachOtherInTheAirDoNotTouch) {
+  TriangleMesh mesh;
+  for (const double y : {-20.0, 20.0}) {
+    for (const auto& [x, z] :
+         {std::pair{-20.0, -10.0}, {-1.0, -10.0}, {0.0, 0.0}, {1.0, -10.0}, {20.0, -10.0}}) {
+      mesh.vertices.emplace_back(x, y, z);
+    }
+  }
+  for (std::uint32_t a = 0; a < 4; ++a) {
+    mesh.triangles.push_back({a, a + 1, a + 6});
+    mesh.triangles.push_back({a, a + 6, a + 5});
+  }
+  const TerrainSurface terrain = ground(std::move(mesh));
+  const std::vector<GroundParameters> zones = {{0.01, 0.6, 0.2}};
+  const RigidBody body = spiked();
+  ReleaseSettings settings;
+  settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 20.0, 9.81).stiffness;
+  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    Random random(seed);
+    RigidState start;
+    start.orientation = random.rotation();
+    start.position = {random.uniform(-0.3, 0.3), 0.0, 1.5};
+    start.angular_velocity = random.uniform(0.0, 5.0) * random.direction();
+    const ReleaseResult result = simulate_release(terrain, zones, body, start, settings);
+    EXPECT_EQ(result.stop_reason, StopReason::kRest) << seed;
+    EXPECT_LT(std::abs(result.energy.reassigned), 0.05 * result.energy.dissipated()) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace clast

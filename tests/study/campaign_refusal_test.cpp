@@ -110,6 +110,15 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [1, nan, 0]",
                 "campaign.toml:24: [release] velocity_m_s = [1, nan, 0]: must be three finite "
                 "numbers, [x, y, z]"},
+        Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [800, 0, 601]",
+                "campaign.toml:24: [release] velocity_m_s = [800, 0, 601]: must be 1000 in size "
+                "at most; check the units"},
+        Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [0, 0, -1e200]",
+                "campaign.toml:24: [release] velocity_m_s = [0, 0, -1e200]: must be 1000 in "
+                "size at most; check the units"},
+        Refused{"angular_velocity_rad_s = [0, 0, 2]", "angular_velocity_rad_s = [0, 10001, 0]",
+                "campaign.toml:25: [release] angular_velocity_rad_s = [0, 10001, 0]: must be "
+                "10000 in size at most; check the units"},
         Refused{"up = \"y\"", "up = \"x\"",
                 "campaign.toml:8: [terrain] up = \"x\": must be \"z\" or \"y\""},
         Refused{"weights = \"overlap\"", "weights = \"equal\"",

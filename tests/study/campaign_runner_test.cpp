@@ -135,6 +135,15 @@ TEST_F(CampaignRun, ZonesAndParametersMustFit) {
       << unused;
 }
 
+TEST_F(CampaignRun, FallsFasterThanAnyRockAreRefused) {
+  const std::string message = refusal(with("[-12, 3, 9.5]", "[-12, 3, 90000]"));
+  EXPECT_TRUE(contains(message, "release point 2 is 9")) << message;
+  EXPECT_TRUE(contains(message,
+                       "m/s; at most 1000 m/s make sense: check heights, units and "
+                       "gravity_m_s2"))
+      << message;
+}
+
 TEST_F(CampaignRun, ReleaseOffTheTerrainIsRefused) {
   const std::string message = refusal(with("[-12, 3, 9.5]", "[-12, 33, 9.5]"));
   EXPECT_TRUE(contains(message,

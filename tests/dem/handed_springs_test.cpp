@@ -1,0 +1,69 @@
+// What tangential springs hold when weights move from one point of a law to another.
+#include <gtest/gtest.h>
+
+#include "dem/detail/contact_forces.hpp"
+#include "tests/support/test_bodies.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kStep = 1e-4, kStiffness = 1e6, kDepth = 1e-3, kSlip = 4e-5;
+
+/// A cube on level ground whose lower corners are loaded as asked.
+class HandedSprings : public testing::TestWithParam<ContactWeights> {
+ protected:
+  HandedSprings() {
+    motion_.world_from_body = {Vec3(0.0, 0.0, 0.5 - kDepth), Quat::Identity()};
+    motion_.begin_position = motion_.world_from_body.translation;
+  }
+
+  /// @param corners  overlap of the lower corners, none where it is zero
+  ContactLoad load(const std::vector<double>& corners, const Vec3& velocity) {
+    std::vector<ContactPoint> points;
+    std::uint32_t corner = 0;
+    for (std::uint32_t v = 0; v < cube_.shape.vertices.size(); ++v) {
+      if (cube_.shape.vertices[v].z() > 0.0 || corner == corners.size()) continue;
+      const double overlap = corners[corner++];
+      if (!(overlap > 0.0)) continue;
+      ContactPoint point;
+      point.block_feature = v;
+      point.normal = Vec3::UnitZ();
+      point.overlap = overlap;
+      point.foot = Vec3(cube_.shape.vertices[v].x(), cube_.shape.vertices[v].y(), 0.0);
+      points.push_back(point);
+    }
+    motion_.velocity = motion_.begin_velocity = velocity;
+    return forces_.update(points, motion_, {}, kStep, ledger_);
+  }
+
+  RigidBody cube_ = box(1000.0, Vec3::Ones());
+  BlockSurface surface_{cube_.shape};
+  std::vector<GroundParameters> zones_ = {{1.0, 1e3, 0.0}};
+  ContactForces forces_{zones_,    {}, surface_, 1.0, {kStiffness, kStiffness, kStiffness, kStep},
+                        GetParam()};
+  BodyMotion motion_;
+  EnergyLedger ledger_;
+};
+
+// One corner alone is pushed by k_t s. Others that share its load share its spring: the force on
+// the block stays, and nothing is lost.
+TEST_P(HandedSprings, ForceAndEnergyStayWhenPointsJoin) {
+  load({kDepth}, Vec3::Zero());
+  const double force = -load({kDepth}, Vec3(kSlip / kStep, 0.0, 0.0)).force.x();
+  EXPECT_NEAR(force, kStiffness * kSlip, 1e-9 * force);
+  for (const std::vector<double>& corners : {std::vector<double>{kDepth, kDepth},
+                                             {kDepth, kDepth, 0.0, 0.5 * kDepth},
+                                             {0.2 * kDepth, kDepth, 0.3 * kDepth, 0.5 * kDepth}}) {
+    EXPECT_NEAR(-load(corners, Vec3::Zero()).force.x(), force, 1e-9 * force) << corners.size();
+  }
+  load({kDepth, kDepth, kDepth, kDepth}, Vec3::Zero());
+  const double stored = 0.5 * kStiffness * (kDepth * kDepth + kSlip * kSlip);
+  EXPECT_NEAR(forces_.stored_energy(), stored, 1e-9 * stored);
+}
+INSTANTIATE_TEST_SUITE_P(Weights, HandedSprings,
+                         testing::Values(ContactWeights::kPatch, ContactWeights::kOverlap,
+                                         ContactWeights::kCount),
+                         [](const auto& test) { return name_of(test.param); });
+
+}  // namespace
+}  // namespace clast
