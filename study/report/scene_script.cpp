@@ -116,9 +116,10 @@ var clastScene=(function(){
   }
   function start(){
     if(started)return;started=true;
+    clastRun('three-code');clastRun('orbit-code');
     try{renderer=new THREE.WebGLRenderer({antialias:true})}
     catch(e){view.textContent='This browser draws no 3-D graphics (WebGL is off).';return}
-    data=JSON.parse(document.getElementById('scene-data').textContent);
+    data=JSON.parse(clastUnpacked('scene-data'));
     data.frames=numbers(Float32Array,data.frames);
     scene=new THREE.Scene();scene.background=new THREE.Color(0xeef3f7);
     scene.add(new THREE.HemisphereLight(0xffffff,0x8a8f96,.75));
