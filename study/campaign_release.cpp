@@ -1,4 +1,6 @@
 // [release] and [[release]] of a campaign file.
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "study/campaign_reading.hpp"
 #include "study/release_points.hpp"
@@ -55,7 +57,12 @@ std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, Release
     if (const TomlNode* seed = rule.find("seed")) {
       rule.refuse("seed", *seed, "points on a line are evenly spaced and need no seed");
     }
-    return points_on_line(points_of(rule, "line", *line, 2), count);
+    const std::vector<Vec3> corners = points_of(rule, "line", *line, 2);
+    if (std::all_of(corners.begin(), corners.end(),
+                    [&](const Vec3& corner) { return corner == corners.front(); })) {
+      rule.refuse("line", *line, "all its points are the same, so it has no length");
+    }
+    return points_on_line(corners, count);
   }
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
   std::vector<Vec2> corners;
@@ -101,6 +108,10 @@ void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) 
     plan.orientations = grid_45_orientations();
     return;
   }
+  if (fs::path(plan.orientation_source).extension().empty() &&
+      !fs::exists(fs::path(table.file()).parent_path() / plan.orientation_source)) {
+    table.refuse("orientations", node, "must be " + expected + "; there is no file of this name");
+  }
   const fs::path file = input_file(table, "orientations", node);
   plan.orientations = read_orientations(file);
   if (y_up) {
@@ -109,13 +120,25 @@ void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) 
   plan.files.push_back(file);
 }
 
+// No rock starts faster or higher; beyond, a unit was mistaken, and steps would be too many.
+constexpr double kFastestStart = 1000.0;  // m/s or rad/s
+constexpr NumberRange kDropHeight{0.0, true, 10'000.0, "zero or more, and at most 10000 m"};
+
+Vec3 start_motion(const TomlTable& table, const std::string& key, const std::string& unit) {
+  const Vec3 motion = table.vec3(key).value_or(Vec3::Zero());
+  if (!(motion.stableNorm() <= kFastestStart)) {
+    table.refuse(key, *table.find(key), "must be at most 1000 " + unit + " in all");
+  }
+  return motion;
+}
+
 ReleasePlan read_release(const TomlTable& table, bool y_up) {
   ReleasePlan plan;
   plan.name = table.text("name").value_or("");
   plan.seed = table.count("seed", 0, INT64_MAX).value_or(plan.seed);
-  plan.drop_height = table.number("height_m", kNotNegative);
-  plan.velocity = table.vec3("velocity_m_s").value_or(Vec3::Zero());
-  plan.angular_velocity = table.vec3("angular_velocity_rad_s").value_or(Vec3::Zero());
+  plan.drop_height = table.number("height_m", kDropHeight);
+  plan.velocity = start_motion(table, "velocity_m_s", "m/s");
+  plan.angular_velocity = start_motion(table, "angular_velocity_rad_s", "rad/s");
   plan.points = read_release_points(table, y_up, plan);
   read_orientation_set(table, y_up, plan);
   return plan;
