@@ -17,17 +17,6 @@ void append_u32(std::string& bytes, std::uint32_t value) {
 
 const Bytef* bytes_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
 
-std::string compressed(std::string_view bytes) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string stream(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(stream.data()), &size, bytes_of(bytes),
-                static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION) != Z_OK) {
-    throw std::bad_alloc();  // the only way it fails with room for the worst case
-  }
-  stream.resize(size);
-  return stream;
-}
-
 void append_chunk(std::string& png, std::string_view type, std::string_view data) {
   append_u32(png, static_cast<std::uint32_t>(data.size()));
   const std::string body = std::string(type) + std::string(data);
@@ -52,12 +41,23 @@ std::string begun(std::uint32_t width, std::uint32_t height, ColourType type) {
 }
 
 std::string ended(std::string png, std::string_view rows) {
-  append_chunk(png, "IDAT", compressed(rows));
+  append_chunk(png, "IDAT", deflated(rows));
   append_chunk(png, "IEND", {});
   return png;
 }
 
 }  // namespace
+
+std::string deflated(std::string_view bytes, int level) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string stream(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(stream.data()), &size, bytes_of(bytes),
+                static_cast<uLong>(bytes.size()), level) != Z_OK) {
+    throw std::bad_alloc();  // the only way it fails with room for the worst case
+  }
+  stream.resize(size);
+  return stream;
+}
 
 std::string palette_png(std::uint32_t width, std::uint32_t height,
                         std::span<const std::uint8_t> pixels, const std::vector<Rgb>& palette) {

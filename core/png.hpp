@@ -22,6 +22,11 @@ std::string palette_png(std::uint32_t width, std::uint32_t height,
 /// @cite png3
 std::string rgb_png(std::uint32_t width, std::uint32_t height, std::span<const Rgb> pixels);
 
+/// A zlib stream.
+/// @param level  1 fast to 9 small
+/// @cite rfc1951
+std::string deflated(std::string_view bytes, int level = 9);
+
 /// RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 

@@ -156,6 +156,9 @@ std::vector<Barrier> read_barriers(const TomlTable& top) {
   return barriers;
 }
 
+// s; about a time step, so that no more can be seen, while storage goes with its inverse.
+constexpr double kShortestInterval = 1e-4;
+
 void read_run(const TomlTable& top, Campaign& campaign) {
   const TomlNode* node = top.find("run");
   if (!node) return;
@@ -169,8 +172,12 @@ void read_run(const TomlTable& top, Campaign& campaign) {
   campaign.gravity = table.number("gravity_m_s2", kPositive).value_or(campaign.gravity);
   campaign.trajectory_interval =
       table.number("trajectory_interval_s", kNotNegative).value_or(campaign.trajectory_interval);
+  if (campaign.trajectory_interval > 0.0 && campaign.trajectory_interval < kShortestInterval) {
+    table.refuse("trajectory_interval_s", *table.find("trajectory_interval_s"),
+                 "must be 0 (none stored), or 1e-4 or more; each state takes 112 bytes");
+  }
   campaign.downslope = table.vec2("downslope");
-  if (campaign.downslope && !(campaign.downslope->norm() > 0.0)) {
+  if (campaign.downslope && !in_range(campaign.downslope->norm(), kPositive)) {
     table.refuse("downslope", *table.find("downslope"), "must point somewhere");
   }
 }

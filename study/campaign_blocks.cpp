@@ -170,6 +170,14 @@ std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& 
     const TomlNode& ground =
         table.required("ground", "a table of zones, [block_group.ground.NAME]");
     group.ground = read_zones(ground, top.file(), "block_group.ground", false);
+    if (std::all_of(group.ground.begin(), group.ground.end(), [](const auto& zone) {
+          const GroundTable& differs = zone.second;
+          return !differs.energy_restitution && !differs.friction && !differs.rolling_friction;
+        })) {
+      table.refuse(
+          "ground names no parameter that differs; write for example ground.scree = { friction = "
+          "0.5 }");
+    }
     for (const auto& [zone, parameters] : group.ground) {
       if (!campaign.ground.contains(zone)) {
         table.refuse("ground." + zone, *ground.find(zone),

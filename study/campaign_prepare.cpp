@@ -6,6 +6,7 @@
 #include "classify/schemes.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/version.hpp"
 #include "dem/ground_gap.hpp"
 #include "study/campaign_runner.hpp"
@@ -250,16 +251,33 @@ double fastest_speed(const PreparedCampaign& prepared) {
   return std::sqrt(fastest);
 }
 
-std::size_t distinct_rotations(const std::vector<Quat>& orientations) {
+// Rotations that are the same have the same |w|, so each is compared with its neighbours in that
+// order only: a file can hold a million.
+std::size_t distinct_rotations(std::vector<Quat> orientations) {
+  std::stable_sort(orientations.begin(), orientations.end(),
+                   [](const Quat& a, const Quat& b) { return std::abs(a.w()) < std::abs(b.w()); });
   std::vector<Quat> distinct;
   for (const Quat& orientation : orientations) {
-    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const Quat& other) {
-      return std::min((orientation.coeffs() - other.coeffs()).norm(),
-                      (orientation.coeffs() + other.coeffs()).norm()) < kSameRotation;
-    });
+    bool known = false;
+    for (auto other = distinct.rbegin(); !known && other != distinct.rend(); ++other) {
+      if (std::abs(orientation.w()) - std::abs(other->w()) > kSameRotation) break;
+      known = std::min((orientation.coeffs() - other->coeffs()).norm(),
+                       (orientation.coeffs() + other->coeffs()).norm()) < kSameRotation;
+    }
     if (!known) distinct.push_back(orientation);
   }
   return distinct.size();
+}
+
+// How many release points lie where an earlier one of their set lies.
+std::size_t repeated_points(std::vector<Vec3> points, bool plan_only) {
+  for (Vec3& point : points) {
+    if (plan_only) point.z() = 0.0;
+  }
+  std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  return static_cast<std::size_t>(points.end() - std::unique(points.begin(), points.end()));
 }
 
 // Blocks at another size than the library's, in words; drawn ones are too many.
@@ -272,10 +290,54 @@ void tell_of_scales(const PreparedCampaign& prepared, std::vector<std::string>& 
   }
 }
 
+// A run of so many steps at a microsecond each would last minutes, and days.
+constexpr double kManySteps = 1e9;
+constexpr double kEndlessSteps = 1e12;
+
+void tell_of_steps(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+  const double step = prepared.stiffness.stiffness.time_step;
+  const double steps = prepared.campaign.max_time / step;
+  if (!(steps > kManySteps)) return;
+  const std::string told = "the time step of " + with_digits(step, 3) + " s makes up to " +
+                           with_digits(steps, 2) + " steps of a run of " +
+                           with_digits(prepared.campaign.max_time, 4) + " s";
+  if (!(steps < kEndlessSteps)) {
+    throw InputError(prepared.campaign.file.string() + ": " + told +
+                     ", which would not end; give a softer [contact] stiffness_n_m, a longer "
+                     "time_step_s or a shorter [run] max_time_s, or leave both to \"auto\"");
+  }
+  warnings.push_back(told + "; runs will take long");
+}
+
+// Friction angles in degrees that stand where coefficients belong.
+void tell_of_friction(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+  constexpr double kSteepest = 5.0;  // 79 degrees; ground is known up to about 1.2
+  for (std::size_t zone = 0; zone < prepared.header.ground.size(); ++zone) {
+    const GroundParameters& ground = prepared.header.ground[zone];
+    for (const auto& [key, value] : {std::pair("friction", ground.friction),
+                                     std::pair("rolling_friction", ground.rolling_friction)}) {
+      if (value <= kSteepest) continue;
+      const std::string number = with_digits(value, 4);
+      warnings.push_back("[ground." + prepared.header.zone_names[zone] + "] " + key + " = " +
+                         number + " is a coefficient; the one of an angle of " + number +
+                         " degrees is its tangent");
+    }
+  }
+}
+
 std::vector<std::string> warnings_of(const PreparedCampaign& prepared) {
   std::vector<std::string> warnings = prepared.stiffness.warnings;
   tell_of_scales(prepared, warnings);
+  tell_of_steps(prepared, warnings);
+  tell_of_friction(prepared, warnings);
   for (const ReleasePlan& release : prepared.campaign.releases) {
+    const std::size_t repeated = repeated_points(release.points, release.drop_height.has_value());
+    if (repeated > 0 && !release.fresh_orientations) {
+      warnings.push_back(set_name(release) + std::to_string(repeated) + " of " +
+                         std::to_string(release.points.size()) +
+                         " release points repeat another; all are run, so they count more than "
+                         "once");
+    }
     // Random sets have no duplicates, and comparing each with each would take long for large ones.
     if (release.orientation_source == "random") continue;
     const std::size_t distinct = distinct_rotations(release.orientations);

@@ -1,4 +1,6 @@
 // [release] and [[release]] of a campaign file.
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "study/campaign_reading.hpp"
@@ -13,6 +15,7 @@ namespace {
 /// No rock is faster, m/s and rad/s: more is a slip of units, and its time step would be so short
 /// that the run never ended.
 constexpr double kMostSpeed = 1000.0, kMostSpin = 1e4;
+constexpr NumberRange kDropHeight{0.0, true, 10'000.0, "zero or more, and at most 10000 m"};
 
 std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, ReleasePlan& plan) {
   const std::string expected =
@@ -60,7 +63,12 @@ std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, Release
     if (const TomlNode* seed = rule.find("seed")) {
       rule.refuse("seed", *seed, "points on a line are evenly spaced and need no seed");
     }
-    return points_on_line(points_of(rule, "line", *line, 2), count);
+    const std::vector<Vec3> corners = points_of(rule, "line", *line, 2);
+    if (std::all_of(corners.begin(), corners.end(),
+                    [&](const Vec3& corner) { return corner == corners.front(); })) {
+      rule.refuse("line", *line, "all its points are the same, so it has no length");
+    }
+    return points_on_line(corners, count);
   }
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
   std::vector<Vec2> corners;
@@ -106,6 +114,10 @@ void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) 
     plan.orientations = grid_45_orientations();
     return;
   }
+  if (fs::path(plan.orientation_source).extension().empty() &&
+      !fs::exists(fs::path(table.file()).parent_path() / plan.orientation_source)) {
+    table.refuse("orientations", node, "must be " + expected + "; there is no file of this name");
+  }
   const fs::path file = input_file(table, "orientations", node);
   plan.orientations = read_orientations(file);
   if (y_up) {
@@ -128,7 +140,7 @@ ReleasePlan read_release(const TomlTable& table, bool y_up) {
   ReleasePlan plan;
   plan.name = table.text("name").value_or("");
   plan.seed = table.count("seed", 0, INT64_MAX).value_or(plan.seed);
-  plan.drop_height = table.number("height_m", kNotNegative);
+  plan.drop_height = table.number("height_m", kDropHeight);
   plan.velocity = start_rate(table, "velocity_m_s", kMostSpeed);
   plan.angular_velocity = start_rate(table, "angular_velocity_rad_s", kMostSpin);
   plan.points = read_release_points(table, y_up, plan);

@@ -134,6 +134,9 @@ Runout runout(const Vec3& start, const Vec3& stop, const Vec2& downslope);
 /// How much of the energy that a run dissipates is lost or gained where contacts or weights change;
 /// none when it dissipates nothing.
 std::optional<double> reassigned_share(const EnergyLedger& energy);
+/// Runs above this share are warned of. It acts like that much more or less friction, which surveys
+/// rarely know to 10 %; a few per cent are the price of contacts that begin and end, in most runs.
+inline constexpr double kNotableReassigned = 0.1;
 
 /// What a reader of the tables must know: unfinished or lost runs, unequal masses, poor energy
 /// balance. Called by `compare`.

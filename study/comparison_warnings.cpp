@@ -14,9 +14,6 @@ namespace {
 constexpr double kNotableMassDifference = 0.01;
 /// Share of the dissipated energy that a run's balance may miss before it is named.
 constexpr double kNotableEnergyError = 0.01;
-/// Share of the dissipated energy that may vanish or appear where contacts or weights change before
-/// a run is named.
-constexpr double kNotableReassigned = 0.01;
 
 std::string of(std::size_t part, std::size_t all) {
   return std::to_string(part) + " of " + std::to_string(all);
@@ -75,11 +72,11 @@ void warn_of_reassigned(const Comparison& comparison, std::vector<std::string>& 
   if (count == 0) return;
   warnings.push_back(
       of(count, comparison.rows.size()) +
-      " runs lose or gain more than 1 % of the energy they dissipate where contacts begin, end or "
+      " runs lose or gain more than 10 % of the energy they dissipate where contacts begin, end or "
       "share their stiffness anew (at most " +
       with_digits(100.0 * largest, 3) + " %, run " + std::to_string(worst->record->run) +
       ", block " + worst->block->id +
-      "); it acts like a little more friction. Run some of them with half the [contact] "
+      "); it acts like that much more or less friction. Run some of them with half the [contact] "
       "time_step_s "
       "to see whether the results depend on it");
 }

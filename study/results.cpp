@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -225,8 +226,25 @@ void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& tra
 
 }  // namespace
 
+void check_replaceable(const fs::path& target) {
+  std::error_code code;
+  if (fs::is_directory(target, code)) {
+    throw InputError(target.string() + ": is a folder; give the name of a file");
+  }
+  if (!fs::is_regular_file(target, code) || fs::file_size(target, code) == 0) return;
+  try {
+    Hdf5File::open(target, kFormat, std::numeric_limits<int>::max());
+  } catch (const InputError& error) {
+    throw InputError(target.string() +
+                     ": is there already and no results file, so it is not replaced; give another "
+                     "name, or delete it first (" +
+                     error.what() + ")");
+  }
+}
+
 void write_results_file(const fs::path& target, const CampaignResults& header, std::size_t count,
                         const std::function<StoredRun(std::size_t)>& run) {
+  check_replaceable(target);
   OutputFile output(target);
   {
     Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchemaVersion);
@@ -266,14 +284,13 @@ ResultsWriter::~ResultsWriter() = default;
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 
 ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignResults& header) {
-  if (std::error_code code; fs::is_directory(target, code)) {
-    throw InputError(target.string() + ": is a folder; give the name of a file");
-  }
+  check_replaceable(target);
   return ResultsWriter(std::unique_ptr<Impl>(
       new Impl{target, header, ResultsJournal::create(partial_results(target), header), {}}));
 }
 
 ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResults& header) {
+  check_replaceable(target);
   ResultsJournal journal = ResultsJournal::resume(partial_results(target), header);
   std::vector<std::uint32_t> stored = journal.runs();
   std::sort(stored.begin(), stored.end());

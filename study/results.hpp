@@ -135,6 +135,7 @@ std::filesystem::path partial_results(const std::filesystem::path& target);
 class ResultsWriter {
  public:
   /// Starts anew, in place of what an interrupted campaign left. Makes missing parent folders.
+  /// @throws InputError  `target` is there and no results file
   static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header);
   /// Goes on with `partial_results(target)`; half a run that a kill left is dropped.
   /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and

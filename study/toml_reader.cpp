@@ -127,6 +127,15 @@ std::string suggestion(const std::string& key, const std::vector<std::string>& k
   for (const std::string& candidate : known) list += (list.empty() ? "" : ", ") + candidate;
   return "known here are " + list;
 }
+// Names end in tables, file names and on the terminal, where a line end or a NUL breaks what is
+// around it.
+constexpr const char* kNoControls = "must be one line without control characters";
+bool has_control_characters(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) == 0x7f;
+  });
+}
+
 }  // namespace
 
 bool in_range(double value, const NumberRange& range) {
@@ -189,6 +198,7 @@ std::optional<std::string> TomlTable::text(const std::string& key) const {
   if (!node) return std::nullopt;
   if (node->kind != TomlNode::Kind::kString) refuse(key, *node, "must be a text in quotes");
   if (node->text.empty()) refuse(key, *node, "must not be empty");
+  if (has_control_characters(node->text)) refuse(key, *node, kNoControls);
   return node->text;
 }
 
@@ -225,6 +235,7 @@ std::optional<std::vector<std::string>> TomlTable::texts(const std::string& key)
     if (element.kind != TomlNode::Kind::kString || element.text.empty()) {
       refuse(key, element, "each element must be a text in quotes, not empty");
     }
+    if (has_control_characters(element.text)) refuse(key, element, kNoControls);
     values.push_back(element.text);
   }
   return values;

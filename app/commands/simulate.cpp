@@ -126,7 +126,7 @@ struct Outcome {
   std::array<std::size_t, 4> reasons = {};
   std::size_t below_ground = 0;
   double largest_energy_error = 0.0;
-  std::size_t reassigned = 0;  ///< runs above 1 %
+  std::size_t reassigned = 0;  ///< runs above `kNotableReassigned`
   double largest_reassigned = 0.0;
   std::string first_error;
 
@@ -141,7 +141,7 @@ Outcome outcome_of(const CampaignResults& results) {
     if (run.result.below_ground) ++outcome.below_ground;
     outcome.largest_energy_error = std::max(outcome.largest_energy_error, run.result.energy.error);
     const double reassigned = reassigned_share(run.result.energy).value_or(0.0);
-    if (reassigned > 0.01) ++outcome.reassigned;
+    if (reassigned > kNotableReassigned) ++outcome.reassigned;
     outcome.largest_reassigned = std::max(outcome.largest_reassigned, reassigned);
     if (run.result.stop_reason == StopReason::kError && outcome.first_error.empty()) {
       outcome.first_error = "run " + std::to_string(run.run) + ": " + run.result.message;
@@ -162,7 +162,7 @@ void print_outcome(const CampaignResults& results) {
   if (outcome.reassigned > 0) {
     std::cout
         << "warning: " << counted(outcome.reassigned, "run")
-        << " lose or gain more than 1 % of the energy they dissipate where contacts change, at "
+        << " lose or gain more than 10 % of the energy they dissipate where contacts change, at "
            "most "
         << rounded(100.0 * outcome.largest_reassigned, 2)
         << " %; `clast compare` says which and what to try\n";

@@ -1,5 +1,6 @@
 #include "study/report/html_report.hpp"
 
+#include "study/report/page_script.hpp"
 #include "study/report/plotly_chart.hpp"
 #include "study/report/report_page.hpp"
 #include "study/report/report_sections.hpp"
@@ -14,7 +15,7 @@ std::string html_report(const Comparison& comparison, const std::vector<ProfileB
   if (comparison.results.size() > 1) {
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
-  return report_page(title, head_section(comparison) + class_section(comparison) +
+  return report_page(title, unpack_script() + head_section(comparison) + class_section(comparison) +
                                 map_section(comparison) + scene_section(comparison) +
                                 runout_section(comparison) + slope_section(comparison, bins) +
                                 differences_section(comparison) + barrier_section(comparison) +

@@ -225,13 +225,13 @@ std::string map_figure(const Comparison& comparison) {
   Json y = axis("y, m", window.low.y(), window.high.y());
   y["scaleanchor"] = "x";
   const Json layout = {
+      // the buttons have the margin above to themselves, beside no name
       {"height", 640},
-      {"margin", {{"l", 74}, {"r", 10}, {"t", 12}, {"b", 48}}},
+      {"margin", {{"l", 74}, {"r", 10}, {"t", 36}, {"b", 48}}},
       {"font",
        {{"family", "system-ui,Segoe UI,Roboto,Helvetica Neue,Arial,sans-serif"}, {"size", 12}}},
       {"xaxis", axis("x, m", window.low.x(), window.high.x())},
       {"yaxis", y},
-      {"legend", {{"y", 0.93}}},  // below the buttons
       {"dragmode", "pan"},
       {"hovermode", "closest"},
       {"annotations", notes},

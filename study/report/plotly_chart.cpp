@@ -28,6 +28,7 @@ var clastCharts=(function(){
   function draw(box){
     if(box.dataset.drawn)return Promise.resolve(box);
     box.dataset.drawn='yes';
+    clastRun('plotly-code');
     var figure=JSON.parse(box.nextElementSibling.textContent);
     return Plotly.newPlot(box,figure.data,figure.layout,Object.assign({},settings,figure.config)).then(function(){return box});
   }
@@ -169,7 +170,8 @@ std::string charts_script() {
                      ". Install plotly.js (on Debian: apt install python3-plotly), or name its "
                      "folder in CLAST_PLOTLY, and compare again. The tables are complete.");
   }
-  return script_element(read_text_file(plotly_file())) + script_element(kChartScript);
+  return packed_element("plotly-code", read_text_file(plotly_file())) +
+         script_element(kChartScript);
 }
 
 std::vector<Trace> cumulative_traces(const std::vector<Series>& samples, bool exceeding) {

@@ -25,6 +25,9 @@ constexpr double kSeenRadius = 0.03;
 
 static_assert(std::endian::native == std::endian::little, "browsers read little-endian arrays");
 
+/// To 2^-14, which is 0.06 mm: bits that nobody sees would be most of what a page can't deflate.
+double seen(double value) { return std::round(value * 16384.0) / 16384.0; }
+
 template <class T>
 std::string packed(std::span<const T> values) {
   return base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
@@ -204,10 +207,11 @@ SceneData scene_data(const Comparison& comparison, const SceneLimits& limits) {
     for (std::size_t k = 0; k < trajectory.time.size(); ++k) {
       const RigidState& state = trajectory.states[k];
       frames.push_back(static_cast<float>(trajectory.time[k]));
-      append(frames, results.frame.map(state.position) - origin);
+      const Vec3 place = results.frame.map(state.position) - origin;
+      append(frames, Vec3(seen(place.x()), seen(place.y()), seen(place.z())));
       for (const double q : {state.orientation.w(), state.orientation.x(), state.orientation.y(),
                              state.orientation.z()}) {
-        frames.push_back(static_cast<float>(q));
+        frames.push_back(static_cast<float>(seen(q)));
       }
     }
     duration = std::max(duration, trajectory.time.back());

@@ -68,7 +68,7 @@ var clastScene=(function(){
       scene.add(paths[group]);
     });
   }
-  var from=new THREE.Quaternion(),to=new THREE.Quaternion(),place=new THREE.Vector3(),size=new THREE.Vector3(),matrix=new THREE.Matrix4();
+  var from,to,place,size,matrix;
   /* The last stored state before `time`, by halving; then a straight way and an even turn. */
   function state(run){
     var f=data.frames,low=run.first,high=run.first+run.count-1;
@@ -116,9 +116,11 @@ var clastScene=(function(){
   }
   function start(){
     if(started)return;started=true;
+    clastRun('three-code');clastRun('orbit-code');
+    from=new THREE.Quaternion();to=new THREE.Quaternion();place=new THREE.Vector3();size=new THREE.Vector3();matrix=new THREE.Matrix4();
     try{renderer=new THREE.WebGLRenderer({antialias:true})}
     catch(e){view.textContent='This browser draws no 3-D graphics (WebGL is off).';return}
-    data=JSON.parse(document.getElementById('scene-data').textContent);
+    data=JSON.parse(clastUnpacked('scene-data'));
     data.frames=numbers(Float32Array,data.frames);
     scene=new THREE.Scene();scene.background=new THREE.Color(0xeef3f7);
     scene.add(new THREE.HemisphereLight(0xffffff,0x8a8f96,.75));

@@ -65,9 +65,9 @@ std::string scene_section(const Comparison& comparison, const SceneLimits& limit
                        "move. " +
                        drawn + " Between stored states positions are interpolated.") +
                  "<div id=\"scene\"><div class=\"view\"></div>\n" + controls(comparison) +
-                 "</div>\n" + json_element("id=\"scene-data\"", data.json)) +
-         script_element(read_text_file(core)) + script_element(read_text_file(orbit)) +
-         script_element(kSceneScript);
+                 "</div>\n" + packed_element("scene-data", data.json)) +
+         packed_element("three-code", read_text_file(core)) +
+         packed_element("orbit-code", read_text_file(orbit)) + script_element(kSceneScript);
 }
 
 }  // namespace clast

@@ -39,6 +39,9 @@ clastCharts.drawAll().then(function(boxes){
   probe.charts=boxes.length;
   probe.inked=boxes.filter(function(b){return b.querySelector(inks)}).length;
   var map=boxes.find(function(b){return b.classList.contains('map')});
+  var bar=map.querySelector('.modebar').getBoundingClientRect(),names=map.querySelector('.legend').getBoundingClientRect();
+  probe.buttons_and_names=bar.width>0&&names.width>0;
+  probe.names_covered=bar.bottom>names.top&&bar.top<names.bottom&&bar.right>names.left&&bar.left<names.right;
   probe.relief=map.querySelectorAll('.imagelayer image').length;
   var width=map.layout.xaxis.range[1]-map.layout.xaxis.range[0],shown=map.data[0].visible;
   return Plotly.relayout(map,{'xaxis.range[0]':0,'xaxis.range[1]':0.5*width}).then(function(){
@@ -134,6 +137,8 @@ TEST_F(ReportPage, DrawsItsChartsAndMovesItsBlocks) {
   // Map, four of runouts, three along the slope, the cut, three of the barrier.
   EXPECT_EQ(probe["charts"], 12);
   EXPECT_EQ(probe["inked"], probe["charts"]);
+  EXPECT_TRUE(probe["buttons_and_names"]);
+  EXPECT_FALSE(probe["names_covered"]) << "the map's buttons lie over its legend";
   EXPECT_EQ(probe["relief"], 1);
   EXPECT_NEAR(double(probe["zoomed"]), 0.5, 0.01);
   EXPECT_EQ(probe["hidden_points"], 6) << "a block hidden by the legend takes its stops along";

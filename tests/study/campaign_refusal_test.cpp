@@ -181,7 +181,35 @@ INSTANTIATE_TEST_SUITE_P(
                 "height_m"},
         Refused{"\"points.xyz\"", "{ polygon = [[0,0],[1,1],[2,2]], count = 4 }\nheight_m = 1",
                 "campaign.toml:22: [release] points polygon = [[0,0],[1,1],[2,2]]: the "
-                "polygon has no area"}));
+                "polygon has no area"},
+        Refused{"\"points.xyz\"", "{ line = [[1,2,3],[1,2,3]], count = 4 }",
+                "campaign.toml:22: [release] points line = [[1,2,3],[1,2,3]]: all its points are "
+                "the same, so it has no length"},
+        Refused{"\"turns.txt\"", "\"grid45\"",
+                "campaign.toml:23: [release] orientations = \"grid45\": must be \"grid-45\", a "
+                "quaternion file, or { random = N, seed = S }; there is no file of this name"}));
+
+// Values that a slip of the keyboard makes: they would fill memory, never end, or break tables.
+INSTANTIATE_TEST_SUITE_P(
+    Slips, CampaignRefusal,
+    testing::Values(
+        Refused{"trajectory_interval_s = 0", "trajectory_interval_s = 1e-9",
+                "campaign.toml:49: [run] trajectory_interval_s = 1e-9: must be 0 (none stored), or "
+                "1e-4 or more; each state takes 112 bytes"},
+        Refused{"downslope = [1, 0.1]", "downslope = [1e200, 1e200]",
+                "campaign.toml:48: [run] downslope = [1e200, 1e200]: must point somewhere"},
+        Refused{"seed = 12", "seed = 12\nheight_m = 1e9",
+                "campaign.toml:27: [release] height_m = 1e9: must be zero or more, and at most "
+                "10000 m"},
+        Refused{"name = \"EC12\"", "name = \"EC\\u000012\"",
+                "campaign.toml:39: [[barrier]] name = \"EC\\u000012\": must be one line without "
+                "control characters"},
+        Refused{"name = \"EC12\"", "name = \"EC\\n12\"",
+                "campaign.toml:39: [[barrier]] name = \"EC\\n12\": must be one line without "
+                "control characters"},
+        Refused{"select = [\"B1\", \"B2\"]", "select = [\"B\\t1\"]",
+                "campaign.toml:3: [blocks] select = \"B\\t1\": must be one line without control "
+                "characters"}));
 
 // What blocks, groups and ensembles can ask for wrongly. Line 2 is where the library is named.
 INSTANTIATE_TEST_SUITE_P(
@@ -233,7 +261,11 @@ INSTANTIATE_TEST_SUITE_P(
             "[[block_group]]\nname = \"g\"\nselect = [\"B1\"]\n"
             "ground.green = { friction = 1 }\n[run]",
             "campaign.toml:46: [[block_group]] ground.green = { friction = 1 }: the zone has no "
-            "table [ground.green]"}));
+            "table [ground.green]"},
+        Refused{"[run]",
+                "[[block_group]]\nname = \"g\"\nselect = [\"B1\"]\nground.blue = {}\n[run]",
+                "campaign.toml:43: [[block_group]]: ground names no parameter that "
+                "differs; write for example ground.scree = { friction = 0.5 }"}));
 
 TEST_F(CampaignFile, ReleaseSetsNeedNamesOfTheirOwn) {
   const std::string set = "points = \"points.xyz\"\norientations = \"turns.txt\"\n";

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <set>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "tests/study/campaign_run.hpp"
 #include "tests/study/results_equal.hpp"
 
@@ -104,6 +106,54 @@ TEST_F(CampaignRun, BarrierOffTheTerrainIsNamed) {
   EXPECT_FALSE(warned(prepared()));
   EXPECT_TRUE(
       warned(prepared(with("from = [0, -20]\nto = [0, 20]", "from = [0, 21]\nto = [9, 30]"))));
+}
+
+bool warns(const PreparedCampaign& plan, const std::string& part) {
+  for (const std::string& warning : plan.header.warnings) {
+    if (contains(warning, part)) return true;
+  }
+  return false;
+}
+
+TEST_F(CampaignRun, ReleasePointsThatRepeatAnotherAreCounted) {
+  const std::string points = "points = [[-12, -3, 9.5], [-12, 3, 9.5]]";
+  EXPECT_FALSE(warns(prepared(), "repeat another"));
+  EXPECT_TRUE(warns(
+      prepared(with(points, "height_m = 1\npoints = [[-12, 0], [10, 1], [-12, 0, 7], [-12, 0]]")),
+      "2 of 4 release points repeat another"))
+      << "with height_m the heights of points say nothing";
+}
+
+TEST_F(CampaignRun, AnAngleInThePlaceOfAFrictionCoefficientIsNamed) {
+  EXPECT_FALSE(warns(prepared(), "is a coefficient"));
+  EXPECT_TRUE(warns(prepared(with("friction = 0.4", "friction = 35")),
+                    "[ground.slope] friction = 35 is a coefficient; the one of an angle of 35 "
+                    "degrees is its tangent"));
+}
+
+TEST_F(CampaignRun, RunsThatWouldNotEndAreRefusedAndLongOnesNamed) {
+  const auto stepped = [](const char* step) {
+    return with("[terrain]", std::string("[contact]\ntime_step_s = ") + step + "\n[terrain]");
+  };
+  EXPECT_TRUE(contains(refusal(stepped("1e-30")), "time step of 1e-30 s makes up to"));
+  EXPECT_TRUE(warns(prepared(stepped("1e-9")), "time step of 1e-09 s makes up to"));
+}
+
+TEST_F(CampaignRun, ManyOrientationsAreToldApartWithoutComparingEachWithEach) {
+  std::string turns;
+  Random random(4);
+  for (int i = 0; i < 60'000; ++i) {
+    const Quat q = random.rotation();
+    for (const double part : {q.w(), q.x(), q.y(), q.z()}) turns += std::to_string(part) + " ";
+    turns += "\n";
+    if (i == 100) turns += turns;
+  }
+  write_text_file(*folder_ / "many.txt", turns);
+  const double begin = static_cast<double>(std::clock());
+  const PreparedCampaign plan = prepared(with("turns.txt", "many.txt"));
+  const double seconds = (static_cast<double>(std::clock()) - begin) / CLOCKS_PER_SEC;
+  EXPECT_TRUE(warns(plan, "60101 orientations, of which 60000 are different rotations"));
+  EXPECT_LT(seconds, 10.0);
 }
 
 TEST_F(CampaignRun, BlocksAreSelectedByIdAndClass) {

@@ -14,6 +14,7 @@
 #include "core/text_file.hpp"
 #include "study/report/gis_layers.hpp"
 #include "study/report/html_report.hpp"
+#include "study/report/page_script.hpp"
 #include "study/report/plotly_chart.hpp"
 #include "study/report/report_sections.hpp"
 #include "study/report/ticks.hpp"
@@ -66,7 +67,7 @@ TEST(HtmlReport, RefersToNothingOutsideItself) {
   ASSERT_EQ(::setenv("CLAST_PLOTLY", folder.path().c_str(), 1), 0);
   std::string html = report_of(compared(hand_made_results()));
   ::unsetenv("CLAST_PLOTLY");
-  EXPECT_TRUE(contains(html, "var Plotly={};"));
+  EXPECT_TRUE(contains(html, packed_element("plotly-code", "var Plotly={};")));
   // The relief is data, too.
   const std::string picture = "data:image/png;base64,";
   EXPECT_EQ(count_of(html, picture), 1u);

@@ -251,5 +251,25 @@ TEST(Results, AnotherCampaignIsNotResumed) {
   EXPECT_EQ(refused(other), "");
 }
 
+TEST(Results, FilesThatAreNoResultsAreNotReplaced) {
+  const ScratchFolder folder;
+  const fs::path target = folder / "campaign.toml", whole = folder / "r.h5";
+  write_text_file(target, "[blocks]\n");
+  const std::string problem = "campaign.toml: is there already and no results file, so it is not";
+  EXPECT_TRUE(contains(refusal([&] { ResultsWriter::create(target, sample_header()); }), problem));
+  EXPECT_TRUE(contains(refusal([&] { ResultsWriter::resume(target, sample_header()); }), problem));
+  {
+    ResultsWriter writer = ResultsWriter::create(whole, sample_header());
+    for (std::uint32_t run = 0; run < sample_header().planned_runs; ++run) add_run(writer, run);
+    writer.finish();
+  }
+  EXPECT_TRUE(contains(refusal([&] { merge_results({whole}, target); }), problem));
+  EXPECT_EQ(read_text_file(target), "[blocks]\n");
+  // Results are, and so is what a shell or a queue made beforehand.
+  EXPECT_EQ(refusal([&] { ResultsWriter::create(whole, sample_header()); }), "");
+  write_text_file(target, "");
+  EXPECT_EQ(refusal([&] { ResultsWriter::create(target, sample_header()); }), "");
+}
+
 }  // namespace
 }  // namespace clast

@@ -89,7 +89,7 @@ TEST_F(Scene, HoldsEveryStateOnTheMapLessItsOrigin) {
     const float* last = &frames[8 * (total - 1)];
     EXPECT_EQ(last[0], 0.5f * static_cast<float>(row.record->run + 2));
     EXPECT_LT((Vec3(last[1], last[2], last[3]) + origin - row.stop).norm(), 1e-4);
-    EXPECT_NEAR(std::hypot(last[4], last[5], std::hypot(last[6], last[7])), 1.0, 1e-6);
+    EXPECT_NEAR(std::hypot(last[4], last[5], std::hypot(last[6], last[7])), 1.0, 1e-4);
   }
   EXPECT_EQ(frames.size(), 8 * total);
   EXPECT_EQ(json["duration"], 0.5 * (comparison.rows.back().record->run + 2));
