@@ -114,7 +114,9 @@ bool ContactSearch::look_at_sure_face(std::uint32_t v, const Vec3& centre) {
   state.seen = centre;
   state.seen_at = moved_;
   if (height >= reach_) {
-    vertex_due_[v] = std::min(moved_ + height - reach_, state.sure_outside_until);
+    // Another face may be nearer, as long as it is out of reach.
+    state.distance = std::min(height, reach_ + (state.sure_outside_until - moved_));
+    vertex_due_[v] = moved_ + state.distance - reach_;
     return true;
   }
   vertex_due_[v] = moved_;

@@ -2,6 +2,7 @@
 // come to rest, and what changing contacts take or give stays small.
 #include <gtest/gtest.h>
 
+#include "dem/release.hpp"
 #include "dem/stiffness.hpp"
 #include "tests/support/test_bodies.hpp"
 
@@ -113,6 +114,44 @@ TEST(Spikes, EdgesThatPassEachOtherInTheAirDoNotTouch) {
     const ReleaseResult result = simulate_release(terrain, zones, body, start, settings);
     EXPECT_EQ(result.stop_reason, StopReason::kRest) << seed;
     EXPECT_LT(std::abs(result.energy.reassigned), 0.05 * result.energy.dissipated()) << seed;
+  }
+}
+
+// In a pit the walls come near from all sides: a face that a corner is over says nothing of the
+// others, and none may be passed unseen.
+TEST(Needles, FeelEveryWallOfAPit) {
+  constexpr std::uint32_t kSides = 5;
+  TriangleMesh mesh;
+  mesh.vertices.emplace_back(0.0, 0.0, -10.0);
+  for (const double ring : {2.0, 25.0}) {
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      const double angle = 2.0 * kPi * k / kSides;
+      mesh.vertices.emplace_back(ring * std::cos(angle), ring * std::sin(angle), 0.0);
+    }
+  }
+  for (std::uint32_t k = 0; k < kSides; ++k) {
+    const std::uint32_t a = 1 + k, b = 1 + (k + 1) % kSides;
+    mesh.triangles.push_back({0, a, b});
+    mesh.triangles.push_back({a, a + kSides, b});
+    mesh.triangles.push_back({b, a + kSides, b + kSides});
+  }
+  const TerrainSurface terrain = ground(std::move(mesh));
+  const std::vector<GroundParameters> zones = {{0.01, 0.6, 0.2}};
+  const RigidBody needle = box(53.0, Vec3(2.0, 0.1, 0.1), 0.004);
+  ReleaseSettings settings;
+  settings.stiffness = choose_stiffness(std::span(&needle, 1), zones, 20.0, 9.81).stiffness;
+  for (std::uint64_t seed = 40; seed < 64; ++seed) {
+    Random random(seed);
+    RigidState start;
+    start.orientation = random.rotation();
+    start.position = {random.uniform(-0.3, 0.3), 0.0, -8.0};
+    while (ground_gap(terrain, needle, start, 1.0).value_or(1.0) < 1e-3) start.position.z() += 0.1;
+    start.velocity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0};
+    start.angular_velocity = random.uniform(0.0, 5.0) * random.direction();
+    const ReleaseResult result = simulate_release(terrain, zones, needle, start, settings);
+    EXPECT_EQ(result.stop_reason, StopReason::kRest) << seed;
+    EXPECT_LT(std::abs(result.energy.reassigned), 0.05 * result.energy.dissipated()) << seed;
+    EXPECT_LT(result.max_penetration, 0.25 * needle.smallest_side) << seed;
   }
 }
 
