@@ -3,6 +3,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "core/number_text.hpp"
 #include "study/comparison.hpp"
@@ -188,6 +190,51 @@ void warn_of_changed_blocks(const Comparison& comparison, std::vector<std::strin
   }
 }
 
+/// Measured stops with a name that nothing simulated has, which are in no group but `all`, and
+/// those far from every terrain: of another map system, or a slip.
+void warn_of_measured(const Comparison& comparison, std::vector<std::string>& warnings) {
+  if (!comparison.measured) return;
+  std::set<std::string> blocks;
+  for (const RunRow& row : comparison.rows) blocks.insert(row.block->id);
+  const std::vector<MeasuredStop>& stops = comparison.measured->stops;
+  const auto name = [&](const std::string& what, const auto& unknown) {
+    std::size_t count = 0;
+    std::string first;
+    for (const MeasuredStop& stop : stops) {
+      const std::string text = unknown(stop);
+      if (text.empty()) continue;
+      if (count++ == 0) first = text;
+    }
+    if (count > 0) {
+      warnings.push_back(of(count, stops.size()) + " measured stops " + what + " (first: " + first +
+                         ")");
+    }
+  };
+  name("name a block that no run has, so they are in the group `all` alone",
+       [&](const MeasuredStop& stop) {
+         return blocks.contains(stop.block) ? std::string() : stop.block;
+       });
+  name("have a shape that is neither compact nor elongated, so they are in no group of a shape",
+       [&](const MeasuredStop& stop) {
+         const bool known = stop.shape == "compact" || stop.shape == "elongated";
+         return known ? std::string() : stop.shape;
+       });
+  std::vector<Bounds> grounds;
+  for (const CampaignResults& results : comparison.results) {
+    const Bounds extent = bounds(results.terrain.surface);
+    grounds.push_back(
+        {results.terrain.frame.map(extent.low), results.terrain.frame.map(extent.high)});
+  }
+  name("lie off the terrain; check their map system and units", [&](const MeasuredStop& stop) {
+    const bool over = std::any_of(grounds.begin(), grounds.end(), [&](const Bounds& ground) {
+      return (stop.place.array() >= ground.low.head<2>().array()).all() &&
+             (stop.place.array() <= ground.high.head<2>().array()).all();
+    });
+    return over ? std::string()
+                : "x " + with_digits(stop.place.x(), 9) + ", y " + with_digits(stop.place.y(), 9);
+  });
+}
+
 }  // namespace
 
 std::optional<double> reassigned_share(const EnergyLedger& energy) {
@@ -204,6 +251,7 @@ std::vector<std::string> comparison_warnings(const Comparison& comparison) {
   warn_of_masses(comparison, warnings);
   warn_of_slopes(comparison, warnings);
   warn_of_changed_blocks(comparison, warnings);
+  warn_of_measured(comparison, warnings);
   // What all files warn of is said once.
   const auto in_all_files = [&](const std::string& warning) {
     return std::all_of(

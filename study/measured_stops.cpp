@@ -34,7 +34,13 @@ Columns columns_of(const Record& header, const std::string& file) {
   Columns columns;
   std::string list;
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
-    columns.emplace(column_name(header.fields[i]), i);
+    const std::string name(column_name(header.fields[i]));
+    const bool read = name == "x" || name == "y" || name == "start_x" || name == "start_y" ||
+                      name == "block" || name == "shape";
+    if (!columns.emplace(name, i).second && read) {
+      throw InputError(file + ":" + std::to_string(header.line) + ": has two columns \"" + name +
+                       "\"; keep one of them");
+    }
     list += (list.empty() ? "" : ", ") + std::string(header.fields[i]);
   }
   for (const char* name : {"x", "y"}) {

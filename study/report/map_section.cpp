@@ -232,6 +232,8 @@ std::string map_figure(const Comparison& comparison) {
        {{"family", "system-ui,Segoe UI,Roboto,Helvetica Neue,Arial,sans-serif"}, {"size", 12}}},
       {"xaxis", axis("x, m", window.low.x(), window.high.x())},
       {"yaxis", y},
+      // Above the map are the buttons, beside it nothing, so that it is wide on a telephone too.
+      {"legend", {{"orientation", "h"}, {"y", -0.15}, {"yanchor", "top"}}},
       {"dragmode", "pan"},
       {"hovermode", "closest"},
       {"annotations", notes},

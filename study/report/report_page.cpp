@@ -12,7 +12,7 @@ constexpr std::string_view kStyle = R"(
 #scene output{min-width:6ch;text-align:right;font-variant-numeric:tabular-nums}
 .chart{min-height:400px}
 .chart.map{min-height:640px}
-.chart .modebar-group{white-space:nowrap}
+.chart .modebar-group{display:flex!important}
 .block:hover,.lit{stroke:#000;stroke-width:2}
 )";
 

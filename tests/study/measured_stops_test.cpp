@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "core/text_file.hpp"
@@ -79,6 +81,23 @@ TEST(MeasuredStops, MayNameTheirOwnStart) {
   EXPECT_NEAR(comparison.measured->stops[0].runout, 20.0, 1e-9);
 }
 
+TEST(MeasuredStops, NamesThatNothingHasAndPlacesOffTheTerrainAreTold) {
+  const ScratchFolder folder;
+  const auto warns = [&](const std::string& table, const std::string& part) {
+    const Comparison comparison = against(table, folder);
+    return std::any_of(comparison.warnings.begin(), comparison.warnings.end(),
+                       [&](const std::string& warning) { return contains(warning, part); });
+  };
+  const std::string good = "900020,6500000";
+  EXPECT_FALSE(
+      warns("x,y,block,shape\n" + good + ",round<1>,compact\n" + good + ",,\n", "measured stops"));
+  EXPECT_TRUE(warns("x,y,block\n" + good + ",nobody\n" + good + ",round<1>\n",
+                    "1 of 2 measured stops name a block that no run has"));
+  EXPECT_TRUE(warns("x,y,shape\n" + good + ",round\n",
+                    "1 of 1 measured stops have a shape that is neither compact nor elongated"));
+  EXPECT_TRUE(warns("x,y\n5,7\n", "1 of 1 measured stops lie off the terrain"));
+}
+
 TEST(MeasuredStops, TablesThatAreNoneAreRefused) {
   const ScratchFolder folder;
   const auto refused = [&](const std::string& table) {
@@ -89,6 +108,7 @@ TEST(MeasuredStops, TablesThatAreNoneAreRefused) {
   EXPECT_TRUE(contains(refused("x,y\n1,two\n"), "seen.csv:2: y \"two\" is not a number"));
   EXPECT_TRUE(contains(refused("x,y\n1\n"), "seen.csv:2: y \"\" is not a number"));
   EXPECT_TRUE(contains(refused("x,y\n"), "holds no stop"));
+  EXPECT_TRUE(contains(refused("x,X_m,y\n1,2,3\n"), "seen.csv:1: has two columns \"x\""));
   EXPECT_TRUE(contains(refused("x,y,start_x\n1,2,3\n"), "start_x and start_y come together"));
 }
 
