@@ -69,7 +69,9 @@ double true_sphericity(double volume, double area) {
 double convexity(const SpheroPolyhedron& body, double volume) {
   if (body.faces.empty()) return 1.0;  // a ball or a capsule
   const SpheroPolyhedron hull = sphero_polyhedron(convex_hull(body.vertices), body.radius);
-  return volume / convex_sphero_mass_properties(hull, 1.0).volume;
+  // Not the sum for convex cores: points off a flat wall by rounding leave edges that are reflex by
+  // a hair in the triangles of a hull.
+  return volume / sphero_mass_properties(hull, 1.0).volume;
 }
 
 SurfaceOrientation surface_orientation(const SpheroPolyhedron& body) {

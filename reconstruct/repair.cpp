@@ -35,6 +35,8 @@ constexpr double kCrossingVolume = 0.02;
 constexpr int kRings = 5;
 /// The same for a wrap, whose own bias is a few per cent.
 constexpr double kWrapVolume = 0.08;
+/// And for a coarse wrap, tried first: around a tangle the fine one costs seconds and is refused.
+constexpr double kCoarseWrapVolume = 0.5;
 /// Above this many diagonals from the origin, the work is done about a nearer one.
 constexpr double kFarAway = 10.0;
 constexpr std::size_t kHolesNamed = 3;
@@ -333,7 +335,10 @@ class Route {
   }
 
   std::optional<TriangleMesh> wrapped_free(double volume) {
-    TriangleMesh wrap = detail::wrapped(mesh_);
+    const TriangleMesh coarse = detail::wrapped(mesh_, detail::kCoarseWrap);
+    const double coarse_ratio = std::abs(detail::signed_volume(coarse)) / volume;
+    if (!(std::abs(coarse_ratio - 1.0) <= kCoarseWrapVolume)) return std::nullopt;
+    TriangleMesh wrap = detail::wrapped(mesh_, detail::kFineWrap);
     std::optional<TriangleMesh> sound = if_sound(std::move(wrap), volume, kWrapVolume);
     if (!sound) return std::nullopt;
     const double ratio = detail::signed_volume(*sound) / volume;

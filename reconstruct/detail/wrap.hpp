@@ -4,11 +4,22 @@
 
 namespace clast::detail {
 
-/// A closed 2-manifold without crossings around `closed`, up to a hundredth of its diagonal outside
-/// of it; hollows narrower than a sixtieth of the diagonal are bridged.
+/// How closely a wrap follows, as shares of the diagonal. Its cost goes with the square.
+struct WrapShares {
+  double bridged;   ///< width of the hollows that are bridged
+  double distance;  ///< of the wrap from the surface
+};
+
+/// The first takes some seconds; the second a tenth of that, and tells whether the first is worth
+/// it.
+inline constexpr WrapShares kFineWrap{1.0 / 60.0, 1.0 / 1500.0},
+    kCoarseWrap{1.0 / 20.0, 1.0 / 600.0};
+
+/// A closed 2-manifold without crossings around `closed`, not much farther outside of it than
+/// `shares` say.
 /// @param closed  without holes: through a hole the wrap would creep inside and double the surface
 /// @throws GeometryError  it has holes
 /// @cite portaneri2022
-TriangleMesh wrapped(const TriangleMesh& closed);
+TriangleMesh wrapped(const TriangleMesh& closed, const WrapShares& shares);
 
 }  // namespace clast::detail

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "massprops/sphero.hpp"
 #include "shapes/convex_hull.hpp"
 #include "tests/shapes/shape_samples.hpp"
@@ -72,6 +73,32 @@ TEST(Convexity, OfAnLBlock) {
 TEST(Convexity, OfAConvexBodyIsOne) {
   const SpheroPolyhedron body = cuboid(Vec3(3, 2, 1), 0.2);
   EXPECT_NEAR(convexity(body, convex_sphero_mass_properties(body, 1.0).volume), 1.0, 1e-12);
+}
+
+// Many vertices on flat walls, off them by rounding: edges of the hull are reflex by a hair, and
+// some of its triangles are slivers.
+TEST(Convexity, OfAColumnWithPointsOnItsWallsIsOne) {
+  Random random(7);
+  for (int digits = 7; digits <= 16; ++digits) {
+    const double off = std::pow(10.0, -digits);
+    for (int trial = 0; trial < 5; ++trial) {
+      std::vector<Vec3> places;
+      for (int k = 0; k < 6; ++k) {
+        for (int level = 0; level < 8; ++level) {
+          const double angle = 0.3 + k * kPi / 3.0;
+          places.push_back(Vec3(0.3 * std::cos(angle), 0.3 * std::sin(angle), 0.2 * level) +
+                           off * random.direction());
+        }
+      }
+      const SpheroPolyhedron column = sphero_polyhedron(convex_hull(places), 0.005);
+      // A hexagon of side 0.3, rounded: V + A r + M r^2 + 4 pi r^3 / 3.
+      const double hexagon = 1.5 * std::sqrt(3.0) * 0.09, height = 1.4, r = 0.005;
+      const double mean_curvature = kPi / 2.0 * 12.0 * 0.3 / 2.0 + kPi / 3.0 * 6.0 * height / 2.0;
+      const double volume = hexagon * height + (2.0 * hexagon + 1.8 * height) * r +
+                            mean_curvature * r * r + 4.0 / 3.0 * kPi * r * r * r;
+      EXPECT_NEAR(convexity(column, volume), 1.0, 1e-4) << "off by " << off;
+    }
+  }
 }
 
 TEST(SurfaceOrientation, OfABallIsTheSameAllAround) {

@@ -17,8 +17,12 @@
 namespace clast {
 namespace {
 
-/// CPU seconds that one file may take; sanitizers cost a factor of ten.
+/// CPU seconds that one file may take; sanitizers cost a factor of five to ten.
+#ifdef __SANITIZE_ADDRESS__
 constexpr double kMostSeconds = 10.0;
+#else
+constexpr double kMostSeconds = 2.0;
+#endif
 /// Of many files, each so-manieth goes the way of a field scan, with a search for ground.
 constexpr int kMany = 100, kFieldScans = 5;
 
