@@ -29,8 +29,8 @@ struct SceneData {
 ///
 /// JSON: `origin` [3]; `terrain` {vertices float32 [n][3], triangles uint32 [m][3], zones
 /// uint16 [m]}, `tints` of the zones; `bodies` list of {name, group, colour, vertices, triangles};
-/// `runs` list of {name, body, first, count}; `frames` float32 [n][8]: t, x, y, z, qw, qx, qy, qz, to 2^-14;
-/// `barriers` list of {name, through [n][2]}; `duration` of the longest run, s.
+/// `runs` list of {name, body, first, count}; `frames` float32 [n][8]: t, x, y, z, qw, qx, qy, qz,
+/// to 2^-14; `barriers` list of {name, through [n][2]}; `duration` of the longest run, s.
 /// @throws InputError  a results file can't be read any more
 SceneData scene_data(const Comparison& comparison, const SceneLimits& limits = {});
 
