@@ -13,6 +13,9 @@ namespace clast {
 
 /// Far above any study, and low enough that a slip of the keyboard does not fill the memory.
 inline constexpr std::uint64_t kMostPerSet = 1'000'000;
+/// No rock is faster, m/s and rad/s: more is a slip of units, heights or gravity, and its time step
+/// would be so short that the run never ended.
+inline constexpr double kMostSpeed = 1000.0, kMostSpin = 1e4;
 
 /// A file named in the campaign, which must be there. Relative to the campaign file; ${CLAST_DATA}
 /// is replaced.

@@ -12,9 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// No rock is faster, m/s and rad/s: more is a slip of units, and its time step would be so short
-/// that the run never ended.
-constexpr double kMostSpeed = 1000.0, kMostSpin = 1e4;
 constexpr NumberRange kDropHeight{0.0, true, 10'000.0, "zero or more, and at most 10000 m"};
 
 std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, ReleasePlan& plan) {

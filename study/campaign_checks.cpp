@@ -1,0 +1,187 @@
+#include "study/campaign_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "study/campaign_reading.hpp"
+#include "terrain/terrain_fit.hpp"
+
+namespace clast {
+namespace {
+
+// Quaternions closer than this are one rotation.
+constexpr double kSameRotation = 1e-9;
+
+// Rotations that are the same have the same |w|, so each is compared with its neighbours in that
+// order only: a file can hold a million.
+std::size_t distinct_rotations(std::vector<Quat> orientations) {
+  std::stable_sort(orientations.begin(), orientations.end(),
+                   [](const Quat& a, const Quat& b) { return std::abs(a.w()) < std::abs(b.w()); });
+  std::vector<Quat> distinct;
+  for (const Quat& orientation : orientations) {
+    bool known = false;
+    for (auto other = distinct.rbegin(); !known && other != distinct.rend(); ++other) {
+      if (std::abs(orientation.w()) - std::abs(other->w()) > kSameRotation) break;
+      known = std::min((orientation.coeffs() - other->coeffs()).norm(),
+                       (orientation.coeffs() + other->coeffs()).norm()) < kSameRotation;
+    }
+    if (!known) distinct.push_back(orientation);
+  }
+  return distinct.size();
+}
+
+// How many release points lie where an earlier one of their set lies.
+std::size_t repeated_points(std::vector<Vec3> points, bool plan_only) {
+  for (Vec3& point : points) {
+    if (plan_only) point.z() = 0.0;
+  }
+  std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  });
+  return static_cast<std::size_t>(points.end() - std::unique(points.begin(), points.end()));
+}
+
+// Blocks at another size than the library's, in words; drawn ones are too many.
+void tell_of_scales(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+  if (prepared.campaign.blocks.draw) return;
+  for (const BlockSummary& block : prepared.header.blocks) {
+    if (block.scale == 1.0) continue;
+    warnings.push_back("block " + block.id + " is scaled by " + metres(block.scale) + " to " +
+                       metres(block.mass) + " kg");
+  }
+}
+
+// A run of so many steps at a microsecond each would last minutes, and days.
+constexpr double kManySteps = 1e9;
+constexpr double kEndlessSteps = 1e12;
+
+void tell_of_steps(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+  const double step = prepared.stiffness.stiffness.time_step;
+  const double steps = prepared.campaign.max_time / step;
+  if (!(steps > kManySteps)) return;
+  const std::string told = "the time step of " + with_digits(step, 3) + " s makes up to " +
+                           with_digits(steps, 2) + " steps of a run of " +
+                           with_digits(prepared.campaign.max_time, 4) + " s";
+  if (!(steps < kEndlessSteps)) {
+    throw InputError(prepared.campaign.file.string() + ": " + told +
+                     ", which would not end; give a softer [contact] stiffness_n_m, a longer "
+                     "time_step_s or a shorter [run] max_time_s, or leave both to \"auto\"");
+  }
+  warnings.push_back(told + "; runs will take long");
+}
+
+// Friction angles in degrees that stand where coefficients belong.
+void tell_of_friction(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+  constexpr double kSteepest = 5.0;  // 79 degrees; ground is known up to about 1.2
+  for (std::size_t zone = 0; zone < prepared.header.ground.size(); ++zone) {
+    const GroundParameters& ground = prepared.header.ground[zone];
+    for (const auto& [key, value] : {std::pair("friction", ground.friction),
+                                     std::pair("rolling_friction", ground.rolling_friction)}) {
+      if (value <= kSteepest) continue;
+      const std::string number = with_digits(value, 4);
+      warnings.push_back("[ground." + prepared.header.zone_names[zone] + "] " + key + " = " +
+                         number + " is a coefficient; the one of an angle of " + number +
+                         " degrees is its tangent");
+    }
+  }
+}
+
+void tell_of_releases(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+  for (const ReleasePlan& release : prepared.campaign.releases) {
+    const std::size_t repeated = repeated_points(release.points, release.drop_height.has_value());
+    if (repeated > 0 && !release.fresh_orientations) {
+      warnings.push_back(set_name(release) + std::to_string(repeated) + " of " +
+                         std::to_string(release.points.size()) +
+                         " release points repeat another; all are run, so they count more than "
+                         "once");
+    }
+    // Random sets have no duplicates.
+    if (release.orientation_source == "random") continue;
+    const std::size_t distinct = distinct_rotations(release.orientations);
+    if (distinct == release.orientations.size()) continue;
+    warnings.push_back(
+        set_name(release) + release.orientation_source + ": " +
+        std::to_string(release.orientations.size()) + " orientations, of which " +
+        std::to_string(distinct) +
+        " are different rotations; all are run, so repeated ones count more than once");
+  }
+}
+
+void tell_of_barriers(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
+  const Bounds& ground = prepared.surface->extent();
+  for (const Barrier& barrier : prepared.header.barriers) {
+    Vec2 low = barrier.through.front(), high = low;
+    for (const Vec2& point : barrier.through) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    if ((high.array() < ground.low.head<2>().array()).any() ||
+        (low.array() > ground.high.head<2>().array()).any()) {
+      warnings.push_back("barrier " + barrier.name +
+                         " lies off the terrain, so nothing can cross it; its points are x, y of "
+                         "the z-up map");
+    }
+  }
+}
+
+}  // namespace
+
+std::string metres(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3f", value);
+  return text;
+}
+
+std::string set_name(const ReleasePlan& release) {
+  return release.name.empty() ? "" : "release set " + release.name + ", ";
+}
+
+void check_falls(const PreparedCampaign& prepared) {
+  const double lowest = prepared.surface->extent().low.z();
+  for (const RunRecord& run : prepared.runs) {
+    const double height = std::max(0.0, run.start.position.z() - lowest);
+    const double speed = std::sqrt(2.0 * prepared.campaign.gravity * height);
+    if (!(speed > kMostSpeed)) continue;
+    throw InputError(prepared.campaign.file.string() + ": release point " +
+                     std::to_string(run.point + 1) + " is " + metres(height) +
+                     " m above the lowest ground, where its blocks could arrive with " +
+                     metres(speed) +
+                     " m/s; at most 1000 m/s make sense: check heights, units "
+                     "and gravity_m_s2");
+  }
+}
+
+std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared) {
+  std::vector<std::string> warnings = prepared.stiffness.warnings;
+  tell_of_scales(prepared, warnings);
+  tell_of_steps(prepared, warnings);
+  tell_of_friction(prepared, warnings);
+  tell_of_releases(prepared, warnings);
+  tell_of_barriers(prepared, warnings);
+  const auto warn = [&](const std::optional<std::string>& warning) {
+    if (warning) warnings.push_back(*warning);
+  };
+  double smallest = 1e300, largest = 0.0;
+  for (const RigidBody& body : prepared.bodies) {
+    smallest = std::min(smallest, body.smallest_side);
+    largest = std::max(largest, body.smallest_side);
+  }
+  warn(cell_size_warning(prepared.header.terrain, smallest, largest));
+  if (prepared.campaign.border_distance) {
+    for (const ReleasePlan& release : prepared.campaign.releases) {
+      warn(border_warning(prepared.header.terrain, release.points,
+                          *prepared.campaign.border_distance));
+    }
+  }
+  for (const Block& block : prepared.choice.library) {
+    for (const std::string& warning : block.warnings) {
+      warnings.push_back("block " + block.id + ": " + warning);
+    }
+  }
+  return warnings;
+}
+
+}  // namespace clast

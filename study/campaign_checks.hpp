@@ -1,0 +1,24 @@
+#pragma once
+/// What is wrong or doubtful about a campaign whose runs are planned.
+#include <string>
+#include <vector>
+
+#include "study/campaign_runner.hpp"
+
+namespace clast {
+
+/// "0.250": a length in metres, as campaign messages tell it.
+std::string metres(double value);
+/// "release set cliff, " where there are several, else "".
+std::string set_name(const ReleasePlan& release);
+
+/// Refuses releases from heights no slope has.
+/// @throws InputError  a fall to the lowest ground could end faster than `kMostSpeed`
+void check_falls(const PreparedCampaign& prepared);
+
+/// What its user should know before anything runs: doubtful inputs in words, none where all is
+/// usual. Stiffness and time step must have been chosen.
+/// @throws InputError  a run would take so many steps that it never ends
+std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared);
+
+}  // namespace clast
