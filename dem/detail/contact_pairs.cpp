@@ -31,9 +31,7 @@ bool ContactSearch::edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge&
 
 void ContactSearch::list_due_sides() {
   due_sides_.clear();
-  for (const std::uint32_t s : awake_sides_) {
-    if (side_due_[s] <= moved_) due_sides_.push_back(s);
-  }
+  for (const std::uint32_t s : awake_sides_) due_sides_.add_if(side_due_[s] <= moved_, s);
   for (std::size_t i = 0; i < std::min(kStatesAhead, due_sides_.size()); ++i) {
     __builtin_prefetch(&side_states_[due_sides_[i]]);
   }

@@ -41,7 +41,10 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& b
       reach_(block.radius + ground.radius),
       size_(size),
       margin_(kMarginShare * size),
-      depth_limit_(kDepthShare * size) {
+      depth_limit_(kDepthShare * size),
+      awake_vertices_(parts_.vertices.size()),
+      awake_sides_(parts_.sides.size()),
+      due_sides_(parts_.sides.size()) {
   for (const Vec3& vertex : block_.vertices) {
     bounding_radius_ = std::max(bounding_radius_, vertex.norm());
   }
@@ -222,13 +225,11 @@ void ContactSearch::list_awake(double horizon) {
   awake_sides_.clear();
   double sleepers_clear_until = 1e300;
   const auto list = [&](std::uint32_t first, std::uint32_t end, const std::vector<double>& due,
-                        std::vector<std::uint32_t>& awake) {
+                        NumberList& awake) {
     for (std::uint32_t i = first; i < end; ++i) {
-      if (due[i] <= horizon) {
-        awake.push_back(i);
-      } else {
-        sleepers_clear_until = std::min(sleepers_clear_until, due[i]);
-      }
+      const bool is_awake = due[i] <= horizon;
+      awake.add_if(is_awake, i);
+      sleepers_clear_until = std::min(sleepers_clear_until, is_awake ? 1e300 : due[i]);
     }
   };
   for (std::uint32_t p = 0; p < part_states_.size(); ++p) {

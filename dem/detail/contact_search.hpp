@@ -12,6 +12,7 @@
 
 #include "dem/detail/block_surface.hpp"
 #include "dem/detail/local_ground.hpp"
+#include "dem/detail/number_list.hpp"
 
 namespace clast {
 
@@ -216,12 +217,12 @@ class ContactSearch {
   double next_part_ = -1.0;                    ///< the first part is due then
   double horizon_ = -1.0;                      ///< everything due before it is listed as awake
   bool listed_for_flight_ = false;             ///< the list is longer than contact steps need
-  std::vector<std::uint32_t> awake_vertices_, awake_sides_;
-  std::vector<std::uint32_t> due_sides_;  ///< of this call
-  double sleepers_clear_until_ = -1.0;    ///< no other vertex or side of parts near the ground
-                                          ///< touches before
-  double search_at_ = -1.0;               ///< no use in searching for a longer flight before
-  double deepest_ = 0.0;                  ///< largest overlap at the last call, m
+  NumberList awake_vertices_, awake_sides_;
+  NumberList due_sides_;                ///< of this call
+  double sleepers_clear_until_ = -1.0;  ///< no other vertex or side of parts near the ground
+                                        ///< touches before
+  double search_at_ = -1.0;             ///< no use in searching for a longer flight before
+  double deepest_ = 0.0;                ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };
 

@@ -19,12 +19,11 @@ BodyMotion MovingBody::begin_step(double duration, const Vec3& force, const Vec3
   BodyMotion motion = this->motion();
   motion.velocity = state_.velocity + 0.5 * duration * (gravity + force / body_.mass);
   momentum_ += 0.5 * duration * torque;
-  const Quat turned = turned_one_step(body_.moments, state_.orientation, momentum_, duration);
-  motion.angular_velocity = 0.5 * (angular_velocity(body_.moments, state_.orientation, momentum_) +
-                                   angular_velocity(body_.moments, turned, momentum_));
+  const StepTurn turn = turned_one_step(body_.moments, state_.orientation, momentum_, duration);
+  motion.angular_velocity = turn.angular_velocity;
   top_speed_ = motion.velocity.norm() + momentum_.norm() / smallest_moment_ * radius_;
   state_.position += duration * motion.velocity;
-  state_.orientation = turned;
+  state_.orientation = turn.orientation;
   state_.velocity = motion.velocity;
   motion.world_from_body = state_.world_from_body();
   return motion;

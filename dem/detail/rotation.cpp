@@ -8,6 +8,9 @@ namespace {
 
 /// Rotation per Runge-Kutta step, rad.
 constexpr double kFlightTurn = 0.003;
+/// Half turns whose square is below this have their sine and cosine to the last bit from four
+/// terms.
+constexpr double kSmallHalfSquared = 1e-3;
 
 Vec3 body_spin(const Vec3& moments, const Quat& orientation, const Vec3& momentum) {
   const Vec3 in_body = orientation.conjugate() * momentum;
@@ -24,12 +27,18 @@ Eigen::Vector4d rate(const Vec3& moments, const Eigen::Vector4d& coefficients,
 }  // namespace
 
 Quat turn_of(const Vec3& rotation) {
-  const double angle = rotation.norm();
-  const double half = 0.5 * angle;
-  // sin(x)/x to the last bit for small x.
-  const double share = angle > 1e-4 ? std::sin(half) / angle : 0.5 - angle * angle / 48.0;
+  const double squared = 0.25 * rotation.squaredNorm();
+  double cosine, share;
+  if (squared < kSmallHalfSquared) {
+    cosine = 1.0 - squared * (1.0 / 2.0 - squared * (1.0 / 24.0 - squared * (1.0 / 720.0)));
+    share = 0.5 - squared * (1.0 / 12.0 - squared * (1.0 / 240.0 - squared * (1.0 / 10080.0)));
+  } else {
+    const double half = std::sqrt(squared);
+    cosine = std::cos(half);
+    share = 0.5 * std::sin(half) / half;
+  }
   const Vec3 axis = share * rotation;
-  return {std::cos(half), axis.x(), axis.y(), axis.z()};
+  return {cosine, axis.x(), axis.y(), axis.z()};
 }
 
 Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity) {
@@ -41,12 +50,13 @@ Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& 
   return orientation * body_spin(moments, orientation, momentum);
 }
 
-Quat turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
-                     double step) {
+StepTurn turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+                         double step) {
   const Vec3 first = body_spin(moments, orientation, momentum);
   const Quat middle = orientation * turn_of(0.5 * step * first);
   const Vec3 spin = body_spin(moments, middle, momentum);
-  return (orientation * turn_of(step * spin)).normalized();
+  const Quat turned = (orientation * turn_of(step * spin)).normalized();
+  return {turned, 0.5 * (orientation * first + angular_velocity(moments, turned, momentum))};
 }
 
 Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,

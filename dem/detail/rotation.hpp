@@ -11,10 +11,16 @@ Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& 
 /// The turn by a rotation vector, rad.
 Quat turn_of(const Vec3& rotation);
 
+struct StepTurn {
+  Quat orientation;  ///< world_from_body at the end
+  Vec3
+      angular_velocity;  ///< mean of the one at the begin and the one at the end, rad/s, world axes
+};
+
 /// One short step at constant momentum, second order and reversible to third (explicit midpoint on
 /// the rotation group).
-Quat turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
-                     double step);
+StepTurn turned_one_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
+                         double step);
 
 /// A torque-free turn by fourth-order Runge-Kutta in steps of at most 0.003 rad, good to about
 /// 1e-12 rad per radian: where `FreeRotation` has no closed form.

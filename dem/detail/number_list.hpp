@@ -1,0 +1,30 @@
+#pragma once
+/// Which of many numbers are wanted, listed without a branch for each: what is due next is as good
+/// as random to the processor, and a wrong guess costs more than a needless store.
+#include <cstdint>
+#include <vector>
+
+namespace clast {
+
+class NumberList {
+ public:
+  /// No more than this many numbers are ever offered between two calls of `clear`.
+  explicit NumberList(std::size_t most = 0) : numbers_(most + 1) {}
+
+  void clear() { count_ = 0; }
+  void add_if(bool wanted, std::uint32_t number) {
+    numbers_[count_] = number;
+    count_ += wanted ? 1 : 0;
+  }
+
+  std::size_t size() const { return count_; }
+  std::uint32_t operator[](std::size_t i) const { return numbers_[i]; }
+  const std::uint32_t* begin() const { return numbers_.data(); }
+  const std::uint32_t* end() const { return numbers_.data() + count_; }
+
+ private:
+  std::vector<std::uint32_t> numbers_;  ///< one more than can be wanted
+  std::size_t count_ = 0;
+};
+
+}  // namespace clast
