@@ -63,7 +63,12 @@ class RunObserver {
   std::uint32_t run_;
 };
 
-StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned) {
+// Thrown by a probe that is long enough; no error of the run.
+struct ProbeOver {};
+
+/// @param after_step  told the simulated time after every step and flight
+StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned,
+                  const std::function<void(double)>& after_step = {}) {
   StoredRun output;
   output.record = planned;
   RunObserver observer(prepared, planned);
@@ -72,7 +77,10 @@ StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned) {
     result =
         simulate_release(*prepared.surface, prepared.header.ground_sets[planned.ground_set].zones,
                          prepared.bodies[planned.block], planned.start, prepared.settings,
-                         [&](const MotionStep& step) { observer.see(step); });
+                         [&](const MotionStep& step) {
+                           observer.see(step);
+                           if (after_step) after_step(step.end_time);
+                         });
   } catch (const std::exception& error) {  // one bad run never costs the campaign
     result = {};
     result.stop_reason = StopReason::kError;
@@ -205,17 +213,43 @@ std::vector<std::uint32_t> open_runs(const PreparedCampaign& prepared, const Sha
 TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   // Steps of the golden ratio are spread evenly however many are taken.
   constexpr double kGoldenRatio = 0.61803398874989485;
+  // A run that takes this many times the budget is not waited for.
+  constexpr double kLongestProbe = 5.0;
   const double count = static_cast<double>(prepared.runs.size());
   const auto begin = std::chrono::steady_clock::now();
+  const auto spent = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
   TimeProbe probe;
-  double spent = 0.0;
-  while (probe.runs < prepared.runs.size() && (probe.runs == 0 || spent < budget)) {
-    const double share = std::fmod(0.5 + static_cast<double>(probe.runs) * kGoldenRatio, 1.0);
-    run_one(prepared, prepared.runs[static_cast<std::size_t>(share * count)]);
+  double whole = 0.0;  // time of the runs that were not cut short
+  // Simulated time, s, and what it took, of the run that goes on, halfway to its end and now.
+  double halfway = -1.0, halfway_spent = 0.0, reached = 0.0;
+  const auto in_time = [&](double time) {
+    const double now = spent() - whole, longest = kLongestProbe * budget - whole;
+    reached = time;
+    if (halfway < 0.0 && now > 0.5 * longest) {
+      halfway = time;
+      halfway_spent = now;
+    }
+    if (now > longest) throw ProbeOver();
+  };
+  try {
+    while (probe.runs < prepared.runs.size() && (probe.runs == 0 || whole < budget)) {
+      const double share = std::fmod(0.5 + static_cast<double>(probe.runs) * kGoldenRatio, 1.0);
+      run_one(prepared, prepared.runs[static_cast<std::size_t>(share * count)], in_time);
+      ++probe.runs;
+      whole = spent();
+      halfway = -1.0;
+    }
+  } catch (const ProbeOver&) {
+    // Flights cost next to nothing: the second half, as a rule without one, tells what is to come.
+    probe.cut_short = true;
+    const double taken = spent() - whole;
+    const double pace = (taken - halfway_spent) / std::max(reached - halfway, 1e-12);
+    whole += taken + pace * (prepared.campaign.max_time - reached);
     ++probe.runs;
-    spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  if (probe.runs > 0) probe.each = spent / static_cast<double>(probe.runs);
+  if (probe.runs > 0) probe.each = whole / static_cast<double>(probe.runs);
   return probe;
 }
 

@@ -53,9 +53,12 @@ struct Shard {
 struct TimeProbe {
   std::size_t runs = 0;  ///< that were tried
   double each = 0.0;     ///< mean time of one on one thread, s
+  /// The last took too long to be waited for: it counts as if it went on like that to the time
+  /// limit, so `each` is the most to expect.
+  bool cut_short = false;
 };
-/// Tries runs from all over the campaign, one after the other, until `budget` seconds are spent;
-/// one at least. Nothing is kept.
+/// Tries runs from all over the campaign, one after the other, until `budget` seconds are spent,
+/// or a run has taken several times that; one at least. Nothing is kept.
 TimeProbe probe_time(const PreparedCampaign& prepared, double budget);
 
 struct RunOptions {

@@ -73,6 +73,7 @@ void add_compare(CLI::App& app) {
       ->add_option("--animate", args->animated,
                    "Write animation/animation.pvd for ParaView too, with so many of the runs")
       ->type_name("RUNS")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command
       ->add_option("--measured", args->measured,

@@ -242,14 +242,16 @@ void tell_of_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared,
   if (args.json) {
     summary["expected_time_s"] = expected;
     summary["probed_runs"] = probe.runs;
+    summary["probe_cut_short"] = probe.cut_short;
     summary["threads"] = threads;
     summary["map"] = map.string();
     std::cout << summary.dump(2) << "\n";
     return;
   }
-  std::cout << "about " << duration_text(expected) << " for " << counted(runs, "run") << " on "
-            << counted(threads, "thread") << ", judging by " << counted(probe.runs, "run") << " of "
-            << rounded(probe.each, 2) << " s\n"
+  std::cout << (probe.cut_short ? "at most " : "about ") << duration_text(expected) << " for "
+            << counted(runs, "run") << " on " << counted(threads, "thread") << ", judging by "
+            << counted(probe.runs, "run") << " of " << rounded(probe.each, 2) << " s"
+            << (probe.cut_short ? ", the last of which was not waited for" : "") << "\n"
             << map.string() << ": written\n";
 }
 

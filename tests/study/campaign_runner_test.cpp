@@ -139,6 +139,16 @@ TEST_F(CampaignRun, RunsThatWouldNotEndAreRefusedAndLongOnesNamed) {
   EXPECT_TRUE(warns(prepared(stepped("1e-9")), "time step of 1e-09 s makes up to"));
 }
 
+TEST_F(CampaignRun, AProbeDoesNotWaitForARunWithoutEnd) {
+  const PreparedCampaign campaign =
+      prepared(with("[terrain]", "[contact]\ntime_step_s = 1e-9\n[terrain]"));
+  const TimeProbe probe = probe_time(campaign, 0.02);
+  EXPECT_TRUE(probe.cut_short);
+  EXPECT_EQ(probe.runs, 1u);
+  // 1e9 steps and more for a second on the ground, each of 10 ns at the very least.
+  EXPECT_GT(probe.each, 100.0);
+}
+
 TEST_F(CampaignRun, ManyOrientationsAreToldApartWithoutComparingEachWithEach) {
   std::string turns;
   Random random(4);
