@@ -148,7 +148,7 @@ void check_falls(const PreparedCampaign& prepared) {
     throw InputError(prepared.campaign.file.string() + ": release point " +
                      std::to_string(run.point + 1) + " is " + metres(height) +
                      " m above the lowest ground, where its blocks could arrive with " +
-                     metres(speed) +
+                     with_digits(speed, 4) +
                      " m/s; at most 1000 m/s make sense: check heights, units "
                      "and gravity_m_s2");
   }

@@ -18,7 +18,6 @@ constexpr double kDeepShare = 0.05;
 constexpr double kAsideShare = 0.5;
 /// A push sets free what it leaves inside by less than this share of itself.
 constexpr double kFreeShare = 0.1;
-
 /// A feature is in the other body when it is out of it by less than this share of the overlap.
 constexpr double kOutShare = 0.1;
 

@@ -166,8 +166,9 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
   report.levelled_spikes += spikes.levelled;
   if (spikes.left > 0) {
     report.notes.push_back(std::to_string(spikes.left) +
-                           " vertices stand far above or below their neighbours, but not alone, as "
-                           "on crests and walls, and were kept; the first at " +
+                           (spikes.left == 1 ? " vertex stands" : " vertices stand") +
+                           " far above or below the ground around, but not alone, as on crests and "
+                           "walls, kept as measured; the first at " +
                            place(spikes.left_at));
   }
   if (spikes.levelled == 0) return;
