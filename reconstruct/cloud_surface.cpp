@@ -11,6 +11,7 @@
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/poisson.hpp"
 #include "reconstruct/detail/soup.hpp"
+#include "reconstruct/detail/touching_sheets.hpp"
 #include "shapes/mesh_topology.hpp"
 
 namespace clast {

@@ -14,6 +14,7 @@
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
+#include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/standing_blocks.hpp"
 #include "reconstruct/weld.hpp"
 #include "shapes/detail/half_edges.hpp"
