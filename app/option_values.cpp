@@ -47,9 +47,9 @@ double length_unit(const std::string& text) {
                                             "the metres in one unit as a positive number");
 }
 
-double unit_from_length(const std::string& text) {
+MeasuredLength measured_length(const std::string& text) {
   std::string commas = text;
-  std::replace(commas.begin(), commas.end(), ';', ',');
+  for (const char other : {';', ' '}) std::replace(commas.begin(), commas.end(), other, ',');
   std::vector<double> numbers;
   for (const std::string& piece : split_list(commas)) numbers.push_back(number_from(piece));
   const auto refuse = [&](const std::string& what) {
@@ -59,14 +59,14 @@ double unit_from_length(const std::string& text) {
             "; expected two points of the scan and the metres between them, such as "
             "\"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
   };
-  if (numbers.size() != 7) refuse("has " + std::to_string(numbers.size()) + " numbers");
+  if (numbers.size() != 7) refuse("has " + counted(numbers.size(), "number") + " and not seven");
   for (const double number : numbers) {
     if (!std::isfinite(number)) refuse("holds what is no number");
   }
   const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
   if (!(numbers[6] > 0.0)) refuse("gives a length that is not positive");
   if (a == b) refuse("gives the same point twice");
-  return numbers[6] / (b - a).norm();
+  return {{a, b}, numbers[6] / (b - a).norm()};
 }
 
 Axes axes_from(const std::string& text) {

@@ -1,6 +1,7 @@
 #pragma once
 /// Values of command-line options that are more than a number or a name.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,10 +17,15 @@ std::vector<std::string> split_list(const std::string& text);
 /// @throws CLI::ValidationError  anything else
 double length_unit(const std::string& text);
 
-/// Metres per unit of a scan from "x,y,z;x,y,z;metres": two points of it and how far apart they
-/// are. Commas and semicolons may stand for each other.
+/// Two points of a scan, in its own coordinates, and how far apart they are.
+struct MeasuredLength {
+  std::array<Vec3, 2> points;
+  double unit;  ///< metres per unit of the scan
+};
+
+/// From "x,y,z;x,y,z;metres". Commas, semicolons and blanks may stand for each other.
 /// @throws CLI::ValidationError  not seven numbers, points that are one, or a length not positive
-double unit_from_length(const std::string& text);
+MeasuredLength measured_length(const std::string& text);
 
 /// "L,I,S" in metres, in any order.
 /// @throws CLI::ValidationError  not three positive numbers

@@ -47,13 +47,26 @@ std::vector<fs::path> photo_folders_in(const fs::path& folder) {
   return found;
 }
 
+/// One of hundreds that may not be read is named, and not the folder that holds them all.
+void check_searchable(const fs::path& folder) {
+  std::error_code code;
+  const fs::directory_iterator trial(folder, code);
+  if (!code) return;
+  throw InputError(folder.string() + ": can't be searched (" + code.message() +
+                   "); allow reading it, or move it elsewhere");
+}
+
 std::vector<fs::path> scans_in(const fs::path& folder) {
+  check_searchable(folder);
   std::vector<fs::path> found;
   std::error_code code;
   for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
        entry.increment(code)) {
     const bool hidden = entry->path().filename().string().starts_with(".");
+    if (hidden) entry.disable_recursion_pending();
     std::error_code unseen;
+    const bool searched = entry->is_directory(unseen) && !entry->is_symlink(unseen) && !hidden;
+    if (searched) check_searchable(entry->path());
     const bool file = entry->is_regular_file(unseen);
     // A link to nothing is listed, so that it is missed when its turn comes.
     const bool broken = !entry->exists(unseen);
@@ -127,9 +140,17 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   for (ScanFile& scan : scans) scan.id = as_utf8(scan.id);
   std::map<std::string, int> stems;
   for (const ScanFile& scan : scans) ++stems[scan.id];
-  std::map<std::string, fs::path> ids;
+  std::map<std::string, int> in_folders;
   for (ScanFile& scan : scans) {
     if (stems[scan.id] > 1) scan.id = as_utf8(folder_name(scan.path)) + "_" + scan.id;
+    ++in_folders[scan.id];
+  }
+  std::map<std::string, fs::path> ids;
+  for (ScanFile& scan : scans) {
+    // One scan in two formats, or two scans: that is for the user to tell.
+    if (in_folders[scan.id] > 1 && scan.path.has_extension()) {
+      scan.id += "_" + as_utf8(scan.path.extension().string().substr(1));
+    }
     const auto [other, is_new] = ids.emplace(scan.id, scan.path);
     if (!is_new) {
       throw InputError(scan.path.string() + " and " + other->second.string() +

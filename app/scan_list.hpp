@@ -20,12 +20,15 @@ struct ScanFile {
 };
 
 /// Files as they are, folders as every mesh and shape file in them (map files of the extension .shp
-/// left out), deeper folders included, sorted by path; a file that is named twice is taken once. A
+/// left out), deeper folders included (not those whose names start with a
+/// dot), sorted by path; a file that is named twice is taken once. A
 /// folder with photographs and no such file is one block, and so is each folder of photographs in
 /// one without any.
 /// The id is the file's stem, or the name of a shape where a .shp file holds several (of a name
-/// that is a path, the stem); where two share an id, parent folder and id.
-/// @throws InputError  a folder without a scan, or files that share folder name and id
+/// that is a path, the stem); where two share an id, parent folder and id; where they share these
+/// too, the extension follows: one scan in two formats, or two scans, is for the user to tell.
+/// @throws InputError  a folder without a scan or that can't be searched, or files that share all
+///                     of that
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs);
 
 }  // namespace clast

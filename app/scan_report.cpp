@@ -25,7 +25,7 @@ constexpr int kSkinSegments = 2;
 
 std::string scale_in_words(const ScanToBlockOptions& options) {
   std::string text = "one unit of the file is " + with_digits(options.scan.unit, 6) + " m";
-  text += options.scaled_by_length ? " (from a measured length" : " (--units " + options.unit_name;
+  text += options.scale_points ? " (from a measured length" : " (--units " + options.unit_name;
   if (options.scale_factor != 1.0) {
     text += ", times --scale-factor " + with_digits(options.scale_factor, 6);
   }
@@ -138,7 +138,7 @@ std::string block_page(const Block& block, const PagedScan& scan,
   if (scan.found != nullptr) {
     const RepairReport& report = scan.found->scan.report;
     body += before_and_after(*scan.raw, options.scan, *scan.found, repair_marks(report));
-    body += repair_section(report, scan.raw->triangles.empty());
+    body += repair_section(report, scan.raw->triangles.empty(), scan.found->underside.has_value());
     if (scan.found->underside) body += underside_section(*scan.found->underside);
   }
   for (const std::string& further : scan.sections) body += further;

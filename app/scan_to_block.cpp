@@ -238,6 +238,26 @@ Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
   return block;
 }
 
+/// A point that lies off the scan by more than this share of its diagonal is probably of another.
+constexpr double kOffScan = 0.25;
+
+/// Points that gave the scale and lie far from all that was read are told of.
+void note_far_scale(FieldScan& found, const std::array<Vec3, 2>& points) {
+  if (found.raw.vertices.empty()) return;
+  const Bounds box = bounds(found.raw);
+  double off = 0.0;
+  for (const Vec3& p : points) {
+    off = std::max(off, (p - p.cwiseMax(box.low).cwiseMin(box.high)).norm());
+  }
+  if (off <= kOffScan * box.diagonal()) return;
+  for (FieldBlock& block : found.blocks) {
+    block.scan.notes.insert(block.scan.notes.begin(),
+                            "a point of --scale-length lies " + rounded(off, 3) +
+                                " units off this scan, which is " + rounded(box.diagonal(), 3) +
+                                " units across: check that both points are of this scan");
+  }
+}
+
 /// The blocks of a folder of photos, with what its cameras and its scale were.
 FieldScan photographed_blocks(const std::filesystem::path& folder,
                               const ScanToBlockOptions& options, FieldScanOptions reading,
@@ -282,7 +302,7 @@ void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptio
   if (options.any_size || (length <= kLargestBlock && length >= kSmallestBlock)) return;
   const std::string size = "block " + id + " would be " + rounded(length, 3) + " m long, ";
   const std::string anyway = "; --any-size takes it as it is";
-  if (options.scaled_by_length) {
+  if (options.scale_points) {
     throw InputError(size + "scaled by --scale-length: check its two points and its metres" +
                      anyway);
   }
@@ -292,7 +312,7 @@ void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptio
 
 std::string scale_text(const ScanToBlockOptions& options) {
   std::string text = "units=" + options.unit_name;
-  if (options.scaled_by_length) {
+  if (options.scale_points) {
     text = "unit_by_length_m=" + with_digits(options.scan.unit / options.scale_factor, 9);
   }
   if (options.scale_factor != 1.0) {
@@ -319,7 +339,7 @@ void ScanToBlockOptions::check() const {
 std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std::string& id,
                                     const ScanToBlockOptions& options,
                                     const std::function<void(const std::string&)>& stage,
-                                    const BlockWitness& witness) {
+                                    const BlockWitness& witness, const BlockLoss& lost) {
   const auto begin = [&](const std::string& what) {
     if (stage) stage(what);
   };
@@ -337,16 +357,24 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
     ScanOptions reading = options.scan;
     reading.repair.invent = false;  // every vertex of a core is meant
     found.blocks.push_back({read_scan(path, reading), {}});
-    if (witness) found.raw = read_mesh(path);
+    if (witness || options.scale_points) found.raw = read_mesh(path);
   } else {
     found = read_field_scan(path, reading_field);
   }
+  if (options.scale_points) note_far_scale(found, *options.scale_points);
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";
   std::vector<Block> blocks;
   for (std::size_t i = 0; i < found.blocks.size(); ++i) {
     const std::string name = options.split ? id + "_" + std::to_string(i + 1) : id;
-    blocks.push_back(block_from(found.blocks[i], name, source, options, begin));
+    try {
+      blocks.push_back(block_from(found.blocks[i], name, source, options, begin));
+    } catch (const Error& error) {  // of several blocks a bad one never costs the others
+      if (found.blocks.size() == 1 || !lost) throw;
+      lost(name, error.what());
+      found.blocks[i] = {};
+      continue;
+    }
     if (witness) witness(blocks.back(), found.raw, found.blocks[i]);
     found.blocks[i] = {};  // memory is bounded by one block's needs
   }

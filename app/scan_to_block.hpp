@@ -1,5 +1,6 @@
 #pragma once
 /// The whole way from a scan file to a block.
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -16,9 +17,10 @@ namespace clast {
 /// Options of every step.
 struct ScanToBlockOptions {
   ScanOptions scan;
-  std::string unit_name = "m";    ///< as the user wrote it, for messages and the record
-  bool scaled_by_length = false;  ///< the unit comes from two points and their distance
-  double scale_factor = 1.0;      ///< what `scan.unit` holds beside the unit itself
+  std::string unit_name = "m";  ///< as the user wrote it, for messages and the record
+  /// The two points whose distance gave the unit, in the scan's own units and axes.
+  std::optional<std::array<Vec3, 2>> scale_points;
+  double scale_factor = 1.0;  ///< what `scan.unit` holds beside the unit itself
   /// Vertices a block has at most, not used for a core. None: the fewest of 8 to 2000, to about a
   /// tenth, with which the block is within the tolerance; the radius is halved where none will do.
   std::optional<std::size_t> vertices;
@@ -50,6 +52,9 @@ void warn_of_crossings(Block& block, const TriangleMesh& surface);
 using BlockWitness =
     std::function<void(const Block& block, const TriangleMesh& raw, const FieldBlock& found)>;
 
+/// Called with the id of a block that could not be made of a scan that is split, and the reason.
+using BlockLoss = std::function<void(const std::string& id, const std::string& reason)>;
+
 /// Digest of a file, or of the photos in a folder.
 /// @throws InputError  it can't be read
 std::string digest_of_scan(const std::filesystem::path& path);
@@ -57,11 +62,12 @@ std::string digest_of_scan(const std::filesystem::path& path);
 /// Reads, mends, thins and measures one scan. With `split` its blocks are `id`_1, `id`_2, ...,
 /// in order of x, then y, of the file; else there is one, `id`.
 /// @param stage  called with the name of each step before it starts
+/// @param lost   with it one bad block of a split scan does not cost the others
 /// @throws InputError, GeometryError  with the file or the id in the message; also what
 ///         `check_size` throws
 std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std::string& id,
                                     const ScanToBlockOptions& options,
                                     const std::function<void(const std::string&)>& stage = {},
-                                    const BlockWitness& witness = {});
+                                    const BlockWitness& witness = {}, const BlockLoss& lost = {});
 
 }  // namespace clast

@@ -9,8 +9,9 @@ namespace clast {
 
 namespace {
 
-constexpr double kSameMass = 1e-9;  ///< relative; a density made from the mass gives it back
-constexpr int kSteps = 10;          ///< boxes looked at from the lower to the block's, and on
+constexpr double kSameMass = 1e-9;    ///< relative; a density made from the mass gives it back
+constexpr double kHardlyOpen = 1e-3;  ///< of the volume; a scan weighs no better
+constexpr int kSteps = 10;            ///< boxes looked at from the lower to the block's, and on
 
 Axes between(const Axes& from, const Axes& to, double share) {
   const auto mix = [&](double a, double b) { return a + share * (b - a); };
@@ -57,6 +58,12 @@ UnseenRange unseen_range(const Block& block) {
 }
 
 std::string described(const UnseenPart& unseen, const UnseenRange& range) {
+  if (unseen.upper_volume - unseen.lower_volume < kHardlyOpen * unseen.best_volume) {
+    return "the scan was open, but hardly: " + with_digits(100.0 * unseen.invented_share, 2) +
+           " % of the surface is not seen but filled in, which leaves volume and mass open by less "
+           "than " +
+           with_digits(100.0 * kHardlyOpen, 1) + " %";
+  }
   return "the scan was open: " + with_digits(100.0 * unseen.invented_share, 2) +
          " % of the surface is not seen but filled in; volume " +
          range_text(unseen.lower_volume, unseen.upper_volume, "m3") + " (best " +

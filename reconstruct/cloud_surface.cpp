@@ -1,6 +1,8 @@
 #include "reconstruct/cloud_surface.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 #include <string>
@@ -11,6 +13,7 @@
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/poisson.hpp"
 #include "reconstruct/detail/soup.hpp"
+#include "reconstruct/detail/touching_sheets.hpp"
 #include "shapes/mesh_topology.hpp"
 
 namespace clast {
@@ -22,6 +25,8 @@ constexpr int kHanding = 12;
 /// Unsupported patches with less than this share of the area are gaps between points and stay.
 constexpr double kGapShare = 0.005;
 constexpr double kSpacings = 2.0;  ///< a cell holds about four points at least
+/// Points that lie closer about a plane than this share of their diagonal bound no body.
+constexpr double kFlat = 1e-3;
 
 /// Turns the normals from neighbour to neighbour along the tree that bends least, from the point
 /// farthest from the middle, whose normal faces away from it.
@@ -67,6 +72,30 @@ void turn_outward(std::vector<Vec3>& normals, const std::vector<Vec3>& points) {
       if (!done[step.to]) settle(step.to, normals[step.from]);
     }
   }
+}
+
+/// Standard deviation of the points about the plane, and about the line, that fits them best, m.
+std::array<double, 2> thicknesses(std::span<const Vec3> points) {
+  const auto count = static_cast<double>(points.size());
+  Vec3 centre = Vec3::Zero();
+  for (const Vec3& p : points) centre += p / count;
+  Mat3 scatter = Mat3::Zero();
+  for (const Vec3& p : points) scatter += (p - centre) * (p - centre).transpose() / count;
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(scatter, Eigen::EigenvaluesOnly);
+  const Vec3 squares = solver.eigenvalues().cwiseMax(0.0);
+  return {std::sqrt(squares[0]), std::sqrt(squares[1])};
+}
+
+/// The solver for the surface fails on points without volume.
+void refuse_flat(std::span<const Vec3> points, double diagonal) {
+  const auto [plane, line] = thicknesses(points);
+  if (plane > kFlat * diagonal) return;
+  const char* const what = !(diagonal > 0.0)         ? "at one place"
+                           : line > kFlat * diagonal ? "in a plane"
+                                                     : "on a line";
+  throw GeometryError("all " + std::to_string(points.size()) + " points lie " + what +
+                      " and bound no block; scan the block from all sides, and check which columns "
+                      "of the file are x, y and z");
 }
 
 double area_of(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
@@ -155,6 +184,7 @@ TriangleMesh cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   }
   Bounds box;
   for (const Vec3& p : points) box.include(p);
+  refuse_flat(points, box.diagonal());
   const double cell = std::max(options.cell * box.diagonal(), kSpacings * detail::spacing(points));
   const std::vector<Vec3> thin = detail::thinned(points, cell);
   const double apart = detail::spacing(thin);

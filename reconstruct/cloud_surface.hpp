@@ -23,7 +23,7 @@ struct CloudSurfaceOptions {
 /// @param points  of one block, without outliers
 /// @returns an oriented 2-manifold in one piece, outward; closed where points are all around
 /// @throws InputError     too few points
-/// @throws GeometryError  no surface was found
+/// @throws GeometryError  the points lie in a plane or on a line, or no surface was found
 /// @cite hoppe1992 @cite kazhdan2006
 TriangleMesh cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options = {});
 

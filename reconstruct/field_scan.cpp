@@ -7,16 +7,17 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/random.hpp"
 #include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/detail/cut_out.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/separate_sets.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
+#include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/standing_blocks.hpp"
 #include "reconstruct/weld.hpp"
-#include "shapes/detail/half_edges.hpp"
 #include "shapes/mesh_io.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "shapes/point_cloud.hpp"
@@ -28,8 +29,6 @@ namespace {
 constexpr std::size_t kFewestPoints = 500;  ///< of a cloud
 constexpr int kOutlierNeighbours = 16;
 constexpr double kOutlierDeviations = 1.0;
-/// A mesh is looked at through so many points, spread by area.
-constexpr double kSurfacePoints = 60000.0;
 /// A piece beside an open block with more of its area is no scrap.
 constexpr double kScrapArea = 0.1;
 constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and told
@@ -48,46 +47,6 @@ double degrees_between(const Vec3& a, const Vec3& b) {
                       "it, or, if this is one block alone, use --ground none");
 }
 
-/// A mesh with points spread over it.
-struct Spread {
-  std::vector<Vec3> points;
-  std::vector<std::uint32_t> triangle_of;
-};
-
-Spread spread_over(const TriangleMesh& mesh) {
-  Random random(1);
-  Spread spread;
-  const double each = surface_area(mesh) / kSurfacePoints;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Vec3 p = mesh.vertices[a], u = mesh.vertices[b] - p, v = mesh.vertices[c] - p;
-    const double count = std::floor(0.5 * u.cross(v).norm() / each + random.uniform());
-    for (double i = 0.0; i < count; ++i) {
-      double s = random.uniform(), r = random.uniform();
-      if (s + r > 1.0) s = 1.0 - s, r = 1.0 - r;
-      spread.points.push_back(p + s * u + r * v);
-      spread.triangle_of.push_back(t);
-    }
-  }
-  return spread;
-}
-
-/// Triangles that hang from a rim by one edge are cut off, until none is left.
-TriangleMesh without_ears(TriangleMesh mesh) {
-  for (int pass = 0; pass < 10; ++pass) {
-    std::vector<int> borders(mesh.triangles.size(), 0);
-    const auto sides = detail::sorted_half_edges(mesh);
-    detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
-      if (edge.size() == 1) ++borders[edge[0].triangle];
-    });
-    std::vector<bool> keep(mesh.triangles.size());
-    for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = borders[t] < 2;
-    if (std::find(keep.begin(), keep.end(), false) == keep.end()) break;
-    mesh = detail::with_triangles(mesh, keep);
-  }
-  return mesh;
-}
-
 class Separation {
  public:
   Separation(std::string name, const FieldScanOptions& options)
@@ -97,9 +56,9 @@ class Separation {
     std::optional<TriangleMesh> sheet = open_sheet(raw);
     if (!sheet) return {{cleaned_scan(raw, name_, options_.scan), {}}};
     if (options_.find_ground) {
-      const Spread spread = spread_over(*sheet);
-      if (const std::optional<Ground> ground = found_ground(spread.points)) {
-        return cut_out(*sheet, spread, *ground);
+      const std::vector<Vec3> points = detail::points_over(*sheet);
+      if (const std::optional<Ground> ground = found_ground(points)) {
+        return cut_out(*sheet, points, *ground);
       }
     }
     std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
@@ -135,9 +94,13 @@ class Separation {
     }
     notes_.push_back("made from " + std::to_string(raw.size()) + " points, " +
                      std::to_string(raw.size() - points.size()) + " of them outliers");
+    detail::NearAndFar sets = detail::near_and_far(points);
+    refuse_separate_sets(sets);
     std::optional<Ground> ground;
     if (options_.find_ground) ground = found_ground(points);
-    if (!ground) return {closed_block(surface_of(points), {}, Vec3::Zero())};
+    if (!ground) {
+      return {closed_block(surface_of(without_far(std::move(sets))), {}, Vec3::Zero())};
+    }
     const StandingBlocks standing = standing_on(points, *ground);
     std::vector<FieldBlock> blocks;
     for (const StandingBlock* block : chosen(standing)) {
@@ -236,6 +199,26 @@ class Separation {
     return {&standing.blocks[standing.central]};
   }
 
+  /// A ground would join what stands on it: without one, far sets are not of one block.
+  void refuse_separate_sets(const detail::NearAndFar& found) const {
+    if (found.far_share <= kScrapArea) return;
+    throw GeometryError(name_ + ": separate sets of points, the second with about " +
+                        std::to_string(std::lround(100.0 * found.far_share)) +
+                        " % of the area of the first, near " + place(found.far_place) +
+                        "; save each block to a file of its own, or delete what does not belong "
+                        "to it");
+  }
+
+  /// Points of a block by itself, without what lies far from it.
+  std::vector<Vec3> without_far(detail::NearAndFar found) {
+    if (found.far > 0) {
+      notes_.push_back(std::to_string(found.far) +
+                       " points far from the block were left out, some near " +
+                       place(found.far_place));
+    }
+    return std::move(found.near);
+  }
+
   static Plane below(const StandingBlock& block, const std::vector<Vec3>& points,
                      const Ground& ground) {
     Bounds box;
@@ -253,34 +236,33 @@ class Separation {
     }
   }
 
-  std::vector<FieldBlock> cut_out(const TriangleMesh& sheet, const Spread& spread,
+  std::vector<FieldBlock> cut_out(const TriangleMesh& sheet, const std::vector<Vec3>& points,
                                   const Ground& ground) {
-    const StandingBlocks standing = standing_on(spread.points, ground);
-    const detail::NearestPoints tree(spread.points);
+    const StandingBlocks standing = standing_on(points, ground);
+    const detail::NearestPoints tree(points);
     std::vector<FieldBlock> blocks;
     for (const StandingBlock* block : chosen(standing)) {
-      std::vector<bool> on_block(spread.points.size(), false);
       std::vector<Vec3> own;
-      for (const std::uint32_t i : block->points) {
-        on_block[i] = true;
-        own.push_back(spread.points[i]);
-      }
-      const auto belongs = [&](const Vec3& p) {
-        return on_block[tree.nearest(p, 1).front().point];
-      };
-      std::vector<bool> keep(sheet.triangles.size());
-      for (std::size_t t = 0; t < keep.size(); ++t) {
-        const auto& [a, b, c] = sheet.triangles[t];
-        const Vec3 &p = sheet.vertices[a], &q = sheet.vertices[b], &r = sheet.vertices[c];
-        keep[t] = belongs((p + q + r) / 3.0) && belongs(p) && belongs(q) && belongs(r);
-      }
-      TriangleMesh rock = detail::with_triangles(sheet, keep);
-      if (rock.triangles.empty()) refuse_bare_ground(name_, 1.0);
-      rock = std::move(detail::pieces_of(without_ears(std::move(rock))).front().mesh);
+      for (const std::uint32_t i : block->points) own.push_back(points[i]);
+      std::vector<detail::Piece> pieces = detail::pieces_nearest_to(sheet, tree, block->points);
+      if (pieces.empty()) refuse_bare_ground(name_, 1.0);
+      const std::string others = left_out(pieces);
+      TriangleMesh rock = std::move(pieces.front().mesh);
       detail::split_pinched_vertices(rock);
       blocks.push_back(closed_block(std::move(rock), below(*block, own, ground), block->centre));
+      if (!others.empty()) blocks.back().scan.notes.push_back(others);
     }
     return blocks;
+  }
+
+  /// Of the pieces of what stands at one place the first is the block. Said where another is no
+  /// scrap.
+  static std::string left_out(const std::vector<detail::Piece>& pieces) {
+    if (pieces.size() < 2 || pieces[1].area <= kScrapArea * pieces[0].area) return "";
+    return "another piece of the scan that stands close to this block, with " +
+           with_digits(100.0 * pieces[1].area / pieces[0].area, 3) + " % of its area, near " +
+           place(pieces[1].mesh.vertices[0]) +
+           ", was left out; to have both, save each to a file of its own";
   }
 
   /// Closes, cleans, and turns to metres with z up.
@@ -404,8 +386,11 @@ std::vector<FieldBlock> field_blocks(const std::vector<Vec3>& points, const std:
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options) {
   options.check();
   FieldScan scan;
+  CloudSummary summary;
   if (is_cloud(path)) {
-    scan.raw.vertices = read_cloud(path);
+    summary = stream_cloud(path, [&](const PointBatch& batch) {
+      scan.raw.vertices.insert(scan.raw.vertices.end(), batch.points.begin(), batch.points.end());
+    });
   } else {
     scan.raw = read_mesh_or_points(path);
   }
@@ -413,7 +398,13 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
   scan.blocks = scan.raw.triangles.empty() ? field_blocks(scan.raw.vertices, path.string(), options)
                                            : field_blocks(scan.raw, path.string(), options);
   for (FieldBlock& block : scan.blocks) {
-    if (!note.empty()) block.scan.notes.push_back(note);
+    std::vector<std::string>& notes = block.scan.notes;
+    if (!note.empty()) notes.push_back(note);
+    const auto left_out = [&](std::size_t count, const char* why) {
+      if (count > 0) notes.push_back(std::to_string(count) + " points left out: " + why);
+    };
+    left_out(summary.without_place, "a coordinate is not finite");
+    left_out(summary.withheld, "the file flags them as withheld or classes them as noise");
   }
   return scan;
 }

@@ -36,6 +36,8 @@ constexpr int kFits = 8;            ///< of the local surface, each to a narrowe
 constexpr double kNarrowing = 0.7;
 constexpr double kBand = 3.0;  ///< of the roughness; beyond it a point is not on the ground
 constexpr double kDeviationOfMad = 1.4826;
+/// Of the tolerance: a ground made by a program is no rougher than that.
+constexpr double kSmooth = 1e-6;
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -231,7 +233,7 @@ double roughness_of(std::span<const Vec3> points, const Ground::Surface& surface
     heights.push_back(std::abs(surface.flat(p).z() - surface.at(p)));
   }
   double roughness = 0.0;
-  for (double band = 2.0 * tolerance; band > kBand * roughness;) {
+  for (double band = 2.0 * tolerance; band > std::max(kBand * roughness, kSmooth * tolerance);) {
     std::vector<double> within;
     for (const double height : heights) {
       if (height < band) within.push_back(height);

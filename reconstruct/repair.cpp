@@ -6,12 +6,12 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "reconstruct/detail/crossings.hpp"
+#include "reconstruct/detail/crossing_mends.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
-#include "reconstruct/detail/wrap.hpp"
+#include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/weld.hpp"
 #include "shapes/self_intersection.hpp"
 
@@ -27,16 +27,6 @@ constexpr double kDoubleSheet = 0.02;
 constexpr double kWelds[] = {1.0, 10.0, 100.0};
 /// Volume over diagonal cubed below which a surface encloses nothing: a folded sheet.
 constexpr double kNoVolume = 1e-9;
-/// Share of the diagonal by which vertices that lie on one another are moved apart.
-constexpr double kPartedBy = 1e-6;
-/// Relative change of the volume by replacing crossings above which that did harm.
-constexpr double kCrossingVolume = 0.02;
-/// Rings of triangles around crossings that are cut out at most.
-constexpr int kRings = 5;
-/// The same for a wrap, whose own bias is a few per cent.
-constexpr double kWrapVolume = 0.08;
-/// And for a coarse wrap, tried first: around a tangle the fine one costs seconds and is refused.
-constexpr double kCoarseWrapVolume = 0.5;
 /// Above this many diagonals from the origin, the work is done about a nearer one.
 constexpr double kFarAway = 10.0;
 constexpr std::size_t kHolesNamed = 3;
@@ -94,16 +84,6 @@ class Route {
   }
 
   std::string at(const Vec3& local) const { return place(told(local)); }
-
-  /// Moves what was computed to where it will lie when the origin is added again: rounded then,
-  /// triangles that just missed each other may cross.
-  TriangleMesh on_grid(TriangleMesh mesh) const {
-    for (Vec3& v : mesh.vertices) {
-      const Vec3 there = v + origin_;
-      v = there - origin_;
-    }
-    return mesh;
-  }
 
   void note(DefectKind kind, std::size_t count, double area = 0.0, std::optional<Vec3> where = {},
             double size = 0.0) {
@@ -249,104 +229,24 @@ class Route {
     fail("the surface is not closed: " + text + kAdvice);
   }
 
-  /// Sheets that touch are parted, triangles that cross are replaced, or the surface is wrapped.
+  /// Triangles that cross are replaced.
   void free_of_crossings() {
-    mesh_ = on_grid(std::move(mesh_));
+    mesh_ = detail::on_grid(std::move(mesh_), origin_);
     const auto crossings = crossing_triangles(mesh_);
     if (crossings.empty()) return;
-    const double volume = std::abs(detail::signed_volume(mesh_));
     const Vec3 where = mesh_.vertices[mesh_.triangles[crossings[0][0]][0]];
-    std::optional<TriangleMesh> free = parted(volume);
-    if (!free) free = smoothed_free(volume);
-    if (!free) free = cut_free(volume);
-    if (!free) free = wrapped_free(volume);
-    if (!free) {
+    std::optional<detail::FreedSurface> freed = detail::freed_of_crossings(mesh_, origin_);
+    if (!freed) {
       fail("the surface passes through itself at " + std::to_string(crossings.size()) +
            " pairs of triangles, the first near " + at(where) +
            ", and can't be freed of that without changing its volume by more than " +
-           with_digits(100.0 * kCrossingVolume, 2) + " %" + kAdvice);
+           with_digits(100.0 * detail::kCrossingVolume, 2) + " %" + kAdvice);
     }
-    report_.crossing_volume_change = std::abs(detail::signed_volume(*free)) / volume - 1.0;
+    report_.crossing_volume_change =
+        std::abs(detail::signed_volume(freed->mesh)) / std::abs(detail::signed_volume(mesh_)) - 1.0;
+    report_.wrap_bias = freed->wrap_bias;
     note(DefectKind::kCrossing, crossings.size(), 0.0, where);
-    mesh_ = std::move(*free);
-  }
-
-  /// `mesh` when it is what is wanted, and its volume is about that.
-  std::optional<TriangleMesh> if_sound(TriangleMesh mesh, double volume, double change) const {
-    mesh = on_grid(std::move(mesh));
-    const MeshReport report = inspect(mesh);
-    if (!report.closed() || !report.oriented() || report.pinched_vertices > 0 ||
-        report.components != 1) {
-      return std::nullopt;
-    }
-    const double ratio = std::abs(detail::signed_volume(mesh)) / volume;
-    if (!(std::abs(ratio - 1.0) <= change) || !crossing_triangles(mesh).empty()) {
-      return std::nullopt;
-    }
-    return mesh;
-  }
-
-  /// Where the surface only touches itself, a hair's breadth is enough. Facing inwards as it may,
-  /// it is turned for the while.
-  std::optional<TriangleMesh> parted(double volume) {
-    const bool inward = detail::signed_volume(mesh_) < 0.0;
-    if (inward) detail::turn_over(mesh_);
-    detail::part_touching_vertices(mesh_, kPartedBy * bounds(mesh_).diagonal());
-    if (inward) detail::turn_over(mesh_);
-    return if_sound(mesh_, volume, kCrossingVolume);
-  }
-
-  std::optional<TriangleMesh> smoothed_free(double volume) const {
-    TriangleMesh trial = mesh_;
-    if (!detail::remove_crossings(trial)) return std::nullopt;
-    return if_sound(std::move(trial), volume, kCrossingVolume);
-  }
-
-  /// Cuts the crossing triangles out with more and more rings around them, and fills anew.
-  std::optional<TriangleMesh> cut_free(double volume) const {
-    TriangleMesh trial = mesh_;
-    for (int rings = 0; rings < kRings; ++rings) {
-      std::vector<bool> near(trial.vertices.size(), false);
-      for (const auto& pair : crossing_triangles(trial)) {
-        for (const std::uint32_t t : pair) {
-          for (const std::uint32_t v : trial.triangles[t]) near[v] = true;
-        }
-      }
-      const auto touched = [&](const TriangleMesh::Triangle& t) {
-        return near[t[0]] || near[t[1]] || near[t[2]];
-      };
-      for (int ring = 0; ring < rings; ++ring) {
-        std::vector<bool> wider = near;
-        for (const TriangleMesh::Triangle& t : trial.triangles) {
-          if (touched(t)) wider[t[0]] = wider[t[1]] = wider[t[2]] = true;
-        }
-        near = std::move(wider);
-      }
-      std::erase_if(trial.triangles, touched);
-      if (trial.triangles.empty()) return std::nullopt;
-      trial = std::move(detail::pieces_of(trial).front().mesh);
-      detail::split_pinched_vertices(trial);
-      detail::close_by_fans(trial, detail::kFanEdges);
-      if (inspect(trial).boundary_edges > 0) detail::fill_holes(trial);
-      if (!inspect(trial).closed()) return std::nullopt;
-      if (auto sound = if_sound(trial, volume, kCrossingVolume)) return sound;
-    }
-    return std::nullopt;
-  }
-
-  std::optional<TriangleMesh> wrapped_free(double volume) {
-    const TriangleMesh coarse = detail::wrapped(mesh_, detail::kCoarseWrap);
-    const double coarse_ratio = std::abs(detail::signed_volume(coarse)) / volume;
-    if (!(std::abs(coarse_ratio - 1.0) <= kCoarseWrapVolume)) return std::nullopt;
-    TriangleMesh wrap = detail::wrapped(mesh_, detail::kFineWrap);
-    std::optional<TriangleMesh> sound = if_sound(std::move(wrap), volume, kWrapVolume);
-    if (!sound) return std::nullopt;
-    const double ratio = detail::signed_volume(*sound) / volume;
-    report_.wrap_bias = ratio - 1.0;
-    const Bounds box = bounds(*sound);
-    const Vec3 middle = 0.5 * (box.low + box.high);
-    for (Vec3& v : sound->vertices) v = middle + (v - middle) / std::cbrt(ratio);
-    return if_sound(std::move(*sound), volume, kCrossingVolume);
+    mesh_ = std::move(freed->mesh);
   }
 
   /// What the other pieces are, now that the block is closed: bubbles, sheets scanned twice,

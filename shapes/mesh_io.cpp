@@ -69,6 +69,10 @@ TriangleMesh read_any(const std::filesystem::path& path, bool points_will_do) {
   if (content.empty()) throw InputError(path.string() + ": the file is empty");
   try {
     TriangleMesh mesh = read_by_format(path, extension, content);
+    // Cameras write a point that has no place as one that is not finite.
+    if (points_will_do && mesh.triangles.empty()) {
+      std::erase_if(mesh.vertices, [](const Vec3& v) { return !v.allFinite(); });
+    }
     check_usable(mesh, points_will_do);
     return mesh;
   } catch (const InputError& error) {

@@ -16,7 +16,8 @@ namespace clast {
 ///                     that are not finite (the message names the first such vertex)
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
-/// The same, but a file with vertices and no triangles is fine too.
+/// The same, but a file with vertices and no triangles is fine too; of these, the ones that are not
+/// finite are left out.
 TriangleMesh read_mesh_or_points(const std::filesystem::path& path);
 
 /// Formats that `read_mesh` knows, as lower-case extensions with the dot.

@@ -77,6 +77,19 @@ CloudSummary read_by_format(const std::filesystem::path& path, const std::string
   return sink.finish({});
 }
 
+/// Why a file that could be read gives no point.
+std::string nothing_in(const CloudSummary& summary) {
+  if (summary.withheld > 0) {
+    return "holds no points that count: " + std::to_string(summary.withheld) +
+           " are flagged as withheld or classed as noise; classify them anew";
+  }
+  if (summary.without_place > 0) {
+    return "holds no points that count: " + std::to_string(summary.without_place) +
+           " have a coordinate that is not finite; export it again";
+  }
+  return "holds no points; export it again";
+}
+
 }  // namespace
 
 CloudSummary stream_cloud(const std::filesystem::path& path,
@@ -84,13 +97,17 @@ CloudSummary stream_cloud(const std::filesystem::path& path,
   detail::PointSink sink(take);
   CloudSummary summary;
   try {
+    std::error_code code;
+    if (std::filesystem::is_regular_file(path, code) && std::filesystem::is_empty(path, code)) {
+      throw InputError("holds no points: the file is empty; copy or export it again");
+    }
     summary = read_by_format(path, extension_of(path), sink);
   } catch (const InputError& error) {
     const std::string message = error.what();
     const std::string name = path.string() + ": ";
     throw InputError(message.starts_with(name) ? message : name + message);
   }
-  if (summary.points == 0) throw InputError(path.string() + ": holds no points");
+  if (summary.points == 0) throw InputError(path.string() + ": " + nothing_in(summary));
   return summary;
 }
 

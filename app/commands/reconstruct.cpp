@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "app/block_report.hpp"
@@ -45,12 +46,12 @@ struct ReconstructArgs {
   ScanToBlockOptions options;
 };
 
-/// What became of a scan: blocks, or the reason why there is none, or neither where the library has
-/// its block already.
+/// What became of a scan: blocks, or the reasons why some or all are missing, or neither where the
+/// library has its block already.
 struct Outcome {
   std::vector<Block> blocks;
   std::vector<std::string> pages;  ///< of the blocks, where they are wanted
-  std::string failure;
+  std::vector<std::string> failures;
 };
 
 /// @param paged  are pages wanted?
@@ -69,7 +70,10 @@ Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool
       outcome.pages.push_back(block_page(block, {.raw = &raw, .found = &found}, options));
     };
   }
-  outcome.blocks = blocks_from_scan(scan.path, scan.id, options, stage, witness);
+  const BlockLoss lost = [&](const std::string&, const std::string& reason) {
+    outcome.failures.push_back(reason);
+  };
+  outcome.blocks = blocks_from_scan(scan.path, scan.id, options, stage, witness, lost);
   return outcome;
 }
 
@@ -120,8 +124,10 @@ class Batch {
     print_end();
     if (failed_.empty()) return;
     if (scans_.size() == 1) throw InputError(last_failure_);
-    throw InputError(std::to_string(failed_.size()) + " of " + std::to_string(scans_.size()) +
-                     " scans gave no block; the reasons are above");
+    throw InputError(std::to_string(scans_failed_.size()) + " of " + std::to_string(scans_.size()) +
+                     " scans gave no block" +
+                     (args_.options.split ? ", or not all of theirs" : "") +
+                     "; the reasons are above");
   }
 
  private:
@@ -141,13 +147,13 @@ class Batch {
     const std::lock_guard lock(mutex_);
     if (!library_.has(first)) return false;
     const BlockSource& source = library_.block(first).source;
-    if (args_.resume && source.options.ends_with(request_) &&
-        source.sha256 == digest_of_scan(scan.path)) {
-      return true;
-    }
+    const bool same_request = args_.resume && source.options.ends_with(request_);
+    if (same_request && source.sha256 == digest_of_scan(scan.path)) return true;
     if (args_.replace) return false;
-    throw InputError("block " + first + " is in " + args_.library +
-                     " already; use --replace to put the new one in its place");
+    std::string how;
+    if (args_.resume) how = same_request ? ", made of another file" : ", made with other options";
+    throw InputError("block " + first + " is in " + args_.library + " already" + how +
+                     "; use --replace to put the new one in its place");
   }
 
   Outcome made(const ScanFile& scan) {
@@ -158,7 +164,11 @@ class Batch {
       for (Block& block : outcome.blocks) block.source.options += " " + request_;
       return outcome;
     } catch (const Error& error) {  // one bad scan never costs the batch
-      return {{}, {}, error.what()};
+      return {{}, {}, {error.what()}};
+    } catch (const std::bad_alloc&) {
+      return {{}, {}, {"not enough memory; use fewer --jobs, or thin the scan first"}};
+    } catch (const std::exception& error) {
+      return {{}, {}, {std::string("unexpected failure, please report it: ") + error.what()}};
     }
   }
 
@@ -166,32 +176,63 @@ class Batch {
     const std::lock_guard lock(mutex_);
     progress_.clear();
     steps_ = std::max(steps_, kStages * ++taken_);
-    if (!outcome.blocks.empty()) {
-      for (const Block& block : outcome.blocks) add(block);
-      if (report_) write_pages(scan, outcome);
-    } else if (outcome.failure.empty()) {
-      skip(scan);
-    } else {
-      if (report_) report_->add_failure(scan.path.string(), outcome.failure);
-      fail(scan, outcome.failure);
+    for (std::size_t i = 0; i < outcome.blocks.size(); ++i) {
+      try {
+        add(outcome.blocks[i]);
+        if (report_) write_page(scan, outcome.blocks[i], outcome.pages[i]);
+      } catch (const Error& error) {  // such as one of a split scan that is there already
+        lose(scan, error.what());
+      }
     }
+    for (const std::string& failure : outcome.failures) lose(scan, failure);
+    if (outcome.blocks.empty() && outcome.failures.empty()) skip(scan);
+    tell_leftovers(scan, outcome);
+    save_now_and_then();
+  }
+
+  /// A scan, or a block of one, that is not in the library.
+  void lose(const ScanFile& scan, const std::string& reason) {
+    if (report_) report_->add_failure(scan.path.string(), reason);
+    fail(scan, reason);
+  }
+
+  /// Blocks of an earlier split into more than now.
+  void tell_leftovers(const ScanFile& scan, const Outcome& outcome) const {
+    if (!args_.options.split || outcome.blocks.empty() || !outcome.failures.empty()) return;
+    const std::string next = scan.id + "_" + std::to_string(outcome.blocks.size() + 1);
+    if (!library_.has(next)) return;
+    std::cerr << "clast: " << args_.library << " still holds block " << next
+              << " of an earlier split; if it is no more, use clast library remove\n";
+  }
+
+  /// What can't be written now is tried again at the end.
+  void save_now_and_then() {
+    if (made_.empty() || std::chrono::steady_clock::now() - written_ < kBetweenWrites) return;
+    try {
+      library_.write(args_.library);
+    } catch (const Error& error) {
+      std::cerr << "clast: " << error.what() << "; this is tried again at the end\n";
+    }
+    written_ = std::chrono::steady_clock::now();
   }
 
   void fail(const ScanFile& scan, const std::string& reason) {
     const std::string path = scan.path.string();
     failed_.push_back({{"scan", as_utf8(path)}, {"reason", as_utf8(reason)}});
+    scans_failed_.insert(scan.id);
+    // The last failure of a single scan ends the program and is printed then.
+    if (scans_.size() == 1 && !last_failure_.empty()) print_failure();
     last_failure_ = reason.find(path) == std::string::npos ? path + ": " + reason : reason;
-    if (scans_.size() > 1) std::cerr << "clast: " << last_failure_ << "\n";
+    if (scans_.size() > 1) print_failure();
   }
 
-  void write_pages(const ScanFile& scan, const Outcome& outcome) {
-    for (std::size_t i = 0; i < outcome.blocks.size(); ++i) {
-      try {
-        report_->add(outcome.blocks[i], outcome.pages[i]);
-      } catch (const Error& error) {  // a name too long for a page never costs the batch
-        fail(scan, "block " + outcome.blocks[i].id +
-                       " was made, but not its page: " + std::string(error.what()));
-      }
+  void print_failure() const { std::cerr << "clast: " << last_failure_ << "\n"; }
+
+  void write_page(const ScanFile& scan, const Block& block, const std::string& page) {
+    try {
+      report_->add(block, page);
+    } catch (const Error& error) {  // a name too long for a page never costs the batch
+      fail(scan, "block " + block.id + " was made, but not its page: " + std::string(error.what()));
     }
   }
 
@@ -212,12 +253,9 @@ class Batch {
   }
 
   void add(const Block& block) {
+    nlohmann::ordered_json json = block_json(block);  // may refuse the block: before it is taken
     library_.add(block, args_.replace);
-    if (std::chrono::steady_clock::now() - written_ > kBetweenWrites) {
-      library_.write(args_.library);
-      written_ = std::chrono::steady_clock::now();
-    }
-    made_.push_back(block_json(block));
+    made_.push_back(std::move(json));
     if (args_.json) return;
     std::cout << block_line(block) << "\n";
     for (const std::string& warning : block.warnings) std::cout << "  note: " << warning << "\n";
@@ -251,6 +289,7 @@ class Batch {
   nlohmann::ordered_json made_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json failed_ = nlohmann::ordered_json::array();
   std::string last_failure_;
+  std::set<std::string> scans_failed_;  ///< their ids
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
 };
 
@@ -259,10 +298,15 @@ void reconstruct(ReconstructArgs args) {
   options.unit_name = args.units;
   options.photos = args.photos.parsed();
   options.scale_factor = args.scale_factor;
-  options.scaled_by_length = !args.scale_length.empty();
-  options.scan.unit =
-      (options.scaled_by_length ? unit_from_length(args.scale_length) : length_unit(args.units)) *
-      args.scale_factor;
+  double unit = 1.0;
+  if (args.scale_length.empty()) {
+    unit = length_unit(args.units);
+  } else {
+    const MeasuredLength length = measured_length(args.scale_length);
+    options.scale_points = length.points;
+    unit = length.unit;
+  }
+  options.scan.unit = unit * args.scale_factor;
   check_usage([&] { options.check(); });
   if (options.block.mass && options.split) {
     throw CLI::ValidationError("--mass", "is the mass of one block, but --split may make several");
@@ -331,6 +375,7 @@ void add_reconstruct(CLI::App& app) {
       ->add_option("--vertices", options.vertices,
                    "Vertices a block has at most, 4 or more; default: the fewest up to 2000 with "
                    "which it is within the tolerance")
+      ->check(whole_number())
       ->check(number_between(4, 1e6))
       ->type_name("N");
   CLI::Option* radius =
@@ -392,6 +437,7 @@ void add_reconstruct(CLI::App& app) {
       ->add_option("--jobs", args->jobs,
                    "Scans that are worked on at the same time, 0: one per core; each takes its own "
                    "memory, and the results are the same for any number")
+      ->check(whole_number())
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume,

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "core/types.hpp"
+#include "reconstruct/detail/touching_sheets.hpp"
 #include "shapes/detail/half_edges.hpp"
 #include "shapes/mesh_topology.hpp"
 
@@ -20,42 +20,6 @@ using Triangle = TriangleMesh::Triangle;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Rounds of dropping fins: one that stands on another is seen when that is gone.
 constexpr int kFinRounds = 8;
-
-/// Takes the marked triangles out.
-Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop) {
-  Mended result;
-  std::vector<Triangle> kept;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!drop[t]) {
-      kept.push_back(mesh.triangles[t]);
-      continue;
-    }
-    if (result.count++ == 0) result.place = mesh.vertices[mesh.triangles[t][0]];
-    result.area += triangle_area(mesh, mesh.triangles[t]);
-  }
-  if (result.count > 0) mesh = compacted(mesh, kept);
-  return result;
-}
-
-std::uint32_t opposite(const TriangleMesh& mesh, const HalfEdge& side) {
-  for (const std::uint32_t v : mesh.triangles[side.triangle]) {
-    if (v != side.low && v != side.high) return v;
-  }
-  return side.low;
-}
-
-/// Directions from an edge into its triangles, square to the edge.
-std::vector<Vec3> wings(const TriangleMesh& mesh, std::span<const HalfEdge> sides) {
-  const Vec3 start = mesh.vertices[sides[0].low];
-  const Vec3 along = (mesh.vertices[sides[0].high] - start).normalized();
-  std::vector<Vec3> result;
-  for (const HalfEdge& side : sides) {
-    const Vec3 to = mesh.vertices[opposite(mesh, side)] - start;
-    const Vec3 across = to - to.dot(along) * along;
-    result.push_back(across.normalized());
-  }
-  return result;
-}
 
 /// The two sides of an edge that go on most smoothly from one to the other.
 std::array<std::size_t, 2> smoothest_pair(const std::vector<Vec3>& wing) {
@@ -85,62 +49,6 @@ std::vector<std::uint32_t> manifold_patches(const TriangleMesh& mesh,
   return patch;
 }
 
-/// The next pair of sides that part an edge's triangles: around the edge, each pair has rock
-/// between its two.
-std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
-                                                   std::span<const HalfEdge> sides) {
-  const std::vector<Vec3> wing = wings(mesh, sides);
-  const Vec3 axis = (mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).normalized();
-  std::vector<std::pair<double, std::size_t>> around;
-  for (std::size_t i = 0; i < wing.size(); ++i) {
-    const double angle = std::atan2(axis.dot(wing[0].cross(wing[i])), wing[0].dot(wing[i]));
-    around.emplace_back(angle, i);
-  }
-  std::sort(around.begin(), around.end());
-  // The normal of a forward side points the way angles grow, so rock lies before it.
-  std::vector<bool> paired(sides.size(), false);
-  std::vector<std::array<std::size_t, 2>> pairs;
-  const auto join = [&](std::size_t i, std::size_t j) {
-    pairs.push_back({i, j});
-    paired[i] = paired[j] = true;
-  };
-  for (std::size_t k = 0; k < around.size(); ++k) {
-    const std::size_t i = around[k].second, j = around[(k + 1) % around.size()].second;
-    if (!paired[i] && !paired[j] && !sides[i].forward && sides[j].forward) join(i, j);
-  }
-  for (const bool alike : {false, true}) {  // what is left, better those that agree
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      for (std::size_t j = i + 1; j < sides.size(); ++j) {
-        if (paired[i] || paired[j]) continue;
-        if ((sides[i].forward == sides[j].forward) == alike) join(i, j);
-      }
-    }
-  }
-  return pairs;
-}
-
-/// Gives each group of corners at a vertex a vertex of its own; the group of the first corner keeps
-/// the old one. Returns which vertices were split.
-std::vector<bool> split_by_groups(TriangleMesh& mesh, const std::vector<std::uint32_t>& group) {
-  std::vector<std::uint32_t> owner(mesh.vertices.size(), kNone);
-  std::vector<std::uint32_t> vertex_of_group(group.size(), kNone);
-  std::vector<bool> split(mesh.vertices.size(), false);
-  for (std::uint32_t corner = 0; corner < group.size(); ++corner) {
-    std::uint32_t& vertex = mesh.triangles[corner / 3][corner % 3];
-    const std::uint32_t here = group[corner];
-    if (owner[vertex] == kNone) owner[vertex] = here;
-    if (owner[vertex] == here) continue;
-    if (vertex_of_group[here] == kNone) {
-      split[vertex] = true;
-      vertex_of_group[here] = static_cast<std::uint32_t>(mesh.vertices.size());
-      const Vec3 copy = mesh.vertices[vertex];
-      mesh.vertices.push_back(copy);
-    }
-    vertex = vertex_of_group[here];
-  }
-  return split;
-}
-
 }  // namespace
 
 TriangleMesh compacted(const TriangleMesh& source, const std::vector<Triangle>& triangles) {
@@ -167,6 +75,21 @@ TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& k
     if (keep[t]) kept.push_back(mesh.triangles[t]);
   }
   return compacted(mesh, kept);
+}
+
+Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop) {
+  Mended result;
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!drop[t]) {
+      kept.push_back(mesh.triangles[t]);
+      continue;
+    }
+    if (result.count++ == 0) result.place = mesh.vertices[mesh.triangles[t][0]];
+    result.area += triangle_area(mesh, mesh.triangles[t]);
+  }
+  if (result.count > 0) mesh = compacted(mesh, kept);
+  return result;
 }
 
 double triangle_area(const TriangleMesh& mesh, const Triangle& t) {
@@ -274,40 +197,6 @@ Mended drop_fins(TriangleMesh& mesh, double largest_share) {
   return result;
 }
 
-Mended cut_touching_edges(TriangleMesh& mesh) {
-  Mended result;
-  std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
-  DisjointSets corners(3 * mesh.triangles.size());
-  const auto corner = [&](std::uint32_t triangle, std::uint32_t vertex) {
-    const Triangle& t = mesh.triangles[triangle];
-    return 3 * triangle + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);
-  };
-  const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
-    for (const std::uint32_t vertex : {a.low, a.high}) {
-      corners.join(corner(a.triangle, vertex), corner(b.triangle, vertex));
-    }
-  };
-  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-    if (sides.size() == 2) join(sides[0], sides[1]);
-    if (sides.size() < 3) return;
-    if (result.count++ == 0) result.place = mesh.vertices[sides[0].low];
-    for (const auto& [i, j] : rock_pairs(mesh, sides)) join(sides[i], sides[j]);
-  });
-  if (result.count == 0) return result;
-  std::vector<std::uint32_t> group(3 * mesh.triangles.size());
-  for (std::uint32_t c = 0; c < group.size(); ++c) group[c] = corners.find(c);
-  split_by_groups(mesh, group);
-  // Sheets that meet again at both ends of the edge can't be parted there.
-  sorted = sorted_half_edges(mesh);
-  std::vector<bool> drop(mesh.triangles.size(), false);
-  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-    if (sides.size() < 3) return;
-    for (const HalfEdge& side : sides) drop[side.triangle] = true;
-  });
-  result.area = taken_out(mesh, drop).area;
-  return result;
-}
-
 void turn_over(TriangleMesh& mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
 }
@@ -358,56 +247,6 @@ Orientation orient_consistently(TriangleMesh& mesh) {
     }
   }
   return result;
-}
-
-Mended split_pinched_vertices(TriangleMesh& mesh) {
-  const std::vector<bool> split = split_by_groups(mesh, corner_fans(mesh, sorted_half_edges(mesh)));
-  Mended result;
-  result.count = static_cast<std::size_t>(std::count(split.begin(), split.end(), true));
-  if (result.count > 0) {
-    result.place = mesh.vertices[static_cast<std::size_t>(
-        std::find(split.begin(), split.end(), true) - split.begin())];
-  }
-  return result;
-}
-
-void part_touching_vertices(TriangleMesh& mesh, double distance) {
-  std::map<std::array<double, 3>, std::vector<std::uint32_t>> at_place;
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Vec3& p = mesh.vertices[v];
-    at_place[{p.x(), p.y(), p.z()}].push_back(v);
-  }
-  std::erase_if(at_place, [](const auto& entry) { return entry.second.size() < 2; });
-  if (at_place.empty()) return;
-  std::vector<bool> touching(mesh.vertices.size(), false);
-  for (const auto& [place, vertices] : at_place) {
-    for (const std::uint32_t v : vertices) touching[v] = true;
-  }
-  // Of each fan the normal, and where on the whole it lies from its vertex.
-  std::map<std::uint32_t, std::pair<Vec3, Vec3>> fans;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 doubled = (mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                             .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
-    const Vec3 middle = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
-    for (const std::uint32_t v : t) {
-      if (!touching[v]) continue;
-      auto& [normal, lean] = fans.try_emplace(v, Vec3::Zero(), Vec3::Zero()).first->second;
-      normal += doubled;
-      lean += (middle - mesh.vertices[v]).normalized();
-    }
-  }
-  std::vector<std::pair<std::uint32_t, Vec3>> moves;
-  for (const auto& [place, vertices] : at_place) {
-    for (const std::uint32_t v : vertices) {
-      const Vec3 normal = fans.at(v).first.normalized();
-      Vec3 others = Vec3::Zero();
-      for (const std::uint32_t other : vertices) {
-        if (other != v) others += fans.at(other).second;
-      }
-      moves.emplace_back(v, (others.dot(normal) < 0.0 ? distance : -distance) * normal);
-    }
-  }
-  for (const auto& [v, move] : moves) mesh.vertices[v] += move;
 }
 
 SoupMends mend_soup(TriangleMesh& mesh, double largest_fin) {

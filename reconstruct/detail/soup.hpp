@@ -24,6 +24,10 @@ TriangleMesh compacted(const TriangleMesh& source,
 /// @pre one flag for each triangle
 TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep);
 
+/// Takes the marked triangles out, and the vertices that only they use. Counts triangles.
+/// @pre one flag for each triangle
+Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop);
+
 double triangle_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
 /// Vertices of the first edge with more than two triangles.
@@ -44,12 +48,6 @@ inline constexpr double kFinArea = 0.05;
 /// @param largest_share  of the area that such a piece may have
 Mended drop_fins(TriangleMesh& mesh, double largest_share);
 
-/// Makes edges of more than two triangles into edges of two, without moving anything: sheets that
-/// touch are parted so that each pair bounds rock. Where that can't be, the triangles at the edge
-/// are taken out. Counts edges.
-/// @pre oriented as well as it can be
-Mended cut_touching_edges(TriangleMesh& mesh);
-
 struct Orientation {
   std::size_t turned = 0;  ///< triangles that were flipped
   bool orientable = true;
@@ -63,7 +61,7 @@ Orientation orient_consistently(TriangleMesh& mesh);
 
 void turn_over(TriangleMesh& mesh);
 
-/// All of the above, in order.
+/// All of the above, and `cut_touching_edges`, in order.
 struct SoupMends {
   Mended folded, fins, touching;
   Orientation orientation;  ///< counts both rounds
@@ -73,13 +71,5 @@ struct SoupMends {
 /// can't, `orientation` says so and the mesh is left half done.
 /// @param largest_fin  share of the area that a fin may have
 SoupMends mend_soup(TriangleMesh& mesh, double largest_fin);
-
-/// Gives every fan of triangles a vertex of its own. Counts the vertices that were split.
-Mended split_pinched_vertices(TriangleMesh& mesh);
-
-/// Moves vertices that lie on one another (split ones) apart by `distance` each: into the rock
-/// where the others lie on the side of the air, out of it where they lie on the side of the rock.
-/// @param mesh  closed, outward
-void part_touching_vertices(TriangleMesh& mesh, double distance);
 
 }  // namespace clast::detail

@@ -67,6 +67,7 @@ std::string digits_note(const TriangleMesh& mesh, const std::filesystem::path& p
   const std::optional<CoordinateStep> found = coordinate_step(mesh);
   if (!found) return "";
   const double diagonal = bounds(mesh).diagonal();
+  if (!(diagonal > 0.0)) return "";  // one point has no shape to lose
   const double share = found->step / diagonal;
   if (!(share > kDigitsLost)) return "";
   const std::string text = "precision was lost in the file itself: its coordinates reach " +

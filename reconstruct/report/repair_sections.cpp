@@ -22,14 +22,16 @@ std::string share(double value) {
 
 }  // namespace
 
-std::string repair_section(const RepairReport& report, bool cloud) {
+std::string repair_section(const RepairReport& report, bool cloud, bool open_side) {
   std::string html = paragraph(
-      (cloud ? "The surface put through the points: " : "As read and welded: ") +
+      (!cloud       ? "As read and welded: "
+       : !open_side ? "The surface put through the points: "
+                    : "The surface put through the points, its open side filled in: ") +
       std::to_string(report.as_read.vertices) + " vertices, " +
       std::to_string(report.as_read.triangles) + " triangles; " + report.as_read.summary() + ".");
   if (report.defects.empty()) {
     return section("Defects found and mended",
-                   html + paragraph(report.as_read.closed()
+                   html + paragraph(report.as_read.closed() && !open_side
                                         ? "None: the surface was closed and sound, and was not "
                                           "changed."
                                         : "None beside the open side, of which more below."));

@@ -9,8 +9,10 @@
 namespace clast {
 
 /// Tables of the defects and of the holes, with counts, sizes and places.
-/// @param cloud  the scan was points, and the report is of the surface that was put through them
-std::string repair_section(const RepairReport& report, bool cloud = false);
+/// @param cloud      the scan was points, and the report is of the surface that was put through
+/// them
+/// @param open_side  the scan had a side that nobody saw, which was filled in
+std::string repair_section(const RepairReport& report, bool cloud = false, bool open_side = false);
 
 /// The numbers of those tables where they have a place: "1", "2" ... for defects, "H1" ... for the
 /// largest holes.

@@ -70,7 +70,9 @@ std::string scale_bar(const Camera& camera) {
   const char* const stroke = "stroke=\"#1d2733\" stroke-width=\"2\"";
   return svg_line(left, y, right, y, stroke) + svg_line(left, y - 5, left, y + 5, stroke) +
          svg_line(right, y - 5, right, y + 5, stroke) +
-         svg_text(left + 5, y - 8, length_text(length), "font-size=\"15\" fill=\"#1d2733\"");
+         svg_text(left + 5, y - 8, length_text(length),
+                  "font-size=\"15\" fill=\"#1d2733\" stroke=\"#fff\" stroke-width=\"3\" "
+                  "paint-order=\"stroke\"");
 }
 
 /// One view with its name, scale bar and marks.
@@ -92,7 +94,10 @@ std::string view(const Canvas& canvas, const std::string& name,
                     "font-size=\"12\" font-weight=\"600\" text-anchor=\"middle\" "
                     "fill=\"#0072B2\"");
   }
-  return svg + scale_bar(camera) + svg_text(14, 22, name, "font-size=\"15\" fill=\"#5b6775\"") +
+  return svg + scale_bar(camera) +
+         svg_text(14, 22, name,
+                  "font-size=\"15\" fill=\"#5b6775\" stroke=\"#fff\" stroke-width=\"3\" "
+                  "paint-order=\"stroke\"") +
          "</svg>";
 }
 

@@ -169,7 +169,10 @@ class Body {
     const std::string_view text = bytes_.substr(0, bytes_.find_first_of(kBlank));
     bytes_.remove_prefix(text.size());
     if (const std::optional<double> number = parsed_number(text)) return *number;
-    throw InputError("\"" + std::string(text.substr(0, 40)) + "\" stands where a number is needed");
+    throw InputError("\"" + std::string(text.substr(0, 40)) + "\" stands where a number is needed" +
+                     (text.find(',') == std::string_view::npos
+                          ? ""
+                          : "; PLY has decimal points, export it with these"));
   }
 
   std::string_view bytes_;

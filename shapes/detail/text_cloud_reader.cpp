@@ -65,6 +65,16 @@ class Lines {
   bool at_end_ = false;
 };
 
+/// What a message repeats of a word, which may be bytes of any kind.
+std::string printable(std::string_view word) {
+  constexpr std::size_t kQuoted = 40;
+  std::string text(word.substr(0, kQuoted));
+  for (char& c : text) {
+    if (c < 32 || c == 127) c = '?';
+  }
+  return text;
+}
+
 /// How the words of a line are told apart.
 struct Separation {
   std::string_view separators;
@@ -104,10 +114,16 @@ Separation separation_of(std::string_view line) {
   return words >= 3 && decimals ? kBlanks : Separation{" \t,", false};
 }
 
-/// Columns of x, y and z in a heading; the first three when it does not name them.
-std::array<std::size_t, 3> columns_in(std::string_view heading) {
+/// Words that stand for x, y and z in a heading.
+constexpr std::array<std::array<std::string_view, 4>, 3> kAxisNames = {
+    {{"x", "easting", "east", "e"},
+     {"y", "northing", "north", "n"},
+     {"z", "height", "elevation", "h"}}};
+
+/// Columns of x, y and z in a heading; none when it does not name them all.
+std::optional<std::array<std::size_t, 3>> columns_in(std::string_view heading) {
   constexpr Separation kAny{" \t,;", false};
-  std::array<std::size_t, 3> columns = {0, 1, 2};
+  std::array<std::size_t, 3> columns{};
   std::array<bool, 3> found{};
   std::size_t column = 0;
   for (std::string_view word = kAny.word(heading); !word.empty(); word = kAny.word(heading)) {
@@ -117,13 +133,14 @@ std::array<std::size_t, 3> columns_in(std::string_view heading) {
       if (c != '"') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (found[axis] || name != std::string(1, "xyz"[axis])) continue;
+      const auto& names = kAxisNames[axis];
+      if (found[axis] || std::find(names.begin(), names.end(), name) == names.end()) continue;
       columns[axis] = column;
       found[axis] = true;
     }
     ++column;
   }
-  return found[0] && found[1] && found[2] ? columns : std::array<std::size_t, 3>{0, 1, 2};
+  return found[0] && found[1] && found[2] ? std::optional(columns) : std::nullopt;
 }
 
 class LinesOfPoints {
@@ -140,19 +157,40 @@ class LinesOfPoints {
       separation_ = separation_of(text);
       separation_known_ = true;
     }
-    sink_.add(point_in(text, number));
+    const Vec3 point = point_in(text, number);
+    count_up(point.x());
+    sink_.add(point);
+  }
+
+  /// @throws InputError  what was taken for x numbers the points
+  void check_columns() const {
+    if (points_ < kNoChance || !counting_) return;
+    throw InputError("column " + std::to_string(columns_[0] + 1) +
+                     ", which was taken for x, numbers the points; name the columns in a first "
+                     "line, such as \"id x y z\"");
   }
 
  private:
+  /// So many values of x each one more than the last number the points.
+  static constexpr std::size_t kNoChance = 100;
+  /// Lines of words before the points at most.
+  static constexpr std::size_t kLongestHeading = 20;
+
+  void count_up(double x) {
+    counting_ = counting_ && x == std::round(x) && (points_ == 0 || x == last_x_ + 1.0);
+    last_x_ = x;
+    ++points_;
+  }
+
   /// The lines before the first point: a heading, or the number of points.
   bool is_heading(std::string_view text) {
     constexpr Separation kAny{" \t,;", false};
     std::string_view rest = text;
     const bool starts_with_number = number_in(kAny.word(rest)).has_value();
     const bool alone = kAny.word(rest).empty();
-    if (lines_before_ >= 2 || (starts_with_number && !alone)) return false;
+    if (lines_before_ >= kLongestHeading || (starts_with_number && !alone)) return false;
     ++lines_before_;
-    if (!starts_with_number) columns_ = columns_in(text);
+    if (const auto named = columns_in(text)) columns_ = *named;
     return true;
   }
 
@@ -166,9 +204,8 @@ class LinesOfPoints {
         if (columns_[axis] != column) continue;
         const std::optional<double> value = separation_.number(word);
         if (!value) {
-          throw InputError("line " + std::to_string(number) + ": \"" +
-                           std::string(word.substr(0, 40)) + "\" stands where " + "xyz"[axis] +
-                           " is needed; a line must be x y z");
+          throw InputError("line " + std::to_string(number) + ": \"" + printable(word) +
+                           "\" stands where " + "xyz"[axis] + " is needed; a line must be x y z");
         }
         point[static_cast<Eigen::Index>(axis)] = *value;
         --left;
@@ -185,6 +222,9 @@ class LinesOfPoints {
   Separation separation_{" \t,;", false};
   bool separation_known_ = false;
   std::size_t lines_before_ = 0;
+  std::size_t points_ = 0;
+  double last_x_ = 0.0;
+  bool counting_ = true;  ///< so far
   std::array<std::size_t, 3> columns_ = {0, 1, 2};
 };
 
@@ -198,6 +238,7 @@ CloudSummary read_text_cloud(std::istream& stream, PointSink& sink) {
     if (lines.number() == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
     points.read(line, lines.number());
   }
+  points.check_columns();
   return sink.finish({});
 }
 

@@ -18,7 +18,9 @@ std::string quoted(std::string_view word) {
   if (word.empty()) return "the line ends";
   std::string text;
   for (const char c : word.substr(0, kQuoted)) text += c >= 32 && c < 127 ? c : '?';
-  return "found \"" + text + "\"";
+  const bool decimal_comma = word.find(',') != std::string_view::npos;
+  return "found \"" + text + "\"" +
+         (decimal_comma ? "; this format has decimal points, export it with these" : "");
 }
 
 }  // namespace

@@ -14,6 +14,25 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// A level square of so many cells a side.
+TriangleMesh grid(std::uint32_t cells, double half) {
+  TriangleMesh mesh;
+  const double step = 2.0 * half / cells;
+  for (std::uint32_t j = 0; j <= cells; ++j) {
+    for (std::uint32_t i = 0; i <= cells; ++i) {
+      mesh.vertices.emplace_back(step * i - half, step * j - half, 0.0);
+    }
+  }
+  for (std::uint32_t j = 0; j < cells; ++j) {
+    for (std::uint32_t i = 0; i < cells; ++i) {
+      const std::uint32_t a = (cells + 1) * j + i;
+      mesh.triangles.push_back({a, a + 1, a + cells + 2});
+      mesh.triangles.push_back({a, a + cells + 2, a + cells + 1});
+    }
+  }
+  return mesh;
+}
+
 class Scans : public testing::Test {
  protected:
   void refuse(const std::string& file, const std::string& what) {
@@ -78,17 +97,7 @@ TEST_F(Scans, AnOpenScanGivesABlockThatSaysWhatIsNotKnown) {
 }
 
 TEST_F(Scans, BlocksOnAGroundAreSplitAndNumbered) {
-  TriangleMesh scene;
-  for (int j = 0; j <= 60; ++j) {
-    for (int i = 0; i <= 60; ++i) scene.vertices.emplace_back(0.1 * i - 3.0, 0.1 * j - 3.0, 0.0);
-  }
-  for (std::uint32_t j = 0; j < 60; ++j) {
-    for (std::uint32_t i = 0; i < 60; ++i) {
-      const std::uint32_t a = 61 * j + i;
-      scene.triangles.push_back({a, a + 1, a + 62});
-      scene.triangles.push_back({a, a + 62, a + 61});
-    }
-  }
+  TriangleMesh scene = grid(60, 3.0);
   for (const double x : {1.5, -1.4}) {
     TriangleMesh rock = noisy_ellipsoid(x > 0 ? 5 : 6, {0.6, 0.5, 0.4});
     for (Vec3& v : rock.vertices) v += Vec3(x, 0.2, 0.3);
@@ -228,6 +237,58 @@ TEST_F(Scans, ALengthThatWasMeasuredSetsTheScale) {
                  "--units");
 }
 
+TEST_F(Scans, APointOfTheMeasuredLengthThatIsOffTheScanIsToldOf) {
+  write_obj(folder / "box.obj", cuboid(1, 0.9, 0.8));
+  const auto out = [&](const std::string& length) {
+    const ProgramRun run =
+        run_clast({"reconstruct", "box.obj", "--replace", "--scale-length", length}, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out;
+  };
+  const std::string note = "a point of --scale-length lies ";
+  EXPECT_TRUE(contains(out("0,0,0;100,0,0;100"), note + "99")) << "half a side is on the scan";
+  EXPECT_FALSE(contains(out("-0.5,0,0 0.5,0,0 1"), note));
+}
+
+TEST_F(Scans, OneScanInTwoFormatsIsTwoBlocksWithTheirExtensions) {
+  fs::create_directories(folder / "east" / ".hidden");
+  write_obj(folder / "east" / "scan.obj", cuboid(1, 0.8, 0.6));
+  write_text_file(folder / "east" / "scan.off",
+                  "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  write_obj(folder / "east" / ".hidden" / "deleted.obj", cuboid(1, 0.7, 0.5));
+  const ProgramRun run = run_clast({"reconstruct", "east", "--json"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json blocks = Json::parse(run.out)["blocks"];
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[0]["id"], "east_scan_obj");
+  EXPECT_EQ(blocks[1]["id"], "east_scan_off");
+}
+
+TEST_F(Scans, OneBlockOfASplitThatIsThereAlreadyCostsNeitherTheOthersNorTheFolder) {
+  TriangleMesh scene = grid(60, 3.0);
+  for (const double x : {1.5, -1.4}) {
+    TriangleMesh rock = noisy_ellipsoid(x > 0 ? 5 : 6, {0.6, 0.5, 0.4});
+    for (Vec3& v : rock.vertices) v += Vec3(x, 0.2, 0.3);
+    scene = merged(std::move(scene), rock);
+  }
+  write_obj(folder / "scene.obj", scene);
+  write_obj(folder / "scene_2.obj", cuboid(1, 0.8, 0.6));
+  ASSERT_EQ(run_clast({"reconstruct", "scene_2.obj"}, folder.path()).exit_code, 0);
+  write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
+  const ProgramRun run = run_clast(
+      {"reconstruct", "scene.obj", "cube.obj", "--split", "--vertices", "60"}, folder.path());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.err, "block scene_2 is in the library already")) << run.err;
+  EXPECT_TRUE(contains(run.err, "1 of 2 scans gave no block, or not all of theirs")) << run.err;
+  EXPECT_TRUE(contains(run.out, "2 blocks written, 3 in all")) << run.out;
+  // A split into fewer than before leaves the others, and says so.
+  write_obj(folder / "scene.obj", cuboid(1, 0.9, 0.8));
+  const ProgramRun fewer =
+      run_clast({"reconstruct", "scene.obj", "--split", "--replace"}, folder.path());
+  EXPECT_EQ(fewer.exit_code, 0) << fewer.err;
+  EXPECT_TRUE(contains(fewer.err, "still holds block scene_2 of an earlier split")) << fewer.err;
+}
+
 TEST_F(Scans, JobsGiveTheSameOutputInTheSameOrder) {
   fs::create_directory(folder / "scans");
   for (int i = 0; i < 7; ++i) {
@@ -269,7 +330,10 @@ TEST_F(Scans, ResumeSkipsWhatIsThereOfTheSameFileAndOptions) {
   std::vector<std::string> denser = command;
   denser.insert(denser.end(), {"--density", "2700"});
   expect_refused(folder, denser, 1, "2 of 2 scans gave no block");
+  expect_refused(folder, denser, 1,
+                 "block a is in blocks.h5 already, made with other options; use --replace");
   write_obj(folder / "b.obj", cuboid(1, 0.7, 0.5));
+  expect_refused(folder, command, 1, "block b is in blocks.h5 already, made of another file");
   std::vector<std::string> replaced = command;
   replaced.push_back("--replace");
   const ProgramRun fourth = run_clast(replaced, folder.path());

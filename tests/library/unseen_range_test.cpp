@@ -70,5 +70,14 @@ TEST(UnseenRange, IsToldInWords) {
             "and 1.2 m3 (best 1), mass between 2250 and 3000 kg");
 }
 
+TEST(UnseenRange, ThatMattersToNobodyIsToldAsSuch) {
+  Block block = half_seen();
+  block.unseen->invented_share = 5e-4;
+  block.unseen->lower_volume = block.unseen->upper_volume = block.unseen->best_volume;
+  EXPECT_EQ(described(*block.unseen, unseen_range(block)),
+            "the scan was open, but hardly: 0.05 % of the surface is not seen but filled in, which "
+            "leaves volume and mass open by less than 0.1 %");
+}
+
 }  // namespace
 }  // namespace clast

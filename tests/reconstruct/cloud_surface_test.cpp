@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "tests/support/field_scene.hpp"
@@ -68,6 +69,22 @@ TEST(CloudSurface, SameInputGivesTheSameBits) {
                      second = cloud_surface(points, kCoarse);
   EXPECT_EQ(first.vertices, second.vertices);
   EXPECT_EQ(first.triangles, second.triangles);
+}
+
+TEST(CloudSurface, PointsThatBoundNoBodyAreRefusedAsSuch) {
+  Random random(4);
+  std::vector<Vec3> plane, line;
+  for (int i = 0; i < 2000; ++i) {
+    const double x = random.uniform(), y = random.uniform();
+    plane.emplace_back(x, y, 0.5 * x);
+    line.emplace_back(x, 0.5 * x, 0.2 * x);
+  }
+  const auto message = [](const std::vector<Vec3>& points) {
+    return refusal<GeometryError>([&] { cloud_surface(points); });
+  };
+  EXPECT_TRUE(contains(message(plane), "all 2000 points lie in a plane and bound no block; scan"));
+  EXPECT_TRUE(contains(message(line), "all 2000 points lie on a line"));
+  EXPECT_TRUE(contains(message(std::vector<Vec3>(2000, Vec3(1, 2, 3))), "lie at one place"));
 }
 
 TEST(CloudSurface, TooFewPointsAndOptionsOutOfRangeAreRefused) {

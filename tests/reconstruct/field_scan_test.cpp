@@ -133,6 +133,58 @@ TEST(FieldScan, FewPointsAreNoBlock) {
             "least");
 }
 
+/// Points on a rock that floats in the air, moved.
+std::vector<Vec3> rock_points(std::uint64_t seed, int count, const Vec3& by) {
+  TriangleMesh rock = rock_mesh(12, {0.4, 0.33, 0.27}, seed);
+  for (Vec3& v : rock.vertices) v.z() += 5.0;
+  const FieldGround nothing(0.0, 0.0, 0, 1.0, 1);
+  std::vector<Vec3> points =
+      field_scene({rock}, nothing,
+                  {.per_block = count, .ground = 0, .noise = 0.001, .steepest = -1.0}, 2)
+          .points;
+  for (Vec3& p : points) p += by;
+  return points;
+}
+
+TEST(FieldScan, TwoBlocksFarApartAreNotTakenForOne) {
+  std::vector<Vec3> points = rock_points(4, 8000, Vec3::Zero());
+  const std::vector<Vec3> other = rock_points(5, 8000, {40.0, 0.0, 0.0});
+  std::vector<Vec3> both = points;
+  both.insert(both.end(), other.begin(), other.end());
+  const std::string message = refusal<GeometryError>([&] { field_blocks(both, "two.xyz"); });
+  EXPECT_TRUE(contains(message, "two.xyz: separate sets of points, the second with about "))
+      << message;
+  EXPECT_TRUE(contains(message, "save each block to a file of its own")) << message;
+}
+
+TEST(FieldScan, PointsFarFromTheBlockAreLeftOutAndCounted) {
+  const std::vector<Vec3> points = rock_points(4, 8000, Vec3::Zero());
+  const FieldBlock alone = field_blocks(points, "rock.xyz")[0];
+  std::vector<Vec3> with_scrap = points;
+  Random random(7);
+  for (int i = 0; i < 300; ++i)
+    with_scrap.push_back(Vec3(3.0, 0.0, 5.0) + 0.02 * random.direction());
+  const FieldBlock block = field_blocks(with_scrap, "rock.xyz")[0];
+  EXPECT_NEAR(volume(block.scan.mesh), volume(alone.scan.mesh), 0.01 * volume(alone.scan.mesh));
+  EXPECT_TRUE(
+      std::any_of(block.scan.notes.begin(), block.scan.notes.end(), [](const std::string& note) {
+        return contains(note, "points far from the block were left out");
+      }));
+}
+
+TEST(FieldScan, ASecondPieceThatTouchesTheBlockIsNotLeftOutInSilence) {
+  const FieldGround gravel(0.0, 0.003, 100, 2.0, 7);
+  TriangleMesh scene = ground_mesh(gravel, 2.0, 120);
+  scene = merged(std::move(scene),
+                 buried_at(rock_mesh(10, {0.4, 0.3, 0.3}, 1), -0.3, 0.0, 0.08, gravel));
+  scene = merged(std::move(scene),
+                 buried_at(rock_mesh(10, {0.3, 0.3, 0.25}, 2), 0.3, 0.0, 0.08, gravel));
+  const std::vector<FieldBlock> blocks = field_blocks(scene, "pair");
+  ASSERT_EQ(blocks.size(), 1u);
+  EXPECT_TRUE(contains(blocks[0].scan.notes.back(), "another piece of the scan that stands close"))
+      << blocks[0].scan.notes.back();
+}
+
 TEST(FieldScan, ThreeBlocksAreSplitInOrder) {
   const FieldGround gravel(0.1, 0.003, 100, 2.0, 7);
   const std::vector<TriangleMesh> rocks = {

@@ -52,6 +52,16 @@ TEST(Ground, GravelTiltsThePlaneByLessThanADegree) {
   EXPECT_LT(degrees_between(ground->plane().normal, Vec3(-0.15, 0.0, 1.0)), 1.0);
 }
 
+TEST(Ground, AGroundWithoutAnyRoughnessIsFoundToo) {
+  Random random(6);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 5000; ++i) points.emplace_back(random.uniform(), random.uniform(), 0.0);
+  const auto ground = found_ground(points);
+  ASSERT_TRUE(ground.has_value());
+  EXPECT_LT(ground->roughness(), 1e-6);
+  EXPECT_NEAR(std::abs(ground->plane().normal.z()), 1.0, 1e-9);
+}
+
 TEST(Ground, LocalSurfaceFollowsAHollow) {
   // A bowl 10 cm deep over 2 m, five times the tolerance of the plane, without anything on it but a
   // pole that says where up is.

@@ -193,6 +193,7 @@ TEST(ScanPage, TablesNameEveryDefectAndHoleWithItsPlace) {
   EXPECT_EQ(count_of(repair_section(sound), "None beside the open side"), 1u);
   sound.as_read.triangles = 4;
   EXPECT_EQ(count_of(repair_section(sound), "None: the surface was closed"), 1u);
+  EXPECT_EQ(count_of(repair_section(sound, true, true), "None beside the open side"), 1u);
 }
 
 TEST(ScanPage, EveryKindOfDefectHasAName) {

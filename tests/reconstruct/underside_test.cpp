@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/soup.hpp"
+#include "reconstruct/detail/touching_sheets.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
 #include "shapes/self_intersection.hpp"

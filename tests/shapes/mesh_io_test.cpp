@@ -329,6 +329,24 @@ TEST_F(MeshFiles, PointCloudsAreNamedAsSuch) {
                  "a point cloud with 3 points and no faces");
 }
 
+TEST_F(MeshFiles, PointsOfACloudThatHaveNoPlaceAreLeftOut) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nend_header\n";
+  write_text_file(folder_ / "cloud.ply", head + "nan nan nan\n1 2 3\n4 5 inf\n");
+  const TriangleMesh cloud = read_mesh_or_points(folder_ / "cloud.ply");
+  EXPECT_EQ(cloud.vertices, std::vector<Vec3>({Vec3(1, 2, 3)}));
+}
+
+TEST_F(MeshFiles, DecimalCommasAreToldOf) {
+  EXPECT_TRUE(contains(refused("a.stl", "solid a\nfacet normal 0 0 0\nvertex 0,5 0 0\n"),
+                       "found \"0,5\"; this format has decimal points, export it with these"));
+  EXPECT_TRUE(contains(refused("a.ply",
+                               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                               "property float y\nproperty float z\nend_header\n0,5 1 2\n"),
+                       "PLY has decimal points, export it with these"));
+}
+
 TEST_F(MeshFiles, CountsThatTheFileCannotHoldAreRefusedWithoutTheMemory) {
   std::string stl = "COL";
   stl.resize(84, '\0');

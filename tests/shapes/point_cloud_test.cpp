@@ -104,6 +104,19 @@ TEST_F(Clouds, HeadingsAndRemarksAreUnderstood) {
   expect_points("b.csv", "id;x_m;y_m;z [m]\n7;1;2;3\n", one);
   expect_points("c.xyz", "//X Y Z R G B\n# a remark\n1 2 3 255 255 255\n", one);
   expect_points("d.txt", "easting northing height\n1 2 3\n", one);
+  expect_points("e.csv", "PointID,Northing,Easting,Elevation_m\n7,2,1,3\n", one);
+  expect_points("f.csv", "Nr;E;N;H;code\n7;1;2;3;4\n", one);
+  expect_points("g.txt", "scan of May\nsite: quarry\nby hand\nid y x z\n7 2 1 3\n", one);
+}
+
+TEST_F(Clouds, ANumberOfThePointIsNotTakenForX) {
+  std::string text;
+  for (int i = 0; i < 200; ++i) text += std::to_string(i + 1) + " 0.5 0.25 0.125\n";
+  EXPECT_TRUE(contains(refused("a.xyz", text),
+                       "column 1, which was taken for x, numbers the points; name the columns in "
+                       "a first line, such as \"id x y z\""));
+  EXPECT_EQ(read("b.xyz", "id x y z\n" + text).size(), 200u);
+  EXPECT_EQ(read("c.xyz", text + "7 0.5 0.25 0.125\n").size(), 201u) << "a profile may count";
 }
 
 TEST_F(Clouds, TextLongerThanAReadingBlockLosesNothing) {
@@ -123,7 +136,9 @@ TEST_F(Clouds, TextLongerThanAReadingBlockLosesNothing) {
 TEST_F(Clouds, BadTextIsRefusedByLine) {
   EXPECT_TRUE(contains(refused("a.xyz", "1 2 3\n1 2\n"), "a.xyz: line 2: fewer than three"));
   EXPECT_TRUE(contains(refused("b.xyz", "1 2 3\n\n1 x 3\n"), "line 3: \"x\" stands where y"));
-  EXPECT_TRUE(contains(refused("c.xyz", ""), "c.xyz: holds no points"));
+  EXPECT_TRUE(contains(refused("c.xyz", ""), "c.xyz: holds no points: the file is empty"));
+  EXPECT_TRUE(contains(refused("n.xyz", "nan 1 2\nnan 1 2\n"),
+                       "2 have a coordinate that is not finite; export it again"));
   EXPECT_TRUE(contains(refused("d.xyz", "# nothing\n"), "holds no points"));
   EXPECT_TRUE(contains(refused("e.xyz", "1 2 3\n1 2 1,5\n"), "line 2: \"1,5\""));
   EXPECT_TRUE(contains(refused("f.xyz", std::string(3 << 20, 'x')), "line 1: has no end"));

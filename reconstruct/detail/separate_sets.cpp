@@ -1,0 +1,66 @@
+#include "reconstruct/detail/separate_sets.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "reconstruct/detail/cloud.hpp"
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+namespace {
+
+constexpr double kThinCell = 1.0 / 150.0;  ///< of the diagonal: sets are told apart on fewer points
+constexpr double kReach = 3.0;             ///< cells from one point of a set to the next,
+constexpr double kSpacings = 4.0;          ///< or so many spacings of the points
+constexpr double kNear = 0.25;             ///< of the largest set's diagonal
+
+bool meet(const Bounds& a, const Bounds& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+}  // namespace
+
+NearAndFar near_and_far(std::span<const Vec3> points) {
+  NearAndFar result;
+  result.near.assign(points.begin(), points.end());
+  Bounds box;
+  for (const Vec3& p : points) box.include(p);
+  const double cell = kThinCell * box.diagonal();
+  if (points.empty() || !(cell > 0.0)) return result;
+  const std::vector<Vec3> thin = thinned(points, cell);
+  const double reach = std::max(kReach * cell, kSpacings * spacing(points));
+  const std::vector<std::vector<std::uint32_t>> sets = clusters(thin, reach, 1);
+  if (sets.size() < 2) return result;
+
+  Bounds around;
+  for (const std::uint32_t i : sets[0]) around.include(thin[i]);
+  const Vec3 margin = Vec3::Constant(kNear * around.diagonal());
+  around.low -= margin;
+  around.high += margin;
+  std::vector<bool> is_far(thin.size(), false);
+  bool any = false;
+  for (std::size_t s = 1; s < sets.size(); ++s) {
+    Bounds own;
+    for (const std::uint32_t i : sets[s]) own.include(thin[i]);
+    if (meet(own, around)) continue;
+    for (const std::uint32_t i : sets[s]) is_far[i] = true;
+    if (any) continue;  // the largest far set comes first
+    any = true;
+    result.far_share = static_cast<double>(sets[s].size()) / static_cast<double>(sets[0].size());
+    result.far_place = thin[sets[s].front()];
+  }
+  if (!any) return result;
+  result.near.clear();
+  const NearestPoints tree(thin);
+  for (const Vec3& p : points) {
+    if (is_far[tree.nearest(p, 1).front().point]) {
+      ++result.far;
+    } else {
+      result.near.push_back(p);
+    }
+  }
+  return result;
+}
+
+}  // namespace clast::detail
