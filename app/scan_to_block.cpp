@@ -135,6 +135,7 @@ class LightestBlock {
       // Volumes to a millionth take longer than a fit, and are wanted once.
       BlockOptions quick = options;
       quick.accuracy = std::max(options.accuracy, BlockOptions().accuracy);
+      quick.advise = refusal_.empty();  // the first refusal is the one that is told
       return make_block(id_, simplified(fine_, {.target_vertices = count}), scan_,
                         with_vertices(count), quick);
     } catch (const GeometryError& error) {

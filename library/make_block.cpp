@@ -93,37 +93,36 @@ double moments_gap(const MassProperties& body, const MassProperties& scan) {
 }
 
 /// A core to start the fit from.
-SpheroPolyhedron first_core(const TriangleMesh& surface, double radius) {
-  try {
-    return rounded_core(surface, radius);
-  } catch (const GeometryError&) {
-    for (const double share : kShallower) {
-      try {
-        SpheroPolyhedron body = rounded_core(surface, share * radius);
-        body.radius = radius;
-        return body;
-      } catch (const GeometryError&) {  // the next is shallower
-      }
-    }
-    throw;
+SpheroPolyhedron first_core(const TriangleMesh& surface, double radius, bool advise) {
+  if (std::optional<SpheroPolyhedron> body = rounded_core_if_any(surface, radius)) {
+    return std::move(*body);
   }
+  for (const double share : kShallower) {
+    if (std::optional<SpheroPolyhedron> body = rounded_core_if_any(surface, share * radius)) {
+      body->radius = radius;
+      return std::move(*body);
+    }
+  }
+  if (advise) rounded_core(surface, radius);  // throws, and says which radius works
+  throw GeometryError("a Minkowski radius of " + number(radius) +
+                      " m is too large for this block: its core would vanish or turn inside out");
 }
 
 SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double volume,
-                             double radius, double largest_distance, bool convex) {
-  SpheroPolyhedron body = first_core(surface, radius);
+                             double radius, double largest_distance, const BlockOptions& options) {
+  SpheroPolyhedron body = first_core(surface, radius, options.advise);
   // The fit knows one skin: walls of cavities stay where the inset put them.
   const std::vector<std::uint32_t> shell_of = triangle_components(surface);
   if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
     body = fitted_core(scan, std::move(body),
                        {.good_enough = kFitShare * largest_distance, .hopeless = largest_distance});
   }
-  if (convex) body = sphero_polyhedron(convex_hull(body.vertices), radius);
+  if (options.convex) body = sphero_polyhedron(convex_hull(body.vertices), radius);
   if (radius == 0.0) return body;
   const double gap = sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0;
   if (std::abs(gap) > kLargestVolumeGap) {
     // Says what is wrong in nearly all cases; else the surface is not the scan's.
-    rounded_core(surface, radius);
+    if (options.advise) rounded_core(surface, radius);
     throw GeometryError("rounded with a radius of " + number(radius) + " m, " +
                         std::to_string(surface.vertices.size()) + " vertices have a volume " +
                         number(100.0 * std::abs(gap)) + " % " + (gap > 0.0 ? "above" : "below") +
@@ -248,9 +247,9 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
   const Vec3 lengths = smallest_box(surface.vertices).lengths;
   const double radius = options.radius ? *options.radius : options.radius_share * lengths[2];
   const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
-  MeasuredBody measured = with_volume(fitted_body(surface, scan, target.volume, radius,
-                                                  options.tolerance * lengths[0], options.convex),
-                                      target.volume, options.accuracy);
+  MeasuredBody measured = with_volume(
+      fitted_body(surface, scan, target.volume, radius, options.tolerance * lengths[0], options),
+      target.volume, options.accuracy);
   block.deviation = surface_deviation(scan, measured.body);
   block.deviation.volume_relative = measured.unit.volume / target.volume - 1.0;
   block.deviation.moments_relative = moments_gap(measured.unit, target);

@@ -19,6 +19,9 @@ struct BlockOptions {
   std::optional<double> mass;  ///< kg: sets the density, or checks the volume if that is given
   double accuracy = 1e-4;      ///< relative, of volume and inertia
   double tolerance = 0.01;     ///< Hausdorff distance to the scan, of L; beyond it is a warning
+  /// Whether the refusal of a radius says which one works; to find that takes as long as twenty
+  /// blocks.
+  bool advise = true;
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -99,7 +99,8 @@ double largest_radius(const TriangleMesh& scan, double too_large) {
 
 }  // namespace
 
-SpheroPolyhedron rounded_core(const TriangleMesh& scan, double minkowski_radius) {
+std::optional<SpheroPolyhedron> rounded_core_if_any(const TriangleMesh& scan,
+                                                    double minkowski_radius) {
   const MeshReport report = inspect(scan);
   if (!report.closed() || !report.oriented()) {
     throw GeometryError("only a closed surface can be rounded, this one has " + report.summary());
@@ -111,8 +112,14 @@ SpheroPolyhedron rounded_core(const TriangleMesh& scan, double minkowski_radius)
   if (!(minkowski_radius > 0.0) || !std::isfinite(minkowski_radius)) {
     return sphero_polyhedron(scan, minkowski_radius);
   }
-  if (const std::optional<TriangleMesh> core = core_of(scan, minkowski_radius)) {
-    return sphero_polyhedron(*core, minkowski_radius);
+  const std::optional<TriangleMesh> core = core_of(scan, minkowski_radius);
+  if (!core) return std::nullopt;
+  return sphero_polyhedron(*core, minkowski_radius);
+}
+
+SpheroPolyhedron rounded_core(const TriangleMesh& scan, double minkowski_radius) {
+  if (std::optional<SpheroPolyhedron> core = rounded_core_if_any(scan, minkowski_radius)) {
+    return std::move(*core);
   }
   const double largest = largest_radius(scan, minkowski_radius);
   std::ostringstream message;

@@ -1,6 +1,7 @@
 #pragma once
 /// From the outer surface of a rock to a core whose rounded body keeps that surface.
 #include <cstddef>
+#include <optional>
 
 #include "shapes/scan_surface.hpp"
 #include "shapes/sphero_polyhedron.hpp"
@@ -27,6 +28,11 @@ struct Deviation {
 /// @throws GeometryError  open mesh, or a radius so large that the core would vanish or invert;
 ///                        the message gives the largest radius that works
 SpheroPolyhedron rounded_core(const TriangleMesh& scan, double minkowski_radius);
+/// The same, or none where the radius is too large. To find one that works, for the message, takes
+/// as long as twenty cores.
+/// @throws GeometryError  open mesh
+std::optional<SpheroPolyhedron> rounded_core_if_any(const TriangleMesh& scan,
+                                                    double minkowski_radius);
 
 /// Distances between the surface of the rounded body and the scan, both ways.
 ///
