@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
+#include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
@@ -200,7 +201,7 @@ void add_unseen(Block& block, const Underside& side) {
                   .invented_share = side.invented_share,
                   .lower_axes = axes_of(side.lower),
                   .upper_axes = axes_of(side.upper)};
-  block.warnings.insert(block.warnings.begin(), described(*block.unseen, unseen_range(block)));
+  block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
 
 /// Thins and measures one block of a scan.
@@ -208,7 +209,7 @@ Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
                  const ScanToBlockOptions& options,
                  const std::function<void(const std::string&)>& begin) {
   Scan& scan = found.scan;
-  check_size(bounds(scan.mesh), id, options);
+  if (!source.unscaled) check_size(bounds(scan.mesh), id, options);
   if (scan.report.invented_share > 0.0) {
     source.options += " invented_share=" + with_digits(scan.report.invented_share, 4);
   }
@@ -244,7 +245,8 @@ FieldScan photographed_blocks(const std::filesystem::path& folder,
                               BlockSource& source,
                               const std::function<void(const std::string&)>& begin) {
   PhotoScanOptions photos = options.photos;
-  if (reading.scan.unit != 1.0) photos.metres_per_unit = reading.scan.unit;
+  if (options.scaled_by_length || reading.scan.unit != 1.0)
+    photos.metres_per_unit = reading.scan.unit;
   const PhotoScan scan = photo_scan(folder, photos, begin);
   if (!scan.metric && options.block.mass) {
     throw InputError(folder.string() +
@@ -259,13 +261,14 @@ FieldScan photographed_blocks(const std::filesystem::path& folder,
   found.raw.vertices = scan.cloud.points;
   source.options = "photos=" + std::to_string(scan.model.photos.size()) +
                    " cameras=" + scan.model.source + " scale=" + scan.scale_source;
+  source.unscaled = !scan.metric;
   for (FieldBlock& block : found.blocks) {
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), scan.notes.begin(), scan.notes.end());
     if (!scan.metric) {
       notes.insert(notes.begin(),
-                   "UNSCALED: lengths are in units of the cameras; shapes are usable, volume and "
-                   "mass are not");
+                   "UNSCALED, and lengths called m in these notes are not metres either: " +
+                       unscaled_reason());
     }
   }
   return found;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/number_text.hpp"
+#include "library/unscaled.hpp"
 
 namespace clast {
 
@@ -56,12 +57,17 @@ UnseenRange unseen_range(const Block& block) {
   return range;
 }
 
-std::string described(const UnseenPart& unseen, const UnseenRange& range) {
-  return "the scan was open: " + with_digits(100.0 * unseen.invented_share, 2) +
-         " % of the surface is not seen but filled in; volume " +
-         range_text(unseen.lower_volume, unseen.upper_volume, "m3") + " (best " +
-         with_digits(unseen.best_volume, 4) + "), mass " +
-         range_text(range.lower_mass, range.upper_mass, "kg");
+std::string described_unseen(const Block& block) {
+  const UnseenPart& unseen = *block.unseen;
+  const bool metric = !is_unscaled(block);
+  std::string text =
+      "the scan was open: " + with_digits(100.0 * unseen.invented_share, 2) +
+      " % of the surface is not seen but filled in; volume " +
+      range_text(unseen.lower_volume, unseen.upper_volume, metric ? "m3" : "cubic model units") +
+      " (best " + with_digits(unseen.best_volume, 4) + ")";
+  if (!metric) return text;
+  const UnseenRange range = unseen_range(block);
+  return text + ", mass " + range_text(range.lower_mass, range.upper_mass, "kg");
 }
 
 }  // namespace clast

@@ -1,5 +1,6 @@
 #include "study/report/population_page.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "classify/box_effect.hpp"
@@ -45,7 +46,7 @@ Series size_series(const ReportedPopulation& reported, std::size_t number, bool 
   const bool named = reported.population.blocks.size() <= kMostNamedMarks;
   for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
     const MeasuredBlock& block = reported.population.blocks[i];
-    if (by_mass && !block.mass) continue;
+    if (block.unscaled || (by_mass && !block.mass)) continue;
     series.values.push_back(block_size(block.axes, reported.summary.size.measure));
     if (by_mass) series.weights.push_back(*block.mass);
     if (!named) continue;
@@ -53,6 +54,11 @@ Series size_series(const ReportedPopulation& reported, std::size_t number, bool 
     series.blocks.push_back(block_key(number, i));
   }
   return series;
+}
+
+/// Not where every block is unscaled.
+bool has_sizes(const ReportedPopulation& reported) {
+  return reported.summary.size.by_number.blocks > 0;
 }
 
 /// The curves of two populations over each other, by number.
@@ -271,9 +277,10 @@ void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& c
 
 std::string size_section(const PopulationReport& report, const Diagrams& diagrams) {
   std::string html;
-  if (report.populations.size() > 1) {
+  if (diagrams.contains("sizes")) {
     std::string medians;
     for (const ReportedPopulation& reported : report.populations) {
+      if (!has_sizes(reported)) continue;
       medians += paragraph("Half of the blocks of " + reported.population.name + " are below " +
                            significant(reported.summary.size.by_number.d50, 3) + " m.");
     }
@@ -283,6 +290,11 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     const SizeDistribution& size = reported.summary.size;
+    if (!has_sizes(reported)) {
+      html +=
+          paragraph(reported.population.name + ": every block is unscaled; there are no sizes.");
+      continue;
+    }
     HtmlTable percentiles(
         {shortened(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
         1);
@@ -383,7 +395,7 @@ std::string blocks_section(const PopulationReport& report) {
           class_certainty(first, block.axes, block.axis_error, report.options.limits);
       cells.push_back(certainty.near_limit ? described(certainty) : "clear of limits");
       for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
-        cells.push_back(significant(axis, 3));
+        cells.push_back(significant(axis, 3) + (block.unscaled ? " u" : ""));
       }
       cells.push_back(block.mass ? significant(*block.mass, 4) : "-");
       cells.push_back(fixed(elongation_s_c(block.as_written), 2));
@@ -417,9 +429,10 @@ Diagrams population_diagrams(const PopulationReport& report) {
     diagrams["sneed_folk" + suffix(report, i)] =
         sneed_folk_diagram(reported.population, i, report.options);
     diagrams["zingg" + suffix(report, i)] = zingg_diagram(reported.population, i, report.options);
-    diagrams["size" + suffix(report, i)] = size_chart(reported, i);
+    if (has_sizes(reported)) diagrams["size" + suffix(report, i)] = size_chart(reported, i);
   }
-  if (report.populations.size() > 1) diagrams["sizes"] = sizes_chart(report);
+  const bool sized = std::any_of(report.populations.begin(), report.populations.end(), has_sizes);
+  if (sized && report.populations.size() > 1) diagrams["sizes"] = sizes_chart(report);
   diagrams["s_c"] = s_c_chart(report);
   for (std::size_t i = 0; i < report.populations.front().summary.schemes.size(); ++i) {
     diagrams[shares_name(report, i)] = shares_chart(report, i);
