@@ -73,13 +73,22 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
   scan.notes.push_back("cameras of " + std::to_string(scan.model.photos.size()) + " of " +
                        std::to_string(all) + " photos, by " + scan.model.source);
   double factor = 1.0;
-  const bool sizes_known = options.scale.marker_side || !options.scale.bars.empty();
-  if (sizes_known) {
+  const ScaleOptions& sizes = options.scale;
+  if (sizes.marker_side || sizes.board || !sizes.bars.empty()) {
     begin("finding markers");
-    scan.markers = found_markers(scan.model, options.markers);
-    scan.scale = scale_from_markers(scan.markers, options.scale);
+    const bool charuco = sizes.board && sizes.board->charuco;
+    MarkerOptions markers = options.markers;
+    if (sizes.board && !charuco) markers.dictionary = sizes.board->dictionary;
+    if (!charuco || sizes.marker_side || !sizes.bars.empty()) {
+      scan.markers = search_markers(scan.model, markers);
+    }
+    if (charuco) scan.corners = found_board_corners(scan.model, *sizes.board->charuco, markers);
+    scan.scale = scale_from_markers(scan.markers.markers, sizes, scan.corners);
     factor = scan.scale->metres_per_unit;
-    scan.scale_source = scan.scale->from_bars ? "distances of markers" : "sides of markers";
+    scan.scale_source = charuco                 ? "ChArUco board"
+                        : sizes.board           ? "board"
+                        : scan.scale->from_bars ? "distances of markers"
+                                                : "sides of markers";
     scan.notes.insert(scan.notes.end(), scan.scale->notes.begin(), scan.scale->notes.end());
     if (scan.model.metric && std::abs(factor - 1.0) > kToldDifference) {
       scan.notes.push_back("by the markers, lengths are " + with_digits(factor, 4) +
@@ -98,14 +107,16 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
   } else {
     throw InputError(
         "no scale: the units of the cameras are arbitrary. Give the distance between "
-        "two markers with --scale-bar, their side with --marker-size, or a measured "
+        "two markers with --scale-bar, a board with --board, the side of markers with "
+        "--marker-size, or a measured "
         "length with --scale-length; --allow-unscaled goes on without: shapes are "
         "usable then, masses are not");
   }
   scan.model = scaled(std::move(scan.model), factor);
-  for (FoundMarker& marker : scan.markers) {
+  for (FoundMarker& marker : scan.markers.markers) {
     for (Vec3& corner : marker.corners) corner *= factor;
   }
+  for (BoardCorner& corner : scan.corners) corner.place *= factor;
   begin("comparing photos");
   scan.cloud = dense_cloud(scan.model, options.dense);
   scan.notes.insert(scan.notes.end(), scan.cloud.notes.begin(), scan.cloud.notes.end());
