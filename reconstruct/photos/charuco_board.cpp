@@ -32,7 +32,7 @@ void CharucoBoard::check() const {
   }
   if (rows % 2 == 0 && !detail::knows_pattern(older_pattern)) {
     throw InputError("ChArUco board: with an even number of rows (" + std::to_string(rows) +
-                     ") boards of OpenCV up to 4.6 and of later versions differ, and clast was "
+                     ") boards of OpenCV before 4.6 and of later versions differ, and clast was "
                      "built with OpenCV " +
                      detail::opencv_version() + ", which knows the " +
                      (older_pattern ? "later" : "older") +

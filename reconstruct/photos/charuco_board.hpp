@@ -14,8 +14,9 @@ struct CharucoBoard {
   int columns = 0, rows = 0;  ///< squares, 3 or more each
   double square = 0.0;        ///< side of a square, m
   double marker = 0.0;        ///< side of a marker's black square, m; less than `square`
-  /// With an even number of rows OpenCV up to 4.6 draws a white square in the first corner and
-  /// later versions a black one. True: the older one. Boards with odd rows are the same.
+  /// With an even number of rows OpenCV before 4.6 draws a white square in the first corner and
+  /// later versions a black one (opencv issue 23152). True: the older one, as some makers still
+  /// print it. Boards with odd rows are the same.
   bool older_pattern = false;
 
   /// @throws InputError  naming the field and its value; an even number of rows in a pattern that

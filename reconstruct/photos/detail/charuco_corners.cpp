@@ -57,7 +57,7 @@ std::vector<CornerInPhoto> charuco_corners_in(const cv::Mat& grey, const Charuco
 bool knows_pattern([[maybe_unused]] bool older) {
 #if CLAST_OPENCV >= 408
   return true;
-#elif CLAST_OPENCV == 407
+#elif CLAST_OPENCV >= 406
   return !older;
 #else
   return older;
