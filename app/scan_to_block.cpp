@@ -239,15 +239,20 @@ Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
   return block;
 }
 
-/// The blocks of a folder of photos, with what its cameras and its scale were.
-FieldScan photographed_blocks(const std::filesystem::path& folder,
-                              const ScanToBlockOptions& options, FieldScanOptions reading,
-                              BlockSource& source,
-                              const std::function<void(const std::string&)>& begin) {
+/// A folder of photos, with what its cameras and its scale were.
+struct PhotographedBlocks {
+  FieldScan found;
+  PhotoScan photos;
+};
+
+PhotographedBlocks photographed_blocks(const std::filesystem::path& folder,
+                                       const ScanToBlockOptions& options, FieldScanOptions reading,
+                                       BlockSource& source,
+                                       const std::function<void(const std::string&)>& begin) {
   PhotoScanOptions photos = options.photos;
   if (options.scaled_by_length || reading.scan.unit != 1.0)
     photos.metres_per_unit = reading.scan.unit;
-  const PhotoScan scan = photo_scan(folder, photos, begin);
+  PhotoScan scan = photo_scan(folder, photos, begin);
   if (!scan.metric && options.block.mass) {
     throw InputError(folder.string() +
                      ": --mass needs a scale, and these photos have none; give --scale-bar or "
@@ -271,7 +276,7 @@ FieldScan photographed_blocks(const std::filesystem::path& folder,
                        unscaled_reason());
     }
   }
-  return found;
+  return {std::move(found), std::move(scan)};
 }
 
 }  // namespace
@@ -328,6 +333,7 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
   };
   begin("reading " + id);
   FieldScan found;
+  std::optional<PhotoScan> photos;
   BlockSource source{as_utf8(path.string()), digest_of_scan(path),
                      scale_text(options) + " up=" + options.scan.up, ""};
   const FieldScanOptions reading_field = {.scan = options.scan,
@@ -335,7 +341,9 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
                                           .find_ground = options.find_ground,
                                           .split = options.split};
   if (std::filesystem::is_directory(path)) {
-    found = photographed_blocks(path, options, reading_field, source, begin);
+    PhotographedBlocks made = photographed_blocks(path, options, reading_field, source, begin);
+    found = std::move(made.found);
+    photos = std::move(made.photos);
   } else if (options.block.core) {
     ScanOptions reading = options.scan;
     reading.repair.invent = false;  // every vertex of a core is meant
@@ -350,7 +358,9 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
   for (std::size_t i = 0; i < found.blocks.size(); ++i) {
     const std::string name = options.split ? id + "_" + std::to_string(i + 1) : id;
     blocks.push_back(block_from(found.blocks[i], name, source, options, begin));
-    if (witness) witness(blocks.back(), found.raw, found.blocks[i]);
+    if (witness) {
+      witness(blocks.back(), found.raw, found.blocks[i], photos ? &*photos : nullptr);
+    }
     found.blocks[i] = {};  // memory is bounded by one block's needs
   }
   return blocks;

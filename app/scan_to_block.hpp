@@ -47,8 +47,9 @@ void warn_of_crossings(Block& block, const TriangleMesh& surface);
 /// Called with a block and what it was made from, while that is there.
 /// @param raw    as read, in the file's units and axes; of a cloud the points alone
 /// @param found  the closed scan, in the frame of the block
-using BlockWitness =
-    std::function<void(const Block& block, const TriangleMesh& raw, const FieldBlock& found)>;
+/// @param photos  of a folder of photos, else null
+using BlockWitness = std::function<void(const Block& block, const TriangleMesh& raw,
+                                        const FieldBlock& found, const PhotoScan* photos)>;
 
 /// Digest of a file, or of the photos in a folder.
 /// @throws InputError  it can't be read

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/ordered_jobs.hpp"
+#include "app/photo_json.hpp"
 #include "app/photo_options.hpp"
 #include "app/progress.hpp"
 #include "app/scan_list.hpp"
@@ -49,13 +51,15 @@ struct ReconstructArgs {
 /// its block already.
 struct Outcome {
   std::vector<Block> blocks;
-  std::vector<std::string> pages;  ///< of the blocks, where they are wanted
+  std::vector<std::string> pages;                        ///< of the blocks, where they are wanted
+  std::map<std::string, nlohmann::ordered_json> photos;  ///< of blocks from photographs, by id
   std::string failure;
 };
 
-/// @param paged  are pages wanted?
+/// @param paged   are pages wanted?
+/// @param detailed  is what photos showed wanted?
 Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool paged,
-                   const std::function<void(const std::string&)>& stage) {
+                   bool detailed, const std::function<void(const std::string&)>& stage) {
   Outcome outcome;
   if (scan.is_shp()) {
     const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
@@ -64,9 +68,16 @@ Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool
     return outcome;
   }
   BlockWitness witness;
-  if (paged) {
-    witness = [&](const Block& block, const TriangleMesh& raw, const FieldBlock& found) {
-      outcome.pages.push_back(block_page(block, {.raw = &raw, .found = &found}, options));
+  if (paged || detailed) {
+    witness = [&](const Block& block, const TriangleMesh& raw, const FieldBlock& found,
+                  const PhotoScan* photos) {
+      PagedScan shown{.raw = &raw, .found = &found};
+      if (photos != nullptr) {
+        const PhotoEvidence evidence = photo_evidence(*photos, found, options.scan.up);
+        shown.sections.push_back(photo_section(*photos, evidence, found.scan.mesh));
+        outcome.photos[block.id] = photo_json(*photos, evidence);
+      }
+      if (paged) outcome.pages.push_back(block_page(block, shown, options));
     };
   }
   outcome.blocks = blocks_from_scan(scan.path, scan.id, options, stage, witness);
@@ -153,12 +164,12 @@ class Batch {
   Outcome made(const ScanFile& scan) {
     try {
       if (is_done(scan)) return {};
-      Outcome outcome = outcome_of(scan, args_.options, report_.has_value(),
+      Outcome outcome = outcome_of(scan, args_.options, report_.has_value(), args_.json,
                                    [&](const std::string& what) { tell(what); });
       for (Block& block : outcome.blocks) block.source.options += " " + request_;
       return outcome;
     } catch (const Error& error) {  // one bad scan never costs the batch
-      return {{}, {}, error.what()};
+      return {{}, {}, {}, error.what()};
     }
   }
 
@@ -167,7 +178,11 @@ class Batch {
     progress_.clear();
     steps_ = std::max(steps_, kStages * ++taken_);
     if (!outcome.blocks.empty()) {
-      for (const Block& block : outcome.blocks) add(block);
+      for (const Block& block : outcome.blocks) {
+        add(block);
+        const auto photos = outcome.photos.find(block.id);
+        if (photos != outcome.photos.end()) made_.back()["photos"] = photos->second;
+      }
       if (report_) write_pages(scan, outcome);
     } else if (outcome.failure.empty()) {
       skip(scan);

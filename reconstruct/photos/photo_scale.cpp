@@ -58,8 +58,10 @@ BoardLengths known_distances(const std::vector<FoundMarker>& markers, const Scal
   for (const ScaleBar& bar : options.bars) {
     const FoundMarker &a = marker_of(markers, bar.first), &b = marker_of(markers, bar.second);
     known.lengths.push_back(
-        {"markers " + std::to_string(bar.first) + " and " + std::to_string(bar.second), bar.length,
-         (a.centre() - b.centre()).norm()});
+        {"markers " + std::to_string(bar.first) + " and " + std::to_string(bar.second),
+         bar.length,
+         (a.centre() - b.centre()).norm(),
+         {bar.first, bar.second}});
   }
   return known;
 }
@@ -90,16 +92,18 @@ PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const Sca
   options.check();
   PhotoScale scale;
   const std::optional<double> side = side_of_markers(options);
-  auto [lengths, notes] = known_distances(markers, options, corners);
+  auto [lengths, notes, misplaced] = known_distances(markers, options, corners);
   scale.notes = std::move(notes);
+  if (!options.board || !options.board->charuco) scale.misplaced = std::move(misplaced);
   scale.from_bars = !lengths.empty();
   if (!scale.from_bars && side) {
     for (const FoundMarker& marker : markers) {
-      lengths.push_back({"marker " + std::to_string(marker.id), *side, marker.side()});
+      lengths.push_back({"marker " + std::to_string(marker.id), *side, marker.side(), {marker.id}});
     }
   }
   for (const KnownLength& known : lengths) {
-    scale.measures.push_back({known.name, known.metres, known.metres / known.units, 0.0, true});
+    scale.measures.push_back(
+        {known.name, known.metres, known.metres / known.units, 0.0, true, known.markers});
   }
   if (scale.measures.empty() && options.board) {
     throw InputError("board: " + std::to_string(markers.size()) +

@@ -33,6 +33,7 @@ struct ScaleMeasure {
   double left_out =
       0.0;  ///< relative error of its length when the others set the scale; 0 if alone
   bool used = false;
+  std::vector<int> markers = {};  ///< ids of those that it is of or between
 };
 
 struct PhotoScale {
@@ -43,6 +44,7 @@ struct PhotoScale {
   /// Where distances set the scale and the side is known too: mean side of the markers by the bars,
   /// relative to what was given.
   std::optional<double> side_check;
+  std::vector<int> misplaced;  ///< markers of a board that are not where it has them
   std::vector<std::string> notes;
 };
 

@@ -1,6 +1,7 @@
 #include "reconstruct/photos/photo_scan.hpp"
 
 #include <cmath>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -28,6 +29,22 @@ fs::path folder_of_photos(const fs::path& folder) {
   const bool inside = photos_directly_in(folder) < kFewestPhotos &&
                       photos_directly_in(folder / "images") >= kFewestPhotos;
   return inside ? folder / "images" : folder;
+}
+
+/// Photos in the folders of those that have a camera, which have none themselves.
+std::vector<std::string> names_without_camera(const PhotoModel& model, const fs::path& photos) {
+  std::set<fs::path> placed, folders;
+  for (const Photo& photo : model.photos) {
+    placed.insert(photo.file);
+    folders.insert(photo.file.parent_path());
+  }
+  std::vector<std::string> names;
+  for (const fs::path& file : photos_in(photos)) {
+    if (folders.contains(file.parent_path()) && !placed.contains(file)) {
+      names.push_back(file.filename().string());
+    }
+  }
+  return names;
 }
 
 PhotoModel cameras_of(const fs::path& folder, const fs::path& photos,
@@ -69,6 +86,7 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
   };
   PhotoScan scan;
   scan.model = cameras_of(folder, folder_of_photos(folder), options, stage);
+  scan.without_camera = names_without_camera(scan.model, folder_of_photos(folder));
   const std::size_t all = scan.model.photos.size() + scan.model.unplaced;
   scan.notes.push_back("cameras of " + std::to_string(scan.model.photos.size()) + " of " +
                        std::to_string(all) + " photos, by " + scan.model.source);

@@ -13,6 +13,7 @@ namespace {
 
 /// A point of the board where it was measured and where the model has it.
 struct BoardPoint {
+  int id = 0;  ///< of the marker, or number of the corner
   std::string name;
   Vec3 metres, units;
 };
@@ -55,15 +56,19 @@ Likeness likeness(const std::vector<BoardPoint>& points, std::size_t without) {
 struct AlikePoints {
   std::vector<BoardPoint> points;
   std::vector<std::string> notes;  ///< names the others
+  std::vector<int> misplaced;      ///< the others
 };
 
 AlikePoints alike(std::vector<BoardPoint> points, double most) {
   std::vector<std::string> notes;
+  std::vector<int> misplaced;
   const std::size_t all = points.size();
   constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
   for (;;) {
     const Likeness now = likeness(points, kNobody);
-    if (points.size() < 3 || now.worst <= most * now.reach) return {points, notes};
+    if (points.size() < 3 || now.worst <= most * now.reach) {
+      return {points, notes, misplaced};
+    }
     if (points.size() == 3 || 2 * (points.size() - 1) <= all) {
       throw InputError("the board is not what the photos show: distances on it differ by up to " +
                        with_digits(now.worst, 3) + " m of " + with_digits(now.reach, 3) +
@@ -85,12 +90,13 @@ AlikePoints alike(std::vector<BoardPoint> points, double most) {
                     "agree to " +
                     with_digits(least, 2) + " m instead of " + with_digits(now.rms, 2) +
                     " m. Left out");
+    misplaced.push_back(points[worst].id);
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(worst));
   }
 }
 
 KnownLength between(const std::string& name, const BoardPoint& a, const BoardPoint& b) {
-  return {name, (a.metres - b.metres).norm(), (a.units - b.units).norm()};
+  return {name, (a.metres - b.metres).norm(), (a.units - b.units).norm(), {}};
 }
 
 }  // namespace
@@ -138,7 +144,8 @@ BoardLengths lengths_of_markers(const ScaleBoard& board, const std::vector<Found
     if (found == markers.end()) {
       missing += (missing.empty() ? "" : ", ") + std::to_string(known.id);
     } else {
-      points.push_back({"marker " + std::to_string(known.id), known.centre, found->centre()});
+      points.push_back(
+          {known.id, "marker " + std::to_string(known.id), known.centre, found->centre()});
     }
   }
   if (!missing.empty()) {
@@ -147,11 +154,14 @@ BoardLengths lengths_of_markers(const ScaleBoard& board, const std::vector<Found
   }
   const AlikePoints kept = alike(std::move(points), largest_disagreement);
   result.notes.insert(result.notes.end(), kept.notes.begin(), kept.notes.end());
+  result.misplaced = kept.misplaced;
   for (std::size_t i = 0; i < kept.points.size(); ++i) {
     for (std::size_t j = i + 1; j < kept.points.size(); ++j) {
-      const std::string name =
-          "markers " + kept.points[i].name.substr(7) + " and " + kept.points[j].name.substr(7);
-      result.lengths.push_back(between(name, kept.points[i], kept.points[j]));
+      const BoardPoint &a = kept.points[i], &b = kept.points[j];
+      KnownLength length =
+          between("markers " + std::to_string(a.id) + " and " + std::to_string(b.id), a, b);
+      length.markers = {a.id, b.id};
+      result.lengths.push_back(length);
     }
   }
   return result;
@@ -164,11 +174,12 @@ BoardLengths lengths_of_charuco(const CharucoBoard& board, const std::vector<Boa
   const int wide = board.columns - 1;
   for (const BoardCorner& corner : corners) {
     const Vec3 place(corner.number % wide, corner.number / wide, 0.0);
-    points.push_back(
-        {"corner " + std::to_string(corner.number), board.square * place, corner.place});
+    points.push_back({corner.number, "corner " + std::to_string(corner.number),
+                      board.square * place, corner.place});
   }
   const AlikePoints kept = alike(std::move(points), largest_disagreement);
   result.notes.insert(result.notes.end(), kept.notes.begin(), kept.notes.end());
+  result.misplaced = kept.misplaced;
   const auto add = [&](const std::string& name, int axis, int number) {
     const BoardPoint *first = nullptr, *last = nullptr;
     for (const BoardPoint& point : kept.points) {

@@ -26,14 +26,16 @@ struct ScaleBoard {
 
 /// A length that is known in metres and in the model.
 struct KnownLength {
-  std::string name;     ///< "markers 0 and 3"
-  double metres = 0.0;  ///< as given
-  double units = 0.0;   ///< of the model
+  std::string name;               ///< "markers 0 and 3"
+  double metres = 0.0;            ///< as given
+  double units = 0.0;             ///< of the model
+  std::vector<int> markers = {};  ///< ids of those that it is of or between
 };
 
 struct BoardLengths {
   std::vector<KnownLength> lengths;
   std::vector<std::string> notes;  ///< what was not found, and what disagrees and is left out
+  std::vector<int> misplaced;      ///< ids or numbers of what disagrees
 };
 
 /// The distances between all markers of the board that were found. Where the board and the model

@@ -289,6 +289,17 @@ std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, do
          colour_bar(reach);
 }
 
+std::string painted_views(const TriangleMesh& mesh, const std::function<Rgb(std::uint32_t)>& colour,
+                          const std::string& caption) {
+  return three_views(
+      cameras_on(mesh.vertices),
+      [&](Canvas& canvas) {
+        canvas.draw(
+            mesh, [&](std::uint32_t t, const Vec3&, bool) { return colour(t); }, 0.7);
+      },
+      caption);
+}
+
 std::string thumbnail(const TriangleMesh& mesh, const std::string& name) {
   std::array<Camera, 1> camera = {camera_toward(sides()[0].toward)};
   frame(camera, mesh.vertices, kSmallWidth, kSmallHeight);

@@ -1,5 +1,6 @@
 #pragma once
 /// The pictures of a scan's page: as it was read, closed, and how far the block is off it.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options
 /// @param scan   closed; in the same frame
 /// @param reach  distance of the darkest colours, m
 std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach);
+
+/// A surface from three sides as a figure, each triangle in its colour.
+/// @param colour  of a triangle, by its number
+std::string painted_views(const TriangleMesh& mesh, const std::function<Rgb(std::uint32_t)>& colour,
+                          const std::string& caption);
 
 /// A small picture of a surface as an <img>.
 std::string thumbnail(const TriangleMesh& mesh, const std::string& name);
