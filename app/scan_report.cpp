@@ -41,7 +41,7 @@ std::string with_bounds(double value, double low, double high) {
   return text;
 }
 
-std::string facts(const Block& block, const ScanToBlockOptions& options) {
+std::string facts(const Block& block, const std::string& scale) {
   const Axes axes = block.axes();
   double low_volume = 0.0, high_volume = 0.0, low_mass = 0.0, high_mass = 0.0;
   if (block.unseen) {
@@ -70,7 +70,7 @@ std::string facts(const Block& block, const ScanToBlockOptions& options) {
         fact("farthest from the scan", rounded(block.deviation.hausdorff, 2) + " " + unit + " (" +
                                            percent(block.deviation.hausdorff / axes.L) + " of L)");
   }
-  return html + fact("scale", metric ? scale_in_words(options) : "none") + "</dl>\n";
+  return html + fact("scale", metric ? scale : "none") + "</dl>\n";
 }
 
 std::string notes(const Block& block) {
@@ -84,7 +84,8 @@ std::string certificate(const Block& block, const FieldBlock& found) {
   const std::string unit = is_unscaled(block) ? " units" : " m";
   std::string html;
   if (d.hausdorff > 0.0) {
-    html += deviation_map(skin_mesh(block.body, kSkinSegments), found.scan.mesh, d.hausdorff);
+    html += deviation_map(skin_mesh(block.body, kSkinSegments), found.scan.mesh, d.hausdorff,
+                          !is_unscaled(block));
   }
   html += "<dl class=\"facts\">";
   html += fact("scan to block, at most", rounded(d.scan_to_body, 3) + unit);
@@ -144,12 +145,19 @@ std::string block_page(const Block& block, const PagedScan& scan,
                        const ScanToBlockOptions& options) {
   std::string body = "<h1>Block " + escaped(block.id) + "</h1>\n<p class=\"lead\">from the scan " +
                      escaped(block.source.file) + "</p>\n";
-  body += facts(block, options) + notes(block);
+  if (is_unscaled(block)) {
+    body += note_box(
+        "Unscaled",
+        {unscaled_reason() + ". u is a unit of that model; where notes say m they mean it too"});
+  }
+  body += facts(block, scan.scale.empty() ? scale_in_words(options) : scan.scale) + notes(block);
   if (scan.found != nullptr) {
     const RepairReport& report = scan.found->scan.report;
-    body += before_and_after(*scan.raw, options.scan, *scan.found, repair_marks(report));
-    body += repair_section(report, scan.raw->triangles.empty());
-    if (scan.found->underside) body += underside_section(*scan.found->underside);
+    body += before_and_after(*scan.raw, options.scan, *scan.found, repair_marks(report),
+                             !is_unscaled(block));
+    body += repair_section(report, scan.raw->triangles.empty(), length_unit_of(block));
+    if (scan.found->underside)
+      body += underside_section(*scan.found->underside, length_unit_of(block));
   }
   for (const std::string& further : scan.sections) body += further;
   if (scan.found != nullptr && !block.from_core) body += certificate(block, *scan.found);

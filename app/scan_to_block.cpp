@@ -271,9 +271,8 @@ PhotographedBlocks photographed_blocks(const std::filesystem::path& folder,
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), scan.notes.begin(), scan.notes.end());
     if (!scan.metric) {
-      notes.insert(notes.begin(),
-                   "UNSCALED, and lengths called m in these notes are not metres either: " +
-                       unscaled_reason());
+      notes.insert(notes.begin(), "UNSCALED, and where notes say m they mean units of the model: " +
+                                      unscaled_reason());
     }
   }
   return {std::move(found), std::move(scan)};

@@ -75,6 +75,7 @@ Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool
       if (photos != nullptr) {
         const PhotoEvidence evidence = photo_evidence(*photos, found, options.scan.up);
         shown.sections.push_back(photo_section(*photos, evidence, found.scan.mesh));
+        shown.scale = "by " + photos->scale_source;
         outcome.photos[block.id] = photo_json(*photos, evidence);
       }
       if (paged) outcome.pages.push_back(block_page(block, shown, options));

@@ -148,7 +148,7 @@ std::string photo_table(const CameraRing& ring, const std::string& unit) {
   return "<details><summary>Every photo</summary>" + table.html() + "</details>\n";
 }
 
-std::string coverage_map(const PhotoEvidence& evidence, const TriangleMesh& surface) {
+std::string coverage_map(const PhotoEvidence& evidence, const TriangleMesh& surface, bool metric) {
   const auto colour = [&](std::uint32_t triangle) {
     Rgb found = kViewColours[0].colour;
     for (const ViewColour& one : kViewColours) {
@@ -156,8 +156,8 @@ std::string coverage_map(const PhotoEvidence& evidence, const TriangleMesh& surf
     }
     return found;
   };
-  std::string html =
-      painted_views(surface, colour, "The closed scan by how many compared photos see each part.");
+  std::string html = painted_views(
+      surface, colour, "The closed scan by how many compared photos see each part.", metric);
   std::string key = svg_open(560, 26, "colours of numbers of photos");
   double x = 4.0;
   for (const ViewColour& one : kViewColours) {
@@ -264,9 +264,9 @@ std::string photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
                                " compared, in " + counted(scan.cloud.pairs.size(), "pair") +
                                ", which gave " + counted(scan.cloud.points.size(), "point") + ".");
   if (!notes.empty()) html += note_box("Photos", notes);
-  html += ring_plan(evidence, surface, ring.middle) + photo_table(ring, unit) +
-          "<h3>What was seen</h3>\n" + coverage_map(evidence, surface) +
-          scale_part(scan, evidence, unit);
+  html += "<div class=\"plan\">" + ring_plan(evidence, surface, ring.middle) + "</div>\n" +
+          photo_table(ring, unit) + "<h3>What was seen</h3>\n" +
+          coverage_map(evidence, surface, scan.metric) + scale_part(scan, evidence, unit);
   return section("Photographs", html);
 }
 

@@ -10,13 +10,15 @@ namespace clast {
 
 /// Tables of the defects and of the holes, with counts, sizes and places.
 /// @param cloud  the scan was points, and the report is of the surface that was put through them
-std::string repair_section(const RepairReport& report, bool cloud = false);
+/// @param unit   of lengths, as it is written
+std::string repair_section(const RepairReport& report, bool cloud = false,
+                           const std::string& unit = "m");
 
 /// The numbers of those tables where they have a place: "1", "2" ... for defects, "H1" ... for the
 /// largest holes.
 std::vector<PlaceMark> repair_marks(const RepairReport& report);
 
 /// Bounds of an underside that nobody saw.
-std::string underside_section(const Underside& side);
+std::string underside_section(const Underside& side, const std::string& unit = "m");
 
 }  // namespace clast
