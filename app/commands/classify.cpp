@@ -144,7 +144,9 @@ void add_library(Source& source, const ClassifyArgs& args, const std::string& pa
                               ? args.axis_error
                               : 2.0 * block.deviation.hausdorff;
     source.reported.population.blocks.push_back(std::move(measured));
-    source.surfaces.push_back(args.json ? surface_json(block, axes, args.roundness_edge) : Json());
+    // An edge in metres has no length on a block without any.
+    const double edge = is_unscaled(block) ? 0.0 : args.roundness_edge;
+    source.surfaces.push_back(args.json ? surface_json(block, axes, edge) : Json());
   }
 }
 

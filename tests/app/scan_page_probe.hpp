@@ -29,7 +29,7 @@ document.querySelectorAll('figure').forEach(function(figure){
 });
 var table=document.querySelector('table');
 probe.sorted=[];
-if(table&&table.tHead.rows[0].cells.length>5){
+if(table&&table.tHead.rows[0].cells.length>6){
   var head=table.tHead.rows[0].cells[6];head.click();
   probe.sorted=Array.from(table.tBodies[0].rows).map(function(r){return parseFloat(r.cells[6].textContent)});
 }
