@@ -56,7 +56,7 @@ struct Outcome {
   std::string failure;
 };
 
-/// @param paged   are pages wanted?
+/// @param paged     are pages wanted?
 /// @param detailed  is what photos showed wanted?
 Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool paged,
                    bool detailed, const std::function<void(const std::string&)>& stage) {
@@ -68,7 +68,7 @@ Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool
     return outcome;
   }
   BlockWitness witness;
-  if (paged || detailed) {
+  if (paged || (detailed && std::filesystem::is_directory(scan.path))) {
     witness = [&](const Block& block, const TriangleMesh& raw, const FieldBlock& found,
                   const PhotoScan* photos) {
       PagedScan shown{.raw = &raw, .found = &found};

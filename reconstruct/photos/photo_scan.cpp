@@ -1,5 +1,6 @@
 #include "reconstruct/photos/photo_scan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -45,6 +46,16 @@ std::vector<std::string> names_without_camera(const PhotoModel& model, const fs:
     }
   }
   return names;
+}
+
+/// "scale by board: 6 of 6 lengths agree, to 0.0033 %".
+std::string scale_words(const PhotoScale& scale, const std::string& source) {
+  const auto used = std::count_if(scale.measures.begin(), scale.measures.end(),
+                                  [](const ScaleMeasure& one) { return one.used; });
+  std::string text = "scale by " + source + ": " + std::to_string(used) + " of " +
+                     std::to_string(scale.measures.size()) + " lengths agree";
+  if (used > 1) text += ", to " + with_digits(100.0 * scale.spread, 2) + " %";
+  return text;
 }
 
 PhotoModel cameras_of(const fs::path& folder, const fs::path& photos,
@@ -107,6 +118,7 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
                         : sizes.board           ? "board"
                         : scan.scale->from_bars ? "distances of markers"
                                                 : "sides of markers";
+    scan.notes.push_back(scale_words(*scan.scale, scan.scale_source));
     scan.notes.insert(scan.notes.end(), scan.scale->notes.begin(), scan.scale->notes.end());
     if (scan.model.metric && std::abs(factor - 1.0) > kToldDifference) {
       scan.notes.push_back("by the markers, lengths are " + with_digits(factor, 4) +

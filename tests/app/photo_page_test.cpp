@@ -64,6 +64,7 @@ TEST_F(PhotoPage, TheRockHasItsRingItsCoverageAndTheScaleOfItsBoard) {
   EXPECT_EQ(photos["scale"]["lengths"].size(), 3u);
   EXPECT_NEAR(double(photos["scale"]["metres_per_unit"]) / 0.378577, 1.0, 0.0005);
   EXPECT_GT(double(block["mass_kg"]), 300.0);
+  EXPECT_TRUE(contains(block["warnings"].dump(), "scale by board: 3 of 3 lengths agree, to 0.00"));
 
   const fs::path page = folder / "pages" / "blocks" / "images.html";
   const std::string html = read_text_file(page);
