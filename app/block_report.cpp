@@ -7,6 +7,7 @@
 #include "classify/roundness.hpp"
 #include "classify/surface_indices.hpp"
 #include "core/error.hpp"
+#include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
 #include "shapes/edge_bend.hpp"
 #include "shapes/remeshing.hpp"
@@ -64,7 +65,33 @@ Json unseen_json(const Block& block) {
           {"shape", range.classes.at("garcia")}};
 }
 
+/// Keys of lengths, areas and volumes tell that no unit is known; masses and moments are null.
+Json without_metres(const Json& metric) {
+  Json json = Json::object();
+  for (const auto& [key, value] : metric.items()) {
+    const std::string unit = key.substr(std::min(key.rfind('_'), key.size()));
+    if (key == "field" || key.starts_with("density")) {
+      json[key] = value;  // of the rock, not of the model
+    } else if (key == "unseen") {
+      json[key] = without_metres(value);
+    } else if (unit == "_kg" || key.ends_with("_kg_m2")) {
+      json[key] = nullptr;
+    } else if (unit == "_m" || unit == "_m2" || unit == "_m3") {
+      json[key.substr(0, key.size() - unit.size()) + "_units" + unit.substr(2)] = value;
+    } else {
+      json[key] = value;
+    }
+  }
+  return json;
+}
+
 }  // namespace
+
+std::string mass_text(const Block& block) {
+  return is_unscaled(block) ? "-" : rounded(block.mass.mass);
+}
+
+std::string length_unit_of(const Block& block) { return is_unscaled(block) ? "u" : "m"; }
 
 OrientedBox block_box(const Block& block, BoxConvention convention) {
   if (convention == BoxConvention::kSmallest) return block.box;  // stored
@@ -98,6 +125,7 @@ Json block_json(const Block& block) {
   Json json;
   json["id"] = block.id;
   json["source"] = block.source.file;
+  if (is_unscaled(block)) json["unscaled"] = unscaled_reason();
   json["provenance"] = {{"sha256", block.source.sha256},
                         {"options", block.source.options},
                         {"program_version", block.source.program_version}};
@@ -136,19 +164,22 @@ Json block_json(const Block& block) {
   json["warnings"] = block.warnings;
   const Json field = field_json(block.field);
   if (!field.empty()) json["field"] = field;
-  return json;
+  return is_unscaled(block) ? without_metres(json) : json;
 }
 
 std::string block_line(const Block& block) {
   const Axes axes = block.axes();
   const std::size_t count = block.body.vertices.size();
+  const bool metric = !is_unscaled(block);
+  const std::string unit = metric ? " m" : " model units";
   std::string line =
       block.id + ": " + std::to_string(count) + (count == 1 ? " vertex, " : " vertices, ") +
-      rounded(axes.L, 3) + " x " + rounded(axes.I, 3) + " x " + rounded(axes.S, 3) + " m, " +
-      rounded(block.mass.volume) + " m3, " + rounded(block.mass.mass) + " kg, " +
+      rounded(axes.L, 3) + " x " + rounded(axes.I, 3) + " x " + rounded(axes.S, 3) + unit + ", " +
+      rounded(block.mass.volume) + (metric ? " m3, " : " cubic units, ") +
+      (metric ? rounded(block.mass.mass) + " kg, " : "UNSCALED: no mass, ") +
       sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes) + ", ";
-  if (block.from_core) return line + "core with radius " + rounded(block.body.radius, 3) + " m";
-  return line + "within " + rounded(block.deviation.hausdorff, 2) + " m of the scan (" +
+  if (block.from_core) return line + "core with radius " + rounded(block.body.radius, 3) + unit;
+  return line + "within " + rounded(block.deviation.hausdorff, 2) + unit + " of the scan (" +
          rounded(100.0 * block.deviation.hausdorff / axes.L, 2) + " % of L)";
 }
 

@@ -1,5 +1,6 @@
 #include "app/photo_options.hpp"
 
+#include "app/board_file.hpp"
 #include "app/option_values.hpp"
 #include "core/number_text.hpp"
 
@@ -28,11 +29,37 @@ ScaleBar bar_from(const std::string& text) {
   return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), numbers[2]};
 }
 
+std::string board_request(const ScaleBoard& board) {
+  std::string text = " board " + board.dictionary;
+  const auto add = [&](double value) { text += " " + with_digits(value, 17); };
+  add(board.marker_side.value_or(0.0));
+  for (const BoardMarker& marker : board.markers) {
+    add(marker.id);
+    for (const double at : marker.centre) add(at);
+  }
+  if (const auto& charuco = board.charuco) {
+    for (const double value : {1.0 * charuco->columns, 1.0 * charuco->rows, charuco->square,
+                               charuco->marker, charuco->older_pattern ? 1.0 : 0.0}) {
+      add(value);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 PhotoScanOptions PhotoArgs::parsed() const {
   PhotoScanOptions result = options;
   for (const std::string& bar : bars) result.scale.bars.push_back(bar_from(bar));
+  if (!board.empty()) {
+    result.scale.board = read_board(board);
+    const std::string& kind = result.scale.board->dictionary;
+    if (!result.scale.board->charuco && result.markers.dictionary != "auto" &&
+        result.markers.dictionary != kind) {
+      throw CLI::ValidationError("--markers", result.markers.dictionary + " contradicts " +
+                                                  board.string() + ", whose markers are " + kind);
+    }
+  }
   if (marker_size > 0.0) result.scale.marker_side = marker_size;
   result.colmap.seconds = 60.0 * colmap_minutes;
   check_usage([&] { result.check(); });
@@ -48,6 +75,12 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
                   "times")
       ->allow_extra_args(false)
       ->type_name("ID,ID,M")
+      ->group(group);
+  command
+      .add_option("--board", args.board,
+                  "A plate whose markers are known by their places, or a ChArUco board, as a file "
+                  "(TOML, see docs/formats.md): all its distances set the scale")
+      ->type_name("FILE")
       ->group(group);
   command
       .add_option("--marker-size", args.marker_size,
@@ -104,6 +137,7 @@ std::string photo_request(const PhotoScanOptions& options) {
     text += " " + std::to_string(bar.first) + "," + std::to_string(bar.second) + "," +
             with_digits(bar.length, 17);
   }
+  if (options.scale.board) text += board_request(*options.scale.board);
   if (options.scale.marker_side) text += " " + with_digits(*options.scale.marker_side, 17);
   return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// Options of `clast reconstruct` for folders of photographs.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,13 @@ namespace clast {
 /// The options as they are written; what they hold goes into a `PhotoScanOptions`.
 struct PhotoArgs {
   std::vector<std::string> bars;
-  double marker_size = 0.0;  ///< m; 0: not given
+  std::filesystem::path board;  ///< file; empty: none
+  double marker_size = 0.0;     ///< m; 0: not given
   double colmap_minutes = 60.0;
   PhotoScanOptions options;
 
-  /// @throws CLI::ValidationError  what is no scale bar
+  /// @throws CLI::ValidationError  what is no scale bar; markers that a board doesn't have
+  /// @throws InputError            what `read_board` throws
   PhotoScanOptions parsed() const;
 };
 

@@ -44,6 +44,7 @@ void add_laws(TextTable& table, const std::string& weighting, const SizeCurve& c
 }
 
 std::string size_text(const SizeDistribution& size) {
+  if (size.by_number.blocks == 0) return "no sizes: every block is unscaled\n";
   TextTable percentiles{{"size " + name_of(size.measure), "blocks", "d10 m", "d50 m", "d90 m"}, {}};
   const auto add = [&](const std::string& name, const SizeCurve& curve) {
     percentiles.rows.push_back({name, std::to_string(curve.blocks), rounded(curve.d10, 3),
@@ -58,6 +59,7 @@ std::string size_text(const SizeDistribution& size) {
 }
 
 Json curve_json(const SizeCurve& curve) {
+  if (curve.blocks == 0) return nullptr;  // every block is unscaled
   Json laws = Json::array();
   for (const SizeLaw& law : curve.laws) {
     const bool normal = law.kind == SizeLawKind::kLogNormal;
@@ -99,8 +101,10 @@ std::string blocks_text(const Population& population, const PopulationOptions& o
   const std::string& first = options.schemes.front();
   table.headings.push_back("how sure (" + first + ")");
   for (const MeasuredBlock& block : population.blocks) {
-    table.rows.push_back({block.name, rounded(block.axes.L), rounded(block.axes.I),
-                          rounded(block.axes.S), rounded(elongation_s_c(block.as_written), 3)});
+    const char* const unit = block.unscaled ? " u" : "";
+    table.rows.push_back({block.name, rounded(block.axes.L) + unit, rounded(block.axes.I) + unit,
+                          rounded(block.axes.S) + unit,
+                          rounded(elongation_s_c(block.as_written), 3)});
     for (const std::string& scheme : options.schemes) {
       table.rows.back().push_back(shape_class(scheme, block.as_written, options.limits));
     }
@@ -112,9 +116,10 @@ std::string blocks_text(const Population& population, const PopulationOptions& o
 }
 
 Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits) {
+  const std::string unit = block.unscaled ? "_units" : "_m";
   Json json = {{"id", block.name},
-               {"box_m", {block.axes.L, block.axes.I, block.axes.S}},
-               {"axis_error_m", block.axis_error},
+               {"box" + unit, {block.axes.L, block.axes.I, block.axes.S}},
+               {"axis_error" + unit, block.axis_error},
                {"s_c", elongation_s_c(block.as_written)},
                {"sneed_folk", sneed_folk_class(block.as_written, limits)},
                {"zingg", zingg_class(block.as_written)},
@@ -122,7 +127,7 @@ Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits
   if (block.mass) json["mass_kg"] = *block.mass;
   for (std::size_t i = 0; i < block.by_box.size(); ++i) {
     const Axes& axes = block.by_box[i];
-    json["boxes_m"][name_of(kBoxConventions[i])] = {axes.L, axes.I, axes.S};
+    json["boxes" + unit][name_of(kBoxConventions[i])] = {axes.L, axes.I, axes.S};
   }
   for (const std::string& scheme : scheme_names()) {
     json["classes"][scheme] =

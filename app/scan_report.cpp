@@ -3,12 +3,14 @@
 #include <cmath>
 #include <utility>
 
+#include "app/block_report.hpp"
 #include "app/text_table.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/text_file.hpp"
 #include "core/utf8.hpp"
 #include "core/version.hpp"
+#include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
 #include "reconstruct/report/repair_sections.hpp"
 #include "reconstruct/report/scan_page.hpp"
@@ -39,7 +41,7 @@ std::string with_bounds(double value, double low, double high) {
   return text;
 }
 
-std::string facts(const Block& block, const ScanToBlockOptions& options) {
+std::string facts(const Block& block, const std::string& scale) {
   const Axes axes = block.axes();
   double low_volume = 0.0, high_volume = 0.0, low_mass = 0.0, high_mass = 0.0;
   if (block.unseen) {
@@ -48,23 +50,27 @@ std::string facts(const Block& block, const ScanToBlockOptions& options) {
     low_mass = range.lower_mass, high_mass = range.upper_mass;
   }
   std::string html = "<dl class=\"facts\">";
-  html += fact("L x I x S, m",
+  const bool metric = !is_unscaled(block);
+  const std::string unit = metric ? "m" : "units";
+  html += fact("L x I x S, " + unit,
                rounded(axes.L, 3) + " x " + rounded(axes.I, 3) + " x " + rounded(axes.S, 3));
-  html += fact("volume, m3", with_bounds(block.mass.volume, low_volume, high_volume));
-  html += fact("mass, kg", with_bounds(block.mass.mass, low_mass, high_mass));
+  html += fact(metric ? "volume, m3" : "volume, cubic units",
+               with_bounds(block.mass.volume, low_volume, high_volume));
+  html += fact("mass, kg",
+               metric ? with_bounds(block.mass.mass, low_mass, high_mass) : "none: unscaled");
   html += fact("density, kg/m3", rounded(block.density));
   html +=
       fact("shape", sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes));
   html += fact("vertices of the block", std::to_string(block.body.vertices.size()));
-  html += fact("radius of its rounding, m", rounded(block.body.radius, 3));
+  html += fact("radius of its rounding, " + unit, rounded(block.body.radius, 3));
   html += fact("surface not seen but filled in",
                block.unseen ? percent(block.unseen->invented_share) : "none, or small holes alone");
   if (!block.from_core) {
     html +=
-        fact("farthest from the scan", rounded(block.deviation.hausdorff, 2) + " m (" +
+        fact("farthest from the scan", rounded(block.deviation.hausdorff, 2) + " " + unit + " (" +
                                            percent(block.deviation.hausdorff / axes.L) + " of L)");
   }
-  return html + fact("scale", scale_in_words(options)) + "</dl>\n";
+  return html + fact("scale", metric ? scale : "none") + "</dl>\n";
 }
 
 std::string notes(const Block& block) {
@@ -75,14 +81,16 @@ std::string notes(const Block& block) {
 /// How far the block is off the scan: the map and the numbers that go with it.
 std::string certificate(const Block& block, const FieldBlock& found) {
   const Deviation& d = block.deviation;
+  const std::string unit = is_unscaled(block) ? " units" : " m";
   std::string html;
   if (d.hausdorff > 0.0) {
-    html += deviation_map(skin_mesh(block.body, kSkinSegments), found.scan.mesh, d.hausdorff);
+    html += deviation_map(skin_mesh(block.body, kSkinSegments), found.scan.mesh, d.hausdorff,
+                          !is_unscaled(block));
   }
   html += "<dl class=\"facts\">";
-  html += fact("scan to block, at most", rounded(d.scan_to_body, 3) + " m");
-  html += fact("block to scan, at most", rounded(d.body_to_scan, 3) + " m");
-  html += fact("mean distance", rounded(d.mean, 3) + " m");
+  html += fact("scan to block, at most", rounded(d.scan_to_body, 3) + unit);
+  html += fact("block to scan, at most", rounded(d.body_to_scan, 3) + unit);
+  html += fact("mean distance", rounded(d.mean, 3) + unit);
   html += fact("volume against the scan", rounded(100.0 * d.volume_relative, 2) + " %");
   html += fact("area against the scan", rounded(100.0 * d.area_relative, 2) + " %");
   html += fact("principal moments, at most", rounded(100.0 * d.moments_relative, 2) + " %");
@@ -93,6 +101,9 @@ std::string certificate(const Block& block, const FieldBlock& found) {
 }
 
 std::string mass_check(const Block& block, const ScanToBlockOptions& options) {
+  if (is_unscaled(block)) {
+    return section("Mass", paragraph("The block is unscaled: " + unscaled_reason() + "."));
+  }
   const std::optional<double>& weighed = block.field.weighed_mass;
   if (!weighed) {
     return section("Mass", paragraph("No weighed mass was given: " + rounded(block.mass.mass) +
@@ -134,12 +145,20 @@ std::string block_page(const Block& block, const PagedScan& scan,
                        const ScanToBlockOptions& options) {
   std::string body = "<h1>Block " + escaped(block.id) + "</h1>\n<p class=\"lead\">from the scan " +
                      escaped(block.source.file) + "</p>\n";
-  body += facts(block, options) + notes(block);
+  if (is_unscaled(block)) {
+    body += note_box(
+        "Unscaled",
+        {unscaled_reason() + ". u is a unit of that model; where notes say m they mean it too"});
+  }
+  body += facts(block, scan.scale.empty() ? scale_in_words(options) : scan.scale) + notes(block);
   if (scan.found != nullptr) {
     const RepairReport& report = scan.found->scan.report;
-    body += before_and_after(*scan.raw, options.scan, *scan.found, repair_marks(report));
-    body += repair_section(report, scan.raw->triangles.empty(), scan.found->underside.has_value());
-    if (scan.found->underside) body += underside_section(*scan.found->underside);
+    body += before_and_after(*scan.raw, options.scan, *scan.found, repair_marks(report),
+                             !is_unscaled(block));
+    body += repair_section(report, scan.raw->triangles.empty(), scan.found->underside.has_value(),
+                           length_unit_of(block));
+    if (scan.found->underside)
+      body += underside_section(*scan.found->underside, length_unit_of(block));
   }
   for (const std::string& further : scan.sections) body += further;
   if (scan.found != nullptr && !block.from_core) body += certificate(block, *scan.found);
@@ -158,7 +177,7 @@ ScanReport::ScanReport(fs::path folder)
   csv_.header(
       "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
       "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"
-      "body_to_scan_m,notes,sha256,reason");
+      "body_to_scan_m,notes,sha256,scale,reason");
 }
 
 fs::path ScanReport::page_of(const Block& block) const {
@@ -179,44 +198,49 @@ void ScanReport::add_earlier(const Block& block) {
 void ScanReport::add_row(const Block& block, const std::string& outcome) {
   const Axes axes = block.axes();
   const std::optional<UnseenPart>& unseen = block.unseen;
+  const bool metric = !is_unscaled(block);
+  const std::string u = metric ? "" : " u";
   std::string name = escaped(block.id);
   if (fs::exists(page_of(block))) {
     name = "<a href=\"" + link_to("blocks/" + block.id + ".html") + "\">" + name + "</a>";
   }
   const auto bound = [&](double UnseenPart::*member) {
-    return unseen ? rounded((*unseen).*member) : std::string();
+    return unseen ? rounded((*unseen).*member) + (metric ? "" : " u3") : std::string();
   };
-  blocks_.html_row(
-      {name, thumbnail(block.surface, block.id), escaped(block.source.file), rounded(axes.L, 3),
-       rounded(axes.I, 3), rounded(axes.S, 3), rounded(block.mass.volume),
-       bound(&UnseenPart::lower_volume), bound(&UnseenPart::upper_volume),
-       unseen ? fixed(100.0 * unseen->invented_share, 1) : "", rounded(block.mass.mass),
-       rounded(elongation_s_c(axes), 3), fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
-       std::to_string(block.warnings.size())});
+  blocks_.html_row({name, thumbnail(block.surface, block.id), escaped(block.source.file),
+                    rounded(axes.L, 3) + u, rounded(axes.I, 3) + u, rounded(axes.S, 3) + u,
+                    rounded(block.mass.volume) + (metric ? "" : " u3"),
+                    bound(&UnseenPart::lower_volume), bound(&UnseenPart::upper_volume),
+                    unseen ? fixed(100.0 * unseen->invented_share, 1) : "", mass_text(block),
+                    rounded(elongation_s_c(axes), 3),
+                    fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
+                    std::to_string(block.warnings.size())});
 
   csv_.cell(block.id);
   csv_.cell(outcome);
   csv_.cell(block.source.file);
-  for (const double length : {axes.L, axes.I, axes.S, block.mass.volume}) csv_.cell(length);
+  const auto metric_cell = [&](double value) { metric ? csv_.cell(value) : csv_.empty_cells(1); };
+  for (const double size : {axes.L, axes.I, axes.S, block.mass.volume}) metric_cell(size);
   if (unseen) {
-    csv_.cell(unseen->lower_volume);
-    csv_.cell(unseen->upper_volume);
+    metric_cell(unseen->lower_volume);
+    metric_cell(unseen->upper_volume);
     csv_.cell(unseen->invented_share);
   } else {
     csv_.empty_cells(3);
   }
   csv_.cell(block.density);
-  csv_.cell(block.mass.mass);
+  metric_cell(block.mass.mass);
   csv_.cell(block.field.weighed_mass.value_or(std::nan("")));
   csv_.cell(sneed_folk_class(axes));
   csv_.cell(zingg_class(axes));
   csv_.cell(garcia_class(axes));
   csv_.count(block.body.vertices.size());
-  csv_.cell(block.body.radius);
-  csv_.cell(block.deviation.scan_to_body);
-  csv_.cell(block.deviation.body_to_scan);
+  metric_cell(block.body.radius);
+  metric_cell(block.deviation.scan_to_body);
+  metric_cell(block.deviation.body_to_scan);
   csv_.count(block.warnings.size());
   csv_.cell(block.source.sha256);
+  csv_.cell(metric ? "metric" : "none");
   csv_.empty_cells(1);
   csv_.end_row();
 }
@@ -227,7 +251,7 @@ void ScanReport::add_failure(const std::string& scan, const std::string& reason)
   csv_.empty_cells(1);
   csv_.cell("failed");
   csv_.cell(as_utf8(scan));
-  csv_.empty_cells(19);
+  csv_.empty_cells(20);
   csv_.cell(as_utf8(reason));
   csv_.end_row();
 }
@@ -240,10 +264,12 @@ void ScanReport::finish() {
   body += "</p>\n";
   if (failed_ > 0) body += section("Scans that gave no block", failures_.html());
   if (made_ + earlier_ > 0) {
-    body += section("Blocks", paragraph("A click on a column's head sorts by it. L, I, S are the "
-                                        "sides of the smallest box; volumes from and to are the "
-                                        "bounds of a block whose underside was not seen.") +
-                                  blocks_.html());
+    body += section("Blocks",
+                    paragraph("A click on a column's head sorts by it. L, I, S are the "
+                              "sides of the smallest box; volumes from and to are the "
+                              "bounds of a block whose underside was not seen. Lengths marked "
+                              "u are in units of an unscaled model.") +
+                        blocks_.html());
   }
   body += "<footer>clast " + escaped(version()) +
           "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";

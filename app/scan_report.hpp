@@ -15,6 +15,8 @@ namespace clast {
 struct PagedScan {
   const TriangleMesh* raw = nullptr;
   const FieldBlock* found = nullptr;
+  /// How the block got its size, where that is not by the options of the scan.
+  std::string scale = {};
   /// Further parts of the page, each made with `section`: they follow what was mended.
   std::vector<std::string> sections = {};
 };

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
+#include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
@@ -201,7 +202,7 @@ void add_unseen(Block& block, const Underside& side) {
                   .invented_share = side.invented_share,
                   .lower_axes = axes_of(side.lower),
                   .upper_axes = axes_of(side.upper)};
-  block.warnings.insert(block.warnings.begin(), described(*block.unseen, unseen_range(block)));
+  block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
 
 /// Thins and measures one block of a scan.
@@ -209,7 +210,7 @@ Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
                  const ScanToBlockOptions& options,
                  const std::function<void(const std::string&)>& begin) {
   Scan& scan = found.scan;
-  check_size(bounds(scan.mesh), id, options);
+  if (!source.unscaled) check_size(bounds(scan.mesh), id, options);
   if (scan.report.invented_share > 0.0) {
     source.options += " invented_share=" + with_digits(scan.report.invented_share, 4);
   }
@@ -259,14 +260,20 @@ void note_far_scale(FieldScan& found, const std::array<Vec3, 2>& points) {
   }
 }
 
-/// The blocks of a folder of photos, with what its cameras and its scale were.
-FieldScan photographed_blocks(const std::filesystem::path& folder,
-                              const ScanToBlockOptions& options, FieldScanOptions reading,
-                              BlockSource& source,
-                              const std::function<void(const std::string&)>& begin) {
+/// A folder of photos, with what its cameras and its scale were.
+struct PhotographedBlocks {
+  FieldScan found;
+  PhotoScan photos;
+};
+
+PhotographedBlocks photographed_blocks(const std::filesystem::path& folder,
+                                       const ScanToBlockOptions& options, FieldScanOptions reading,
+                                       BlockSource& source,
+                                       const std::function<void(const std::string&)>& begin) {
   PhotoScanOptions photos = options.photos;
-  if (reading.scan.unit != 1.0) photos.metres_per_unit = reading.scan.unit;
-  const PhotoScan scan = photo_scan(folder, photos, begin);
+  if (options.scale_points || reading.scan.unit != 1.0)
+    photos.metres_per_unit = reading.scan.unit;
+  PhotoScan scan = photo_scan(folder, photos, begin);
   if (!scan.metric && options.block.mass) {
     throw InputError(folder.string() +
                      ": --mass needs a scale, and these photos have none; give --scale-bar or "
@@ -280,16 +287,16 @@ FieldScan photographed_blocks(const std::filesystem::path& folder,
   found.raw.vertices = scan.cloud.points;
   source.options = "photos=" + std::to_string(scan.model.photos.size()) +
                    " cameras=" + scan.model.source + " scale=" + scan.scale_source;
+  source.unscaled = !scan.metric;
   for (FieldBlock& block : found.blocks) {
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), scan.notes.begin(), scan.notes.end());
     if (!scan.metric) {
-      notes.insert(notes.begin(),
-                   "UNSCALED: lengths are in units of the cameras; shapes are usable, volume and "
-                   "mass are not");
+      notes.insert(notes.begin(), "UNSCALED, and where notes say m they mean units of the model: " +
+                                      unscaled_reason());
     }
   }
-  return found;
+  return {std::move(found), std::move(scan)};
 }
 
 }  // namespace
@@ -346,6 +353,7 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
   };
   begin("reading " + id);
   FieldScan found;
+  std::optional<PhotoScan> photos;
   BlockSource source{as_utf8(path.string()), digest_of_scan(path),
                      scale_text(options) + " up=" + options.scan.up, ""};
   const FieldScanOptions reading_field = {.scan = options.scan,
@@ -353,7 +361,9 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
                                           .find_ground = options.find_ground,
                                           .split = options.split};
   if (std::filesystem::is_directory(path)) {
-    found = photographed_blocks(path, options, reading_field, source, begin);
+    PhotographedBlocks made = photographed_blocks(path, options, reading_field, source, begin);
+    found = std::move(made.found);
+    photos = std::move(made.photos);
   } else if (options.block.core) {
     ScanOptions reading = options.scan;
     reading.repair.invent = false;  // every vertex of a core is meant
@@ -376,7 +386,9 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
       found.blocks[i] = {};
       continue;
     }
-    if (witness) witness(blocks.back(), found.raw, found.blocks[i]);
+    if (witness) {
+      witness(blocks.back(), found.raw, found.blocks[i], photos ? &*photos : nullptr);
+    }
     found.blocks[i] = {};  // memory is bounded by one block's needs
   }
   return blocks;

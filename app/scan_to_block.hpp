@@ -49,8 +49,9 @@ void warn_of_crossings(Block& block, const TriangleMesh& surface);
 /// Called with a block and what it was made from, while that is there.
 /// @param raw    as read, in the file's units and axes; of a cloud the points alone
 /// @param found  the closed scan, in the frame of the block
-using BlockWitness =
-    std::function<void(const Block& block, const TriangleMesh& raw, const FieldBlock& found)>;
+/// @param photos  of a folder of photos, else null
+using BlockWitness = std::function<void(const Block& block, const TriangleMesh& raw,
+                                        const FieldBlock& found, const PhotoScan* photos)>;
 
 /// Called with the id of a block that could not be made of a scan that is split, and the reason.
 using BlockLoss = std::function<void(const std::string& id, const std::string& reason)>;

@@ -16,12 +16,14 @@ struct MeasuredBlock {
   std::optional<double> mass;  ///< kg
   double axis_error = 0.0;     ///< m; each axis may be off by so much
   std::vector<Axes> by_box;    ///< m; by each of `kBoxConventions`; empty for axes taken by tape
+  /// Lengths above are in a unit that nobody knows: the block has a shape, but no size and no mass.
+  bool unscaled = false;
 };
 
 /// Axes that were in metres from the start.
 inline MeasuredBlock measured_block(std::string name, const Axes& axes,
                                     std::optional<double> mass = std::nullopt) {
-  return {std::move(name), axes, axes, mass, 0.0, {}};
+  return {std::move(name), axes, axes, mass, 0.0, {}, false};
 }
 
 }  // namespace clast

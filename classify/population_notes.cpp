@@ -33,6 +33,18 @@ std::string repeated_names(std::span<const MeasuredBlock> blocks) {
   return text;
 }
 
+/// "A, B"; empty when every block has a size.
+std::string unscaled_names(std::span<const MeasuredBlock> blocks) {
+  std::string text;
+  std::size_t count = 0;
+  for (const MeasuredBlock& block : blocks) {
+    if (!block.unscaled || ++count > kMostNames) continue;
+    text += (text.empty() ? "" : ", ") + block.name;
+  }
+  if (count > kMostNames) text += " and " + std::to_string(count - kMostNames) + " more";
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks) {
@@ -40,6 +52,11 @@ std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks)
   const std::string repeated = repeated_names(blocks);
   if (!repeated.empty()) {
     notes.push_back("the same name stands for several blocks, and each is counted: " + repeated);
+  }
+  const std::string unscaled = unscaled_names(blocks);
+  if (!unscaled.empty()) {
+    notes.push_back("of unknown size, and so in the classes but in no sizes and masses: " +
+                    unscaled + "; their lengths are marked u, units of the model");
   }
   const auto uncertain =
       std::count_if(blocks.begin(), blocks.end(),

@@ -34,7 +34,7 @@ SizeShape size_shape(const Population& population, const ShapeMeasure& measure, 
   std::vector<double> sizes, shapes;
   for (const MeasuredBlock& block : population.blocks) {
     const auto shape = measure.value(block.as_written);
-    if (!shape) continue;
+    if (!shape || block.unscaled) continue;
     // Relative to a metre the twelfth decimal is far below any tape or scanner.
     sizes.push_back(without_rounding(block_size(block.axes, size)));
     shapes.push_back(without_rounding(*shape));

@@ -296,12 +296,16 @@ SizeDistribution size_distribution(const Population& population, SizeMeasure mea
   assert(!population.blocks.empty());
   std::vector<double> sizes;
   sizes.reserve(population.blocks.size());
-  for (const MeasuredBlock& block : population.blocks) {
-    sizes.push_back(block_size(block.axes, measure));
+  std::vector<double> weights;
+  const std::vector<double> mass = masses(population);
+  for (std::size_t i = 0; i < mass.size(); ++i) {
+    if (population.blocks[i].unscaled) continue;
+    sizes.push_back(block_size(population.blocks[i].axes, measure));
+    weights.push_back(mass[i]);
   }
-  const std::vector<double> weights = masses(population);
   SizeDistribution distribution;
   distribution.measure = measure;
+  if (sizes.empty()) return distribution;
   distribution.step = reading_step(sizes);
   distribution.by_number = curve_by_number(sizes, distribution.step, seed);
   distribution.by_mass = curve_by_mass(sizes, weights, distribution.step);

@@ -88,6 +88,7 @@ struct SizeDistribution {
   double total_mass = 0.0;  ///< kg
 };
 
+/// Unscaled blocks are passed over; where all are, `by_number.blocks` is 0 and the rest empty.
 /// @param population  at least one block
 SizeDistribution size_distribution(const Population& population, SizeMeasure measure,
                                    std::uint64_t seed);

@@ -18,6 +18,10 @@ struct BlockSource {
   std::string sha256;   ///< of that file
   std::string options;  ///< everything that shaped the block, as "key=value" separated by blanks
   std::string program_version;  ///< of the clast that made it
+  /// Nothing said how long a unit of the source is (photographs without any scale): every length of
+  /// the block is in that unit, areas and volumes in its powers, and its mass means nothing. Its
+  /// shape and its density are as good as another block's.
+  bool unscaled = false;
 };
 
 /// What the field book says, attached by `clast library set`.

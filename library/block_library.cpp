@@ -77,6 +77,7 @@ void write_block(Hdf5Group group, const Block& block) {
   group.set_attribute("source_sha256", block.source.sha256);
   group.set_attribute("options", block.source.options);
   group.set_attribute("program_version", block.source.program_version);
+  if (block.source.unscaled) group.set_attribute<std::int64_t>("unscaled", 1);
   group.set_attribute<std::int64_t>("from_core", block.from_core ? 1 : 0);
 
   Hdf5Group surface = group.create_group("surface");
@@ -121,7 +122,8 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.id = id;
   block.source = {
       group.attribute<std::string>("source_file"), group.attribute<std::string>("source_sha256"),
-      group.attribute<std::string>("options"), group.attribute<std::string>("program_version")};
+      group.attribute<std::string>("options"), group.attribute<std::string>("program_version"),
+      group.has_attribute("unscaled") && group.attribute<std::int64_t>("unscaled") != 0};
   block.from_core = group.attribute<std::int64_t>("from_core") != 0;
 
   const Hdf5Group surface = group.group("surface");

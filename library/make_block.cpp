@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/version.hpp"
+#include "library/unscaled.hpp"
 #include "massprops/solid.hpp"
 #include "massprops/sphero.hpp"
 #include "shapes/convex_hull.hpp"
@@ -196,7 +197,7 @@ void add_warnings(Block& block, const BlockOptions& options) {
 
 std::string described(const BlockOptions& options, const Block& block) {
   std::string text = options.core ? "core=yes" : "core=no";
-  text += " radius_m=" + number(block.body.radius);
+  text += (is_unscaled(block) ? " radius_units=" : " radius_m=") + number(block.body.radius);
   if (!options.radius) text += " radius_share=" + number(options.radius_share);
   text += " density_kg_m3=" + number(block.density);
   if (options.mass) text += " mass_kg=" + number(*options.mass);

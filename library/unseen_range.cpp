@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/number_text.hpp"
+#include "library/unscaled.hpp"
 
 namespace clast {
 
@@ -57,18 +58,23 @@ UnseenRange unseen_range(const Block& block) {
   return range;
 }
 
-std::string described(const UnseenPart& unseen, const UnseenRange& range) {
+std::string described_unseen(const Block& block) {
+  const UnseenPart& unseen = *block.unseen;
+  const bool metric = !is_unscaled(block);
+  const std::string filled =
+      with_digits(100.0 * unseen.invented_share, 2) + " % of the surface is not seen but filled in";
   if (unseen.upper_volume - unseen.lower_volume < kHardlyOpen * unseen.best_volume) {
-    return "the scan was open, but hardly: " + with_digits(100.0 * unseen.invented_share, 2) +
-           " % of the surface is not seen but filled in, which leaves volume and mass open by less "
-           "than " +
+    return "the scan was open, but hardly: " + filled + ", which leaves volume" +
+           (metric ? " and mass" : "") + " open by less than " +
            with_digits(100.0 * kHardlyOpen, 1) + " %";
   }
-  return "the scan was open: " + with_digits(100.0 * unseen.invented_share, 2) +
-         " % of the surface is not seen but filled in; volume " +
-         range_text(unseen.lower_volume, unseen.upper_volume, "m3") + " (best " +
-         with_digits(unseen.best_volume, 4) + "), mass " +
-         range_text(range.lower_mass, range.upper_mass, "kg");
+  const std::string text =
+      "the scan was open: " + filled + "; volume " +
+      range_text(unseen.lower_volume, unseen.upper_volume, metric ? "m3" : "cubic model units") +
+      " (best " + with_digits(unseen.best_volume, 4) + ")";
+  if (!metric) return text;
+  const UnseenRange range = unseen_range(block);
+  return text + ", mass " + range_text(range.lower_mass, range.upper_mass, "kg");
 }
 
 }  // namespace clast

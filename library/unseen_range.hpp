@@ -22,7 +22,9 @@ struct UnseenRange {
 /// volume and density give that mass.
 UnseenRange unseen_range(const Block& block);
 
-/// "volume between 0.13 and 0.149 m3 (best 0.137), mass ..., 14 % of the surface is invented".
-std::string described(const UnseenPart& unseen, const UnseenRange& range);
+/// "14 % of the surface is not seen but filled in; volume between 0.13 and 0.149 m3 (best 0.137),
+/// mass ...". An unscaled block has no mass, and its volume no metres.
+/// @pre  `block.unseen` is there
+std::string described_unseen(const Block& block);
 
 }  // namespace clast

@@ -7,6 +7,7 @@
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
 #include "library/block_library.hpp"
+#include "library/unscaled.hpp"
 
 namespace clast {
 namespace {
@@ -35,6 +36,22 @@ std::vector<Block> selected_blocks(const Campaign& campaign) {
              : "; none is " + selection.filter.shape_class + " by " + selection.filter.scheme));
   }
   return blocks;
+}
+
+// A shape without a size runs only at a size that the campaign gives it.
+void check_sizes(const Campaign& campaign, const std::vector<Block>& blocks) {
+  const BlockSelection& selection = campaign.blocks;
+  const bool sized = selection.draw ? selection.draw->mass.has_value()
+                                    : selection.scale.kind == BlockScale::Kind::kMass ||
+                                          selection.scale.kind == BlockScale::Kind::kVolume;
+  if (sized) return;
+  for (const Block& block : blocks) {
+    if (!is_unscaled(block)) continue;
+    throw InputError(campaign.file.string() + ": block " + block.id + " of " +
+                     selection.library.string() + " is unscaled: " + unscaled_reason() +
+                     "; or give it a size in [blocks] with scale = { mass_kg = M } or { volume_m3 "
+                     "= V }, or with mass_kg in draw; or leave it out with select");
+  }
 }
 
 // The factor of lengths that brings a block to the asked size.
@@ -142,6 +159,7 @@ void drop_unused(BlockChoice& choice) {
 BlockChoice choose_blocks(const Campaign& campaign) {
   BlockChoice choice;
   choice.library = selected_blocks(campaign);
+  check_sizes(campaign, choice.library);
   choice.blocks = campaign.blocks.draw ? drawn_from(campaign, choice.library)
                                        : all_of(choice.library, campaign.blocks.scale);
   put_in_groups(campaign, choice);

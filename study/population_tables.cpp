@@ -20,11 +20,15 @@ void class_row(CsvText& csv, const ReportedPopulation& reported, const MeasuredB
                const std::vector<std::string>& schemes, const SchemeOptions& limits) {
   csv.cell(reported.population.name);
   csv.cell(block.name);
-  csv.cell(block.axes.L);
-  csv.cell(block.axes.I);
-  csv.cell(block.axes.S);
-  block.mass ? csv.cell(*block.mass) : csv.empty_cells(1);
-  csv.cell(block.axis_error);
+  if (block.unscaled) {
+    csv.empty_cells(5);
+  } else {
+    csv.cell(block.axes.L);
+    csv.cell(block.axes.I);
+    csv.cell(block.axes.S);
+    block.mass ? csv.cell(*block.mass) : csv.empty_cells(1);
+    csv.cell(block.axis_error);
+  }
   for (const std::string& scheme : schemes) {
     csv.cell(shape_class(scheme, block.as_written, limits));
   }
@@ -41,6 +45,7 @@ std::vector<std::string> schemes_of(const PopulationReport& report) {
 
 void size_rows(CsvText& csv, const std::string& population, const SizeDistribution& size,
                const char* weighting, const SizeCurve& curve) {
+  if (curve.blocks == 0) return;  // every block is unscaled
   const auto begin_row = [&] {
     csv.cell(population);
     csv.cell(name_of(size.measure));

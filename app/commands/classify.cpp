@@ -19,6 +19,7 @@
 #include "core/error.hpp"
 #include "core/utf8.hpp"
 #include "library/block_library.hpp"
+#include "library/unscaled.hpp"
 #include "study/population_report.hpp"
 
 namespace clast {
@@ -134,13 +135,18 @@ void add_library(Source& source, const ClassifyArgs& args, const std::string& pa
       by_box.push_back({sides[0], sides[1], sides[2]});
     }
     const Axes axes = by_box[static_cast<std::size_t>(box_convention(args.box))];
-    MeasuredBlock measured = measured_block(as_utf8(block.id), axes, block.mass.mass);
+    MeasuredBlock measured = measured_block(as_utf8(block.id), axes);
+    measured.unscaled = is_unscaled(block);
+    if (!measured.unscaled) measured.mass = block.mass.mass;
     measured.by_box = std::move(by_box);
     // The scan's extents are within twice the deviation of the block's.
-    measured.axis_error =
-        args.axis_error >= 0.0 ? args.axis_error : 2.0 * block.deviation.hausdorff;
+    measured.axis_error = args.axis_error >= 0.0 && !measured.unscaled
+                              ? args.axis_error
+                              : 2.0 * block.deviation.hausdorff;
     source.reported.population.blocks.push_back(std::move(measured));
-    source.surfaces.push_back(args.json ? surface_json(block, axes, args.roundness_edge) : Json());
+    // An edge in metres has no length on a block without any.
+    const double edge = is_unscaled(block) ? 0.0 : args.roundness_edge;
+    source.surfaces.push_back(args.json ? surface_json(block, axes, edge) : Json());
   }
 }
 

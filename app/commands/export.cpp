@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "library/block_library.hpp"
+#include "library/unscaled.hpp"
 #include "shapes/coplanar_faces.hpp"
 #include "shapes/mesh_io.hpp"
 #include "shapes/outer_skin.hpp"
@@ -92,6 +93,10 @@ void export_blocks(const ExportArgs& args) {
   if (blocks.empty()) throw InputError(args.library + ": there is no block in it to export");
   std::size_t written = 0;
   for (const Block* block : blocks) {
+    if (is_unscaled(*block)) {
+      std::cerr << "block " << block->id << " is unscaled, so what is written of it is not in "
+                << "metres: " << unscaled_reason() << "\n";
+    }
     std::vector<std::pair<std::string, TriangleMesh>> meshes;
     const bool only_shp = formats == std::vector<std::string>{"shp"};
     if (!only_shp) meshes = chosen_meshes(*block, args);

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/utf8.hpp"
 #include "library/block_library.hpp"
+#include "library/unscaled.hpp"
 
 namespace clast {
 
@@ -91,6 +92,18 @@ std::string against(const std::string& what, double field, double block, const s
          (gap >= 0.0 ? "more" : "less") + " than the block's " + rounded(block) + " " + unit + "\n";
 }
 
+/// What a tape says of the unit of an unscaled block.
+std::string scales_by_tape(const Axes& taped, const Axes& units) {
+  std::string text = "the block is unscaled; by the tape one of its units is";
+  const auto add = [&](const char* name, double tape, double block) {
+    text += " " + rounded(tape / block) + " m (" + name + ")";
+  };
+  add("L", taped.L, units.L);
+  add("I", taped.I, units.I);
+  add("S", taped.S, units.S);
+  return text + "; give one as --scale-factor to clast reconstruct to make it again in metres\n";
+}
+
 void set_field_notes(const SetArgs& args) {
   if (!args.site && !args.note && !args.taped && !args.weighed) {
     throw CLI::ValidationError("nothing to set; give --site, --note, --taped or --weighed");
@@ -106,6 +119,13 @@ void set_field_notes(const SetArgs& args) {
   library.write(args.library);
 
   std::cout << args.library << ": field notes of block " << args.id << " stored\n";
+  if (is_unscaled(block)) {
+    if (taped) std::cout << scales_by_tape(*taped, block.axes());
+    if (args.weighed) {
+      std::cout << "block " << args.id << " is unscaled and has no mass to compare with\n";
+    }
+    return;
+  }
   if (args.weighed) std::cout << against("weighed", *args.weighed, block.mass.mass, "kg");
   if (!taped) return;
   const Axes box = block.axes();

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/ordered_jobs.hpp"
+#include "app/photo_json.hpp"
 #include "app/photo_options.hpp"
 #include "app/progress.hpp"
 #include "app/scan_list.hpp"
@@ -50,13 +52,15 @@ struct ReconstructArgs {
 /// library has its block already.
 struct Outcome {
   std::vector<Block> blocks;
-  std::vector<std::string> pages;  ///< of the blocks, where they are wanted
+  std::vector<std::string> pages;                        ///< of the blocks, where they are wanted
+  std::map<std::string, nlohmann::ordered_json> photos;  ///< of blocks from photographs, by id
   std::vector<std::string> failures;
 };
 
-/// @param paged  are pages wanted?
+/// @param paged     are pages wanted?
+/// @param detailed  is what photos showed wanted?
 Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool paged,
-                   const std::function<void(const std::string&)>& stage) {
+                   bool detailed, const std::function<void(const std::string&)>& stage) {
   Outcome outcome;
   if (scan.is_shp()) {
     const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
@@ -65,9 +69,17 @@ Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool
     return outcome;
   }
   BlockWitness witness;
-  if (paged) {
-    witness = [&](const Block& block, const TriangleMesh& raw, const FieldBlock& found) {
-      outcome.pages.push_back(block_page(block, {.raw = &raw, .found = &found}, options));
+  if (paged || (detailed && std::filesystem::is_directory(scan.path))) {
+    witness = [&](const Block& block, const TriangleMesh& raw, const FieldBlock& found,
+                  const PhotoScan* photos) {
+      PagedScan shown{.raw = &raw, .found = &found};
+      if (photos != nullptr) {
+        const PhotoEvidence evidence = photo_evidence(*photos, found, options.scan.up);
+        shown.sections.push_back(photo_section(*photos, evidence, found.scan.mesh));
+        shown.scale = "by " + photos->scale_source;
+        outcome.photos[block.id] = photo_json(*photos, evidence);
+      }
+      if (paged) outcome.pages.push_back(block_page(block, shown, options));
     };
   }
   const BlockLoss lost = [&](const std::string&, const std::string& reason) {
@@ -159,16 +171,16 @@ class Batch {
   Outcome made(const ScanFile& scan) {
     try {
       if (is_done(scan)) return {};
-      Outcome outcome = outcome_of(scan, args_.options, report_.has_value(),
+      Outcome outcome = outcome_of(scan, args_.options, report_.has_value(), args_.json,
                                    [&](const std::string& what) { tell(what); });
       for (Block& block : outcome.blocks) block.source.options += " " + request_;
       return outcome;
     } catch (const Error& error) {  // one bad scan never costs the batch
-      return {{}, {}, {error.what()}};
+      return {{}, {}, {}, {error.what()}};
     } catch (const std::bad_alloc&) {
-      return {{}, {}, {"not enough memory; use fewer --jobs, or thin the scan first"}};
+      return {{}, {}, {}, {"not enough memory; use fewer --jobs, or thin the scan first"}};
     } catch (const std::exception& error) {
-      return {{}, {}, {std::string("unexpected failure, please report it: ") + error.what()}};
+      return {{}, {}, {}, {std::string("unexpected failure, please report it: ") + error.what()}};
     }
   }
 
@@ -179,6 +191,8 @@ class Batch {
     for (std::size_t i = 0; i < outcome.blocks.size(); ++i) {
       try {
         add(outcome.blocks[i]);
+        const auto photos = outcome.photos.find(outcome.blocks[i].id);
+        if (photos != outcome.photos.end()) made_.back()["photos"] = photos->second;
         if (report_) write_page(scan, outcome.blocks[i], outcome.pages[i]);
       } catch (const Error& error) {  // such as one of a split scan that is there already
         lose(scan, error.what());

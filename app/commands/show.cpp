@@ -8,6 +8,7 @@
 #include "app/text_table.hpp"
 #include "classify/equilibria.hpp"
 #include "library/block_library.hpp"
+#include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
 
 namespace clast {
@@ -24,16 +25,22 @@ std::string overview(const std::vector<const Block*>& blocks) {
   TextTable table{{"id", "vertices", "L m", "I m", "S m", "s_c", "volume m3", "density kg/m3",
                    "mass kg", "sneed_folk", "zingg", "shape", "radius m", "hausdorff m"},
                   {}};
+  std::string unscaled;
   for (const Block* block : blocks) {
     const Axes axes = block->axes();
-    table.rows.push_back({block->id, std::to_string(block->body.vertices.size()), rounded(axes.L),
-                          rounded(axes.I), rounded(axes.S), rounded(elongation_s_c(axes), 3),
-                          rounded(block->mass.volume), rounded(block->density),
-                          rounded(block->mass.mass), sneed_folk_class(axes), zingg_class(axes),
-                          garcia_class(axes), rounded(block->body.radius, 3),
-                          rounded(block->deviation.hausdorff, 2)});
+    const auto length = [&](double value, int digits = 4, const char* power = "") {
+      return rounded(value, digits) + (is_unscaled(*block) ? std::string(" u") + power : "");
+    };
+    table.rows.push_back(
+        {block->id, std::to_string(block->body.vertices.size()), length(axes.L), length(axes.I),
+         length(axes.S), rounded(elongation_s_c(axes), 3), length(block->mass.volume, 4, "3"),
+         rounded(block->density), mass_text(*block), sneed_folk_class(axes), zingg_class(axes),
+         garcia_class(axes), length(block->body.radius, 3), length(block->deviation.hausdorff, 2)});
+    if (is_unscaled(*block)) unscaled += (unscaled.empty() ? "" : ", ") + block->id;
   }
-  return table.text();
+  if (unscaled.empty()) return table.text();
+  return table.text() + "\nUnscaled (u: unit of the model, of no known length): " + unscaled +
+         "; " + unscaled_reason() + ".\n";
 }
 
 std::string vector_text(const Vec3& v) {
@@ -53,15 +60,20 @@ std::vector<std::array<std::string, 2>> unseen_lines(const Block& block) {
   const auto between = [](double low, double high, int digits) {
     return rounded(low, digits) + " to " + rounded(high, digits);
   };
-  return {{"surface filled in %", rounded(100.0 * unseen.invented_share, 2)},
-          {"volume m3", between(unseen.lower_volume, unseen.upper_volume, 4) + ", best " +
-                            rounded(unseen.best_volume)},
-          {"mass kg", between(range.lower_mass, range.upper_mass, 4)},
-          {"density kg/m3", between(range.lower_density, range.upper_density, 4)},
-          {"s_c", between(range.lower_s_c, range.upper_s_c, 3)},
-          {"classes", listed(range.classes.at("sneed-folk")) + "; " +
-                          listed(range.classes.at("zingg")) + "; " +
-                          listed(range.classes.at("garcia"))}};
+  std::vector<std::array<std::string, 2>> lines = {
+      {"surface filled in %", rounded(100.0 * unseen.invented_share, 2)},
+      {"volume " + length_unit_of(block) + "3",
+       between(unseen.lower_volume, unseen.upper_volume, 4) + ", best " +
+           rounded(unseen.best_volume)}};
+  if (!is_unscaled(block)) {
+    lines.push_back({"mass kg", between(range.lower_mass, range.upper_mass, 4)});
+    lines.push_back({"density kg/m3", between(range.lower_density, range.upper_density, 4)});
+  }
+  lines.push_back({"s_c", between(range.lower_s_c, range.upper_s_c, 3)});
+  lines.push_back({"classes", listed(range.classes.at("sneed-folk")) + "; " +
+                                  listed(range.classes.at("zingg")) + "; " +
+                                  listed(range.classes.at("garcia"))});
+  return lines;
 }
 
 /// What the overview leaves out.
@@ -74,10 +86,12 @@ std::string details(const Block& block) {
   line("source sha256", block.source.sha256);
   line("options", block.source.options);
   line("made by", "clast " + block.source.program_version);
-  line("area m2", rounded(block.area, 6));
-  line("centre m", vector_text(block.mass.centre));
-  line("principal moments kg m2", vector_text(block.principal.moments));
-  for (int row = 0; row < 3; ++row) {
+  const std::string unit = length_unit_of(block);
+  if (is_unscaled(block)) line("unscaled", unscaled_reason());
+  line("area " + unit + "2", rounded(block.area, 6));
+  line("centre " + unit, vector_text(block.mass.centre));
+  for (int row = 0; row < 3 && !is_unscaled(block); ++row) {
+    if (row == 0) line("principal moments kg m2", vector_text(block.principal.moments));
     line(row == 0 ? "inertia kg m2" : "", vector_text(block.mass.inertia.row(row).transpose()));
   }
   for (const auto& [name, value] : block_indices(block, block.axes())) {
@@ -88,9 +102,9 @@ std::string details(const Block& block) {
     line("equilibria", std::to_string(sides.stable) + " stable, " + std::to_string(sides.unstable) +
                            " unstable, " + std::to_string(sides.saddle) + " saddles");
   }
-  line("mean deviation m", rounded(block.deviation.mean, 3));
-  line("scan to body at most m", rounded(block.deviation.scan_to_body, 3));
-  line("body to scan at most m", rounded(block.deviation.body_to_scan, 3));
+  line("mean deviation " + unit, rounded(block.deviation.mean, 3));
+  line("scan to body at most " + unit, rounded(block.deviation.scan_to_body, 3));
+  line("body to scan at most " + unit, rounded(block.deviation.body_to_scan, 3));
   line("volume against scan", rounded(block.deviation.volume_relative, 2));
   line("area against scan", rounded(block.deviation.area_relative, 2));
   line("moments against scan", rounded(block.deviation.moments_relative, 2));

@@ -17,8 +17,20 @@ struct CameraSeat {
   bool blurred = false;
 };
 
+/// A stretch of azimuth without a compared photo.
+struct RingGap {
+  std::size_t first = 0, second = 0;  ///< seats at its ends
+  double from = 0.0;                  ///< azimuth of the first, rad
+  double width = 0.0;                 ///< rad
+};
+
+/// Wider ones are named: photos are best 10 to 15 degrees apart.
+inline constexpr double kWideGap = 20.0 * kPi / 180.0;
+
 struct CameraRing {
+  Vec3 middle = Vec3::Zero();     ///< of the block, in its frame
   std::vector<CameraSeat> seats;  ///< in order of the photos
+  std::vector<RingGap> gaps;      ///< wider than `kWideGap`, in order of azimuth
   double largest_gap = 0.0;       ///< of azimuth without a compared photo, rad; 2 pi with none
   double gap_middle = 0.0;        ///< azimuth in its middle, rad
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -57,17 +57,35 @@ std::string likely_dictionary(const PhotoModel& model, unsigned threads) {
   return best;
 }
 
+/// The marker where the photos that agree see it; none where too few do.
+/// @param seen  by photo
+std::optional<FoundMarker> placed(const PhotoModel& model,
+                                  const std::vector<std::vector<MarkerInPhoto>>& seen, int id,
+                                  const MarkerOptions& options) {
+  FoundMarker marker{id, {}, model.photos.size(), 0.0};
+  double squares = 0.0, count = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::vector<detail::Sighting> sightings;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      for (const MarkerInPhoto& one : seen[i]) {
+        if (one.id == id) sightings.push_back({i, one.corners[k]});
+      }
+    }
+    const auto corner = detail::triangulated(model, sightings, options.largest_error);
+    if (!corner || corner->agreeing < options.fewest_photos) return std::nullopt;
+    marker.corners[k] = corner->place;
+    marker.photos = std::min(marker.photos, corner->agreeing);
+    squares += corner->squared_error;
+    count += static_cast<double>(corner->agreeing);
+  }
+  marker.error = std::sqrt(squares / count);
+  return marker;
+}
+
 }  // namespace
 
 void MarkerOptions::check() const {
-  const std::vector<std::string>& known = detail::dictionary_names();
-  if (dictionary != "auto" && dictionary != "none" &&
-      std::find(known.begin(), known.end(), dictionary) == known.end()) {
-    std::string names;
-    for (const std::string& name : known) names += " " + name;
-    throw InputError("marker dictionary " + dictionary + " isn't known; known are auto none" +
-                     names);
-  }
+  if (dictionary != "auto" && dictionary != "none") detail::dictionary_number(dictionary);
   if (fewest_photos < 2) throw InputError("fewest_photos must be 2 at least");
   if (!(largest_error > 0.0 && largest_error < 100.0)) {
     throw InputError("largest_error = " + with_digits(largest_error, 4) + " px is out of range");
@@ -87,12 +105,18 @@ double FoundMarker::side() const {
 std::vector<std::string> marker_dictionaries() { return detail::dictionary_names(); }
 
 std::vector<FoundMarker> found_markers(const PhotoModel& model, const MarkerOptions& options) {
+  return search_markers(model, options).markers;
+}
+
+MarkerSearch search_markers(const PhotoModel& model, const MarkerOptions& options) {
   options.check();
-  if (options.dictionary == "none" || model.photos.empty()) return {};
+  MarkerSearch search;
+  if (options.dictionary == "none" || model.photos.empty()) return search;
   const detail::SingleThreaded guard;
   const std::string dictionary =
       options.dictionary == "auto" ? likely_dictionary(model, options.threads) : options.dictionary;
-  if (dictionary.empty()) return {};
+  if (dictionary.empty()) return search;
+  search.dictionary = dictionary;
   std::vector<std::vector<MarkerInPhoto>> seen(model.photos.size());
   parallel_for(model.photos.size(), options.threads, [&](std::size_t i) {
     const cv::Mat grey = detail::read_grey_photo(model.photos[i].file);
@@ -108,35 +132,18 @@ std::vector<FoundMarker> found_markers(const PhotoModel& model, const MarkerOpti
       seen[i].push_back(*fine);
     }
   });
-  std::set<int> ids;
+  std::map<int, std::size_t> photos_of;
   for (const auto& markers : seen) {
-    for (const MarkerInPhoto& marker : markers) ids.insert(marker.id);
+    for (const MarkerInPhoto& marker : markers) ++photos_of[marker.id];
   }
-  std::vector<FoundMarker> found;
-  for (const int id : ids) {
-    FoundMarker marker{id, {}, model.photos.size(), 0.0};
-    bool complete = true;
-    double squares = 0.0, count = 0.0;
-    for (std::size_t k = 0; k < 4 && complete; ++k) {
-      std::vector<detail::Sighting> sightings;
-      for (std::size_t i = 0; i < seen.size(); ++i) {
-        for (const MarkerInPhoto& one : seen[i]) {
-          if (one.id == id) sightings.push_back({i, one.corners[k]});
-        }
-      }
-      const auto corner = detail::triangulated(model, sightings, options.largest_error);
-      complete = corner && corner->agreeing >= options.fewest_photos;
-      if (!complete) break;
-      marker.corners[k] = corner->place;
-      marker.photos = std::min(marker.photos, corner->agreeing);
-      squares += corner->squared_error;
-      count += static_cast<double>(corner->agreeing);
+  for (const auto& [id, photos] : photos_of) {
+    if (std::optional<FoundMarker> marker = placed(model, seen, id, options)) {
+      search.markers.push_back(*marker);
+    } else {
+      search.missed.push_back({id, photos});
     }
-    if (!complete) continue;
-    marker.error = std::sqrt(squares / count);
-    found.push_back(marker);
   }
-  return found;
+  return search;
 }
 
 }  // namespace clast

@@ -31,6 +31,18 @@ struct FoundMarker {
   double side() const;  ///< mean of its four, in units of the model
 };
 
+/// A marker that too few photos agree on to say where it is.
+struct MissedMarker {
+  int id = 0;
+  std::size_t photos = 0;  ///< that show it with clear edges
+};
+
+struct MarkerSearch {
+  std::string dictionary;            ///< empty: nothing was looked for, or nothing found
+  std::vector<FoundMarker> markers;  ///< in order of ids
+  std::vector<MissedMarker> missed;  ///< in order of ids
+};
+
 /// Names that `MarkerOptions::dictionary` takes, "auto" and "none" apart.
 std::vector<std::string> marker_dictionaries();
 
@@ -43,6 +55,9 @@ std::vector<std::string> marker_dictionaries();
 /// squares over those.
 /// @param model  with files
 /// @cite garrido2014
+MarkerSearch search_markers(const PhotoModel& model, const MarkerOptions& options = {});
+
+/// Those of `search_markers` whose place is known.
 std::vector<FoundMarker> found_markers(const PhotoModel& model, const MarkerOptions& options = {});
 
 }  // namespace clast

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -39,6 +40,32 @@ double mean_factor(const std::vector<ScaleMeasure>& measures, std::size_t withou
   return count > 0.0 ? sum / count : 0.0;
 }
 
+/// Of the markers that the board is made of, or as it is given.
+std::optional<double> side_of_markers(const ScaleOptions& options) {
+  if (options.marker_side || !options.board) return options.marker_side;
+  return options.board->marker_side;
+}
+
+/// Bars, and all of a board.
+BoardLengths known_distances(const std::vector<FoundMarker>& markers, const ScaleOptions& options,
+                             const std::vector<BoardCorner>& corners) {
+  BoardLengths known;
+  if (options.board && options.board->charuco) {
+    known = lengths_of_charuco(*options.board->charuco, corners, options.largest_disagreement);
+  } else if (options.board) {
+    known = lengths_of_markers(*options.board, markers, options.largest_disagreement);
+  }
+  for (const ScaleBar& bar : options.bars) {
+    const FoundMarker &a = marker_of(markers, bar.first), &b = marker_of(markers, bar.second);
+    known.lengths.push_back(
+        {"markers " + std::to_string(bar.first) + " and " + std::to_string(bar.second),
+         bar.length,
+         (a.centre() - b.centre()).norm(),
+         {bar.first, bar.second}});
+  }
+  return known;
+}
+
 }  // namespace
 
 void ScaleOptions::check() const {
@@ -50,6 +77,7 @@ void ScaleOptions::check() const {
       throw InputError("scale bar: " + with_digits(bar.length, 6) + " m is no distance");
     }
   }
+  if (board) board->check();
   if (marker_side && !(*marker_side > 0.0 && *marker_side < 100.0)) {
     throw InputError("marker_side = " + with_digits(*marker_side, 6) + " m is no side of a marker");
   }
@@ -59,25 +87,31 @@ void ScaleOptions::check() const {
   }
 }
 
-PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers,
-                              const ScaleOptions& options) {
+PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const ScaleOptions& options,
+                              const std::vector<BoardCorner>& corners) {
   options.check();
   PhotoScale scale;
-  scale.from_bars = !options.bars.empty();
-  for (const ScaleBar& bar : options.bars) {
-    const FoundMarker &a = marker_of(markers, bar.first), &b = marker_of(markers, bar.second);
-    scale.measures.push_back(
-        {"markers " + std::to_string(bar.first) + " and " + std::to_string(bar.second), bar.length,
-         bar.length / (a.centre() - b.centre()).norm(), 0.0, true});
-  }
-  if (!scale.from_bars && options.marker_side) {
+  const std::optional<double> side = side_of_markers(options);
+  auto [lengths, notes, misplaced] = known_distances(markers, options, corners);
+  scale.notes = std::move(notes);
+  if (!options.board || !options.board->charuco) scale.misplaced = std::move(misplaced);
+  scale.from_bars = !lengths.empty();
+  if (!scale.from_bars && side) {
     for (const FoundMarker& marker : markers) {
-      scale.measures.push_back({"marker " + std::to_string(marker.id), *options.marker_side,
-                                *options.marker_side / marker.side(), 0.0, true});
+      lengths.push_back({"marker " + std::to_string(marker.id), *side, marker.side(), {marker.id}});
     }
   }
+  for (const KnownLength& known : lengths) {
+    scale.measures.push_back(
+        {known.name, known.metres, known.metres / known.units, 0.0, true, known.markers});
+  }
+  if (scale.measures.empty() && options.board) {
+    throw InputError("board: " + std::to_string(markers.size()) +
+                     " markers were found in three photos, and no two of the board; check its "
+                     "dictionary and ids, and that it is whole, flat and sharp in many photos");
+  }
   if (scale.measures.empty()) {
-    throw InputError(options.marker_side
+    throw InputError(side
                          ? "no marker was found in three photos; lay markers beside the block that "
                            "are sharp and whole in many photos, or give the scale another way"
                          : "no scale: neither a distance between markers nor their side is given");
@@ -120,12 +154,11 @@ PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers,
     scale.notes.push_back("the scale rests on " + scale.measures.front().name +
                           " alone, and nothing checks it");
   }
-  if (scale.from_bars && options.marker_side && !markers.empty()) {
+  if (scale.from_bars && side && !markers.empty()) {
     double sides = 0.0;
     for (const FoundMarker& marker : markers) sides += marker.side();
     scale.side_check =
-        scale.metres_per_unit * sides / static_cast<double>(markers.size()) / *options.marker_side -
-        1.0;
+        scale.metres_per_unit * sides / static_cast<double>(markers.size()) / *side - 1.0;
     if (std::abs(*scale.side_check) > most) {
       scale.notes.push_back("by the distances between markers, their sides are " +
                             percent(std::abs(*scale.side_check)) +

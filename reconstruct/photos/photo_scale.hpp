@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reconstruct/photos/photo_markers.hpp"
+#include "reconstruct/photos/scale_board.hpp"
 
 namespace clast {
 
@@ -17,6 +17,7 @@ struct ScaleBar {
 /// What is known of sizes. Distances between centres come first: they are longer than sides.
 struct ScaleOptions {
   std::vector<ScaleBar> bars = {};
+  std::optional<ScaleBoard> board = {};
   std::optional<double> marker_side = {};  ///< of the black square of every marker, m
   /// A size that is off by more than this from what the others say is left out, and told.
   double largest_disagreement = 0.005;
@@ -26,29 +27,34 @@ struct ScaleOptions {
 
 /// One size that was compared with the model.
 struct ScaleMeasure {
-  std::string name;     ///< "marker 2" or "markers 0 and 3"
+  std::string name;     ///< "marker 2" or "markers 0 and 3" or "row 2 of the board, ..."
   double length = 0.0;  ///< as given, m
   double factor = 0.0;  ///< metres per unit of the model, by this one alone
   double left_out =
       0.0;  ///< relative error of its length when the others set the scale; 0 if alone
   bool used = false;
+  std::vector<int> markers = {};  ///< ids of those that it is of or between
 };
 
 struct PhotoScale {
   double metres_per_unit = 1.0;
-  double spread = 0.0;  ///< standard deviation of the factors that were used, relative
-  bool from_bars = false;
-  std::vector<ScaleMeasure> measures;  ///< bars or sides, whichever set the scale, in order
-  /// Where bars set the scale and the side is known too: mean side of the markers by the bars,
+  double spread = 0.0;     ///< standard deviation of the factors that were used, relative
+  bool from_bars = false;  ///< from distances: bars and those of a board
+  std::vector<ScaleMeasure> measures;  ///< distances or sides, whichever set the scale, in order
+  /// Where distances set the scale and the side is known too: mean side of the markers by the bars,
   /// relative to what was given.
   std::optional<double> side_check;
+  std::vector<int> misplaced;  ///< markers of a board that are not where it has them
   std::vector<std::string> notes;
 };
 
-/// The scale: the mean of the factors that agree. Where three or more are known, those that differ
-/// from the median by too much are left out and named. Two that disagree can't be told apart.
-/// @throws InputError  neither bars nor a side are given; a bar names a marker that was not found;
+/// The scale: the mean of the factors that agree. Bars and distances on a board go before sides.
+/// Where three or more are known, those that differ from the median by too much are left out and
+/// named. Two that disagree can't be told apart.
+/// @param corners  of the ChArUco board, where `options` have one
+/// @throws InputError  no distances and no side are given; a bar names a marker that was not found;
 ///                     sizes contradict each other
-PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const ScaleOptions& options);
+PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const ScaleOptions& options,
+                              const std::vector<BoardCorner>& corners = {});
 
 }  // namespace clast

@@ -1,6 +1,8 @@
 #include "reconstruct/photos/photo_scan.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -28,6 +30,32 @@ fs::path folder_of_photos(const fs::path& folder) {
   const bool inside = photos_directly_in(folder) < kFewestPhotos &&
                       photos_directly_in(folder / "images") >= kFewestPhotos;
   return inside ? folder / "images" : folder;
+}
+
+/// Photos in the folders of those that have a camera, which have none themselves.
+std::vector<std::string> names_without_camera(const PhotoModel& model, const fs::path& photos) {
+  std::set<fs::path> placed, folders;
+  for (const Photo& photo : model.photos) {
+    placed.insert(photo.file);
+    folders.insert(photo.file.parent_path());
+  }
+  std::vector<std::string> names;
+  for (const fs::path& file : photos_in(photos)) {
+    if (folders.contains(file.parent_path()) && !placed.contains(file)) {
+      names.push_back(file.filename().string());
+    }
+  }
+  return names;
+}
+
+/// "scale by board: 6 of 6 lengths agree, to 0.0033 %".
+std::string scale_words(const PhotoScale& scale, const std::string& source) {
+  const auto used = std::count_if(scale.measures.begin(), scale.measures.end(),
+                                  [](const ScaleMeasure& one) { return one.used; });
+  std::string text = "scale by " + source + ": " + std::to_string(used) + " of " +
+                     std::to_string(scale.measures.size()) + " lengths agree";
+  if (used > 1) text += ", to " + with_digits(100.0 * scale.spread, 2) + " %";
+  return text;
 }
 
 PhotoModel cameras_of(const fs::path& folder, const fs::path& photos,
@@ -69,17 +97,28 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
   };
   PhotoScan scan;
   scan.model = cameras_of(folder, folder_of_photos(folder), options, stage);
+  scan.without_camera = names_without_camera(scan.model, folder_of_photos(folder));
   const std::size_t all = scan.model.photos.size() + scan.model.unplaced;
   scan.notes.push_back("cameras of " + std::to_string(scan.model.photos.size()) + " of " +
                        std::to_string(all) + " photos, by " + scan.model.source);
   double factor = 1.0;
-  const bool sizes_known = options.scale.marker_side || !options.scale.bars.empty();
-  if (sizes_known) {
+  const ScaleOptions& sizes = options.scale;
+  if (sizes.marker_side || sizes.board || !sizes.bars.empty()) {
     begin("finding markers");
-    scan.markers = found_markers(scan.model, options.markers);
-    scan.scale = scale_from_markers(scan.markers, options.scale);
+    const bool charuco = sizes.board && sizes.board->charuco;
+    MarkerOptions markers = options.markers;
+    if (sizes.board && !charuco) markers.dictionary = sizes.board->dictionary;
+    if (!charuco || sizes.marker_side || !sizes.bars.empty()) {
+      scan.markers = search_markers(scan.model, markers);
+    }
+    if (charuco) scan.corners = found_board_corners(scan.model, *sizes.board->charuco, markers);
+    scan.scale = scale_from_markers(scan.markers.markers, sizes, scan.corners);
     factor = scan.scale->metres_per_unit;
-    scan.scale_source = scan.scale->from_bars ? "distances of markers" : "sides of markers";
+    scan.scale_source = charuco                 ? "ChArUco board"
+                        : sizes.board           ? "board"
+                        : scan.scale->from_bars ? "distances of markers"
+                                                : "sides of markers";
+    scan.notes.push_back(scale_words(*scan.scale, scan.scale_source));
     scan.notes.insert(scan.notes.end(), scan.scale->notes.begin(), scan.scale->notes.end());
     if (scan.model.metric && std::abs(factor - 1.0) > kToldDifference) {
       scan.notes.push_back("by the markers, lengths are " + with_digits(factor, 4) +
@@ -98,14 +137,16 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
   } else {
     throw InputError(
         "no scale: the units of the cameras are arbitrary. Give the distance between "
-        "two markers with --scale-bar, their side with --marker-size, or a measured "
+        "two markers with --scale-bar, a board with --board, the side of markers with "
+        "--marker-size, or a measured "
         "length with --scale-length; --allow-unscaled goes on without: shapes are "
         "usable then, masses are not");
   }
   scan.model = scaled(std::move(scan.model), factor);
-  for (FoundMarker& marker : scan.markers) {
+  for (FoundMarker& marker : scan.markers.markers) {
     for (Vec3& corner : marker.corners) corner *= factor;
   }
+  for (BoardCorner& corner : scan.corners) corner.place *= factor;
   begin("comparing photos");
   scan.cloud = dense_cloud(scan.model, options.dense);
   scan.notes.insert(scan.notes.end(), scan.cloud.notes.begin(), scan.cloud.notes.end());

@@ -29,9 +29,11 @@ struct PhotoScanOptions {
 
 /// A photographed block as points, with what a report tells of it.
 struct PhotoScan {
-  PhotoModel model;  ///< in metres where `metric`
-  std::vector<FoundMarker> markers;
-  std::optional<PhotoScale> scale;  ///< from markers
+  PhotoModel model;                         ///< in metres where `metric`
+  MarkerSearch markers;                     ///< places in the frame of `model`
+  std::vector<BoardCorner> corners;         ///< of a ChArUco board, in the frame of `model`
+  std::optional<PhotoScale> scale;          ///< from markers or a board
+  std::vector<std::string> without_camera;  ///< names of files beside the photos, sorted
   bool metric = false;
   DenseCloud cloud;          ///< in the frame of `model`
   std::string scale_source;  ///< "markers' distances", "none", ...

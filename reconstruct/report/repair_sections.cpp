@@ -22,7 +22,8 @@ std::string share(double value) {
 
 }  // namespace
 
-std::string repair_section(const RepairReport& report, bool cloud, bool open_side) {
+std::string repair_section(const RepairReport& report, bool cloud, bool open_side,
+                           const std::string& unit) {
   std::string html = paragraph(
       (!cloud       ? "As read and welded: "
        : !open_side ? "The surface put through the points: "
@@ -37,7 +38,7 @@ std::string repair_section(const RepairReport& report, bool cloud, bool open_sid
                                         : "None beside the open side, of which more below."));
   }
   HtmlTable defects(
-      {"what", "no.", "count", "share of surface", "largest m", "at (file's x, y, z)"}, 2);
+      {"what", "no.", "count", "share of surface", "largest " + unit, "at (file's x, y, z)"}, 2);
   std::size_t number = 0;
   for (const Defect& defect : report.defects) {
     defects.row({name_of(defect.kind), std::to_string(++number), std::to_string(defect.count),
@@ -50,8 +51,8 @@ std::string repair_section(const RepairReport& report, bool cloud, bool open_sid
                       percent(*report.wrap_bias) + " of volume that added is scaled away.");
   }
   if (!report.holes.empty()) {
-    HtmlTable holes({"hole", "closed by", "border edges", "length round m", "radius m", "area m2",
-                     "share of surface", "middle (file's x, y, z)"},
+    HtmlTable holes({"hole", "closed by", "border edges", "length round " + unit, "radius " + unit,
+                     "area " + unit + "2", "share of surface", "middle (file's x, y, z)"},
                     2);
     for (std::size_t i = 0; i < std::min(kMostHoles, report.holes.size()); ++i) {
       const FilledHole& hole = report.holes[i];
@@ -85,9 +86,9 @@ std::vector<PlaceMark> repair_marks(const RepairReport& report) {
   return marks;
 }
 
-std::string underside_section(const Underside& side) {
+std::string underside_section(const Underside& side, const std::string& unit) {
   const double width = (side.upper_volume - side.lower_volume) / side.best_volume;
-  HtmlTable table({"shape", "how", "volume m3", "against best"}, 2);
+  HtmlTable table({"shape", "how", "volume " + unit + "3", "against best"}, 2);
   const auto row = [&](const char* name, const char* how, double volume) {
     const double change = volume / side.best_volume - 1.0;
     table.row({name, how, with_digits(volume, 4), (change > 0.0 ? "+" : "") + percent(change)});
@@ -96,14 +97,16 @@ std::string underside_section(const Underside& side) {
   row("best", "likeliest depth below the rim; the block is made of this", side.best_volume);
   row("upper", "walls continued down as they narrow, as deep as the ground allows",
       side.upper_volume);
-  std::string html = paragraph(
-      "The scan was open where nobody saw the block: a rim of " + std::to_string(side.rim_edges) +
-      " edges, " + with_digits(side.rim_length, 3) + " m round. " + percent(side.invented_share) +
-      " of the closed surface is invented. It was closed three ways; the true volume is "
-      "expected between the lower and the upper one, which are " +
-      percent(width) + " of the best apart.");
+  std::string html =
+      paragraph("The scan was open where nobody saw the block: a rim of " +
+                std::to_string(side.rim_edges) + " edges, " + with_digits(side.rim_length, 3) +
+                " " + unit + " round. " + percent(side.invented_share) +
+                " of the closed surface is invented. It was closed three ways; the true volume is "
+                "expected between the lower and the upper one, which are " +
+                percent(width) + " of the best apart.");
   if (side.gap > 0.0) {
-    html += paragraph("The rim stands " + with_digits(side.gap, 3) + " m above the ground.");
+    html +=
+        paragraph("The rim stands " + with_digits(side.gap, 3) + " " + unit + " above the ground.");
   }
   return section("The side nobody saw", html + table.html());
 }

@@ -12,13 +12,15 @@ namespace clast {
 /// @param cloud      the scan was points, and the report is of the surface that was put through
 /// them
 /// @param open_side  the scan had a side that nobody saw, which was filled in
-std::string repair_section(const RepairReport& report, bool cloud = false, bool open_side = false);
+/// @param unit       of lengths, as it is written
+std::string repair_section(const RepairReport& report, bool cloud = false, bool open_side = false,
+                           const std::string& unit = "m");
 
 /// The numbers of those tables where they have a place: "1", "2" ... for defects, "H1" ... for the
 /// largest holes.
 std::vector<PlaceMark> repair_marks(const RepairReport& report);
 
 /// Bounds of an underside that nobody saw.
-std::string underside_section(const Underside& side);
+std::string underside_section(const Underside& side, const std::string& unit = "m");
 
 }  // namespace clast

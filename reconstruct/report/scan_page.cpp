@@ -10,6 +10,7 @@ constexpr std::string_view kStyle = R"(
 .views{display:grid;grid-template-columns:repeat(3,minmax(0,1fr));gap:8px}
 .views>div{border:1px solid var(--line)}
 .colours{max-width:440px}
+.plan{max-width:620px}
 figure+figure{margin-top:18px}
 td img{display:block}
 td a{font-weight:600}

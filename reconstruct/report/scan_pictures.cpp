@@ -58,26 +58,28 @@ double round_length(double most) {
   return power;
 }
 
-std::string length_text(double metres) {
+/// @param metric  false: in units of a model that nobody knows the length of
+std::string length_text(double metres, bool metric) {
+  if (!metric) return with_digits(metres, 3) + (metres == 1.0 ? " unit" : " units");
   if (metres >= 1.0) return with_digits(metres, 3) + " m";
   if (metres >= 0.01) return with_digits(100.0 * metres, 3) + " cm";
   return with_digits(1000.0 * metres, 3) + " mm";
 }
 
-std::string scale_bar(const Camera& camera) {
+std::string scale_bar(const Camera& camera, bool metric) {
   const double length = round_length(kLongestBar * camera.width * camera.pixel);
   const double left = 14.0, y = camera.height - 14.0, right = left + length / camera.pixel;
   const char* const stroke = "stroke=\"#1d2733\" stroke-width=\"2\"";
   return svg_line(left, y, right, y, stroke) + svg_line(left, y - 5, left, y + 5, stroke) +
          svg_line(right, y - 5, right, y + 5, stroke) +
-         svg_text(left + 5, y - 8, length_text(length),
+         svg_text(left + 5, y - 8, length_text(length, metric),
                   "font-size=\"15\" fill=\"#1d2733\" stroke=\"#fff\" stroke-width=\"3\" "
                   "paint-order=\"stroke\"");
 }
 
 /// One view with its name, scale bar and marks.
-std::string view(const Canvas& canvas, const std::string& name,
-                 const std::vector<PlaceMark>& marks) {
+std::string view(const Canvas& canvas, const std::string& name, const std::vector<PlaceMark>& marks,
+                 bool metric) {
   const Camera& camera = canvas.camera();
   const std::string size = "width=\"" + std::to_string(camera.width) + "\" height=\"" +
                            std::to_string(camera.height) + "\"";
@@ -94,7 +96,7 @@ std::string view(const Canvas& canvas, const std::string& name,
                     "font-size=\"12\" font-weight=\"600\" text-anchor=\"middle\" "
                     "fill=\"#0072B2\"");
   }
-  return svg + scale_bar(camera) +
+  return svg + scale_bar(camera, metric) +
          svg_text(14, 22, name,
                   "font-size=\"15\" fill=\"#5b6775\" stroke=\"#fff\" stroke-width=\"3\" "
                   "paint-order=\"stroke\"") +
@@ -103,12 +105,12 @@ std::string view(const Canvas& canvas, const std::string& name,
 
 template <class Draw>
 std::string three_views(const Cameras& cameras, const Draw& draw, const std::string& caption,
-                        const std::vector<PlaceMark>& marks = {}) {
+                        bool metric, const std::vector<PlaceMark>& marks = {}) {
   std::string html = "<figure><div class=\"views\">";
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     Canvas canvas(cameras[i]);
     draw(canvas);
-    html += "<div>" + view(canvas, sides()[i].name, marks) + "</div>";
+    html += "<div>" + view(canvas, sides()[i].name, marks, metric) + "</div>";
   }
   return html + "</div><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
@@ -203,7 +205,7 @@ Rgb deviation_colour(double share) {
   return colour;
 }
 
-std::string colour_bar(double reach) {
+std::string colour_bar(double reach, bool metric) {
   constexpr int kPieces = 64;
   constexpr double kLeft = 40.0, kLength = 360.0, kThick = 14.0;
   std::string svg = svg_open(440, 44, "colours of distances");
@@ -216,7 +218,7 @@ std::string colour_bar(double reach) {
   }
   for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
     const double x = kLeft + 0.5 * (share + 1.0) * kLength;
-    std::string text = share == 0.0 ? "0" : length_text(std::abs(share) * reach);
+    std::string text = share == 0.0 ? "0" : length_text(std::abs(share) * reach, metric);
     if (share < 0.0) text = "\xE2\x88\x92" + text;
     svg +=
         svg_line(x, 2 + kThick, x, 6 + kThick, "stroke=\"#5b6775\"") +
@@ -228,7 +230,8 @@ std::string colour_bar(double reach) {
 }  // namespace
 
 std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options,
-                             const FieldBlock& block, const std::vector<PlaceMark>& marks) {
+                             const FieldBlock& block, const std::vector<PlaceMark>& marks,
+                             bool metric) {
   const auto to_block = [&](Vec3 p) -> Vec3 {
     p *= options.unit;
     if (options.up == "y") p = Vec3(p.x(), -p.z(), p.y());
@@ -256,9 +259,11 @@ std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options
   const std::vector<Vec3> framed = without_strays(read.vertices);
   const Cameras wide = cameras_on(framed), near = cameras_on(block.scan.mesh.vertices);
   std::string html;
-  html += three_views(wide, draw_read, "The scan as it was read. " + colours + numbers, placed);
+  html +=
+      three_views(wide, draw_read, "The scan as it was read. " + colours + numbers, metric, placed);
   if (wide[0].pixel > kMuchLarger * near[0].pixel) {
-    html += three_views(near, draw_read, "The same around the block. " + colours + numbers, placed);
+    html += three_views(near, draw_read, "The same around the block. " + colours + numbers, metric,
+                        placed);
   }
   Invented invented(read, block);
   html += three_views(
@@ -270,11 +275,13 @@ std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options
       },
       "The scan closed and mended. Orange: surface that no scan saw, filled in or moved by more "
       "than " +
-          length_text(kNew * bounds(block.scan.mesh).diagonal()) + ".");
+          length_text(kNew * bounds(block.scan.mesh).diagonal(), metric) + ".",
+      metric);
   return section("Before and after", html);
 }
 
-std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach) {
+std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
+                          bool metric) {
   const detail::TriangleTree tree(scan);
   std::uint32_t hint = 0;
   return three_views(
@@ -290,8 +297,20 @@ std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, do
                    0.7);
              },
              "The block, coloured by how far its surface lies outside (red) or inside (blue) the "
-             "closed scan.") +
-         colour_bar(reach);
+             "closed scan.",
+             metric) +
+         colour_bar(reach, metric);
+}
+
+std::string painted_views(const TriangleMesh& mesh, const std::function<Rgb(std::uint32_t)>& colour,
+                          const std::string& caption, bool metric) {
+  return three_views(
+      cameras_on(mesh.vertices),
+      [&](Canvas& canvas) {
+        canvas.draw(
+            mesh, [&](std::uint32_t t, const Vec3&, bool) { return colour(t); }, 0.7);
+      },
+      caption, metric);
 }
 
 std::string thumbnail(const TriangleMesh& mesh, const std::string& name) {

@@ -157,7 +157,8 @@ std::string block_key(std::size_t number, std::size_t block) {
 std::string block_title(const MeasuredBlock& block, const PopulationOptions& options) {
   const Axes& axes = block.axes;
   std::string title = block.name + "\nL " + significant(axes.L, 3) + ", I " +
-                      significant(axes.I, 3) + ", S " + significant(axes.S, 3) + " m";
+                      significant(axes.I, 3) + ", S " + significant(axes.S, 3) +
+                      (block.unscaled ? " u (model units)" : " m");
   if (block.mass) title += ", " + significant(*block.mass, 4) + " kg";
   title += "\ns_c " + fixed(elongation_s_c(block.as_written), 2);
   for (const std::string& scheme : options.schemes.empty() ? scheme_names() : options.schemes) {

@@ -1,5 +1,6 @@
 #include "study/report/population_page.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "classify/box_effect.hpp"
@@ -249,7 +250,7 @@ std::string blocks_section(const PopulationReport& report) {
           class_certainty(first, block.axes, block.axis_error, report.options.limits);
       cells.push_back(certainty.near_limit ? described(certainty) : "clear of limits");
       for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
-        cells.push_back(significant(axis, 3));
+        cells.push_back(significant(axis, 3) + (block.unscaled ? " u" : ""));
       }
       cells.push_back(block.mass ? significant(*block.mass, 4) : "-");
       cells.push_back(fixed(elongation_s_c(block.as_written), 2));
@@ -284,9 +285,12 @@ Diagrams population_diagrams(const PopulationReport& report) {
         sneed_folk_diagram(reported.population, i, report.options);
     diagrams["zingg" + population_suffix(report, i)] =
         zingg_diagram(reported.population, i, report.options);
-    diagrams["size" + population_suffix(report, i)] = size_chart(reported, i);
+    if (has_sizes(reported)) {
+      diagrams["size" + population_suffix(report, i)] = size_chart(reported, i);
+    }
   }
-  if (report.populations.size() > 1) diagrams["sizes"] = sizes_chart(report);
+  const bool sized = std::any_of(report.populations.begin(), report.populations.end(), has_sizes);
+  if (sized && report.populations.size() > 1) diagrams["sizes"] = sizes_chart(report);
   diagrams["s_c"] = s_c_chart(report);
   for (std::size_t i = 0; i < report.populations.front().summary.schemes.size(); ++i) {
     diagrams[shares_name(report, i)] = shares_chart(report, i);

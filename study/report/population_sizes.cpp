@@ -20,7 +20,7 @@ Series size_series(const ReportedPopulation& reported, std::size_t number, bool 
   const bool named = reported.population.blocks.size() <= kMostNamedMarks;
   for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
     const MeasuredBlock& block = reported.population.blocks[i];
-    if (by_mass && !block.mass) continue;
+    if (block.unscaled || (by_mass && !block.mass)) continue;
     series.values.push_back(block_size(block.axes, reported.summary.size.measure));
     if (by_mass) series.weights.push_back(*block.mass);
     if (!named) continue;
@@ -67,6 +67,10 @@ std::string population_suffix(const PopulationReport& report, std::size_t number
   return report.populations.size() > 1 ? "_" + std::to_string(number + 1) : "";
 }
 
+bool has_sizes(const ReportedPopulation& reported) {
+  return reported.summary.size.by_number.blocks > 0;
+}
+
 std::string sizes_chart(const PopulationReport& report) {
   std::vector<Series> all;
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
@@ -95,9 +99,10 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
 
 std::string size_section(const PopulationReport& report, const Diagrams& diagrams) {
   std::string html;
-  if (report.populations.size() > 1) {
+  if (diagrams.contains("sizes")) {
     std::string medians;
     for (const ReportedPopulation& reported : report.populations) {
+      if (!has_sizes(reported)) continue;
       medians += paragraph("Half of the blocks of " + reported.population.name + " are below " +
                            significant(reported.summary.size.by_number.d50, 3) + " m.");
     }
@@ -107,6 +112,11 @@ std::string size_section(const PopulationReport& report, const Diagrams& diagram
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     const SizeDistribution& size = reported.summary.size;
+    if (!has_sizes(reported)) {
+      html +=
+          paragraph(reported.population.name + ": every block is unscaled; there are no sizes.");
+      continue;
+    }
     HtmlTable percentiles(
         {shortened(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
         1);

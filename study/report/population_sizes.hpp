@@ -13,6 +13,9 @@ inline constexpr std::size_t kMostHead = 14;
 /// where there is one only.
 std::string population_suffix(const PopulationReport& report, std::size_t number);
 
+/// Not where every block is unscaled.
+bool has_sizes(const ReportedPopulation& reported);
+
 /// The curves of all populations over each other, by number.
 std::string sizes_chart(const PopulationReport& report);
 /// The curves of one, by number and by mass, and the laws fitted to the first.

@@ -72,6 +72,40 @@ TEST(PhotoCommand, CamerasThatLookAtNothingAreTold) {
   EXPECT_TRUE(contains(run.err, "look along parallel lines"));
 }
 
+TEST(PhotoCommand, ABoardIsReadAndLookedFor) {
+  const ScratchFolder folder;
+  write_photos(folder / "B01", true);
+  const auto said = [&](const std::string& board, int code,
+                        const std::vector<std::string>& more = {}) {
+    write_text_file(folder / "board.toml", board);
+    std::vector<std::string> arguments = {"reconstruct", "B01", "--board", "board.toml"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun run = run_clast(arguments, folder.path());
+    EXPECT_EQ(run.exit_code, code) << run.err;
+    return run.err;
+  };
+  const std::string head = "dictionary = \"4x4_50\"\n";
+  const std::string markers =
+      "[[marker]]\nid = 0\ncentre_m = [0, 0]\n[[marker]]\nid = 1\ncentre_m = [0.6, 0, 0.1]\n";
+  const std::string charuco =
+      "[charuco]\ncolumns = 7\nrows = 5\nsquare_m = 0.04\nmarker_m = 0.03\n";
+  EXPECT_TRUE(contains(said(head + markers, 1), "no two of the board"));
+  EXPECT_TRUE(contains(said(head + charuco, 1), "0 of its corners were found"));
+  EXPECT_TRUE(contains(said(head + markers, 2, {"--markers", "5x5_100"}),
+                       "5x5_100 contradicts board.toml, whose markers are 4x4_50"));
+
+  EXPECT_TRUE(contains(said(head, 1), "board.toml: board: 0 markers"));
+  EXPECT_TRUE(contains(said(markers, 1), "dictionary"));
+  EXPECT_TRUE(contains(said(head + markers + charuco, 1), "give one of them"));
+  EXPECT_TRUE(contains(said(head + "side_m = 0.1\n" + markers, 1), "board.toml:2"));
+  EXPECT_TRUE(contains(said(head + "[[marker]]\nid = 0\ncentre_m = [0]\n", 1), "board.toml:4"));
+  EXPECT_TRUE(contains(said(head + "[marker]\nid = 0\n", 1), "[[marker]]"));
+  EXPECT_TRUE(contains(said(head + "[charuco]\ncolumns = 7\n", 1), "rows"));
+  EXPECT_TRUE(contains(said("dictionary = \"5x7\"\n" + markers, 1), "\"5x7\" isn't known"));
+  EXPECT_TRUE(contains(run_clast({"reconstruct", "B01", "--board", "none.toml"}, folder.path()).err,
+                       "none.toml"));
+}
+
 TEST(PhotoCommand, WhatIsNoScaleBarIsAMisuse) {
   const ScratchFolder folder;
   write_photos(folder / "B01", true);

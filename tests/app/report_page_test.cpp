@@ -1,8 +1,5 @@
-// The report of a small campaign in a real browser: headless Chromium without a graphics card.
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
-#include "tests/app/command_support.hpp"
+// The report of a small campaign in a real browser.
+#include "tests/app/browser.hpp"
 
 namespace clast {
 namespace {
@@ -60,23 +57,7 @@ function tell(){
 
 class ReportPage : public testing::Test {
  protected:
-  void SetUp() override {
-    browser = {"chromium",
-               "--headless",
-               "--no-sandbox",
-               "--use-gl=angle",
-               "--use-angle=swiftshader",
-               "--enable-unsafe-swiftshader",
-               "--disable-quic",
-               "--no-first-run",
-               "--disable-background-networking",
-               "--disable-component-update",
-               "--disable-sync",
-               "--enable-logging=stderr",
-               "--user-data-dir=" + (folder / "profile").string()};
-    ASSERT_EQ(RunningProgram({"chromium", "--version"}, ".").wait().exit_code, 0)
-        << "the browser that draws the report is missing: install chromium";
-  }
+  void SetUp() override { expect_browser(); }
   void make_report() {
     for (const std::string block : {"B01_compact", "B04_elongated"}) {
       const std::string scan = (kSamples / "blocks" / (block + ".ply")).string();
@@ -100,26 +81,8 @@ class ReportPage : public testing::Test {
     ASSERT_EQ(run.exit_code, 0) << run.err;
     ASSERT_EQ(run_clast({"compare", "results.h5", "-o", "report"}, folder.path()).exit_code, 0);
   }
-  /// The page's probe, after checking that nothing was said to the console.
-  Json used() {
-    std::string page = read_text_file(folder / "report" / "report.html");
-    page.replace(page.rfind("</body>"), 7, kProbe);
-    write_text_file(folder / "page.html", page);
-    browser.push_back("--virtual-time-budget=20000");  // charts are drawn later than the page
-    browser.push_back("--host-resolver-rules=MAP * ~NOTFOUND");
-    browser.push_back("--dump-dom");
-    browser.push_back("file://" + (folder / "page.html").string());
-    const ProgramRun run = RunningProgram(browser, ".").wait();
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_EQ(run.err.find("CONSOLE"), std::string::npos) << run.err;
-    const std::string open = "<pre id=\"probe\">";
-    const std::size_t at = run.out.find(open);
-    if (at == std::string::npos) return Json();
-    const std::size_t begin = at + open.size();
-    return Json::parse(run.out.substr(begin, run.out.find("</pre>", begin) - begin));
-  }
+  Json used() { return probed(folder / "report" / "report.html", kProbe, folder); }
   ScratchFolder folder;
-  std::vector<std::string> browser;
 };
 
 TEST_F(ReportPage, DrawsItsChartsAndMovesItsBlocks) {

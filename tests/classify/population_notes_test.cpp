@@ -28,6 +28,17 @@ TEST(PopulationNotes, NamesThatStandTwiceAreCounted) {
   EXPECT_TRUE(contains(population_notes(many).at(0), "N4 2 times and 3 more"));
 }
 
+TEST(PopulationNotes, UnscaledBlocksAreNamed) {
+  std::vector<MeasuredBlock> blocks;
+  for (int i = 0; i < 8; ++i) {
+    blocks.push_back(block("B" + std::to_string(i), 0.0));
+    blocks.back().unscaled = i > 0;
+  }
+  const auto notes = population_notes(blocks);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(contains(notes[0], "no sizes and masses: B1, B2, B3, B4, B5 and 2 more;"));
+}
+
 // Pebbles of 20 mm with the error of a tape.
 TEST(PopulationNotes, AnErrorAsLargeAsTheAxesIsSaid) {
   const auto notes =

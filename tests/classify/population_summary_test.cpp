@@ -53,6 +53,29 @@ TEST(Summarised, SizeAndShapeGoTogetherOnlyWhereTheyDo) {
   EXPECT_LT(std::abs(unrelated[0].test->statistic), 0.4);
 }
 
+TEST(Summarised, UnscaledBlocksHaveClassesAndNoSizes) {
+  Population population = deposit("talus", 1, 40, 0.3);
+  const PopulationSummary metric = summarised(population);
+  MeasuredBlock model = measured_block("model", {70.0, 50.0, 40.0});
+  model.unscaled = true;
+  population.blocks.insert(population.blocks.begin() + 20, model);
+  const PopulationSummary summary = summarised(population);
+  EXPECT_EQ(summary.blocks, 41u);
+  std::size_t counted = 0;
+  for (const ClassShare& share : summary.schemes.front().shares) counted += share.count;
+  EXPECT_EQ(counted, 41u);
+  EXPECT_EQ(summary.size.by_number.blocks, 40u);
+  EXPECT_EQ(summary.size.by_number.d90, metric.size.by_number.d90);
+  EXPECT_EQ(summary.size.by_mass->d50, metric.size.by_mass->d50);
+  EXPECT_EQ(summary.size.total_mass, metric.size.total_mass);
+  EXPECT_EQ(summary.size_and_shape[0].test->statistic, metric.size_and_shape[0].test->statistic);
+
+  const PopulationSummary alone = summarised({"models", {model, model}});
+  EXPECT_EQ(alone.size.by_number.blocks, 0u);
+  EXPECT_FALSE(alone.size.by_mass.has_value());
+  EXPECT_EQ(alone.c40, 0.0);
+}
+
 TEST(Summarised, OneBlockAndOneSizeSayWhatCanBeSaid) {
   Population cubes{"cubes", {}};
   for (int i = 0; i < 4; ++i) cubes.blocks.push_back(measured_block("c", {1, 1, 1}));

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
 #include "core/text_file.hpp"
+#include "library/unscaled.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -72,6 +73,17 @@ TEST(BlockLibrary, EveryMemberOfABlockComesBack) {
   EXPECT_EQ(is.field.taped->L, was.field.taped->L);
   EXPECT_EQ(is.field.taped->S, was.field.taped->S);
   EXPECT_EQ(is.field.weighed_mass, was.field.weighed_mass);
+}
+
+TEST(BlockLibrary, AnUnscaledBlockStaysUnscaled) {
+  const ScratchFolder folder;
+  EXPECT_FALSE(is_unscaled(BlockLibrary::read(written(folder)).block("SP1A")));
+  BlockLibrary library;
+  Block block = filled_block("SP1A");
+  block.source.unscaled = true;
+  library.add(block);
+  library.write(folder / "blocks.h5");
+  EXPECT_TRUE(is_unscaled(BlockLibrary::read(folder / "blocks.h5").block("SP1A")));
 }
 
 TEST(BlockLibrary, WhatWasNotMeasuredInTheFieldStaysUnknown) {

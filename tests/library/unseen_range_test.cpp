@@ -65,16 +65,21 @@ TEST(UnseenRange, ElongationCoversTheBlockAndBothBoxes) {
 
 TEST(UnseenRange, IsToldInWords) {
   const Block block = half_seen();
-  EXPECT_EQ(described(*block.unseen, unseen_range(block)),
+  EXPECT_EQ(described_unseen(block),
             "the scan was open: 17 % of the surface is not seen but filled in; volume between 0.9 "
             "and 1.2 m3 (best 1), mass between 2250 and 3000 kg");
+  Block unscaled = block;
+  unscaled.source.unscaled = true;
+  EXPECT_EQ(described_unseen(unscaled),
+            "the scan was open: 17 % of the surface is not seen but filled in; volume between 0.9 "
+            "and 1.2 cubic model units (best 1)");
 }
 
 TEST(UnseenRange, ThatMattersToNobodyIsToldAsSuch) {
   Block block = half_seen();
   block.unseen->invented_share = 5e-4;
   block.unseen->lower_volume = block.unseen->upper_volume = block.unseen->best_volume;
-  EXPECT_EQ(described(*block.unseen, unseen_range(block)),
+  EXPECT_EQ(described_unseen(block),
             "the scan was open, but hardly: 0.05 % of the surface is not seen but filled in, which "
             "leaves volume and mass open by less than 0.1 %");
 }

@@ -45,13 +45,6 @@ const std::vector<KnownDictionary>& dictionaries() {
   return kKnown;
 }
 
-int number_of(const std::string& name) {
-  for (const KnownDictionary& known : dictionaries()) {
-    if (known.name == name) return known.number;
-  }
-  throw InputError("marker dictionary " + name + " isn't known");
-}
-
 /// Grey value between pixels.
 double grey_at(const cv::Mat& grey, const Vec2& p) {
   const int x = static_cast<int>(std::floor(p.x())), y = static_cast<int>(std::floor(p.y()));
@@ -157,17 +150,35 @@ const std::vector<std::string>& dictionary_names() {
   return kNames;
 }
 
+int dictionary_number(const std::string& name) {
+  std::string names;
+  for (const KnownDictionary& known : dictionaries()) {
+    if (known.name == name) return known.number;
+    names += " " + known.name;
+  }
+  throw InputError("marker dictionary \"" + name + "\" isn't known; known are" + names);
+}
+
+int dictionary_size(const std::string& name) {
+  const auto dictionary = cv::aruco::getPredefinedDictionary(dictionary_number(name));
+#if CV_VERSION_MAJOR * 100 + CV_VERSION_MINOR >= 407
+  return dictionary.bytesList.rows;
+#else
+  return dictionary->bytesList.rows;
+#endif
+}
+
 std::vector<MarkerInPhoto> markers_in(const cv::Mat& grey, const std::string& dictionary) {
   std::vector<std::vector<cv::Point2f>> quads;
   std::vector<int> ids;
 #if CV_VERSION_MAJOR * 100 + CV_VERSION_MINOR >= 407
   const cv::aruco::ArucoDetector detector(
-      cv::aruco::getPredefinedDictionary(number_of(dictionary)));
+      cv::aruco::getPredefinedDictionary(dictionary_number(dictionary)));
   detector.detectMarkers(grey, quads, ids);
 #else
   const auto parameters = cv::aruco::DetectorParameters::create();
-  cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(number_of(dictionary)), quads,
-                           ids, parameters);
+  cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(dictionary_number(dictionary)),
+                           quads, ids, parameters);
 #endif
   std::map<int, int> times;
   for (const int id : ids) ++times[id];

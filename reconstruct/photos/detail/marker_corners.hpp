@@ -19,6 +19,11 @@ struct MarkerInPhoto {
 /// Names of OpenCV's dictionaries that are tried, the most usual first.
 const std::vector<std::string>& dictionary_names();
 
+/// OpenCV's number of a dictionary, and how many markers it has.
+/// @throws InputError  no such name
+int dictionary_number(const std::string& name);
+int dictionary_size(const std::string& name);
+
 /// Markers of a dictionary; corners as OpenCV finds them, to about a pixel. A marker that is found
 /// twice is left out.
 std::vector<MarkerInPhoto> markers_in(const cv::Mat& grey, const std::string& dictionary);

@@ -34,6 +34,13 @@ TEST(CameraRing, SeatsAndTheLargestGapAreThoseTheCamerasWerePutAt) {
   EXPECT_TRUE(ring.seats[3].blurred);
   EXPECT_NEAR(ring.largest_gap, 120.0 * kDegree, 1e-12);
   EXPECT_NEAR(std::abs(ring.gap_middle), kPi, 1e-12);
+  // Every 30 degrees is wide; the widest goes from the fifth seat to the sixth, past 180 degrees.
+  ASSERT_EQ(ring.gaps.size(), 9u);
+  const RingGap& widest = ring.gaps.back();
+  EXPECT_EQ(widest.first, 4u);
+  EXPECT_EQ(widest.second, 5u);
+  EXPECT_NEAR(widest.from, 120.0 * kDegree, 1e-12);
+  EXPECT_NEAR(widest.width, 120.0 * kDegree, 1e-12);
 }
 
 }  // namespace

@@ -5,54 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <fstream>
-#include <functional>
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/number_text.hpp"
-#include "core/random.hpp"
 #include "core/text_file.hpp"
+#include "tests/reconstruct/photos/two_views.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 namespace {
-
-constexpr double kBar = 1e-6;  // px; the bar of the project is 0.1
-
-/// Two cameras that look at the origin, as rotations and centres.
-struct TwoViews {
-  Mat3 rotation[2];  ///< camera from world
-  Vec3 centre[2];
-
-  TwoViews() {
-    for (int i = 0; i < 2; ++i) {
-      centre[i] = i == 0 ? Vec3(2.1, 0.4, 0.9) : Vec3(1.4, 1.7, 1.1);
-      const Vec3 forward = -centre[i].normalized();
-      const Vec3 right = forward.cross(Vec3::UnitZ()).normalized();
-      rotation[i] << right.transpose(), forward.cross(right).transpose(), forward.transpose();
-    }
-  }
-  Vec3 in_camera(int i, const Vec3& p) const { return rotation[i] * (p - centre[i]); }
-};
-
-std::string text(double value) { return with_digits(value, 17); }
-
-/// Expects pixels, given with the first pixel's centre at (half, half), of both photos.
-void expect_pixels(const PhotoModel& model, double half,
-                   const std::function<Vec2(int, const Vec3&)>& expected) {
-  ASSERT_EQ(model.photos.size(), 2u);
-  Random random(21);
-  for (int n = 0; n < 50; ++n) {
-    const Vec3 p(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3));
-    for (int i = 0; i < 2; ++i) {
-      const std::optional<Vec2> seen = seen_at(model, static_cast<std::size_t>(i), p);
-      ASSERT_TRUE(seen.has_value());
-      EXPECT_NEAR((*seen + Vec2(half, half) - expected(i, p)).norm(), 0.0, kBar);
-    }
-  }
-}
 
 void write(const std::filesystem::path& path, const std::string& content) {
   write_text_file(path, content);
@@ -99,96 +61,6 @@ TEST(ModelFiles, ColmapTextIsReadWithItsHalfPixelAndDistortion) {
     const double v = y * g + 0.001 * (r2 + 2.0 * y * y) - 2.0 * 0.002 * x * y;
     return Vec2(1500.0 * u + 803.0, 1490.0 * v + 597.0);
   });
-}
-
-template <class T>
-void put(std::string& bytes, T value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
-
-struct ColmapBinary {
-  std::string cameras, images, points;
-
-  explicit ColmapBinary(const TwoViews& views) {
-    put<std::uint64_t>(cameras, 1);
-    put<std::uint32_t>(cameras, 3);
-    put<std::int32_t>(cameras, 2);  // SIMPLE_RADIAL
-    put<std::uint64_t>(cameras, 1600);
-    put<std::uint64_t>(cameras, 1200);
-    for (const double value : {1500.0, 800.0, 600.0, -0.04}) put(cameras, value);
-    put<std::uint64_t>(images, 2);
-    for (int i = 0; i < 2; ++i) {
-      const Quat q(views.rotation[i]);
-      const Vec3 t = -(views.rotation[i] * views.centre[i]);
-      put<std::uint32_t>(images, static_cast<std::uint32_t>(7 - i));
-      for (const double value : {q.w(), q.x(), q.y(), q.z(), t.x(), t.y(), t.z()}) {
-        put(images, value);
-      }
-      put<std::uint32_t>(images, 3);
-      images += (i == 0 ? std::string("a.jpg") : std::string("b.jpg")) + '\0';
-      put<std::uint64_t>(images, 1);
-      put(images, 10.0);
-      put(images, 20.0);
-      put<std::int64_t>(images, 4);
-    }
-    put<std::uint64_t>(points, 1);
-    put<std::uint64_t>(points, 4);
-    for (const double value : {0.1, 0.2, 0.3}) put(points, value);
-    points += "rgb";
-    put(points, 0.5);
-    put<std::uint64_t>(points, 2);
-    for (const std::uint32_t photo : {7u, 6u}) {
-      put(points, photo);
-      put<std::uint32_t>(points, 0);
-    }
-  }
-  void write_to(const ScratchFolder& folder) const {
-    write(folder / "cameras.bin", cameras);
-    write(folder / "images.bin", images);
-    write(folder / "points3D.bin", points);
-  }
-};
-
-TEST(ModelFiles, ColmapBinaryIsRead) {
-  const TwoViews views;
-  const ScratchFolder folder;
-  ColmapBinary(views).write_to(folder);
-  const PhotoModel model = read_photo_model(folder.path());
-  ASSERT_EQ(model.points.size(), 1u);
-  EXPECT_EQ(model.points[0].photos, (std::vector<std::uint32_t>{0, 1}));
-  expect_pixels(model, 0.5, [&](int i, const Vec3& p) {
-    const Vec3 c = views.in_camera(i, p);
-    const double x = c.x() / c.z(), y = c.y() / c.z(), g = 1.0 - 0.04 * (x * x + y * y);
-    return Vec2(1500.0 * g * x + 800.0, 1500.0 * g * y + 600.0);
-  });
-}
-
-TEST(ModelFiles, ColmapBinaryCutShortAnywhereIsRefused) {
-  const ColmapBinary whole{TwoViews()};
-  for (int file = 0; file < 3; ++file) {
-    const std::size_t size =
-        std::array{whole.cameras, whole.images, whole.points}[static_cast<std::size_t>(file)]
-            .size();
-    const ScratchFolder folder;
-    for (std::size_t keep = 0; keep < size; keep += 5) {
-      ColmapBinary cut = whole;
-      (file == 0 ? cut.cameras : file == 1 ? cut.images : cut.points).resize(keep);
-      cut.write_to(folder);
-      EXPECT_TRUE(contains(refusal([&] { read_photo_model(folder.path()); }), ".bin"))
-          << file << " " << keep;
-    }
-  }
-}
-
-TEST(ModelFiles, ColmapBinaryWithAnEnormousCountIsRefused) {
-  ColmapBinary model{TwoViews()};
-  const std::uint64_t many = ~std::uint64_t{0} / 2;
-  std::memcpy(model.points.data(), &many, sizeof many);
-  const ScratchFolder folder;
-  model.write_to(folder);
-  EXPECT_TRUE(contains(refusal([&] { read_photo_model(folder.path()); }), "damaged"));
 }
 
 /// Cameras as Metashape exports them, in a chunk turned and scaled against the world.

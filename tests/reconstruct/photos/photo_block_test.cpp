@@ -23,7 +23,7 @@ TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
   options.scale.marker_side = 0.2;
   const PhotoScan scan = photo_scan(rock("images"), options);
   EXPECT_TRUE(scan.metric);
-  ASSERT_EQ(scan.markers.size(), 4u);
+  ASSERT_EQ(scan.markers.markers.size(), 4u);
   FieldScanOptions reading;
   reading.surface.cell = 0.003;
   const FieldBlock block = field_blocks(scan.cloud.points, "rock", reading).front();

@@ -7,25 +7,15 @@
 
 #include "core/random.hpp"
 #include "reconstruct/photos/detail/triangulation.hpp"
+#include "tests/support/made_up_markers.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {
 namespace {
 
-/// A square of the side 0.4 units about a place.
-FoundMarker marker(int id, const Vec3& centre, double side = 0.4) {
-  FoundMarker result{id, {}, 12, 0.1};
-  const std::array<Vec2, 4> at = {Vec2(-0.5, 0.5), Vec2(0.5, 0.5), Vec2(0.5, -0.5),
-                                  Vec2(-0.5, -0.5)};
-  for (std::size_t k = 0; k < 4; ++k) {
-    result.corners[k] = centre + side * Vec3(at[k].x(), at[k].y(), 0.0);
-  }
-  return result;
-}
-
 std::vector<FoundMarker> four() {
-  return {marker(0, {1.0, 0.0, 0.0}), marker(1, {0.0, 2.0, 0.0}), marker(4, {-2.0, 0.0, 0.1}),
-          marker(7, {0.0, -1.0, 0.0})};
+  return {made_up_marker(0, {1.0, 0.0, 0.0}), made_up_marker(1, {0.0, 2.0, 0.0}),
+          made_up_marker(4, {-2.0, 0.0, 0.1}), made_up_marker(7, {0.0, -1.0, 0.0})};
 }
 
 TEST(PhotoScale, AKnownDistanceSetsIt) {
@@ -39,7 +29,7 @@ TEST(PhotoScale, AKnownDistanceSetsIt) {
 
 TEST(PhotoScale, TheSideSetsItAndEachMarkerIsCheckedByTheOthers) {
   std::vector<FoundMarker> markers = four();
-  markers[1] = marker(1, {0.0, 2.0, 0.0}, 0.4012);
+  markers[1] = made_up_marker(1, {0.0, 2.0, 0.0}, 0.4012);
   const PhotoScale scale = scale_from_markers(markers, {.marker_side = 0.2});
   const double other = 0.2 / 0.4012;
   EXPECT_NEAR(scale.metres_per_unit, (3.0 * 0.5 + other) / 4.0, 1e-12);
@@ -54,7 +44,7 @@ TEST(PhotoScale, TheSideSetsItAndEachMarkerIsCheckedByTheOthers) {
 
 TEST(PhotoScale, AMarkerOfAnotherSizeIsNamedAndLeftOut) {
   std::vector<FoundMarker> markers = four();
-  markers[2] = marker(4, {-2.0, 0.0, 0.1}, 0.4 * 1.018);
+  markers[2] = made_up_marker(4, {-2.0, 0.0, 0.1}, 0.4 * 1.018);
   const PhotoScale scale = scale_from_markers(markers, {.marker_side = 0.2});
   EXPECT_NEAR(scale.metres_per_unit, 0.5, 1e-12);
   EXPECT_FALSE(scale.measures[2].used);
@@ -80,8 +70,8 @@ TEST(PhotoScale, SidesCheckBars) {
 }
 
 TEST(PhotoScale, SizesThatContradictAreRefused) {
-  const std::vector<FoundMarker> two = {marker(0, {1.0, 0.0, 0.0}),
-                                        marker(1, {0.0, 2.0, 0.0}, 0.45)};
+  const std::vector<FoundMarker> two = {made_up_marker(0, {1.0, 0.0, 0.0}),
+                                        made_up_marker(1, {0.0, 2.0, 0.0}, 0.45)};
   EXPECT_TRUE(contains(refusal([&] { scale_from_markers(two, {.marker_side = 0.2}); }),
                        "marker 0: 0.5 m per unit, marker 1: 0.444444 m per unit"));
 }

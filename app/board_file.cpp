@@ -1,0 +1,74 @@
+#include "app/board_file.hpp"
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "study/toml_reader.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr std::uint64_t kMostSquares = 100;
+constexpr std::uint64_t kMostIds = 100000;
+
+BoardMarker read_marker(const TomlNode& node, const std::string& file) {
+  const TomlTable table(node, file, "[[marker]]", {"id", "centre_m"});
+  table.required("id", "the number of the marker");
+  BoardMarker marker;
+  marker.id = static_cast<int>(*table.count("id", 0, kMostIds));
+  const TomlNode& centre = table.required("centre_m", "[x, y] or [x, y, z] of its centre");
+  const std::vector<double> at =
+      table.numbers("centre_m", centre, 2, 3, "[x, y] or [x, y, z] of its centre, m");
+  marker.centre = {at[0], at[1], at.size() > 2 ? at[2] : 0.0};
+  return marker;
+}
+
+CharucoBoard read_charuco(const TomlNode& node, const std::string& file,
+                          const std::string& dictionary) {
+  const TomlTable table(node, file, "[charuco]",
+                        {"columns", "rows", "square_m", "marker_m", "older_pattern"});
+  for (const char* key : {"columns", "rows"}) table.required(key, "how many squares");
+  for (const char* key : {"square_m", "marker_m"}) table.required(key, "the length of a side, m");
+  CharucoBoard board;
+  board.dictionary = dictionary;
+  board.columns = static_cast<int>(*table.count("columns", 3, kMostSquares));
+  board.rows = static_cast<int>(*table.count("rows", 3, kMostSquares));
+  board.square = *table.number("square_m", kPositive);
+  board.marker = *table.number("marker_m", kPositive);
+  if (const TomlNode* older = table.find("older_pattern")) {
+    if (older->kind != TomlNode::Kind::kBoolean) {
+      table.refuse("older_pattern", *older, "must be true or false");
+    }
+    board.older_pattern = older->boolean;
+  }
+  return board;
+}
+
+}  // namespace
+
+ScaleBoard read_board(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  const TomlNode root = parse_toml(read_text_file(file), name);
+  const TomlTable table(root, name, "", {"dictionary", "marker_side_m", "marker", "charuco"});
+  table.required("dictionary", "the kind of its markers, such as \"4x4_50\"");
+  ScaleBoard board;
+  board.dictionary = *table.text("dictionary");
+  board.marker_side = table.number("marker_side_m", kPositive);
+  if (const TomlNode* charuco = table.find("charuco")) {
+    board.charuco = read_charuco(*charuco, name, board.dictionary);
+  }
+  if (const TomlNode* markers = table.find("marker")) {
+    if (markers->kind != TomlNode::Kind::kList) {
+      table.refuse("marker", *markers, "must be a table [[marker]] for each marker");
+    }
+    for (const TomlNode& marker : markers->list) board.markers.push_back(read_marker(marker, name));
+  }
+  try {
+    board.check();
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  }
+  return board;
+}
+
+}  // namespace clast

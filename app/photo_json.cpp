@@ -1,0 +1,88 @@
+#include "app/photo_json.hpp"
+
+#include "core/utf8.hpp"
+
+namespace clast {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegrees = 180.0 / kPi;
+
+Json ring_json(const CameraRing& ring, const std::string& unit) {
+  Json seats = Json::array(), gaps = Json::array();
+  for (const CameraSeat& seat : ring.seats) {
+    seats.push_back({{"photo", as_utf8(seat.name)},
+                     {"azimuth_deg", seat.azimuth * kDegrees},
+                     {"elevation_deg", seat.elevation * kDegrees},
+                     {"distance" + unit, seat.distance},
+                     {"pairs", seat.pairs},
+                     {"blurred", seat.blurred}});
+  }
+  for (const RingGap& gap : ring.gaps) {
+    gaps.push_back(
+        {{"from_deg", gap.from * kDegrees},
+         {"width_deg", gap.width * kDegrees},
+         {"between", {as_utf8(ring.seats[gap.first].name), as_utf8(ring.seats[gap.second].name)}}});
+  }
+  return {{"cameras", seats}, {"gaps", gaps}, {"largest_gap_deg", ring.largest_gap * kDegrees}};
+}
+
+Json marker_json(const MarkerUse& marker, const std::string& unit) {
+  const bool placed = marker.side > 0.0;
+  Json json = {{"id", marker.id}, {"photos", marker.photos}, {"used", marker.used}};
+  json["error_px"] = placed ? Json(marker.error) : Json();
+  json["side" + unit] = placed ? Json(marker.side) : Json();
+  if (!marker.used) json["why_not"] = marker.why;
+  return json;
+}
+
+Json scale_json(const PhotoScan& scan) {
+  Json json = {{"source", scan.scale_source}};
+  if (!scan.scale) return json;
+  const PhotoScale& scale = *scan.scale;
+  json["metres_per_unit"] = scale.metres_per_unit;
+  json["spread"] = scale.spread;
+  if (scale.side_check) json["side_check"] = *scale.side_check;
+  json["lengths"] = Json::array();
+  for (const ScaleMeasure& one : scale.measures) {
+    Json length = {{"name", one.name},
+                   {"stated_m", one.length},
+                   {"in_model_m", one.length / one.factor * scale.metres_per_unit},
+                   {"metres_per_unit", one.factor},
+                   {"used", one.used}};
+    length["off_by_the_others"] = scale.measures.size() > 1 ? Json(one.left_out) : Json();
+    json["lengths"].push_back(length);
+  }
+  json["notes"] = scale.notes;
+  return json;
+}
+
+}  // namespace
+
+Json photo_json(const PhotoScan& scan, const PhotoEvidence& evidence) {
+  const std::string unit = scan.metric ? "_m" : "_units";
+  Json json = {{"cameras_by", scan.model.source},  {"with_camera", scan.model.photos.size()},
+               {"without_camera", Json::array()},  {"blurred", Json::array()},
+               {"pairs", scan.cloud.pairs.size()}, {"points", scan.cloud.points.size()}};
+  for (const std::string& name : scan.without_camera)
+    json["without_camera"].push_back(as_utf8(name));
+  for (const std::size_t photo : scan.cloud.blurred) {
+    json["blurred"].push_back(as_utf8(scan.model.photos[photo].name));
+  }
+  json["ring"] = ring_json(evidence.ring, unit);
+  json["coverage"] = Json::array();
+  for (const Coverage& one : evidence.coverage) {
+    json["coverage"].push_back(
+        {{"at_least", one.least}, {"photos_share", one.photos}, {"pairs_share", one.pairs}});
+  }
+  json["markers"] = Json::array();
+  for (const MarkerUse& marker : evidence.markers) {
+    json["markers"].push_back(marker_json(marker, unit));
+  }
+  json["scale"] = scale_json(scan);
+  return json;
+}
+
+}  // namespace clast
