@@ -103,8 +103,7 @@ class ColmapJob {
   }
   void match(bool exhaustive, std::size_t count) {
     const std::string told = "matching " + std::to_string(count) + " photos";
-    const std::vector<std::string> plain = {"--SiftMatching.use_gpu", "0",
-                                            "--SiftMatching.num_threads", "1"};
+    const std::vector<std::string> plain = {"--SiftMatching.use_gpu", "0"};
     if (exhaustive) return step(told, "exhaustive_matcher", plain);
     std::vector<std::string> words = plain;
     words.insert(words.end(), {"--SequentialMatching.overlap", "12"});
@@ -115,7 +114,7 @@ class ColmapJob {
     const bool placed =
         try_step("placing " + std::to_string(count) + " cameras", "mapper",
                  {"--image_path", photos_.string(), "--output_path", (work_ / "sparse").string(),
-                  "--Mapper.num_threads", "1", "--Mapper.ba_refine_principal_point", "0"});
+                  "--Mapper.ba_refine_principal_point", "0"});
     std::vector<PhotoModel> groups;
     for (const auto& entry : fs::directory_iterator(work_ / "sparse")) {
       if (!holds_photo_model(entry.path())) continue;

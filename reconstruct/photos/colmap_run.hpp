@@ -33,8 +33,9 @@ std::filesystem::path default_photo_cache();
 std::string photo_set_digest(const std::filesystem::path& folder);
 
 /// Finds features, matches them, and places the cameras, on the processor alone and without a
-/// display; what was found for the same photos before is taken from the cache. Matching and placing
-/// run in one thread, so that the same photos give the same model.
+/// display; what was found for the same photos before is taken from the cache. COLMAP matches with
+/// trees drawn at random, so that two runs of it on the same photos differ a little, in one thread
+/// too: what makes a result the same again is the cache.
 ///
 /// The largest group of photos that hang together is returned, with files.
 /// @param stage  called with what is being done

@@ -87,15 +87,6 @@ TEST(ColmapRun, CamerasAreKeptByTheContentOfThePhotos) {
   EXPECT_EQ(fake.calls(), 6u);
 }
 
-// Matching and placing in one thread: with more, COLMAP's model differs from run to run.
-TEST(ColmapRun, ItIsAskedForWhatCanBeRepeated) {
-  const FakeColmap fake(FakeColmap::group(0, 0, 9));
-  fake.cameras();
-  EXPECT_TRUE(contains(fake.words(), "--SiftMatching.num_threads 1"));
-  EXPECT_TRUE(contains(fake.words(), "--Mapper.num_threads 1"));
-  EXPECT_FALSE(contains(fake.words(), "mask_path"));
-}
-
 TEST(ColmapRun, MasksAreHandedOnByColmapsNamesAndTheirContentCounts) {
   const FakeColmap fake(FakeColmap::group(0, 0, 9));
   ColmapOptions options = fake.options();
