@@ -25,49 +25,6 @@ struct Rectified {
   cv::Mat colour, grey, inside;
 };
 
-/// Pixels between places where the lens is asked; in between it bends by less than 0.01 px.
-constexpr int kMapStep = 4;
-
-/// Where in the photo each pixel of a rectified camera is seen, x and y; -1 outside.
-std::pair<cv::Mat, cv::Mat> photo_map(const Lens& lens, const Mat3& camera_from_view,
-                                      const Rectification& view, double cx) {
-  const auto seen = [&](int u, int v) {
-    return projected(lens, camera_from_view * Vec3((u - cx) / view.f, (v - view.cy) / view.f, 1.0));
-  };
-  cv::Mat map_x(view.height, view.width, CV_32F), map_y(view.height, view.width, CV_32F);
-  const auto set = [&](int u, int v, const std::optional<Vec2>& pixel) {
-    const bool inside = pixel && pixel->x() >= 0.0 && pixel->y() >= 0.0 &&
-                        pixel->x() <= lens.width - 1.0 && pixel->y() <= lens.height - 1.0;
-    map_x.at<float>(v, u) = inside ? static_cast<float>(pixel->x()) : -1.0f;
-    map_y.at<float>(v, u) = inside ? static_cast<float>(pixel->y()) : -1.0f;
-  };
-  const int columns = view.width / kMapStep + 2;
-  std::vector<std::optional<Vec2>> above(static_cast<std::size_t>(columns)), below = above;
-  const auto ask = [&](int v, std::vector<std::optional<Vec2>>& row) {
-    for (int i = 0; i < columns; ++i) row[static_cast<std::size_t>(i)] = seen(i * kMapStep, v);
-  };
-  ask(0, below);
-  for (int top = 0; top < view.height; top += kMapStep) {
-    std::swap(above, below);
-    ask(top + kMapStep, below);
-    for (int v = top; v < std::min(top + kMapStep, view.height); ++v) {
-      const double down = static_cast<double>(v - top) / kMapStep;
-      for (int u = 0; u < view.width; ++u) {
-        const auto i = static_cast<std::size_t>(u / kMapStep);
-        if (above[i] && above[i + 1] && below[i] && below[i + 1]) {
-          const double right = static_cast<double>(u % kMapStep) / kMapStep;
-          const Vec2 left_side = (1.0 - down) * *above[i] + down * *below[i];
-          const Vec2 right_side = (1.0 - down) * *above[i + 1] + down * *below[i + 1];
-          set(u, v, Vec2((1.0 - right) * left_side + right * right_side));
-        } else {
-          set(u, v, seen(u, v));
-        }
-      }
-    }
-  }
-  return {map_x, map_y};
-}
-
 Rectified rectified(const PhotoModel& model, std::size_t photo, const Rectification& view,
                     double cx, const std::filesystem::path& mask_file) {
   const Photo& p = model.photos[photo];
@@ -75,7 +32,17 @@ Rectified rectified(const PhotoModel& model, std::size_t photo, const Rectificat
   const Lens lens = resized(model.lenses[p.lens], image.cols, image.rows);
   const Mat3 camera_from_view =
       p.camera_from_world.rotation.toRotationMatrix() * view.turn.transpose();
-  const auto [map_x, map_y] = photo_map(lens, camera_from_view, view, cx);
+  cv::Mat map_x(view.height, view.width, CV_32F), map_y(view.height, view.width, CV_32F);
+  for (int v = 0; v < view.height; ++v) {
+    for (int u = 0; u < view.width; ++u) {
+      const Vec3 direction((u - cx) / view.f, (v - view.cy) / view.f, 1.0);
+      const std::optional<Vec2> pixel = projected(lens, camera_from_view * direction);
+      const bool inside = pixel && pixel->x() >= 0.0 && pixel->y() >= 0.0 &&
+                          pixel->x() <= lens.width - 1.0 && pixel->y() <= lens.height - 1.0;
+      map_x.at<float>(v, u) = inside ? static_cast<float>(pixel->x()) : -1.0f;
+      map_y.at<float>(v, u) = inside ? static_cast<float>(pixel->y()) : -1.0f;
+    }
+  }
   Rectified result;
   cv::remap(image, result.colour, map_x, map_y, cv::INTER_LINEAR);
   cv::cvtColor(result.colour, result.grey, cv::COLOR_BGR2GRAY);
