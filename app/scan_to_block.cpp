@@ -281,6 +281,7 @@ PhotographedBlocks photographed_blocks(const std::filesystem::path& folder,
   }
   reading.scan.unit = 1.0;
   reading.surface.cell = kPhotoCell;
+  reading.through = &scan.cloud.through;
   begin("finding the surface in " + std::to_string(scan.cloud.points.size()) + " points");
   FieldScan found;
   found.blocks = field_blocks(scan.cloud.points, folder.string(), reading);

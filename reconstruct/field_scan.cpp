@@ -271,7 +271,8 @@ class Separation {
     turn_outward(open);
     std::optional<Underside> side;
     try {
-      side = closed_underside(open, {.ground = ground, .smallest_share = kSmallestHole});
+      side = closed_underside(
+          open, {.ground = ground, .smallest_share = kSmallestHole, .through = options_.through});
     } catch (const GeometryError& error) {
       throw GeometryError(name_ + ": " + error.what());
     }

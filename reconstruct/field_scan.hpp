@@ -20,6 +20,8 @@ struct FieldScanOptions {
   bool find_ground = true;           ///< false: the scan is of one block alone
   bool split = false;                ///< every block on the ground; else the one near the middle
   CloudSurfaceOptions surface = {};  ///< how points become one
+  /// Space that was looked through, in the file's coordinates; none: nothing is known of that.
+  const SeenThrough* through = nullptr;
 
   void check() const;  ///< throws what its members throw
 };

@@ -8,6 +8,7 @@
 #include "core/number_text.hpp"
 #include "reconstruct/detail/hole_patch.hpp"
 #include "reconstruct/detail/sections.hpp"
+#include "reconstruct/detail/space_below.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "shapes/self_intersection.hpp"
 
@@ -25,6 +26,8 @@ constexpr double kBestShare = 0.6;
 /// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
 constexpr double kBestPower = 2.0 / 3.0;
 constexpr double kBluntest = 0.05, kSharpest = 2.0;  ///< powers of the bulge
+constexpr double kMostPointed = 8.0;                 ///< of a foot
+constexpr int kPowerSteps = 40;                      ///< halvings of a range of powers
 /// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
 /// an uneven rim each tells of a part, and the largest volume counts.
 constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
@@ -36,6 +39,9 @@ constexpr double kEven = 0.05, kUnevenShare = 0.35;
 constexpr double kClearOfGround = 0.02;
 /// and the block has sunk into it by this share at most.
 constexpr double kSunk = 0.05;
+/// A block stands on a foot where photos looked under it but for this share of its plan; where all
+/// of it meets the ground, nothing tells how deep it goes.
+constexpr double kFootShare = 0.5;
 /// A hole that faces within this of straight down is the ground's side.
 constexpr double kFacesDown = 0.5;  // cos 60 degrees
 constexpr int kWithdrawals = 6;     ///< halvings of a cap that meets the walls
@@ -186,11 +192,39 @@ class Closing {
       result_.best_volume =
           result_.lower_volume + kUnevenShare * (result_.upper_volume - result_.lower_volume);
     }
+    Move move = move_of(result_.upper_volume - result_.lower_volume, power, deepest);
+    if (look_under(bottom, sections.highest())) {
+      move = pointed(move, result_.upper_volume - result_.lower_volume);
+    }
     result_.best_volume = std::min(result_.best_volume, result_.upper_volume);
-    result_.upper = lowered(result_.upper_volume - result_.lower_volume, power, deepest);
+    result_.upper = lowered(move);
     settle_best(deepest);
     const double filling = area_from(result_.best, result_.first_invented);
     result_.invented_share = filling / surface_area(result_.best);
+  }
+
+  /// The upper volume is no larger than all that nobody looked through. A block that can be looked
+  /// under stands on a foot; the less so, the deeper it may be buried.
+  /// @returns whether that is less than it was
+  bool look_under(double bottom, double highest) {
+    if (options_.through == nullptr || !(options_.through->side > 0.0) || !options_.ground ||
+        result_.down != -options_.ground->normal) {
+      return false;
+    }
+    const double ground = options_.ground->distance, sunk = kSunk * (highest - ground);
+    const detail::SpaceBelow below =
+        detail::space_below(result_.lower, *options_.ground, sunk, *options_.through);
+    const double share = below.foot_area / below.plan_area;
+    const double buried = std::clamp((share - kFootShare) / (1.0 - kFootShare), 0.0, 1.0);
+    const double depth = sunk + buried * std::max(0.0, ground - bottom - sunk);
+    const double hull = result_.lower_volume + below.volume + below.foot_area * depth;
+    if (hull >= result_.upper_volume) return false;
+    result_.notes.push_back("photos show " + number(100.0 * (1.0 - share)) +
+                            " % of its plan to be clear of the ground: that takes " +
+                            number(100.0 * (1.0 - hull / result_.upper_volume)) +
+                            " % off the largest volume");
+    result_.upper_volume = hull;
+    return true;
   }
 
   /// Volumes with the sections continued below a level.
@@ -238,19 +272,36 @@ class Closing {
     return ground - kSunk * height;
   }
 
-  /// `lower` with the filling moved down so that `added` volume lies under it, no deeper than
-  /// `deepest` where that is possible. Moving along one direction adds volume in proportion.
-  TriangleMesh lowered(double added, double power, double deepest) const {
-    TriangleMesh mesh = result_.lower;
-    if (added <= 0.0) return mesh;
-    for (;; power *= 0.8) {
-      const double depth = added / column(power);
-      if (depth > deepest && power > kBluntest) continue;
-      for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
-        mesh.vertices[first_vertex_ + i] += depth * std::pow(patch_.bulge[i], power) * result_.down;
-      }
-      return mesh;
+  /// How the filling is moved down: bulge^power times the depth.
+  struct Move {
+    double power = 0.0, depth = 0.0;
+  };
+
+  /// Such that `added` volume lies under the film, no deeper than `deepest` where that is possible.
+  /// Moving along one direction adds volume in proportion.
+  Move move_of(double added, double power, double deepest) const {
+    while (added / column(power) > deepest && power > kBluntest) power *= 0.8;
+    return {power, added / column(power)};
+  }
+
+  /// The same depth with less volume: a foot of the block reaches as far down as all of it may.
+  Move pointed(const Move& blunt, double added) const {
+    double low = blunt.power, high = kMostPointed;
+    for (int i = 0; i < kPowerSteps; ++i) {
+      const double power = 0.5 * (low + high);
+      (added < blunt.depth * column(power) ? low : high) = power;
     }
+    return {low, std::min(blunt.depth, added / column(low))};
+  }
+
+  TriangleMesh lowered(const Move& move) const {
+    TriangleMesh mesh = result_.lower;
+    if (move.depth <= 0.0) return mesh;
+    for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
+      mesh.vertices[first_vertex_ + i] +=
+          move.depth * std::pow(patch_.bulge[i], move.power) * result_.down;
+    }
+    return mesh;
   }
 
   /// Volume that is added for each metre of depth.
@@ -275,7 +326,7 @@ class Closing {
     const std::size_t crossings = crossing_triangles(result_.lower).size();
     const auto fits = [&] { return crossing_triangles(result_.best).size() <= crossings; };
     for (double power = kBestPower; power < 3.0; power *= 1.5) {
-      result_.best = lowered(added, power, deepest);
+      result_.best = lowered(move_of(added, power, deepest));
       if (fits()) break;
     }
     double share = 1.0;

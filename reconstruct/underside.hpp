@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reconstruct/seen_through.hpp"
 #include "shapes/triangle_mesh.hpp"
 
 namespace clast {
@@ -31,6 +32,9 @@ struct UndersideOptions {
   double smallest_share = 0.001;
   /// ... and with more the scan is a sheet and no block: half a ball has a third.
   double largest_share = 0.42;
+  /// Space that was looked through, in the frame of the scan: above the ground that is given, no
+  /// rock is there.
+  const SeenThrough* through = nullptr;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -59,7 +63,8 @@ struct Underside {
 /// The bracket rests on the sections A(z) across the block. Of a convex body sqrt(A) is concave in
 /// z (Brunn & Minkowski), so below the rim it lies under its tangent: the upper shape is the cone
 /// with the section and the narrowing at the rim, no deeper than `deepest` (or than the ground).
-/// The lower one ends at the rim. See docs/theory.md for the best guess and its error.
+/// Where it is known what was looked through, the upper volume is no larger than all that was not.
+/// The lower shape ends at the rim. See docs/theory.md for the best guess and its error.
 ///
 /// @param open  oriented 2-manifold in one piece; small holes may be left
 /// @returns none where no hole is large enough: the scan is closed, or nearly

@@ -15,6 +15,7 @@
 #include "reconstruct/photos/detail/child_process.hpp"
 #include "reconstruct/photos/detail/photo_image.hpp"
 #include "reconstruct/photos/model_files.hpp"
+#include "reconstruct/photos/photo_masks.hpp"
 
 namespace clast {
 
@@ -78,18 +79,31 @@ class ColmapJob {
     std::string list;
     for (const fs::path& file : files) list += fs::relative(file, photos_).string() + "\n";
     write_text_file(work_ / "list.txt", list);
+    std::vector<std::string> words = {"--image_path",
+                                      photos_.string(),
+                                      "--image_list_path",
+                                      (work_ / "list.txt").string(),
+                                      "--ImageReader.camera_model",
+                                      "SIMPLE_RADIAL",
+                                      "--ImageReader.single_camera",
+                                      sizes.size() == 1 ? "1" : "0",
+                                      "--SiftExtraction.use_gpu",
+                                      "0",
+                                      "--SiftExtraction.first_octave",
+                                      "0",
+                                      "--SiftExtraction.max_num_features",
+                                      std::to_string(options_.features),
+                                      "--SiftExtraction.max_image_size",
+                                      std::to_string(options_.most_pixels)};
+    if (!options_.masks.empty()) {
+      words.insert(words.end(), {"--ImageReader.mask_path", plain_masks(files).string()});
+    }
     step("finding features in " + std::to_string(files.size()) + " photos", "feature_extractor",
-         {"--image_path", photos_.string(), "--image_list_path", (work_ / "list.txt").string(),
-          "--ImageReader.camera_model", "SIMPLE_RADIAL", "--ImageReader.single_camera",
-          sizes.size() == 1 ? "1" : "0", "--SiftExtraction.use_gpu", "0",
-          "--SiftExtraction.first_octave", "0", "--SiftExtraction.max_num_features",
-          std::to_string(options_.features), "--SiftExtraction.max_image_size",
-          std::to_string(options_.most_pixels)});
+         words);
   }
   void match(bool exhaustive, std::size_t count) {
     const std::string told = "matching " + std::to_string(count) + " photos";
-    const std::vector<std::string> plain = {"--SiftMatching.use_gpu", "0",
-                                            "--SiftMatching.num_threads", "1"};
+    const std::vector<std::string> plain = {"--SiftMatching.use_gpu", "0"};
     if (exhaustive) return step(told, "exhaustive_matcher", plain);
     std::vector<std::string> words = plain;
     words.insert(words.end(), {"--SequentialMatching.overlap", "12"});
@@ -100,7 +114,7 @@ class ColmapJob {
     const bool placed =
         try_step("placing " + std::to_string(count) + " cameras", "mapper",
                  {"--image_path", photos_.string(), "--output_path", (work_ / "sparse").string(),
-                  "--Mapper.num_threads", "1", "--Mapper.ba_refine_principal_point", "0"});
+                  "--Mapper.ba_refine_principal_point", "0"});
     std::vector<PhotoModel> groups;
     for (const auto& entry : fs::directory_iterator(work_ / "sparse")) {
       if (!holds_photo_model(entry.path())) continue;
@@ -136,6 +150,16 @@ class ColmapJob {
   }
 
  private:
+  /// Masks by the names that COLMAP looks for: a.jpg.png of a.jpg.
+  fs::path plain_masks(const std::vector<fs::path>& files) const {
+    const std::vector<fs::path> masks = masks_of(files, options_.masks);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      const fs::path target = work_ / "masks" / (fs::relative(files[i], photos_).string() + ".png");
+      fs::create_directories(target.parent_path());
+      detail::write_plain_mask(masks[i], target);
+    }
+    return work_ / "masks";
+  }
   std::vector<std::string> words(const std::string& command,
                                  const std::vector<std::string>& arguments) const {
     std::vector<std::string> all = {program_.string(), command};
@@ -206,6 +230,18 @@ void judge(const std::vector<PhotoModel>& groups, std::size_t count, const Colma
                    kAdvice + ", sharp and in even light");
 }
 
+/// A folder of masks may lie in that of the photos.
+std::vector<fs::path> photos_beside_masks(const fs::path& folder, const fs::path& masks) {
+  std::vector<fs::path> files = photos_in(folder);
+  if (masks.empty()) return files;
+  const fs::path apart = fs::weakly_canonical(masks);
+  std::erase_if(files, [&](const fs::path& file) {
+    const fs::path below = fs::weakly_canonical(file).lexically_relative(apart);
+    return !below.empty() && *below.begin() != "..";
+  });
+  return files;
+}
+
 }  // namespace
 
 void ColmapOptions::check() const {
@@ -238,15 +274,16 @@ std::string photo_set_digest(const fs::path& folder) {
 PhotoModel colmap_cameras(const fs::path& folder, const ColmapOptions& options,
                           const std::function<void(const std::string&)>& stage) {
   options.check();
-  const std::vector<fs::path> files = photos_in(folder);
+  const std::vector<fs::path> files = photos_beside_masks(folder, options.masks);
   if (files.size() < kFewestPhotos) {
     throw InputError(folder.string() + ": " + std::to_string(files.size()) +
                      " photos are too few for a block; take 30 to 60 all round it, " +
                      "one every 10-15 degrees");
   }
-  const std::string key = photo_set_digest(folder) + " " + std::to_string(options.features) + " " +
-                          std::to_string(options.most_pixels) + " " +
-                          std::to_string(options.exhaustive_up_to);
+  const std::string masks = options.masks.empty() ? "" : photo_set_digest(options.masks);
+  const std::string key =
+      photo_set_digest(folder) + masks + " " + std::to_string(options.features) + " " +
+      std::to_string(options.most_pixels) + " " + std::to_string(options.exhaustive_up_to);
   const fs::path cache = options.cache.empty() ? default_photo_cache() : options.cache;
   const fs::path kept = cache / sha256(key).substr(0, 32);
   const auto finished = [&](PhotoModel model) {

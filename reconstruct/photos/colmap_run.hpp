@@ -12,6 +12,8 @@ struct ColmapOptions {
   std::string program = "colmap";  ///< a path, or a name that is looked up in PATH
   /// Folder that keeps models by the content of their photos; empty: `default_photo_cache`.
   std::filesystem::path cache = {};
+  /// Folder of masks, as `masks_of` takes them, or empty. Features are found in what is white.
+  std::filesystem::path masks = {};
   double seconds = 3600.0;            ///< each of its steps may take so long
   int features = 4000;                ///< looked for in each photo
   int most_pixels = 2000;             ///< of the longer side; larger photos are reduced
@@ -31,12 +33,14 @@ std::filesystem::path default_photo_cache();
 std::string photo_set_digest(const std::filesystem::path& folder);
 
 /// Finds features, matches them, and places the cameras, on the processor alone and without a
-/// display; what was found for the same photos before is taken from the cache. Matching and placing
-/// run in one thread, so that the same photos give the same model.
+/// display; what was found for the same photos before is taken from the cache. COLMAP matches with
+/// trees drawn at random, so that two runs of it on the same photos differ a little, in one thread
+/// too: what makes a result the same again is the cache.
 ///
 /// The largest group of photos that hang together is returned, with files.
 /// @param stage  called with what is being done
-/// @throws InputError  colmap isn't installed (names the package); fewer than three photos; the
+/// @throws InputError  what `masks_of` throws; colmap isn't installed (names the package); fewer
+/// than three photos; the
 ///                     photos don't hang together, or only in groups; it failed or took too long
 /// @cite schoenberger2016
 PhotoModel colmap_cameras(const std::filesystem::path& folder, const ColmapOptions& options = {},

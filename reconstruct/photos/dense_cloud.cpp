@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <mutex>
 #include <unordered_map>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
+#include "reconstruct/photos/detail/looked_through.hpp"
 #include "reconstruct/photos/detail/photo_image.hpp"
 #include "reconstruct/photos/detail/rectified_pair.hpp"
+#include "reconstruct/photos/photo_masks.hpp"
 #include "reconstruct/photos/photo_sharpness.hpp"
 
 namespace clast {
@@ -18,44 +19,25 @@ namespace clast {
 namespace {
 
 using detail::kNoShift;
+using detail::kShiftUnit;
 using detail::PairDepths;
+using View = detail::PairView;
 
 /// Pairs that look in directions farther apart see different sides.
 constexpr double kSameSide = 0.5;  ///< cosine
 /// A pair that has seen something this many pixels behind a point has looked through it.
 constexpr double kSeenThrough = 3.0;  ///< times the tolerance
-constexpr double kShiftUnit = 16.0;
 constexpr std::size_t kFewestPoints = 2000;
 constexpr std::size_t kAtATime = 8;  ///< pairs that are fused before their points are added
-
-/// How a pair sees points, as one matrix: (u z, v z, z) = matrix * (p - left).
-struct View {
-  Mat3 matrix;
-  Vec3 left;
-  double f_base, offset;
-  Vec3 direction;
-  const PairDepths* depths;
-
-  explicit View(const PairDepths& pair) : depths(&pair) {
-    const detail::Rectification& r = pair.view;
-    Mat3 lens;
-    lens << r.f, 0.0, r.cx, 0.0, r.f, r.cy, 0.0, 0.0, 1.0;
-    matrix = lens * r.turn;
-    left = r.left;
-    f_base = r.f * r.base;
-    offset = r.offset;
-    direction = r.direction();
-  }
-};
 
 struct Fused {
   Vec3 place;
   cv::Vec3b colour;
 };
 
-/// Points of one pair that others agree with.
+/// Points of one pair that others agree with, and where in its picture they are.
 std::vector<Fused> fused(const std::vector<View>& views, std::size_t own,
-                         const DenseOptions& options) {
+                         const DenseOptions& options, cv::Mat& agreed) {
   const View& view = views[own];
   std::vector<const View*> others;
   for (std::size_t j = 0; j < views.size(); ++j) {
@@ -64,6 +46,7 @@ std::vector<Fused> fused(const std::vector<View>& views, std::size_t own,
   const detail::Rectification& r = view.depths->view;
   const double through = kSeenThrough * options.tolerance;
   std::vector<Fused> points;
+  agreed = cv::Mat::zeros(r.height, r.width, CV_8U);
   for (int v = 0; v < r.height; ++v) {
     const auto* row = view.depths->shift.ptr<short>(v);
     for (int u = 0; u < r.width; ++u) {
@@ -91,6 +74,7 @@ std::vector<Fused> fused(const std::vector<View>& views, std::size_t own,
         }
       }
       if (agree < options.agreeing || against >= agree) continue;
+      agreed.at<std::uint8_t>(v, u) = 1;
       points.push_back({sum / static_cast<double>(agree), view.depths->colour.at<cv::Vec3b>(v, u)});
     }
   }
@@ -143,27 +127,12 @@ class Cells {
   std::unordered_map<std::uint64_t, Cell> cells_;
 };
 
-/// The mask of each photo; none where no folder is given.
-std::vector<std::filesystem::path> masks_of(const PhotoModel& model,
-                                            const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> chosen_masks(const PhotoModel& model,
+                                                const std::filesystem::path& folder) {
   if (folder.empty()) return {};
-  std::map<std::string, std::filesystem::path> by_stem;
-  for (const std::filesystem::path& file : photos_in(folder)) by_stem[file.stem().string()] = file;
-  std::vector<std::filesystem::path> masks;
-  for (const Photo& photo : model.photos) {
-    // "a.png" or "a.jpg.png" for the photo a.jpg; some programs append "_mask".
-    std::filesystem::path found;
-    const std::string stem = photo.file.stem().string();
-    for (const std::string& name : {stem, photo.file.filename().string(), stem + "_mask"}) {
-      if (found.empty() && by_stem.contains(name)) found = by_stem[name];
-    }
-    if (found.empty()) {
-      throw InputError(folder.string() + ": no mask for photo " + photo.name + "; looked for " +
-                       stem + ".png and " + stem + "_mask.png");
-    }
-    masks.push_back(found);
-  }
-  return masks;
+  std::vector<std::filesystem::path> files;
+  for (const Photo& photo : model.photos) files.push_back(photo.file);
+  return masks_of(files, folder);
 }
 
 void skip_blurred(const PhotoModel& model, const DenseOptions& options, DenseCloud& cloud) {
@@ -198,7 +167,7 @@ DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
   const detail::SingleThreaded guard;
   DenseCloud cloud;
   cloud.region = region_of(model);
-  const std::vector<std::filesystem::path> masks = masks_of(model, options.masks);
+  const std::vector<std::filesystem::path> masks = chosen_masks(model, options.masks);
   if (options.skip_blurred) skip_blurred(model, options, cloud);
   cloud.pairs = stereo_pairs(model, cloud.region, cloud.blurred, options.pairs);
 
@@ -221,16 +190,20 @@ DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
   std::sort(widths.begin(), widths.end());
   cloud.cell = options.cell * widths[widths.size() / 2];
   Cells cells(cloud.region.centre, cloud.cell);
+  std::vector<cv::Mat> agreed(count);
   for (std::size_t first = 0; first < count; first += kAtATime) {
     std::vector<std::vector<Fused>> points(std::min(kAtATime, count - first));
-    parallel_for(points.size(), options.threads,
-                 [&](std::size_t i) { points[i] = fused(views, first + i, options); });
+    parallel_for(points.size(), options.threads, [&](std::size_t i) {
+      points[i] = fused(views, first + i, options, agreed[first + i]);
+    });
     for (const auto& of_pair : points) {
       for (const Fused& point : of_pair) cells.add(point);
     }
     if (progress) progress(count + (first + points.size()) / 4, count + count / 4);
   }
   cells.hand_over(cloud);
+  cloud.through =
+      detail::looked_through(views, agreed, cloud.region, options.tolerance, options.threads);
   if (cloud.points.size() < kFewestPoints) {
     throw InputError("the photos agree on " + std::to_string(cloud.points.size()) +
                      " points only, from " + std::to_string(count) +

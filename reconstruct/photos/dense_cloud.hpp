@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reconstruct/photos/stereo_pairs.hpp"
+#include "reconstruct/seen_through.hpp"
 
 namespace clast {
 
@@ -18,7 +19,7 @@ struct DenseOptions {
   double tolerance = 1.0;    ///< px, by which they may differ
   double cell = 1.7;         ///< one point per cube of this many pixels' width on the block
   bool skip_blurred = true;
-  /// Folder of masks, named as the photos are, or empty: black where a photo is not to be used.
+  /// Folder of masks, as `masks_of` takes them, or empty.
   std::filesystem::path masks = {};
   unsigned threads = 0;  ///< 0: one per core; the results are the same for any number
 
@@ -28,6 +29,7 @@ struct DenseOptions {
 struct DenseCloud {
   std::vector<Vec3> points;                          ///< in the frame and units of the model
   std::vector<std::array<std::uint8_t, 3>> colours;  ///< red, green, blue
+  SeenThrough through;  ///< space of the region that photos looked through
   PhotoRegion region;
   std::vector<StereoPair> pairs;
   std::vector<std::size_t> blurred;  ///< numbers of photos that were skipped

@@ -69,7 +69,9 @@ PhotoModel cameras_of(const fs::path& folder, const fs::path& photos,
     }
     return with_files(std::move(model), photos);
   }
-  return colmap_cameras(photos, options.colmap, stage);
+  ColmapOptions colmap = options.colmap;
+  colmap.masks = options.dense.masks;
+  return colmap_cameras(photos, colmap, stage);
 }
 
 }  // namespace

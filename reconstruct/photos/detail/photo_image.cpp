@@ -37,6 +37,13 @@ PhotoSize photo_size(const std::filesystem::path& file) {
   return {image.cols, image.rows};
 }
 
+void write_plain_mask(const std::filesystem::path& mask, const std::filesystem::path& target) {
+  const cv::Mat white = read_grey_photo(mask) >= kMaskWhite;
+  if (!cv::imwrite(target.string(), white)) {
+    throw InputError(target.string() + ": can't be written; is the disk full?");
+  }
+}
+
 SingleThreaded::SingleThreaded() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
 SingleThreaded::~SingleThreaded() { cv::setNumThreads(before_); }
 

@@ -5,7 +5,6 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/error.hpp"
 #include "reconstruct/photos/detail/photo_image.hpp"
 
 namespace clast::detail {
@@ -49,14 +48,10 @@ Rectified rectified(const PhotoModel& model, std::size_t photo, const Rectificat
   cv::cvtColor(result.colour, result.grey, cv::COLOR_BGR2GRAY);
   result.inside = map_x >= 0.0f;
   if (!mask_file.empty()) {
-    cv::Mat mask = read_grey_photo(mask_file), seen;
-    if (mask.size() != image.size()) {
-      throw InputError("mask " + mask_file.string() + " has " + std::to_string(mask.cols) + " x " +
-                       std::to_string(mask.rows) + " pixels and its photo " +
-                       std::to_string(image.cols) + " x " + std::to_string(image.rows));
-    }
+    const cv::Mat mask = read_grey_photo(mask_file);
+    cv::Mat seen;
     cv::remap(mask, seen, map_x, map_y, cv::INTER_NEAREST);
-    result.inside.setTo(0, seen < 128);
+    result.inside.setTo(0, seen < kMaskWhite);
   }
   return result;
 }

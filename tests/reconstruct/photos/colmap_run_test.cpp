@@ -20,7 +20,11 @@ class FakeColmap {
   explicit FakeColmap(const std::string& mapper, const std::string& other = ":") {
     write_text_file(folder_ / "colmap",
                     "#!/bin/sh\necho $1 >>" + (folder_ / "calls.txt").string() +
-                        "\nwhile [ $# -gt 0 ]; do [ \"$1\" = --output_path ] && out=$2; "
+                        "\necho \"$@\" >>" + (folder_ / "words.txt").string() +
+                        "\nwhile [ $# -gt 0 ]; do [ \"$1\" = --ImageReader.mask_path ] && "
+                        "ls -R $2 >>" +
+                        (folder_ / "words.txt").string() +
+                        "; [ \"$1\" = --output_path ] && out=$2; "
                         "[ \"$1\" = mapper ] && mapper=1; shift; done\n"
                         "if [ -n \"$mapper\" ]; then\n" +
                         mapper + "\nelse\n" + other + "\nfi\n");
@@ -40,6 +44,9 @@ class FakeColmap {
     const std::string text = read_text_file(folder_ / "calls.txt");
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   }
+
+  /// All that it was called with, and the masks that it was given.
+  std::string words() const { return read_text_file(folder_ / "words.txt"); }
 
   /// Shell text that writes a model of the photos from `first` to `last` as group `number`.
   static std::string group(int number, int first, int last) {
@@ -77,6 +84,24 @@ TEST(ColmapRun, CamerasAreKeptByTheContentOfThePhotos) {
   EXPECT_EQ(fake.calls(), 3u);
   write_plain_photo(fake.photos() / "p9.bmp", 16, 12, 77);
   EXPECT_EQ(fake.cameras().photos.size(), 9u);
+  EXPECT_EQ(fake.calls(), 6u);
+}
+
+TEST(ColmapRun, MasksAreHandedOnByColmapsNamesAndTheirContentCounts) {
+  const FakeColmap fake(FakeColmap::group(0, 0, 9));
+  ColmapOptions options = fake.options();
+  options.masks = fake.photos() / "masks";  // among the photos, but none of them
+  std::filesystem::create_directories(options.masks);
+  for (int i = 0; i < 10; ++i) {
+    write_plain_photo(options.masks / ("p" + std::to_string(i) + ".bmp"), 16, 12, 5);
+  }
+  EXPECT_EQ(colmap_cameras(fake.photos(), options).unplaced, 0u);
+  EXPECT_TRUE(contains(fake.words(), "p9.bmp.png"));
+  EXPECT_EQ(fake.calls(), 3u);
+  colmap_cameras(fake.photos(), options);
+  EXPECT_EQ(fake.calls(), 3u);
+  write_plain_photo(options.masks / "p3.bmp", 16, 12, 6);
+  colmap_cameras(fake.photos(), options);
   EXPECT_EQ(fake.calls(), 6u);
 }
 

@@ -55,6 +55,26 @@ Errors errors_of(const DenseCloud& cloud, const ToTruth& to_truth) {
   return errors;
 }
 
+/// How deep in the rock the deepest middle of a cube is that photos looked through, in sides of a
+/// cube; and that fewer than one in 100,000 are inside at all.
+double deepest_cube(const DenseCloud& cloud, const ToTruth& to_truth) {
+  const TriangleMesh rock = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
+  const detail::TriangleTree tree(rock);
+  std::size_t inside = 0, all = 0;
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < cloud.through.empty.size(); ++i) {
+    if (!cloud.through.empty[i]) continue;
+    ++all;
+    const double depth = -tree.signed_distance(to_truth * cloud.through.middle(i));
+    inside += depth > 0.0 ? 1 : 0;
+    deepest = std::max(deepest, depth / (to_truth.scale * cloud.through.side));
+  }
+  std::cout << all << " cubes were looked through, " << inside << " of them in the rock, by "
+            << deepest << " sides at most\n";
+  EXPECT_LT(static_cast<double>(inside), 1e-5 * static_cast<double>(all));
+  return deepest;
+}
+
 // Bars: mean 0.10 % of L, 95th percentile 0.30 %, 98 % coverage, 60 CPU s.
 TEST(DenseRock, PointsLieOnTheTrueSurface) {
   for (const bool of_truth : {true, false}) {
@@ -74,7 +94,25 @@ TEST(DenseRock, PointsLieOnTheTrueSurface) {
     EXPECT_LE(errors.p95, 0.0030);
     EXPECT_GE(errors.coverage, 0.98);
     EXPECT_LT(spent, 60.0);
+    EXPECT_LT(deepest_cube(cloud, to_truth), 0.5);
   }
+}
+
+// Masks of the block alone: no ground, and the same surface.
+TEST(DenseRock, MasksLeaveTheBlockAlone) {
+  const PhotoModel model = colmap_model();
+  const ToTruth to_truth(model);
+  const auto masks = test_data("photos/synthetic_rock/masks");
+  const DenseCloud cloud = dense_cloud(model, {.most_pixels = 500, .masks = masks, .threads = 2});
+  const TriangleMesh rock = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
+  const detail::TriangleTree tree(rock);
+  std::size_t off = 0;
+  for (const Vec3& p : cloud.points) {
+    off += std::sqrt(tree.closest(to_truth * p).squared_distance) > 0.02 * kLength ? 1 : 0;
+  }
+  std::cout << cloud.points.size() << " points, " << off << " of them off the rock\n";
+  EXPECT_GT(cloud.points.size(), 20000u);
+  EXPECT_LT(off, cloud.points.size() / 200);
 }
 
 // Bar: 90 s from the stored model.

@@ -3,8 +3,11 @@
 
 #include <iostream>
 
+#include "reconstruct/field_scan.hpp"
 #include "reconstruct/photos/photo_scan.hpp"
+#include "shapes/mesh_topology.hpp"
 #include "tests/reconstruct/photos/synthetic_rock.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
@@ -21,12 +24,21 @@ TEST(PhotoChain, EveryPhotoOfTheRenderedRockIsPlacedAndTheMarkersGiveItsScale) {
   EXPECT_NEAR(scale.metres_per_unit, truth, 0.001 * truth);
 }
 
-TEST(PhotoChain, TheRealBouldersPhotosArePlaced) {
+TEST(PhotoChain, TheRealBouldersPhotosGiveAClosedBlockWithoutAScale) {
   const ScratchFolder cache;
-  const PhotoModel model =
-      colmap_cameras(test_data("photos/nlesc_rock/images"), {.cache = cache.path()});
+  const std::filesystem::path photos = test_data("photos/nlesc_rock/images");
+  const PhotoModel model = colmap_cameras(photos, {.cache = cache.path()});
   std::cout << model.photos.size() << " of 47 photos\n";
   EXPECT_GE(model.photos.size(), 45u);
+  // From here on the cameras come from the cache: this program isn't there.
+  PhotoScanOptions options;
+  options.colmap = {.program = "no-such-colmap", .cache = cache.path()};
+  EXPECT_TRUE(contains(refusal([&] { photo_scan(photos, options); }), "masses are not"));
+  options.allow_unscaled = true;
+  const PhotoScan scan = photo_scan(photos, options);
+  EXPECT_FALSE(scan.metric);
+  const FieldBlock block = field_blocks(scan.cloud.points, "boulder").front();
+  EXPECT_TRUE(inspect(block.scan.mesh).closed());
 }
 
 }  // namespace

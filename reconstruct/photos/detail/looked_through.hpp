@@ -1,0 +1,18 @@
+#pragma once
+/// Space between cameras and what they saw.
+#include <vector>
+
+#include "reconstruct/photos/detail/pair_view.hpp"
+#include "reconstruct/seen_through.hpp"
+
+namespace clast::detail {
+
+/// Cubes of the region that pairs looked through: all that such a pair knows about where the cube
+/// is in its picture lies behind the cube by more than depths err, and most of it is what other
+/// pairs agree with.
+/// @param agreed     of each view, CV_8U: 1 where others agree with its depth
+/// @param tolerance  px, by which depths differ
+SeenThrough looked_through(const std::vector<PairView>& views, const std::vector<cv::Mat>& agreed,
+                           const PhotoRegion& region, double tolerance, unsigned threads);
+
+}  // namespace clast::detail

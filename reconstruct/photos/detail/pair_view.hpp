@@ -1,0 +1,31 @@
+#pragma once
+/// How a compared pair of photos sees places.
+#include "reconstruct/photos/detail/rectified_pair.hpp"
+
+namespace clast::detail {
+
+/// OpenCV's shifts are in sixteenths of a pixel.
+inline constexpr double kShiftUnit = 16.0;
+
+/// The left camera of a pair as one matrix: (u z, v z, z) = matrix * (p - left). The shift of p is
+/// f_base / z - offset.
+struct PairView {
+  Mat3 matrix;
+  Vec3 left;
+  double f_base, offset;
+  Vec3 direction;
+  const PairDepths* depths;
+
+  explicit PairView(const PairDepths& pair) : depths(&pair) {
+    const Rectification& r = pair.view;
+    Mat3 lens;
+    lens << r.f, 0.0, r.cx, 0.0, r.f, r.cy, 0.0, 0.0, 1.0;
+    matrix = lens * r.turn;
+    left = r.left;
+    f_base = r.f * r.base;
+    offset = r.offset;
+    direction = r.direction();
+  }
+};
+
+}  // namespace clast::detail

@@ -1,0 +1,174 @@
+/// Known rocks on a known ground, and what cameras in rings look through: it takes rock from no
+/// bracket.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "massprops/solid.hpp"
+#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/soup.hpp"
+#include "reconstruct/underside.hpp"
+#include "shapes/detail/triangle_tree.hpp"
+#include "tests/support/rock_mesh.hpp"
+
+namespace clast {
+namespace {
+
+/// Cosine between a face's normal and the way to a camera, below which stereo finds nothing on it.
+constexpr double kSteepest = 0.4;
+
+/// Directions to far cameras: rings of 24 at 22 degrees and 12 at 52, as photos are taken.
+std::vector<Vec3> cameras() {
+  std::vector<Vec3> found;
+  for (const auto& [count, degrees] : {std::pair{24, 22.0}, {12, 52.0}}) {
+    for (int i = 0; i < count; ++i) {
+      const double around = 2.0 * kPi * i / count, up = degrees * kPi / 180.0;
+      found.emplace_back(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around),
+                         std::sin(up));
+    }
+  }
+  return found;
+}
+
+/// A body that stands in the ground z = 0, and what cameras saw of it.
+class Photographed {
+ public:
+  explicit Photographed(TriangleMesh body) : body_(std::move(body)), tree_(body_) {}
+
+  TriangleMesh open() const {
+    std::vector<bool> keep(body_.triangles.size());
+    for (std::uint32_t t = 0; t < keep.size(); ++t) {
+      const auto& [a, b, c] = body_.triangles[t];
+      const Vec3 middle = (body_.vertices[a] + body_.vertices[b] + body_.vertices[c]) / 3.0;
+      keep[t] = middle.z() > 0.0 && seen(middle, tree_.face_normal(t), t);
+    }
+    TriangleMesh mesh =
+        std::move(detail::pieces_of(detail::with_triangles(body_, keep)).front().mesh);
+    detail::split_pinched_vertices(mesh);
+    return mesh;
+  }
+  /// Cubes that are clear of rock and ground, and seen by a camera.
+  SeenThrough through() const {
+    const Bounds box = bounds(body_);
+    SeenThrough result;
+    result.side = box.diagonal() / 80.0;
+    result.corner = box.low - Vec3::Constant(2.0 * result.side);
+    for (int axis = 0; axis < 3; ++axis) {
+      result.counts[static_cast<std::size_t>(axis)] =
+          static_cast<std::size_t>((box.high[axis] - box.low[axis]) / result.side) + 5;
+    }
+    result.empty.resize(result.counts[0] * result.counts[1] * result.counts[2]);
+    const double near = 1.5 * result.side;
+    for (std::size_t i = 0; i < result.empty.size(); ++i) {
+      const Vec3 place = result.middle(i);
+      if (place.z() < near || place.z() > 0.5 * box.high.z()) continue;
+      if (tree_.signed_distance(place) < near) continue;
+      result.empty[i] = seen(place, Vec3::Zero(), ~0u) ? 1 : 0;
+    }
+    return result;
+  }
+  double volume() const { return solid_mass_properties(body_, 1.0).volume; }
+
+ private:
+  bool seen(const Vec3& place, const Vec3& normal, std::uint32_t triangle) const {
+    static const std::vector<Vec3> kCameras = cameras();
+    for (const Vec3& way : kCameras) {
+      const bool faces = triangle == ~0u || normal.dot(way) > kSteepest;
+      if (faces && !tree_.first_exit(place, way, triangle)) return true;
+    }
+    return false;
+  }
+
+  TriangleMesh body_;
+  detail::TriangleTree tree_;
+};
+
+TriangleMesh standing(TriangleMesh body, double buried) {
+  const Bounds box = bounds(body);
+  const double shift = -box.low.z() - buried * (box.high.z() - box.low.z());
+  for (Vec3& v : body.vertices) v.z() += shift;
+  return body;
+}
+
+const Plane kGround{Vec3::UnitZ(), 0.0};
+
+TEST(LookedUnder, ABallStandsOnItsFoot) {
+  const Photographed ball(standing(unit_sphere(24), 0.02));
+  const TriangleMesh open = ball.open();
+  const SeenThrough through = ball.through();
+  const Underside without = *closed_underside(open, {.ground = kGround});
+  const Underside with = *closed_underside(open, {.ground = kGround, .through = &through});
+  std::cout << ball.volume() << ": " << without.upper_volume << " -> " << with.upper_volume << "\n";
+  EXPECT_EQ(with.lower_volume, without.lower_volume);
+  EXPECT_GE(with.upper_volume, ball.volume());
+  EXPECT_LE(with.upper_volume, without.upper_volume);
+  EXPECT_LE(with.best_volume, with.upper_volume);
+}
+
+// Nothing is known where the cubes don't reach, and of no cubes nothing.
+TEST(LookedUnder, WithoutKnowledgeTheBracketStays) {
+  const TriangleMesh open = Photographed(standing(unit_sphere(16), 0.02)).open();
+  const Underside without = *closed_underside(open, {.ground = kGround});
+  const SeenThrough none;
+  const SeenThrough far{Vec3::Constant(100.0), 0.05, {2, 2, 2}, std::vector<std::uint8_t>(8, 1)};
+  for (const SeenThrough* through : {&none, &far}) {
+    const Underside with = *closed_underside(open, {.ground = kGround, .through = through});
+    EXPECT_EQ(with.upper_volume, without.upper_volume);
+    EXPECT_EQ(with.best_volume, without.best_volume);
+  }
+}
+
+/// Narrower below: the foot has `foot` times the sections of the top.
+TriangleMesh undercut(TriangleMesh body, double foot) {
+  const Bounds box = bounds(body);
+  for (Vec3& v : body.vertices) {
+    const double up = (v.z() - box.low.z()) / (box.high.z() - box.low.z());
+    const double factor = foot + (1.0 - foot) * std::min(1.0, 4.0 * up);
+    v.x() *= factor;
+    v.y() *= factor;
+  }
+  return body;
+}
+
+// What was inside without stays inside, and where rocks overhang the bracket is narrower.
+TEST(LookedUnder, UndercutRocksInManyPosesKeepTheirVolumeInTheBracket) {
+  Random random(5);
+  int poses = 0, inside = 0, narrowed = 0;
+  double off_without = 0.0, off_with = 0.0, width_without = 0.0, width_with = 0.0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const TriangleMesh rock = rock_mesh(10, {0.5, 0.4, 0.4}, seed);
+    for (int pose = 0; pose < 4; ++pose) {
+      const double buried = random.uniform(0.0, 0.12), foot = random.uniform(0.3, 0.8);
+      const TriangleMesh turned = transformed(rock, Pose{Vec3::Zero(), random.rotation()});
+      const Photographed body(standing(undercut(turned, foot), buried));
+      const SeenThrough through = body.through();
+      const TriangleMesh open = body.open();
+      const Underside without = *closed_underside(open, {.ground = kGround});
+      const Underside with = *closed_underside(open, {.ground = kGround, .through = &through});
+      const double truth = body.volume();
+      std::cout << 100.0 * buried << " % buried, foot " << foot << ": lower "
+                << with.lower_volume / truth << ", best " << without.best_volume / truth << " -> "
+                << with.best_volume / truth << ", upper " << without.upper_volume / truth << " -> "
+                << with.upper_volume / truth << "\n";
+      ++poses;
+      inside += with.upper_volume >= truth && with.lower_volume <= truth ? 1 : 0;
+      EXPECT_TRUE(with.upper_volume >= truth || without.upper_volume < truth)
+          << seed << " " << pose;
+      // The box of the upper shape still holds a foot that reaches as deep.
+      EXPECT_NEAR(bounds(with.upper).low.z(), bounds(without.upper).low.z(), 0.02);
+      EXPECT_NEAR(solid_mass_properties(with.upper, 1.0).volume, with.upper_volume, 1e-3 * truth);
+      narrowed += with.upper_volume < 0.99 * without.upper_volume ? 1 : 0;
+      off_without += std::abs(without.best_volume / truth - 1.0);
+      off_with += std::abs(with.best_volume / truth - 1.0);
+      width_without += (without.upper_volume - without.lower_volume) / truth;
+      width_with += (with.upper_volume - with.lower_volume) / truth;
+    }
+  }
+  std::cout << inside << " of " << poses << " inside, " << narrowed << " narrowed; best off by "
+            << 100.0 * off_without / poses << " % -> " << 100.0 * off_with / poses << " %, width "
+            << 100.0 * width_without / poses << " % -> " << 100.0 * width_with / poses << " %\n";
+}
+
+}  // namespace
+}  // namespace clast
