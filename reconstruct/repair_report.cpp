@@ -96,8 +96,9 @@ class Sentences {
       case DefectKind::kInward:
         return "the surface faced inwards and was turned";
       case DefectKind::kTunnel:
-        return counted(d.count, "tunnel goes", "tunnels go") +
-               " through the block and stay open; if the rock has none, fill them in the scan";
+        return counted(d.count, "tunnel goes through the block and stays",
+                       "tunnels go through the block and stay") +
+               " open; if the rock has none, fill in the scan what makes one";
       case DefectKind::kHole:
         break;
     }

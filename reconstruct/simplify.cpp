@@ -14,6 +14,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "reconstruct/detail/crossing_mends.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "shapes/detail/cgal_mesh.hpp"
 #include "shapes/detail/edge_collapse.hpp"
@@ -33,6 +34,10 @@ constexpr double kMultiples[] = {1.0, 1.25, 1.5, 2.0};
 constexpr double kVolumeKept = 1e-3;
 /// Rounds of collapsing what crosses before more vertices are tried.
 constexpr int kUntanglings = 20;
+/// So many times the vertices a thinned mesh may have once what crosses was filled anew.
+constexpr double kMostRefill = 2.0;
+/// And so much of its volume may change: the body that is made of it is scaled to the scan's.
+constexpr double kRefillVolume = 0.01;
 
 /// Edges of a closed mesh with `vertices` vertices: V - E + F = chi and 3 F = 2 E.
 std::size_t edges_of(std::size_t vertices, long euler) {
@@ -68,6 +73,25 @@ std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
   return std::nullopt;
 }
 
+/// The last way: what still crosses is cut out and filled anew, which closes a tunnel that is too
+/// narrow for the number of vertices. None where that doesn't help, or changes more than a sliver.
+std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origin) {
+  const std::vector<std::uint32_t> piece = triangle_components(mesh);
+  if (*std::max_element(piece.begin(), piece.end()) > 0) return std::nullopt;
+  const TriangleMesh start = detail::on_grid(mesh, origin);
+  std::optional<detail::FreedSurface> freed = detail::freed_of_crossings(start, origin);
+  if (!freed || freed->wrap_bias ||
+      static_cast<double>(freed->mesh.vertices.size()) >
+          kMostRefill * static_cast<double>(mesh.vertices.size())) {
+    return std::nullopt;
+  }
+  const double volume = detail::signed_volume(start);
+  if (std::abs(detail::signed_volume(freed->mesh) - volume) > kRefillVolume * volume) {
+    return std::nullopt;
+  }
+  return std::move(freed->mesh);
+}
+
 }  // namespace
 
 void SimplifyOptions::check() const {
@@ -97,10 +121,16 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
     const auto target = std::max<std::size_t>(
         4, static_cast<std::size_t>(multiple * static_cast<double>(options.target_vertices)));
     TriangleMesh thinned = collapsed_to(start, edges_of(target, report.euler_characteristic));
+    if (first.triangles.empty()) first = thinned;
     for (Vec3& vertex : thinned.vertices) vertex += origin;
     if (std::optional<TriangleMesh> sound = untangled(thinned)) return std::move(*sound);
-    if (first.triangles.empty()) first = std::move(thinned);
   }
+  std::optional<TriangleMesh> sound = refilled(first, origin);
+  for (TriangleMesh* made : {&first, sound ? &*sound : nullptr}) {
+    if (made == nullptr) continue;
+    for (Vec3& vertex : made->vertices) vertex += origin;
+  }
+  if (sound && crossing_triangles(*sound).empty()) return std::move(*sound);
   const auto crossings = crossing_triangles(first);
   const auto input_crossings = crossing_triangles(mesh);
   std::string message = "thinned to " + std::to_string(options.target_vertices) +

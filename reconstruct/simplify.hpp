@@ -15,7 +15,8 @@ struct SimplifyOptions {
 
 /// Edge collapse that keeps the volume (Lindstrom & Turk 1998), with bounded normal change. The
 /// result is closed, crosses itself nowhere and has at most `target_vertices` vertices; where
-/// tunnels of a porous scan would then cut through each other, up to twice as many. A mesh at or
+/// tunnels of a porous scan would then cut through each other, up to twice as many. A tunnel too
+/// narrow even for that is closed, where that changes the volume by less than 1 %. A mesh at or
 /// below the target is returned as it is.
 /// @param mesh  closed, 2-manifold, outward
 /// @throws GeometryError  mesh not closed, or the thinned mesh crosses itself all the same

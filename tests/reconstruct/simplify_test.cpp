@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/error.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "shapes/self_intersection.hpp"
@@ -62,6 +64,44 @@ TEST(Simplify, SurfaceThatPassesThroughItselfIsRefused) {
   } catch (const GeometryError& error) {
     EXPECT_NE(std::string(error.what()).find("so does the scan"), std::string::npos);
   }
+}
+
+/// A rock with a straight tube through it, as wide as a triangle, between two of its faces.
+TriangleMesh pierced(TriangleMesh rock, std::size_t first, std::size_t second) {
+  const TriangleMesh::Triangle a = rock.triangles[first], b = rock.triangles[second];
+  rock.triangles.erase(rock.triangles.begin() + static_cast<std::ptrdiff_t>(second));
+  rock.triangles.erase(rock.triangles.begin() + static_cast<std::ptrdiff_t>(first));
+  // Seen along the tube the two mouths turn against each other.
+  const std::array<std::uint32_t, 3> mouth = {b[0], b[2], b[1]};
+  std::size_t turn = 0;
+  double shortest = 1e300;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum += (rock.vertices[a[i]] - rock.vertices[mouth[(i + k) % 3]]).squaredNorm();
+    }
+    if (sum < shortest) shortest = sum, turn = k;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::uint32_t c = mouth[(i + turn) % 3], d = mouth[(j + turn) % 3];
+    rock.triangles.push_back({a[i], a[j], d});
+    rock.triangles.push_back({a[i], d, c});
+  }
+  return rock;
+}
+
+TEST(Simplify, TunnelTooNarrowForTheVerticesIsClosed) {
+  const TriangleMesh rock = pierced(random_rock(7, 5, 0.02), 3, 700);
+  ASSERT_TRUE(crossing_triangles(rock).empty());
+  ASSERT_EQ(inspect(rock).euler_characteristic, 0);
+  const TriangleMesh thin = simplified(rock, {.target_vertices = 60});
+  const MeshReport report = inspect(thin);
+  EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
+  EXPECT_EQ(report.euler_characteristic, 2);
+  EXPECT_LE(thin.vertices.size(), 120u);
+  EXPECT_TRUE(crossing_triangles(thin).empty());
+  EXPECT_NEAR(enclosed_volume(thin) / enclosed_volume(rock), 1.0, 0.01);
 }
 
 TEST(SelfIntersection, SoundShapesHaveNoneAndAPokedBoxHasSome) {
