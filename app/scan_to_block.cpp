@@ -271,8 +271,7 @@ PhotographedBlocks photographed_blocks(const std::filesystem::path& folder,
                                        BlockSource& source,
                                        const std::function<void(const std::string&)>& begin) {
   PhotoScanOptions photos = options.photos;
-  if (options.scale_points || reading.scan.unit != 1.0)
-    photos.metres_per_unit = reading.scan.unit;
+  if (options.scale_points || reading.scan.unit != 1.0) photos.metres_per_unit = reading.scan.unit;
   PhotoScan scan = photo_scan(folder, photos, begin);
   if (!scan.metric && options.block.mass) {
     throw InputError(folder.string() +

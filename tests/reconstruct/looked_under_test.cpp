@@ -7,7 +7,7 @@
 
 #include "massprops/solid.hpp"
 #include "reconstruct/detail/pieces.hpp"
-#include "reconstruct/detail/soup.hpp"
+#include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/underside.hpp"
 #include "shapes/detail/triangle_tree.hpp"
 #include "tests/support/rock_mesh.hpp"
