@@ -283,7 +283,14 @@ PhotographedBlocks photographed_blocks(const std::filesystem::path& folder,
   reading.through = &scan.cloud.through;
   begin("finding the surface in " + std::to_string(scan.cloud.points.size()) + " points");
   FieldScan found;
-  found.blocks = field_blocks(scan.cloud.points, folder.string(), reading);
+  try {
+    found.blocks = field_blocks(scan.cloud.points, folder.string(), reading);
+  } catch (const Error& error) {  // mostly for want of photos, which points don't know
+    throw GeometryError(std::string(error.what()) + ". The points come from photos: " +
+                        scan.notes.front() +
+                        ". Take one every 10 to 15 degrees all round the block, so that each "
+                        "shows much of what its neighbours show");
+  }
   found.raw.vertices = scan.cloud.points;
   source.options = "photos=" + std::to_string(scan.model.photos.size()) +
                    " cameras=" + scan.model.source + " scale=" + scan.scale_source;
