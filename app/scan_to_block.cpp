@@ -286,8 +286,8 @@ PhotographedBlocks photographed_blocks(const std::filesystem::path& folder,
   try {
     found.blocks = field_blocks(scan.cloud.points, folder.string(), reading);
   } catch (const Error& error) {  // mostly for want of photos, which points don't know
-    throw GeometryError(std::string(error.what()) + ". The points come from photos: " +
-                        scan.notes.front() +
+    throw GeometryError(std::string(error.what()) +
+                        ". The points come from photos: " + scan.notes.front() +
                         ". Take one every 10 to 15 degrees all round the block, so that each "
                         "shows much of what its neighbours show");
   }
