@@ -96,14 +96,18 @@ TEST_F(Scans, AnOpenScanGivesABlockThatSaysWhatIsNotKnown) {
   EXPECT_TRUE(contains(full.out, "mass kg")) << full.out;
 }
 
-TEST_F(Scans, BlocksOnAGroundAreSplitAndNumbered) {
+TriangleMesh two_rocks_on_the_ground() {
   TriangleMesh scene = grid(60, 3.0);
   for (const double x : {1.5, -1.4}) {
     TriangleMesh rock = noisy_ellipsoid(x > 0 ? 5 : 6, {0.6, 0.5, 0.4});
     for (Vec3& v : rock.vertices) v += Vec3(x, 0.2, 0.3);
     scene = merged(std::move(scene), rock);
   }
-  write_obj(folder / "scene.obj", scene);
+  return scene;
+}
+
+TEST_F(Scans, BlocksOnAGroundAreSplitAndNumbered) {
+  write_obj(folder / "scene.obj", two_rocks_on_the_ground());
   const ProgramRun run = run_clast(
       {"reconstruct", "scene.obj", "--split", "--vertices", "60", "--json"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -265,13 +269,7 @@ TEST_F(Scans, OneScanInTwoFormatsIsTwoBlocksWithTheirExtensions) {
 }
 
 TEST_F(Scans, OneBlockOfASplitThatIsThereAlreadyCostsNeitherTheOthersNorTheFolder) {
-  TriangleMesh scene = grid(60, 3.0);
-  for (const double x : {1.5, -1.4}) {
-    TriangleMesh rock = noisy_ellipsoid(x > 0 ? 5 : 6, {0.6, 0.5, 0.4});
-    for (Vec3& v : rock.vertices) v += Vec3(x, 0.2, 0.3);
-    scene = merged(std::move(scene), rock);
-  }
-  write_obj(folder / "scene.obj", scene);
+  write_obj(folder / "scene.obj", two_rocks_on_the_ground());
   write_obj(folder / "scene_2.obj", cuboid(1, 0.8, 0.6));
   ASSERT_EQ(run_clast({"reconstruct", "scene_2.obj"}, folder.path()).exit_code, 0);
   write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));

@@ -1,0 +1,41 @@
+#pragma once
+/// The block of the fewest vertices that is as near to its scan as asked.
+#include <optional>
+#include <string>
+
+#include "library/make_block.hpp"
+
+namespace clast {
+
+/// Trials with more and fewer vertices until a tenth fewer are known not to do.
+class LightestBlockSearch {
+ public:
+  /// Thins the scan once, to the most vertices a block is given. All three must outlive the search.
+  /// @param source  of the block; how many vertices it got is added to its options
+  LightestBlockSearch(const std::string& id, const ScanSurface& scan, const BlockSource& source);
+
+  /// The lightest block within the tolerance, with the largest radius that allows one: the radius
+  /// is halved where none does. Where none does at any, the nearest block, with a warning.
+  /// @param radius_given  by the user: it is kept
+  /// @throws GeometryError  no block could be made at all
+  Block lightest(const BlockOptions& options, bool radius_given);
+
+ private:
+  std::optional<Block> found(const BlockOptions& options);
+  std::optional<Block> trial(std::size_t count, const BlockOptions& options);
+  /// The nearest of the blocks that were tried, or, where none could be made, the reason.
+  Block nearest(const BlockOptions& options);
+  /// The same block, its mass as accurate as asked.
+  Block accurate(Block block, const BlockOptions& options) const;
+  BlockSource with_vertices(std::size_t count) const;
+  void keep(Block block);
+
+  const std::string& id_;
+  const ScanSurface& scan_;
+  const BlockSource& source_;
+  TriangleMesh fine_;
+  std::optional<Block> nearest_;
+  std::string refusal_;  ///< the first
+};
+
+}  // namespace clast
