@@ -12,7 +12,7 @@ namespace clast {
 struct TestResult {
   double statistic = 0.0;
   double p_value = 1.0;
-  bool exact = true;  ///< p from all arrangements of these values; else from the limit for many
+  bool exact = true;  ///< p from all arrangements of these values; else from a limit or from draws
 };
 
 /// Kolmogorov's and Smirnov's test of two samples: the largest distance D of their cumulative

@@ -5,9 +5,9 @@
 #include <functional>
 #include <map>
 
+#include "core/clustered_test.hpp"
 #include "core/csv_text.hpp"
 #include "core/number_text.hpp"
-#include "core/sample_tests.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {
@@ -17,7 +17,7 @@ constexpr std::size_t kFewest = 3;  ///< values of a group
 /// Any seed is good; a fixed one gives the same interval every time.
 constexpr std::uint64_t kSeed = 20220310;
 
-constexpr std::size_t kMostDrawn = 20'000'000;  ///< numbers for one interval
+constexpr std::size_t kMostDrawn = 20'000'000;  ///< numbers for one interval or test
 
 struct Quantity {
   std::string name;
@@ -87,6 +87,16 @@ ClusteredValues values_of(const Comparison& comparison, const Group& group,
   return values;
 }
 
+/// One release point, or one of its own for each group: points tell nothing then of how much they
+/// scatter, and runs are all there is to draw.
+bool are_points_alone(const ClusteredValues& a, const ClusteredValues& b) {
+  const auto all_of_first = [](const std::vector<std::uint32_t>& clusters) {
+    return std::all_of(clusters.begin(), clusters.end(),
+                       [&](std::uint32_t cluster) { return cluster == clusters.front(); });
+  };
+  return all_of_first(a.clusters) && all_of_first(b.clusters);
+}
+
 std::optional<Difference> difference_of(const Comparison& comparison, std::size_t first,
                                         std::size_t second, const Quantity& quantity) {
   Clusters clusters;
@@ -102,13 +112,18 @@ std::optional<Difference> difference_of(const Comparison& comparison, std::size_
   found.points = clusters.count();
   found.first_mean = summarise(a.values).mean;
   found.second_mean = summarise(b.values).mean;
-  // Of one release point every run is drawn by itself, so large samples are drawn less often.
-  const std::size_t pieces = clusters.count() > 1 ? clusters.count() : a.values.size();
-  const std::size_t draws = std::clamp<std::size_t>(kMostDrawn / pieces, 200, 2000);
-  found.interval = bootstrap_difference(a, b, clusters.count(), kSeed, draws);
+  found.by_runs = are_points_alone(a, b);
+  const std::size_t runs = a.values.size() + b.values.size();
+  const std::size_t drawn_from = found.by_runs ? 1 : clusters.count();
+  // Large samples are drawn less often.
+  const auto draws = [&](std::size_t numbers, std::size_t most) {
+    return std::clamp<std::size_t>(kMostDrawn / numbers, 200, most);
+  };
+  found.interval = bootstrap_difference(a, b, drawn_from, kSeed,
+                                        draws(found.by_runs ? runs : clusters.count(), 2000));
   found.cliffs_delta = *cliffs_delta(a.values, b.values);
   found.hedges_g = hedges_g(a.values, b.values);
-  const TestResult test = *two_sample_ks(a.values, b.values);
+  const TestResult test = *clustered_ks(a, b, drawn_from, kSeed, draws(runs, 9999));
   found.ks_distance = test.statistic;
   found.p_value = test.p_value;
   return found;
@@ -167,12 +182,12 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
                       " " + number(difference.second_mean) + " (" +
                       std::to_string(difference.second_runs) + "): a difference of " + number(gap);
   if (difference.interval) {
-    words +=
-        " (95 % interval " + number(difference.interval->low) + " to " +
-        number(difference.interval->high) + ", " +
-        (difference.points > 1 ? "from " + std::to_string(difference.points) + " release points"
-                               : "from the runs of one release point") +
-        ")";
+    words += " (95 % interval " + number(difference.interval->low) + " to " +
+             number(difference.interval->high) + ", " +
+             (!difference.by_runs ? "from " + std::to_string(difference.points) + " release points"
+              : difference.points > 1 ? "from the runs of one release point each"
+                                      : "from the runs of one release point") +
+             ")";
   }
   words += ". The effect is " + std::string(words_for_delta(difference.cliffs_delta)) +
            " (Cliff's delta " + number(difference.cliffs_delta) + "). ";

@@ -18,14 +18,16 @@ struct Difference {
   std::string quantity;        ///< "runout_m", "EC11 speed_m_s"
   std::size_t first_runs = 0;  ///< with the quantity
   std::size_t second_runs = 0;
-  std::size_t points = 0;  ///< release points that either has, the clusters of the bootstrap
+  std::size_t points = 0;  ///< release points that either has, the clusters of interval and test
+  /// Runs are drawn by themselves: there is one release point, or one of its own for each group.
+  bool by_runs = false;
   double first_mean = 0.0;
   double second_mean = 0.0;
   std::optional<Interval> interval;  ///< 95 %, of first_mean - second_mean
   double cliffs_delta = 0.0;         ///< first against second
   std::optional<double> hedges_g;
   double ks_distance = 0.0;
-  double p_value = 1.0;   ///< of Kolmogorov's and Smirnov's test
+  double p_value = 1.0;   ///< of Kolmogorov's and Smirnov's test, clusters kept (clustered_ks)
   double p_holm = 1.0;    ///< ... corrected for all differences of the same kind of group
   std::size_t tests = 0;  ///< that it was corrected for
 

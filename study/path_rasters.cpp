@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "study/path_samples.hpp"
@@ -37,22 +38,74 @@ double cell_size(const Comparison& comparison) {
   return std::max(kNarrowest, longer > 0.0 ? round_up_to_nice(longer / kCells) : 0.0);
 }
 
+/// Shares of the straight way between two places at which it enters another cell, ascending.
+std::vector<double> entries(const Vec2& from, const Vec2& to, double size) {
+  std::vector<double> shares;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = std::min(from[axis], to[axis]), high = std::max(from[axis], to[axis]);
+    for (double line = std::ceil(low / size); line * size < high; ++line) {
+      shares.push_back((line * size - from[axis]) / (to[axis] - from[axis]));
+    }
+  }
+  std::sort(shares.begin(), shares.end());
+  return shares;
+}
+
+/// The largest values of one run in the cells it comes over.
+class CellsOfRun {
+ public:
+  CellsOfRun(const Vec2& origin, double size) : origin_(origin), size_(size) {}
+
+  /// Takes the next place of the run, to which its values change evenly.
+  void go_to(const PathSample& sample) {
+    if (before_) {
+      PathSample last = *before_;
+      for (const double share : entries(place(last), place(sample), size_)) {
+        const PathSample entered = between(*before_, sample, share);
+        cross(last, entered);
+        last = entered;
+      }
+      cross(last, sample);
+    }
+    cross(sample, sample);
+    before_ = sample;
+  }
+  const std::map<Cell, Largest>& cells() const { return cells_; }
+
+ private:
+  Vec2 place(const PathSample& sample) const { return sample.position.head<2>() + origin_; }
+
+  static PathSample between(const PathSample& a, const PathSample& b, double share) {
+    return {a.position + share * (b.position - a.position), std::lerp(a.speed, b.speed, share),
+            std::lerp(a.energy, b.energy, share), std::lerp(a.height, b.height, share)};
+  }
+  /// The way between two places of one cell.
+  void cross(const PathSample& from, const PathSample& to) {
+    const Vec2 middle = 0.5 * (place(from) + place(to)) / size_;
+    Largest& here =
+        cells_[{std::llround(std::floor(middle.y())), std::llround(std::floor(middle.x()))}];
+    for (const PathSample* end : {&from, &to}) {
+      here.energy = std::max(here.energy, end->energy);
+      here.speed = std::max(here.speed, end->speed);
+      if (std::isfinite(end->height)) here.height = std::max(here.height, end->height);
+    }
+  }
+
+  Vec2 origin_;
+  double size_;
+  std::optional<PathSample> before_;
+  std::map<Cell, Largest> cells_;
+};
+
 std::map<Cell, Passed> passages(const Comparison& comparison, double size) {
   std::map<Cell, Passed> cells;
   for_each_trajectory(comparison, [&](std::size_t index, const Trajectory& trajectory,
                                       const TerrainSurface& ground) {
     const RunRow& row = comparison.rows[index];
-    const Vec2 origin = comparison.results[row.file].frame.origin.head<2>();
-    std::map<Cell, Largest> of_run;
-    walk(trajectory, *row.block, ground, 0.5 * size, [&](const PathSample& sample) {
-      const Vec2 map = sample.position.head<2>() + origin;
-      Largest& here = of_run[{std::llround(std::floor(map.y() / size)),
-                              std::llround(std::floor(map.x() / size))}];
-      here.energy = std::max(here.energy, sample.energy);
-      here.speed = std::max(here.speed, sample.speed);
-      if (std::isfinite(sample.height)) here.height = std::max(here.height, sample.height);
-    });
-    for (const auto& [cell, largest] : of_run) {
+    CellsOfRun run(comparison.results[row.file].frame.origin.head<2>(), size);
+    walk(trajectory, *row.block, ground, 0.5 * size,
+         [&](const PathSample& sample) { run.go_to(sample); });
+    for (const auto& [cell, largest] : run.cells()) {
       Passed& passed = cells[cell];
       passed.energy.push_back(largest.energy);
       if (std::isfinite(largest.height)) passed.height.push_back(largest.height);

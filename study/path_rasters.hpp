@@ -24,9 +24,9 @@ struct PathRasters {
 };
 
 /// Reach probability, passages, energy (mean, p95, max), passing height (p95) and velocity (max).
-/// Each run counts once in a cell that its centre is over, with its largest value there, read from
-/// its stored trajectory; without trajectories there are no cells. A cell is about a four-hundredth
-/// of the longer side, a round number of metres, and at least 0.5 m.
+/// Each run counts once in every cell that the path of its centre crosses, with its largest value
+/// there, read from its stored trajectory; without trajectories there are no cells. A cell is about
+/// a four-hundredth of the longer side, a round number of metres, and at least 0.5 m.
 PathRasters path_rasters(const Comparison& comparison);
 
 }  // namespace clast

@@ -72,11 +72,10 @@ std::string differences_section(const Comparison& comparison) {
   if (!sentences.empty()) {
     html += paragraph(
         "Intervals are from drawing whole release points, effect sizes from all pairs of runs, and "
-        "p from Kolmogorov's and Smirnov's test after Holm's correction for all tests of the same "
-        "kind of group. That test takes runs as independent: where both groups start from the same "
-        "points it errs on the careful side, since points spread both alike; where they start from "
-        "different points it can't tell groups from points, and the interval decides. All pairs, "
-        "also of blocks, are in differences.csv.");
+        "p from Kolmogorov's and Smirnov's distance after Holm's correction for all tests of the "
+        "same kind of group: the share of random deals that give as large a distance, in which the "
+        "runs of a point that both groups have are dealt anew, and the points that only one has go "
+        "to one of the groups as a whole. All pairs, also of blocks, are in differences.csv.");
     html += too_many_groups(comparison);
     html += table.html() + sentences;
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <regex>
@@ -60,6 +61,26 @@ TEST_F(ThrownRuns, FillTheCellsTheyPass) {
   // m = 300 kg, J_z = 3 kg m^2, 2 rad/s.
   const double v = std::hypot(10.0, kGravity * 0.5);
   EXPECT_NEAR(layer("E_max")[10], 150.0 * v * v + 6.0, 1e-2);
+}
+
+// A straight way over a grid: of all cells those it has a piece in, however short.
+TEST(Rasters, CountCellsThatAreCutAtACorner) {
+  const ScratchFolder folder;
+  const double slope = 0.71;
+  store_thrown(folder / "r.h5", Vec3(1.0, slope, 0.0).normalized());
+  const PathRasters rasters = path_rasters(compared(read_results(folder / "r.h5")));
+  ASSERT_EQ(rasters.layers[1].name, "Nr_passages");
+  const double end = 5.0 / std::hypot(1.0, slope);  // x where the longer run stops
+  std::size_t cut = 0;
+  for (std::size_t i = 0; i < rasters.layers[1].value.size(); ++i) {
+    const double x = 0.5 * static_cast<double>(i % rasters.columns);
+    const double y = 0.5 * static_cast<double>(rasters.rows - 1 - i / rasters.columns);
+    // Where the way enters and leaves the cell.
+    const double from = std::max(x, y / slope), to = std::min({x + 0.5, (y + 0.5) / slope, end});
+    EXPECT_EQ(std::isnan(rasters.layers[1].value[i]), from >= to) << x << " " << y;
+    cut += from < to && to - from < 0.1 ? 1 : 0;
+  }
+  EXPECT_EQ(cut, 3u) << "the way should cut corners";
 }
 
 TEST_F(ThrownRuns, AreGeoTiffsOnTheMap) {

@@ -8,14 +8,15 @@ namespace clast {
 
 inline constexpr double kGravity = 9.81;
 
-/// Thrown at 10 m/s along x from 2 m above a level ground, spinning at 2 rad/s about z, seen four
-/// times a second.
-inline Trajectory thrown(double seconds) {
+/// Thrown at 10 m/s from 2 m above a level ground, spinning at 2 rad/s about z, seen four times a
+/// second.
+/// @param along  level, of length 1
+inline Trajectory thrown(double seconds, const Vec3& along = Vec3::UnitX()) {
   Trajectory trajectory;
   for (double t = 0.0; t <= seconds; t += 0.25) {
     RigidState state;
-    state.position = Vec3(10.0 * t, 0.0, 2.0 - 0.5 * kGravity * t * t);
-    state.velocity = Vec3(10.0, 0.0, -kGravity * t);
+    state.position = 10.0 * t * along + Vec3(0.0, 0.0, 2.0 - 0.5 * kGravity * t * t);
+    state.velocity = 10.0 * along - Vec3(0.0, 0.0, kGravity * t);
     state.angular_velocity = Vec3(0.0, 0.0, 2.0);
     trajectory.time.push_back(t);
     trajectory.states.push_back(state);
@@ -25,7 +26,7 @@ inline Trajectory thrown(double seconds) {
 
 /// Two runs of the hand-made campaign, for half and for a quarter of a second. The first block is a
 /// rounded cuboid of twice the library block's size.
-inline void store_thrown(const std::filesystem::path& file) {
+inline void store_thrown(const std::filesystem::path& file, const Vec3& along = Vec3::UnitX()) {
   CampaignResults header = hand_made_results();
   header.release_sets = {""};
   header.set_of_point = {0};
@@ -41,7 +42,7 @@ inline void store_thrown(const std::filesystem::path& file) {
       StoredRun run;
       run.record = runs[i];
       run.record.start.position = Vec3(0.0, 0.0, 2.0);
-      run.trajectory = thrown(i == 0 ? 0.5 : 0.25);
+      run.trajectory = thrown(i == 0 ? 0.5 : 0.25, along);
       writer.add(run);
     }
     writer.finish();
