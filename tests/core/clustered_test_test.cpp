@@ -68,7 +68,7 @@ TEST(ClusteredKs, SeesWhatPointsHide) {
     Random random(seed);
     Pair pair;
     for (std::uint32_t point = 0; point < 8; ++point) {
-      const double place = 300.0 * random.normal();
+      const double place = 30.0 * point;
       for (int i = 0; i < 12; ++i) {
         add(pair.a, place + random.normal(), point);
         add(pair.b, place + 3.0 + random.normal(), point);
