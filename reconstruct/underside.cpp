@@ -25,6 +25,7 @@ constexpr double kUpperBand = 0.2, kBestBand = 0.1;
 constexpr double kBestShare = 0.6;
 /// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
 constexpr double kBestPower = 2.0 / 3.0;
+constexpr double kMostPointedBest = 3.0;             ///< power that it may rise to
 constexpr double kBluntest = 0.05, kSharpest = 2.0;  ///< powers of the bulge
 constexpr double kMostPointed = 8.0;                 ///< of a foot
 constexpr int kPowerSteps = 40;                      ///< halvings of a range of powers
@@ -207,8 +208,7 @@ class Closing {
   /// under stands on a foot; the less so, the deeper it may be buried.
   /// @returns whether that is less than it was
   bool look_under(double bottom, double highest) {
-    if (options_.through == nullptr || !(options_.through->side > 0.0) || !options_.ground ||
-        result_.down != -options_.ground->normal) {
+    if (options_.through == nullptr || !(options_.through->side > 0.0) || !faces_ground()) {
       return false;
     }
     const double ground = options_.ground->distance, sunk = kSunk * (highest - ground);
@@ -259,12 +259,14 @@ class Closing {
     return heights;
   }
 
+  bool faces_ground() const { return options_.ground && result_.down == -options_.ground->normal; }
+
   /// The height below which nothing of the block is looked for. A rim that is clear of the ground
   /// nearly all around shows that the block lies on it; else nothing tells how deep it goes.
   double lowest_bottom(double low_rim, double mean_rim, double highest) {
     const double height = highest - mean_rim;
     const double buried = mean_rim - options_.deepest * height;
-    if (!options_.ground || result_.down != -options_.ground->normal) return buried;
+    if (!faces_ground()) return buried;
     const double ground = options_.ground->distance;
     result_.gap = mean_rim - ground;
     if (low_rim - ground < kClearOfGround * height) return buried;
@@ -294,6 +296,26 @@ class Closing {
     return {low, std::min(blunt.depth, added / column(low))};
   }
 
+  /// The same volume, so pointed that it reaches the ground if there is one, or as pointed as may
+  /// be: a block does not float.
+  Move lying(const Move& blunt, double added) const {
+    if (!faces_ground() || touches_ground(blunt)) return blunt;
+    const auto of_power = [&](double power) { return Move{power, added / column(power)}; };
+    double low = blunt.power, high = kMostPointedBest;
+    for (int i = 0; i < kPowerSteps; ++i) {
+      const double power = 0.5 * (low + high);
+      (touches_ground(of_power(power)) ? high : low) = power;
+    }
+    return of_power(high);
+  }
+  bool touches_ground(const Move& move) const {
+    for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
+      const double fall = move.depth * std::pow(patch_.bulge[i], move.power);
+      if (options_.ground->height(result_.lower.vertices[first_vertex_ + i]) <= fall) return true;
+    }
+    return false;
+  }
+
   TriangleMesh lowered(const Move& move) const {
     TriangleMesh mesh = result_.lower;
     if (move.depth <= 0.0) return mesh;
@@ -319,13 +341,15 @@ class Closing {
     return volume;
   }
 
-  /// A cap under an uneven rim may meet the walls: it is made more pointed, then drawn back, until
-  /// it does not.
+  /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
+  /// more pointed, then drawn back, until it does not.
   void settle_best(double deepest) {
     const double added = result_.best_volume - result_.lower_volume;
+    const Move start = lying(move_of(added, kBestPower, deepest), added);
+    deepest = std::max(deepest, start.depth);
     const std::size_t crossings = crossing_triangles(result_.lower).size();
     const auto fits = [&] { return crossing_triangles(result_.best).size() <= crossings; };
-    for (double power = kBestPower; power < 3.0; power *= 1.5) {
+    for (double power = start.power; power <= kMostPointedBest; power *= 1.5) {
       result_.best = lowered(move_of(added, power, deepest));
       if (fits()) break;
     }
