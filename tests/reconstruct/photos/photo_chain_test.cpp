@@ -3,25 +3,30 @@
 
 #include <iostream>
 
-#include "reconstruct/field_scan.hpp"
-#include "reconstruct/photos/photo_scan.hpp"
 #include "shapes/mesh_topology.hpp"
-#include "tests/reconstruct/photos/synthetic_rock.hpp"
+#include "tests/reconstruct/photos/rock_block.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 namespace {
 
-TEST(PhotoChain, EveryPhotoOfTheRenderedRockIsPlacedAndTheMarkersGiveItsScale) {
+TEST(PhotoChain, TheRenderedRockIsPlacedScaledAndMeasured) {
   const ScratchFolder cache;
-  PhotoModel model =
-      colmap_cameras(test_data("photos/synthetic_rock/images"), {.cache = cache.path()});
-  EXPECT_EQ(model.photos.size(), 36u);
-  const double truth = ToTruth(model).scale;
-  const PhotoScale scale = scale_from_markers(found_markers(model), {.marker_side = 0.2});
-  std::cout << "scale " << 100.0 * (scale.metres_per_unit / truth - 1.0) << " %\n";
-  EXPECT_NEAR(scale.metres_per_unit, truth, 0.001 * truth);
+  PhotoScanOptions options;
+  options.colmap.cache = cache.path();
+  options.scale.marker_side = 0.2;
+  const PhotoScan scan = photo_scan(test_data("photos/synthetic_rock/images"), options);
+  EXPECT_EQ(scan.model.photos.size(), 36u);
+  const double scale = 1.0 / ToTruth(scan.model).scale;
+  std::cout << "scale " << 100.0 * (scale - 1.0) << " %\n";
+  EXPECT_NEAR(scale, 1.0, 0.001);
+  const RockBlock rock(scan);
+  EXPECT_TRUE(inspect(rock.block.scan.mesh).closed());
+  for (const int axis : {0, 2}) EXPECT_LT(std::abs(rock.extents[axis]), 0.005) << axis;
+  const Underside& underside = *rock.block.underside;
+  EXPECT_LE(underside.lower_volume, rock.true_volume);
+  EXPECT_GE(underside.upper_volume, rock.true_volume);
 }
 
 TEST(PhotoChain, TheRealBouldersPhotosGiveAClosedBlockWithoutAScale) {
