@@ -36,9 +36,11 @@ constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
 /// not say then what hangs beside them, and the best shape is put at this share between the bounds:
 /// the median of 100 blocks of which what faces down steeply was taken away.
 constexpr double kEven = 0.05, kUnevenShare = 0.35;
-/// A rim this far above the ground nearly all around, as a share of the height, is clear of it,
+/// A rim this far above the ground, as a share of the height, is clear of it,
 constexpr double kClearOfGround = 0.02;
-/// and the block has sunk into it by this share at most.
+/// and where no more than the first share of it is not, the block has sunk into it by kSunk of its
+/// height at most; from the second share on nothing tells how deep it goes.
+constexpr double kFewHang = 0.05, kManyHang = 0.15;
 constexpr double kSunk = 0.05;
 /// A block stands on a foot where photos looked under it but for this share of its plan; where all
 /// of it meets the ground, nothing tells how deep it goes.
@@ -174,7 +176,7 @@ class Closing {
     const auto quantile = [&](double share) {
       return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
     };
-    const double bottom = lowest_bottom(quantile(0.1), quantile(0.5), sections.highest());
+    const double bottom = lowest_bottom(heights, quantile(0.5), sections.highest());
     result_.upper_volume = result_.best_volume = result_.lower_volume;
     double deepest = 0.0, power = kBestPower;
     for (const double share : kRimShares) {
@@ -262,16 +264,21 @@ class Closing {
   bool faces_ground() const { return options_.ground && result_.down == -options_.ground->normal; }
 
   /// The height below which nothing of the block is looked for. A rim that is clear of the ground
-  /// nearly all around shows that the block lies on it; else nothing tells how deep it goes.
-  double lowest_bottom(double low_rim, double mean_rim, double highest) {
+  /// nearly all around shows that the block lies on it; else nothing tells how deep it goes. In
+  /// between it is in between, so that a hair's breadth of the rim decides nothing.
+  /// @param rim  heights, ascending
+  double lowest_bottom(const std::vector<double>& rim, double mean_rim, double highest) {
     const double height = highest - mean_rim;
     const double buried = mean_rim - options_.deepest * height;
     if (!faces_ground()) return buried;
     const double ground = options_.ground->distance;
     result_.gap = mean_rim - ground;
-    if (low_rim - ground < kClearOfGround * height) return buried;
+    const auto clear = std::lower_bound(rim.begin(), rim.end(), ground + kClearOfGround * height);
+    const double hanging =
+        static_cast<double>(clear - rim.begin()) / static_cast<double>(rim.size());
+    const double share = std::clamp((hanging - kFewHang) / (kManyHang - kFewHang), 0.0, 1.0);
     // Something holds it up: under an overhang it reaches the ground however far below that is.
-    return ground - kSunk * height;
+    return std::lerp(ground - kSunk * height, buried, share);
   }
 
   /// How the filling is moved down: bulge^power times the depth.

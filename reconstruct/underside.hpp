@@ -21,8 +21,9 @@ struct Plane {
 
 /// What is known and what is supposed of an underside.
 struct UndersideOptions {
-  /// The ground the block lies on, normal up. Where the rim stands clear of it all around, the
-  /// block has sunk into it by 5 % of its height at most. None: a rim faces down, whichever way
+  /// The ground the block lies on, normal up. Where 95 % of the rim stand clear of it, the
+  /// block has sunk into it by 5 % of its height at most; it may go as deep as `deepest` where 85 %
+  /// and less do. None: a rim faces down, whichever way
   /// that is.
   std::optional<Plane> ground = {};
   /// At most this much is buried, as a share of the height that was seen: a quarter of the whole
