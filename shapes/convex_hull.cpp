@@ -5,6 +5,8 @@
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <string>
 
 #include "core/error.hpp"
@@ -58,6 +60,58 @@ std::vector<Vec3> flat_corners(const std::vector<Vec3>& points, const Mat3& axes
     corners.push_back(found->point);
   }
   return sorted_points(corners);
+}
+
+/// The corners of every flat face of a hull, seen from outside counterclockwise. CGAL has cut faces
+/// of more than three corners into triangles, in an order that follows from places in memory; put
+/// together again they are the same in every run.
+std::vector<std::vector<HullMesh::Vertex_index>> outlines(const HullMesh& hull) {
+  using Vertex = HullMesh::Vertex_index;
+  using Face = HullMesh::Face_index;
+  const auto corners = [&](Face face) {
+    std::array<Vertex, 3> three;
+    std::size_t i = 0;
+    for (const Vertex v : hull.vertices_around_face(hull.halfedge(face))) three[i++] = v;
+    return three;
+  };
+  std::vector<std::vector<Vertex>> found;
+  std::vector<bool> done(hull.number_of_faces(), false);
+  for (const Face seed : hull.faces()) {
+    const auto [a, b, c] = corners(seed);
+    const auto &p = hull.point(a), &q = hull.point(b), &r = hull.point(c);
+    if (done[seed] || CGAL::collinear(p, q, r)) continue;
+    const auto in_plane = [&](Face face) {
+      const std::array<Vertex, 3> three = corners(face);
+      return std::all_of(three.begin(), three.end(),
+                         [&](Vertex v) { return CGAL::coplanar(p, q, r, hull.point(v)); });
+    };
+    std::vector<Face> open = {seed};
+    done[seed] = true;
+    std::map<Vertex, Vertex> next;  // along the border
+    while (!open.empty()) {
+      const Face face = open.back();
+      open.pop_back();
+      for (const auto edge : hull.halfedges_around_face(hull.halfedge(face))) {
+        const Face beside = hull.face(hull.opposite(edge));
+        if (!in_plane(beside)) {
+          next[hull.source(edge)] = hull.target(edge);
+        } else if (!done[beside]) {
+          done[beside] = true;
+          open.push_back(beside);
+        }
+      }
+    }
+    std::vector<Vertex> border = {next.begin()->first}, outline;
+    while (next[border.back()] != border.front()) border.push_back(next[border.back()]);
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const Vertex before = border[(i + border.size() - 1) % border.size()];
+      const Vertex after = border[(i + 1) % border.size()];
+      if (CGAL::collinear(hull.point(before), hull.point(border[i]), hull.point(after))) continue;
+      outline.push_back(border[i]);
+    }
+    found.push_back(std::move(outline));
+  }
+  return found;
 }
 
 /// Triangles start at their smallest vertex and ascend.
@@ -135,22 +189,27 @@ TriangleMesh convex_hull(std::span<const Vec3> points) {
   HullMesh hull;
   CGAL::convex_hull_3(input.begin(), input.end(), hull);
 
+  const auto place = [&](HullMesh::Vertex_index v) {
+    const auto& point = hull.point(v);
+    return Vec3(point.x(), point.y(), point.z());
+  };
+  const std::vector<std::vector<HullMesh::Vertex_index>> faces = outlines(hull);
   TriangleMesh mesh;
-  for (const auto v : hull.vertices()) {
-    const auto& p = hull.point(v);
-    mesh.vertices.emplace_back(p.x(), p.y(), p.z());
+  for (const auto& face : faces) {
+    for (const auto v : face) mesh.vertices.push_back(place(v));
   }
-  const std::vector<Vec3> unordered = mesh.vertices;
-  std::sort(mesh.vertices.begin(), mesh.vertices.end(), before);
-  for (const auto face : hull.faces()) {
-    TriangleMesh::Triangle triangle{};
-    int corner = 0;
-    for (const auto v : CGAL::vertices_around_face(hull.halfedge(face), hull)) {
+  mesh.vertices = sorted_points(mesh.vertices);
+  for (const auto& face : faces) {
+    std::vector<std::uint32_t> corners;
+    for (const auto v : face) {
       const auto found =
-          std::lower_bound(mesh.vertices.begin(), mesh.vertices.end(), unordered[v], before);
-      triangle[corner++] = static_cast<std::uint32_t>(found - mesh.vertices.begin());
+          std::lower_bound(mesh.vertices.begin(), mesh.vertices.end(), place(v), before);
+      corners.push_back(static_cast<std::uint32_t>(found - mesh.vertices.begin()));
     }
-    mesh.triangles.push_back(triangle);
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    }
   }
   sort_triangles(mesh);
   return mesh;

@@ -7,8 +7,8 @@
 
 namespace clast {
 
-/// The hull as a closed, outward mesh that holds only extreme points. Same bits for any order of
-/// the points.
+/// The hull as a closed, outward mesh that holds only extreme points. Faces of more than three
+/// corners are fans from the first of them. Same bits for any order of the points.
 /// @throws GeometryError  fewer than four points, or all in one plane (to 1e-12 of their extent)
 TriangleMesh convex_hull(std::span<const Vec3> points);
 

@@ -49,6 +49,30 @@ TEST(ConvexHull, PointsOnFacesAndEdgesAreDropped) {
   EXPECT_NEAR(enclosed_volume(hull), 6.0, 1e-14);
 }
 
+// CGAL cuts flat faces into triangles by places in memory, which follow from what was done before.
+TEST(ConvexHull, FlatFacesAreCutTheSameWhateverWasDoneBefore) {
+  std::vector<Vec3> prism;
+  for (int i = 0; i < 200; ++i) {
+    const double angle = 2.0 * kPi * i / 200.0;
+    for (const double z : {0.0, 1.0}) prism.emplace_back(std::cos(angle), std::sin(angle), z);
+  }
+  const TriangleMesh hull = convex_hull(prism);
+  EXPECT_EQ(hull.vertices.size(), 400u);
+  EXPECT_EQ(hull.triangles.size(), 796u);
+  EXPECT_TRUE(inspect(hull).closed());
+  std::vector<std::vector<char>> kept;
+  Random random(3);
+  for (int i = 0; i < 10; ++i) {
+    for (int k = 0; k < 200; ++k) {
+      kept.emplace_back(random.below(20000));
+      if (random.below(2) == 0) kept[random.below(kept.size())] = {};
+    }
+    const TriangleMesh again = convex_hull(prism);
+    EXPECT_EQ(hull.vertices, again.vertices) << i;
+    EXPECT_EQ(hull.triangles, again.triangles) << i;
+  }
+}
+
 TEST(ConvexHull, SameBitsForAnyOrder) {
   const std::vector<Vec3> points = box_mesh(Vec3(1, 2, 3), 3).vertices;
   const TriangleMesh hull = convex_hull(points);
