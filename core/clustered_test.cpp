@@ -1,7 +1,7 @@
 #include "core/clustered_test.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -10,9 +10,6 @@
 
 namespace clast {
 namespace {
-
-/// Distances that are equal differ by the rounding of their shares.
-constexpr double kSame = 1e-9;
 
 /// Values of both samples in ascending order, the clusters they come in, and to which sample each
 /// is dealt at present.
@@ -50,15 +47,14 @@ class Deal {
   bool all_shared() const { return alone_.empty(); }
 
   double distance() const {
-    double m = 0.0;
-    for (const char first : first_) m += first;
-    const double step_up = 1.0 / m, step_down = 1.0 / (static_cast<double>(first_.size()) - m);
-    double off = 0.0, largest = 0.0;
+    const std::int64_t m = std::count(first_.begin(), first_.end(), 1);
+    const std::int64_t n = static_cast<std::int64_t>(first_.size()) - m;
+    std::int64_t off = 0, largest = 0;  // in units of 1/(m n), so that equal distances are equal
     for (std::size_t at = 0; at < first_.size(); ++at) {
-      off += first_[at] ? step_up : -step_down;
+      off += first_[at] ? n : -m;
       if (ends_[at]) largest = std::max(largest, std::abs(off));
     }
-    return largest;
+    return static_cast<double>(largest) / (static_cast<double>(m) * static_cast<double>(n));
   }
 
   void deal_anew(Random& random) {
@@ -99,22 +95,22 @@ class Deal {
 std::optional<TestResult> clustered_ks(const ClusteredValues& a, const ClusteredValues& b,
                                        std::size_t clusters, std::uint64_t seed,
                                        std::size_t draws) {
-  const std::optional<TestResult> single = two_sample_ks(a.values, b.values);
-  if (!single) return std::nullopt;
-  if (clusters <= 1) return single;
+  if (clusters <= 1 || a.values.empty() || b.values.empty()) {
+    return two_sample_ks(a.values, b.values);
+  }
   Deal deal(a, b, clusters);
   TestResult result;
   result.exact = false;
-  result.statistic = single->statistic;
+  result.statistic = deal.distance();
   std::size_t as_far = 0;
   Random random(seed);
   for (std::size_t draw = 0; draw < draws; ++draw) {
     deal.deal_anew(random);
-    as_far += deal.distance() >= result.statistic - kSame ? 1 : 0;
+    as_far += deal.distance() >= result.statistic ? 1 : 0;
   }
   result.p_value = static_cast<double>(1 + as_far) / static_cast<double>(1 + draws);
   if (as_far == 0 && deal.all_shared()) {
-    result.p_value = std::min(result.p_value, single->p_value);
+    result.p_value = std::min(result.p_value, two_sample_ks(a.values, b.values)->p_value);
   }
   return result;
 }

@@ -25,7 +25,7 @@ constexpr double kUpperBand = 0.2, kBestBand = 0.1;
 constexpr double kBestShare = 0.6;
 /// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
 constexpr double kBestPower = 2.0 / 3.0;
-constexpr double kMostPointedBest = 3.0;             ///< power that it may rise to
+constexpr double kMostPointedBest = 3.0;             ///< ... and may rise to this power
 constexpr double kBluntest = 0.05, kSharpest = 2.0;  ///< powers of the bulge
 constexpr double kMostPointed = 8.0;                 ///< of a foot
 constexpr int kPowerSteps = 40;                      ///< halvings of a range of powers
@@ -36,10 +36,10 @@ constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
 /// not say then what hangs beside them, and the best shape is put at this share between the bounds:
 /// the median of 100 blocks of which what faces down steeply was taken away.
 constexpr double kEven = 0.05, kUnevenShare = 0.35;
-/// A rim this far above the ground, as a share of the height, is clear of it,
+/// A rim hangs down to the ground where it is no farther above it than this share of the height.
 constexpr double kClearOfGround = 0.02;
-/// and where no more than the first share of it is not, the block has sunk into it by kSunk of its
-/// height at most; from the second share on nothing tells how deep it goes.
+/// Where up to the first share of the rim hangs, the block has sunk into the ground by this share
+/// of its height at most; where the second share and more does, nothing tells how deep it goes.
 constexpr double kFewHang = 0.05, kManyHang = 0.15;
 constexpr double kSunk = 0.05;
 /// A block stands on a foot where photos looked under it but for this share of its plan; where all
