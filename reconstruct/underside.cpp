@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "reconstruct/detail/film.hpp"
 #include "reconstruct/detail/hole_patch.hpp"
 #include "reconstruct/detail/sections.hpp"
 #include "reconstruct/detail/space_below.hpp"
@@ -25,10 +26,8 @@ constexpr double kUpperBand = 0.2, kBestBand = 0.1;
 constexpr double kBestShare = 0.6;
 /// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
 constexpr double kBestPower = 2.0 / 3.0;
-constexpr double kMostPointedBest = 3.0;             ///< ... and may rise to this power
-constexpr double kBluntest = 0.05, kSharpest = 2.0;  ///< powers of the bulge
-constexpr double kMostPointed = 8.0;                 ///< of a foot
-constexpr int kPowerSteps = 40;                      ///< halvings of a range of powers
+constexpr double kMostPointedBest = 3.0;  ///< ... and may rise to this power
+constexpr double kSharpest = 2.0;         ///< power of the upper shape
 /// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
 /// an uneven rim each tells of a part, and the largest volume counts.
 constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
@@ -131,9 +130,9 @@ class Closing {
     }
     first_vertex_ = result_.lower.vertices.size();
     result_.first_invented = result_.lower.triangles.size();
-    patch_ = fill(rims[0]);
+    detail::HolePatch patch = fill(rims[0]);
     describe(rims[0]);
-    bracket(rims[0]);
+    bracket(rims[0], detail::Film(result_.lower, std::move(patch), first_vertex_, result_.down));
     return std::move(result_);
   }
 
@@ -166,7 +165,7 @@ class Closing {
     result_.rim_length = rim.length;
   }
 
-  void bracket(const Rim& rim) {
+  void bracket(const Rim& rim, const detail::Film& film) {
     const detail::Sections sections(result_.lower, -result_.down);
     result_.lower_volume = sections.volume_above(sections.lowest());
     if (!(result_.lower_volume > 0.0)) {
@@ -186,7 +185,7 @@ class Closing {
         result_.upper_volume = below.upper_volume;
         deepest = level - bottom;
         // Of a round rim, bulge^p fills 1/(1 + p) of the cylinder around it.
-        power = std::clamp(1.0 / below.fill - 1.0, kBluntest, kSharpest);
+        power = std::clamp(1.0 / below.fill - 1.0, detail::Film::kBluntest, kSharpest);
       }
       result_.best_volume = std::max(result_.best_volume, below.best_volume);
     }
@@ -195,13 +194,13 @@ class Closing {
       result_.best_volume =
           result_.lower_volume + kUnevenShare * (result_.upper_volume - result_.lower_volume);
     }
-    Move move = move_of(result_.upper_volume - result_.lower_volume, power, deepest);
+    detail::Move move = film.holding(result_.upper_volume - result_.lower_volume, power, deepest);
     if (look_under(bottom, sections.highest())) {
-      move = pointed(move, result_.upper_volume - result_.lower_volume);
+      move = film.pointed(move, result_.upper_volume - result_.lower_volume);
     }
     result_.best_volume = std::min(result_.best_volume, result_.upper_volume);
-    result_.upper = lowered(move);
-    settle_best(deepest);
+    result_.upper = film.lowered(move);
+    settle_best(film, deepest);
     const double filling = area_from(result_.best, result_.first_invented);
     result_.invented_share = filling / surface_area(result_.best);
   }
@@ -281,83 +280,17 @@ class Closing {
     return std::lerp(ground - kSunk * height, buried, share);
   }
 
-  /// How the filling is moved down: bulge^power times the depth.
-  struct Move {
-    double power = 0.0, depth = 0.0;
-  };
-
-  /// Such that `added` volume lies under the film, no deeper than `deepest` where that is possible.
-  /// Moving along one direction adds volume in proportion.
-  Move move_of(double added, double power, double deepest) const {
-    while (added / column(power) > deepest && power > kBluntest) power *= 0.8;
-    return {power, added / column(power)};
-  }
-
-  /// The same depth with less volume: a foot of the block reaches as far down as all of it may.
-  Move pointed(const Move& blunt, double added) const {
-    double low = blunt.power, high = kMostPointed;
-    for (int i = 0; i < kPowerSteps; ++i) {
-      const double power = 0.5 * (low + high);
-      (added < blunt.depth * column(power) ? low : high) = power;
-    }
-    return {low, std::min(blunt.depth, added / column(low))};
-  }
-
-  /// The same volume, so pointed that it reaches the ground if there is one, or as pointed as may
-  /// be: a block does not float.
-  Move lying(const Move& blunt, double added) const {
-    if (!faces_ground() || touches_ground(blunt)) return blunt;
-    const auto of_power = [&](double power) { return Move{power, added / column(power)}; };
-    double low = blunt.power, high = kMostPointedBest;
-    for (int i = 0; i < kPowerSteps; ++i) {
-      const double power = 0.5 * (low + high);
-      (touches_ground(of_power(power)) ? high : low) = power;
-    }
-    return of_power(high);
-  }
-  bool touches_ground(const Move& move) const {
-    for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
-      const double fall = move.depth * std::pow(patch_.bulge[i], move.power);
-      if (options_.ground->height(result_.lower.vertices[first_vertex_ + i]) <= fall) return true;
-    }
-    return false;
-  }
-
-  TriangleMesh lowered(const Move& move) const {
-    TriangleMesh mesh = result_.lower;
-    if (move.depth <= 0.0) return mesh;
-    for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
-      mesh.vertices[first_vertex_ + i] +=
-          move.depth * std::pow(patch_.bulge[i], move.power) * result_.down;
-    }
-    return mesh;
-  }
-
-  /// Volume that is added for each metre of depth.
-  double column(double power) const {
-    double volume = 0.0;
-    for (const TriangleMesh::Triangle& t : patch_.triangles) {
-      double mean = 0.0;
-      for (const std::uint32_t v : t) {
-        if (v >= first_vertex_) mean += std::pow(patch_.bulge[v - first_vertex_], power) / 3.0;
-      }
-      const auto& [a, b, c] = t;
-      const std::vector<Vec3>& at = result_.lower.vertices;
-      volume += mean * 0.5 * (at[b] - at[a]).cross(at[c] - at[a]).dot(result_.down);
-    }
-    return volume;
-  }
-
   /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
   /// more pointed, then drawn back, until it does not.
-  void settle_best(double deepest) {
+  void settle_best(const detail::Film& film, double deepest) {
     const double added = result_.best_volume - result_.lower_volume;
-    const Move start = lying(move_of(added, kBestPower, deepest), added);
+    detail::Move start = film.holding(added, kBestPower, deepest);
+    if (faces_ground()) start = film.lying(*options_.ground, start, added, kMostPointedBest);
     deepest = std::max(deepest, start.depth);
     const std::size_t crossings = crossing_triangles(result_.lower).size();
     const auto fits = [&] { return crossing_triangles(result_.best).size() <= crossings; };
     for (double power = start.power; power <= kMostPointedBest; power *= 1.5) {
-      result_.best = lowered(move_of(added, power, deepest));
+      result_.best = film.lowered(film.holding(added, power, deepest));
       if (fits()) break;
     }
     double share = 1.0;
@@ -379,7 +312,6 @@ class Closing {
 
   const UndersideOptions& options_;
   Underside result_;
-  detail::HolePatch patch_;
   std::size_t first_vertex_ = 0;
 };
 

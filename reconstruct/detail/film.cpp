@@ -1,0 +1,76 @@
+#include "reconstruct/detail/film.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace clast::detail {
+
+namespace {
+
+constexpr double kMostPointed = 8.0;  ///< power of a foot
+constexpr int kPowerSteps = 40;       ///< halvings of a range of powers
+
+}  // namespace
+
+double Film::fall(std::size_t vertex, const Move& move) const {
+  return move.depth * std::pow(patch_.bulge[vertex], move.power);
+}
+
+TriangleMesh Film::lowered(const Move& move) const {
+  TriangleMesh mesh = closed_;
+  if (move.depth <= 0.0) return mesh;
+  for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
+    mesh.vertices[first_vertex_ + i] += fall(i, move) * down_;
+  }
+  return mesh;
+}
+
+Move Film::holding(double added, double power, double deepest) const {
+  while (added / column(power) > deepest && power > kBluntest) power *= 0.8;
+  return {power, added / column(power)};
+}
+
+Move Film::pointed(const Move& blunt, double added) const {
+  double low = blunt.power, high = kMostPointed;
+  for (int i = 0; i < kPowerSteps; ++i) {
+    const double power = 0.5 * (low + high);
+    (added < blunt.depth * column(power) ? low : high) = power;
+  }
+  return {low, std::min(blunt.depth, added / column(low))};
+}
+
+Move Film::lying(const Plane& ground, const Move& blunt, double added, double most) const {
+  if (touches(ground, blunt)) return blunt;
+  const auto of_power = [&](double power) { return Move{power, added / column(power)}; };
+  double low = blunt.power, high = most;
+  for (int i = 0; i < kPowerSteps; ++i) {
+    const double power = 0.5 * (low + high);
+    (touches(ground, of_power(power)) ? high : low) = power;
+  }
+  return of_power(high);
+}
+
+bool Film::touches(const Plane& ground, const Move& move) const {
+  for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
+    if (ground.height(closed_.vertices[first_vertex_ + i]) <= fall(i, move)) return true;
+  }
+  return false;
+}
+
+double Film::column(double power) const {
+  double volume = 0.0;
+  for (const TriangleMesh::Triangle& t : patch_.triangles) {
+    double mean = 0.0;
+    for (const std::uint32_t v : t) {
+      if (v >= first_vertex_) mean += std::pow(patch_.bulge[v - first_vertex_], power) / 3.0;
+    }
+    const auto& [a, b, c] = t;
+    const std::vector<Vec3>& at = closed_.vertices;
+    volume += mean * 0.5 * (at[b] - at[a]).cross(at[c] - at[a]).dot(down_);
+  }
+  return volume;
+}
+
+}  // namespace clast::detail
