@@ -30,7 +30,7 @@ constexpr double kOffSpacings = 1.5, kOffDeviations = 3.0;
 /// through them by this share of their spread in it.
 constexpr double kStrewn = 8.0, kThick = 0.4;
 /// Outliers that lie together hide each other; the next round finds what the one before bared.
-constexpr int kRounds = 3;
+constexpr int kRounds = 10;
 
 /// The plane through points, and how they lie about it: standard deviations across and along, m.
 struct PlaneOf {
