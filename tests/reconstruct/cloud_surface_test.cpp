@@ -144,16 +144,14 @@ TEST(Outliers, NearlyAllThatLieOffTheSurfaceAreFound) {
 }
 
 TEST(CloudSurface, OutliersThatAreLeftDoNotDecide) {
-  for (const double share : {0.02, 0.1}) {
-    const std::vector<Vec3> points =
-        sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = share}, 8);
-    std::vector<Vec3> kept;
-    for (const std::uint32_t i : detail::without_isolated(points)) kept.push_back(points[i]);
-    const CloudSurface surface = cloud_surface(kept);
-    EXPECT_TRUE(inspect(surface.mesh).closed()) << share;
-    EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, 4.0 / 3.0 * kPi, 0.01 * 4.2)
-        << share;
-  }
+  const std::vector<Vec3> points =
+      sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
+  std::vector<Vec3> kept;
+  for (const std::uint32_t i : detail::without_isolated(points)) kept.push_back(points[i]);
+  ASSERT_GT(kept.size(), 8000u);
+  const CloudSurface surface = cloud_surface(kept);
+  EXPECT_TRUE(inspect(surface.mesh).closed());
+  EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, 4.0 / 3.0 * kPi, 0.01 * 4.2);
 }
 
 TEST(CloudSurface, PointsThatBoundNoBodyAreRefusedAsSuch) {
