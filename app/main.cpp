@@ -1,6 +1,7 @@
 // The command table, and the one place where errors become messages and exit codes:
 // 0 done, 1 something failed, 2 misused.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -88,6 +89,8 @@ int checked(int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that grows beyond `ulimit -f` then fails as on a full disk, with a message.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return checked(run(argc, argv));
   } catch (const clast::Error& error) {

@@ -27,6 +27,8 @@ using Json = nlohmann::ordered_json;
 
 /// True for the signature every HDF5 file begins with.
 bool is_hdf5(const std::string& path) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code)) return false;  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
   std::string begin(8, '\0');
   return file.read(begin.data(), 8) && begin == "\x89HDF\r\n\x1a\n";

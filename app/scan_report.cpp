@@ -5,6 +5,7 @@
 
 #include "app/block_report.hpp"
 #include "app/text_table.hpp"
+#include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/text_file.hpp"
@@ -24,6 +25,9 @@ namespace fs = std::filesystem;
 
 /// Corners that no camera of a page could tell from rounder ones.
 constexpr int kSkinSegments = 2;
+
+/// How every summary of every version begins.
+constexpr const char* kSummary = "block,outcome,scan,";
 
 std::string scale_in_words(const ScanToBlockOptions& options) {
   std::string text = "one unit of the file is " + with_digits(options.scan.unit, 6) + " m";
@@ -167,13 +171,21 @@ std::string block_page(const Block& block, const PagedScan& scan,
   return scan_page("Block " + block.id, body);
 }
 
-ScanReport::ScanReport(fs::path folder)
+ScanReport::ScanReport(fs::path folder, bool replace)
     : folder_(std::move(folder)),
       blocks_({"block", "picture", "scan", "L m", "I m", "S m", "volume m3", "volume from",
                "volume to", "filled in %", "mass kg", "s_c", "off scan, % of L", "notes"},
               3),
       failures_({"scan", "why there is no block"}, 2) {
-  const OutputFile trial(folder_ / "index.html");
+  const fs::path summary = folder_ / "summary.csv";
+  std::error_code code;
+  if (fs::is_regular_file(summary, code) && !read_text_file(summary).starts_with(kSummary)) {
+    throw InputError(summary.string() +
+                     ": is there already and no summary of such pages, so it is not replaced; name "
+                     "another folder");
+  }
+  check_output(summary, {.kind = "text", .replace = replace});
+  check_output(folder_ / "index.html", {.kind = "HTML", .replace = replace});
   csv_.header(
       "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
       "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"

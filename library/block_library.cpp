@@ -8,6 +8,7 @@
 #include "core/output_file.hpp"
 #include "core/utf8.hpp"
 #include "library/body_record.hpp"
+#include "library/detail/block_checks.hpp"
 #include "library/detail/hdf5_records.hpp"
 
 namespace clast {
@@ -17,7 +18,6 @@ using namespace detail;
 namespace {
 
 constexpr int kSchema = 1;
-const std::string kFormat = "clast block library";
 
 void write_field_notes(Hdf5Group group, const FieldNotes& field) {
   group.set_attribute("site", field.site);
@@ -141,7 +141,6 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.mass.centre = read_vector(group, "centre", where);
   block.mass.inertia = read_matrix(group, "inertia", where);
   block.principal.moments = read_vector(group, "principal_moments", where);
-  require(block.principal.moments.minCoeff() > 0.0, where, "principal_moments are not positive");
   const std::vector<double> q = read_numbers(group, "source_from_body", {4}, where);
   block.principal.rotation = Quat(q[0], q[1], q[2], q[3]);
   require(std::abs(block.principal.rotation.norm() - 1.0) < 1e-9, where,
@@ -151,7 +150,6 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.box.centre = read_vector(group, "box_centre", where);
   block.box.axes = read_matrix(group, "box_axes", where);
   block.box.lengths = read_vector(group, "box_lengths", where);
-  require(block.box.lengths.minCoeff() > 0.0, where, "box_lengths are not positive");
   block.deviation.hausdorff = read_scalar(group, "deviation_hausdorff_m", 0.0, where);
   block.deviation.mean = read_scalar(group, "deviation_mean_m", 0.0, where);
   block.deviation.volume_relative = read_scalar(group, "deviation_volume_relative", -1.0, where);
@@ -164,6 +162,7 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.warnings = group.read<std::string>("warnings");
   block.field = read_field_notes(group.group("field"), where);
   if (group.has("unseen")) block.unseen = read_unseen(group.group("unseen"), where);
+  check_agreement(block, where);
   return block;
 }
 
@@ -199,7 +198,7 @@ void check_block_id(const std::string& id) {
 }
 
 BlockLibrary BlockLibrary::read(const std::filesystem::path& path) {
-  const Hdf5File file = Hdf5File::open(path, kFormat, kSchema);
+  const Hdf5File file = Hdf5File::open(path, kLibraryFormat, kSchema);
   const Hdf5Group blocks = file.root().group("blocks");
   BlockLibrary library;
   for (const std::string& id : blocks.names()) {
@@ -209,9 +208,9 @@ BlockLibrary BlockLibrary::read(const std::filesystem::path& path) {
 }
 
 void BlockLibrary::write(const std::filesystem::path& path) const {
-  OutputFile output(path);
+  OutputFile output(path, {.kind = kLibraryFormat});
   {
-    Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchema);
+    Hdf5File file = Hdf5File::create(output.temporary(), kLibraryFormat, kSchema);
     Hdf5Group blocks = file.root().create_group("blocks");
     for (const Block& block : blocks_) write_block(blocks.create_group(block.id), block);
     file.flush();

@@ -271,8 +271,9 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   const auto open_results = [&] {
     if (team && !team->leads()) return std::string();
     const bool go_on = options.resume && std::filesystem::exists(partial_results(target));
-    writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header)
-                         : ResultsWriter::create(target, prepared.header));
+    const std::size_t runs = options.shard.runs_of(prepared.runs.size());
+    writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
+                         : ResultsWriter::create(target, prepared.header, runs));
     open = open_runs(prepared, options.shard, target, writer->stored_runs());
     return std::string();
   };

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/output_folder.hpp"
 #include "core/statistics.hpp"
 #include "study/differences.hpp"
 #include "study/measured_stops.hpp"
@@ -154,6 +155,9 @@ std::string ground_sets_csv(const Comparison& comparison);
 
 /// What made the results, as JSON: program versions, campaigns and input files with their hashes.
 std::string provenance_json(const Comparison& comparison);
+
+/// How a folder is known that `write_comparison` and `write_animation` filled.
+FolderKind comparison_folder();
 
 /// Writes the tables, provenance.json, stops.gpkg (map layers) and report.html to `folder`.
 /// @return what was written, the report last

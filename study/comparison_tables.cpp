@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -287,6 +288,20 @@ std::string provenance_json(const Comparison& comparison) {
   }
   // Names and paths may hold bytes that are not UTF-8; they must not stop the tables.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+FolderKind comparison_folder() {
+  const auto owns = [](const std::filesystem::path& file) {
+    static const std::set<std::string> kFiles = {
+        "runs.csv",    "barriers.csv",    "crossings.csv",   "deposits.csv",
+        "impacts.csv", "ground_sets.csv", "profiles.csv",    "measured.csv",
+        "stops.gpkg",  "differences.csv", "provenance.json", "report.html"};
+    const std::string folder = file.parent_path().string(), extension = file.extension().string();
+    if (folder == "rasters") return extension == ".tif";
+    if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
+    return kFiles.contains(file.string());
+  };
+  return {"comparison", "provenance.json", "\"downslope_from\"", owns};
 }
 
 std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,

@@ -127,6 +127,11 @@ Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run)
 void merge_results(const std::vector<std::filesystem::path>& parts,
                    const std::filesystem::path& target);
 
+/// That results could be written to `target`, before the runs.
+/// @throws InputError  a folder, a device, a link in a circle, write-protected, in a folder that
+///                     can't be written to, or a file that is not empty and holds no results
+void check_results_place(const std::filesystem::path& target);
+
 /// Where runs are kept until all are done: target + ".part", a journal, not HDF5.
 std::filesystem::path partial_results(const std::filesystem::path& target);
 
@@ -135,12 +140,16 @@ std::filesystem::path partial_results(const std::filesystem::path& target);
 class ResultsWriter {
  public:
   /// Starts anew, in place of what an interrupted campaign left. Makes missing parent folders.
-  /// @throws InputError  `target` is there and no results file
-  static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header);
+  /// @param runs  that will be in the file
+  /// @throws InputError  as `check_results_place`; or the disk is too full for the header and as
+  ///                     many runs
+  static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header,
+                              std::size_t runs = 0);
   /// Goes on with `partial_results(target)`; half a run that a kill left is dropped.
   /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and
-  /// inputs)
-  static ResultsWriter resume(const std::filesystem::path& target, const CampaignResults& header);
+  ///                     inputs); or as `create`
+  static ResultsWriter resume(const std::filesystem::path& target, const CampaignResults& header,
+                              std::size_t runs = 0);
   ~ResultsWriter();
   ResultsWriter(ResultsWriter&&) noexcept;
 

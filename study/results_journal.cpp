@@ -244,6 +244,8 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
   return journal;
 }
 
+std::uint64_t ResultsJournal::smallest_record() { return record_size(packed(StoredRun{})); }
+
 void ResultsJournal::add(const StoredRun& run) {
   const std::string record = record_of(packed(run));
   file_.clear();

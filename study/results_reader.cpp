@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "core/error.hpp"
@@ -110,6 +111,26 @@ void read_impacts(const Reader& reader, CampaignResults& results) {
   }
 }
 
+// What no block can be, whatever its shape.
+void check_blocks(const Reader& reader, const CampaignResults& results) {
+  constexpr double kRounding = 1e-6;
+  for (const BlockSummary& block : results.blocks) {
+    const auto require = [&](bool fine, const char* name) {
+      if (!fine) reader.damaged(name, "is impossible for block " + block.id);
+    };
+    require(block.mass > 0.0 && std::isfinite(block.mass), "mass_kg");
+    require(block.volume >= 0.0 && std::isfinite(block.volume), "volume_m3");
+    require(block.scale > 0.0 && std::isfinite(block.scale), "scale");
+    require(std::isfinite(block.axes.L) && block.axes.L >= block.axes.I &&
+                block.axes.I >= block.axes.S && block.axes.S > 0.0,
+            "L_m");
+    const Vec3& moments = block.moments;
+    require(moments.allFinite() && moments.minCoeff() >= 0.0 &&
+                2.0 * moments.maxCoeff() <= (1.0 + kRounding) * moments.sum(),
+            "principal_moments_kg_m2");
+  }
+}
+
 void read_blocks(const Reader& reader, CampaignResults& results) {
   const std::vector<std::string> ids = reader.group.read<std::string>("id");
   const std::size_t rows = ids.size();
@@ -143,6 +164,7 @@ void read_blocks(const Reader& reader, CampaignResults& results) {
                               shape[i],
                               moments[i]});
   }
+  check_blocks(reader, results);
 }
 
 void read_barriers(const Reader& reader, CampaignResults& results) {

@@ -5,6 +5,7 @@
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "shapes/mesh_io.hpp"
@@ -271,15 +272,7 @@ void check_files(const TerrainOptions& options, const std::optional<ZoneFile>& z
   std::vector<fs::path> files = options.surface;
   if (zones) files.push_back(zones->path);
   files.insert(files.end(), options.breaklines.begin(), options.breaklines.end());
-  for (const fs::path& file : files) {
-    std::error_code code;
-    if (!fs::exists(file, code)) {
-      throw InputError(file.string() + ": no such file; check the path");
-    }
-    if (fs::is_directory(file, code)) {
-      throw InputError(file.string() + ": is a folder, a file is needed");
-    }
-  }
+  for (const fs::path& file : files) check_input_file(file);
 }
 
 }  // namespace

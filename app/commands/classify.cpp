@@ -12,6 +12,7 @@
 #include "app/population_reading.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/output_folder.hpp"
 
 namespace clast {
 
@@ -31,6 +32,7 @@ struct ClassifyArgs {
   std::string output;
   std::uint64_t seed = 1;
   bool json = false;
+  bool replace = false;
 };
 
 std::vector<std::string> schemes_from(const std::string& text) {
@@ -130,6 +132,7 @@ void check_options_apply(const ClassifyArgs& args, const CLI::App& command) {
     return std::count(schemes.begin(), schemes.end(), scheme) > 0;
   };
   need("--output", !args.output.empty(), "names no folder");
+  need("--replace", given("--output"), "is for the folder of --output");
   for (const auto& [option, value] :
        {std::pair{"--columns", &args.first.columns}, std::pair{"--units", &args.first.units},
         std::pair{"--against-columns", &args.against.columns},
@@ -162,6 +165,9 @@ void classify(const ClassifyArgs& args) {
                     .seed = args.seed,
                     .schemes = schemes_from(args.schemes),
                     .limits = args.limits};
+  std::optional<OutputFolder> folder;
+  if (!args.output.empty())
+    folder.emplace(args.output, population_folder(args.output), args.replace);
   std::vector<ReadPopulation> sources;
   sources.push_back(read_population(args.first, args.reading));
   if (!args.against.inputs.empty()) {
@@ -184,7 +190,10 @@ void classify(const ClassifyArgs& args) {
     }
     report.comparison = compared(a, b, report.options);
   }
-  if (!args.output.empty()) write_population_report(report, args.output);
+  if (folder) {
+    write_population_report(report, folder->temporary());
+    folder->commit();
+  }
   // Only now, so that a failure is the first thing said.
   for (const ReadPopulation& source : sources) std::cerr << source.said;
   args.json ? print_json(report, sources) : print_tables(report, sources);
@@ -276,6 +285,8 @@ void add_classify(CLI::App& app) {
       ->add_option("-o,--output", args->output,
                    "Folder for report.html, tables (csv) and diagrams (svg)")
       ->type_name("DIR");
+  command->add_flag("--replace", args->replace,
+                    "Put the new report in the place of one that is in the folder");
   command->add_flag("--json", args->json, "Print as JSON");
   command->footer(
       "Shares come with the 95 % interval of Wilson: what a sample of this size says "

@@ -8,7 +8,9 @@
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
 #include "core/number_text.hpp"
+#include "core/output_file.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
 #include "shapes/coplanar_faces.hpp"
@@ -31,6 +33,7 @@ struct ExportArgs {
   std::string frame = "source";
   std::string up = "z";
   int segments = 4;
+  bool replace = false;
 };
 
 /// z up to y up, the inverse of what `--up y` does on reading.
@@ -69,6 +72,32 @@ std::vector<std::pair<std::string, TriangleMesh>> chosen_meshes(const Block& blo
   return {{"", outer_skin(block.body, args.segments)}, {"_core", core}};
 }
 
+/// What `chosen_meshes` adds to the id for the names of its files.
+std::vector<std::string> suffixes(const ExportArgs& args) {
+  if (args.what == "both") return {"", "_core"};
+  return {""};
+}
+
+std::filesystem::path mesh_file(const ExportArgs& args, const Block& block,
+                                const std::string& suffix, const std::string& format) {
+  return std::filesystem::path(args.folder) / (block.id + suffix + "." + format);
+}
+
+/// That nothing is in the place of a file to be written, such as the scan that the block was made
+/// from.
+void check_places(const ExportArgs& args, const std::vector<const Block*>& blocks,
+                  const std::vector<std::string>& formats) {
+  for (const Block* block : blocks) {
+    for (const std::string& format : formats) {
+      for (const std::string& suffix :
+           format == "shp" ? std::vector<std::string>{""} : suffixes(args)) {
+        const std::filesystem::path file = mesh_file(args, *block, suffix, format);
+        check_output(file, {.kind = kind_by_name(file), .replace = args.replace});
+      }
+    }
+  }
+}
+
 void export_blocks(const ExportArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
   const std::vector<std::string> formats = split_list(args.formats);
@@ -91,6 +120,7 @@ void export_blocks(const ExportArgs& args) {
   }
 
   if (blocks.empty()) throw InputError(args.library + ": there is no block in it to export");
+  check_places(args, blocks, formats);
   std::size_t written = 0;
   for (const Block* block : blocks) {
     if (is_unscaled(*block)) {
@@ -109,13 +139,12 @@ void export_blocks(const ExportArgs& args) {
     for (const std::string& format : formats) {
       if (format == "shp") {
         const ShpShape shape = shp_shape(*block);
-        write_shp(std::filesystem::path(args.folder) / (block->id + ".shp"), {&shape, 1});
+        write_shp(mesh_file(args, *block, "", format), {&shape, 1});
         ++written;
         continue;
       }
       for (const auto& [suffix, mesh] : meshes) {
-        const std::filesystem::path file =
-            std::filesystem::path(args.folder) / (block->id + suffix + "." + format);
+        const std::filesystem::path file = mesh_file(args, *block, suffix, format);
         const Vec3 origin = write_mesh(file, mesh);
         ++written;
         if (!origin.isZero(0.0)) {
@@ -141,6 +170,7 @@ void add_export(CLI::App& app) {
       ->add_option("-o,--output", args->folder, "Folder, made when missing; a file for each block")
       ->type_name("DIR")
       ->capture_default_str();
+  command->add_flag("--replace", args->replace, "Write over files that are there");
   command
       ->add_option("--format", args->formats,
                    "Comma-separated: shp (Rockable, ExaDEM), obj, stl, ply, glb, vtp")

@@ -16,6 +16,8 @@
 #include "app/progress.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
+#include "core/output_file.hpp"
 #include "core/parallel.hpp"
 #include "core/text_file.hpp"
 #include "study/campaign_runner.hpp"
@@ -211,6 +213,7 @@ void print_results(const std::filesystem::path& file, const SimulateArgs& args,
 
 void join_parts(const SimulateArgs& args) {
   const std::filesystem::path target = args.output;
+  check_results_place(target);
   merge_results({args.parts.begin(), args.parts.end()}, target);
   print_results(target, args, nlohmann::ordered_json::object());
 }
@@ -232,12 +235,13 @@ constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
 /// Expected time, and the map.
 void tell_of_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, const Shard& shard,
                      nlohmann::ordered_json summary) {
+  std::filesystem::path map = args.output;
+  map.replace_extension(".map.svg");
+  check_output(map, {.kind = kind_by_name(map)});
   const TimeProbe probe = probe_time(prepared, kProbeTime);
   const unsigned threads = thread_count(args.threads);
   const std::size_t runs = shard.runs_of(prepared.runs.size());
   const double expected = probe.each * static_cast<double>(runs) / threads;
-  std::filesystem::path map = args.output;
-  map.replace_extension(".map.svg");
   write_text_file(map, plan_map(prepared.header));
   if (args.json) {
     summary["expected_time_s"] = expected;
@@ -273,6 +277,7 @@ void simulate(const SimulateArgs& args) {
   const std::filesystem::path output = output_of(args, shard);
   const std::filesystem::path part = partial_results(output);
   team.agree([&] {
+    if (team.leads()) check_results_place(output);
     plan.emplace(prepare_campaign(read_campaign(args.campaign)));
     if (team.leads() && !args.dry_run && !args.resume && std::filesystem::exists(part)) {
       throw InputError(part.string() +

@@ -9,6 +9,8 @@
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
+#include "core/output_file.hpp"
 #include "core/text_file.hpp"
 #include "shapes/point_cloud.hpp"
 #include "terrain/hillshade.hpp"
@@ -34,6 +36,7 @@ struct TerrainArgs {
   double border_distance = 5.0;
   std::optional<double> block_size;
   bool json = false;
+  bool replace = false;
   TerrainOptions options;
 };
 
@@ -155,6 +158,15 @@ bool is_same_file(const std::filesystem::path& output, const std::filesystem::pa
          std::filesystem::equivalent(output, input, none);
 }
 
+/// Refuses outputs in the place of what is to be kept, before the work.
+void check_places(const TerrainArgs& args) {
+  check_output(args.output, {.kind = kTerrainFormat, .replace = args.replace});
+  for (const std::string& output : {args.exported, args.picture}) {
+    if (output.empty()) continue;
+    check_output(output, {.kind = kind_by_name(output), .replace = args.replace});
+  }
+}
+
 /// Refuses outputs of a kind that can't be written, or in the place of what is read.
 void check_outputs(const TerrainArgs& args) {
   const auto check_extension = [](const std::string& option, const std::string& file,
@@ -199,6 +211,7 @@ void make_terrain(TerrainArgs args) {
     args.options.check();
     check_outputs(args);
   });
+  check_places(args);
   const std::vector<Vec3> releases = release_points(args);
   Terrain terrain = read_terrain(args.options);
   check_fit(args, releases, terrain);
@@ -358,6 +371,8 @@ void add_terrain(CLI::App& app) {
       ->needs(exported)
       ->type_name("M")
       ->capture_default_str();
+  command->add_flag("--replace", args->replace,
+                    "Write over a terrain file, an export or a picture that is there");
   command->add_flag("--json", args->json, "Print the report as JSON");
   command->footer(
       "Examples:\n"
