@@ -40,11 +40,16 @@ void check_rules(const fs::path& target, const OutputRules& rules) {
 }  // namespace
 
 fs::path linked_target(const fs::path& target) {
+  constexpr int kMostLinks = 40;  // as Linux allows
   std::error_code code;
-  if (!fs::is_symlink(target, code)) return target;
-  const fs::path linked = fs::weakly_canonical(target, code);
-  if (code) throw InputError(target.string() + ": " + code.message() + "; repair the link");
-  return linked;
+  fs::path at = target;
+  for (int links = 0; fs::is_symlink(at, code); ++links) {
+    const fs::path next = fs::read_symlink(at, code);
+    if (links == kMostLinks) code = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    if (code) throw InputError(target.string() + ": " + code.message() + "; repair the link");
+    at = at.parent_path() / next;
+  }
+  return at;
 }
 
 OutputFile::OutputFile(fs::path target, const OutputRules& rules) : target_(std::move(target)) {

@@ -53,7 +53,7 @@ void check_output(const std::filesystem::path& target, const OutputRules& rules)
 /// @throws InputError  they could not; gives what is needed and what there is
 void check_room(const std::filesystem::path& target, std::initializer_list<std::uint64_t> files);
 
-/// The file that a link leads to, and any other path as it is.
+/// The file that a link leads to, there or not, and any other path as it is.
 /// @throws InputError  a link that leads in a circle
 std::filesystem::path linked_target(const std::filesystem::path& target);
 

@@ -1,11 +1,14 @@
 #include "core/output_folder.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <utility>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/output_file.hpp"
 #include "core/text_file.hpp"
 
 namespace clast {
@@ -42,6 +45,12 @@ void check_place(const fs::path& target, const FolderKind& kind, bool replace) {
   if (!fs::is_directory(target, code)) {
     throw InputError(target.string() + ": is a file; name a folder for the tables and the report");
   }
+  // Who is in a folder that another takes the place of is in none any more, and so is the shell.
+  if (fs::equivalent(target, fs::current_path(), code)) {
+    throw InputError(target.string() +
+                     ": is the folder that this program runs in, so nothing can take its place; "
+                     "name another, or run it from elsewhere");
+  }
   std::string first;
   for (const fs::path& file : files_in(target)) {
     if (kind.owns(file) && first.empty()) first = file.string();
@@ -58,12 +67,12 @@ void check_place(const fs::path& target, const FolderKind& kind, bool replace) {
   }
 }
 
-/// The folder itself, by a name that ends with its own.
+/// The folder itself, by an absolute name that ends with its own.
 fs::path resolved(const fs::path& target) {
   std::error_code code;
-  const fs::path path = fs::weakly_canonical(target, code);
-  if (code) throw InputError(target.string() + ": " + code.message() + "; repair the link");
-  return path.has_filename() ? path : path.parent_path();
+  if (fs::exists(target, code)) return fs::canonical(target);
+  const fs::path named = fs::absolute(target).lexically_normal();
+  return linked_target(named.has_filename() ? named : named.parent_path());
 }
 
 }  // namespace
@@ -113,15 +122,18 @@ void OutputFolder::commit() {
     throw InputError((target_ / file).string() + ": is no file of the " + kind_.name +
                      " that is there, and would be written over; move it away");
   }
+  // Both change places at once where the file system can do that.
   fs::path former = temporary_;
-  former += ".former";
-  fs::rename(target_, former, code);
-  check();
-  fs::rename(temporary_, target_, code);
-  if (code) {
-    std::error_code back;
-    fs::rename(former, target_, back);
+  if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
+    former += ".former";
+    fs::rename(target_, former, code);
     check();
+    fs::rename(temporary_, target_, code);
+    if (code) {
+      std::error_code back;
+      fs::rename(former, target_, back);
+      check();
+    }
   }
   committed_ = true;
   for (const fs::path& file : files_in(former)) {

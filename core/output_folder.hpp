@@ -22,10 +22,9 @@ class OutputFolder {
  public:
   /// Makes missing parent folders.
   /// @param replace  takes the place of a folder of its kind
-  /// @throws InputError  the target is empty, a file, or holds files with names of this kind
-  /// without
-  ///                     being of it; it is of it, and `replace` is false; it is the root of a
-  ///                     disk; or nothing can be made beside it
+  /// @throws InputError  the target is empty, a file, the root of a disk, or where the program runs;
+  ///                     it holds files with names of this kind without being of it; it is of it,
+  ///                     and `replace` is false; or nothing can be made beside it
   OutputFolder(const std::filesystem::path& target, FolderKind kind, bool replace);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;

@@ -54,6 +54,11 @@ TEST(OutputFile, LinksAreFollowedAndStayLinks) {
   write_text_file(folder / "link.csv", "new");
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.csv"));
   EXPECT_EQ(read_text_file(folder / "real.csv"), "new");
+  // What is not there yet is made where the link says.
+  std::filesystem::create_symlink("new.csv", folder / "ahead.csv");
+  write_text_file(folder / "ahead.csv", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "ahead.csv"));
+  EXPECT_EQ(read_text_file(folder / "new.csv"), "new");
   std::filesystem::create_symlink("b", folder / "a");
   std::filesystem::create_symlink("a", folder / "b");
   EXPECT_TRUE(contains(refusal([&] { OutputFile{folder / "a"}; }), "repair the link"));

@@ -88,6 +88,21 @@ TEST(OutputFolder, WhatIsNotItsOwnIsLeftAlone) {
   EXPECT_EQ(read_text_file(folder / "own" / "runs.csv"), "old");
 }
 
+TEST(OutputFolder, MayBeNamedFromWhereOneIs) {
+  const ScratchFolder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  write("out", "new", false);
+  write("deep/../in/", "new", false);
+  fs::create_directory("here");
+  fs::current_path("here");
+  EXPECT_TRUE(contains(refusal([] { write(".", "new", false); }), "the folder that this program"));
+  fs::current_path(before);
+  for (const char* name : {"out", "in"}) {
+    EXPECT_EQ(read_text_file(folder / name / "runs.csv"), "new") << name;
+  }
+}
+
 TEST(OutputFolder, LinksAreFollowedAndOtherFilesAreNoObstacle) {
   const ScratchFolder folder;
   write_text_file(folder / "real" / "notes.txt", "of the user");

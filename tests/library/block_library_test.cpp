@@ -251,7 +251,7 @@ TEST(BlockLibrary, NumbersThatDoNotFitTheOthersAreRefused) {
   expect([](Block& block) { block.box.lengths[0] *= 1.0001; }, "the box is not around the core");
   expect([](Block& block) { block.box.centre.y() += 1e-4; }, "the box is not around the core");
   expect([](Block& block) { block.box.axes(0, 1) = 0.01; }, "box_axes are no directions");
-  expect([](Block& block) { block.body.vertices[3].z() += 1e-4; }, "the box is not around");
+  expect([](Block& block) { block.body.vertices[3].z() -= 1e-4; }, "the box is not around");
   expect(
       [](Block& block) {
         block.mass.volume = 6.1;
