@@ -45,12 +45,6 @@ void check_place(const fs::path& target, const FolderKind& kind, bool replace) {
   if (!fs::is_directory(target, code)) {
     throw InputError(target.string() + ": is a file; name a folder for the tables and the report");
   }
-  // Who is in a folder that another takes the place of is in none any more, and so is the shell.
-  if (fs::equivalent(target, fs::current_path(), code)) {
-    throw InputError(target.string() +
-                     ": is the folder that this program runs in, so nothing can take its place; "
-                     "name another, or run it from elsewhere");
-  }
   std::string first;
   for (const fs::path& file : files_in(target)) {
     if (kind.owns(file) && first.empty()) first = file.string();
@@ -73,6 +67,49 @@ fs::path resolved(const fs::path& target) {
   if (fs::exists(target, code)) return fs::canonical(target);
   const fs::path named = fs::absolute(target).lexically_normal();
   return linked_target(named.has_filename() ? named : named.parent_path());
+}
+
+[[noreturn]] void refuse_exchange(const fs::path& target, const std::error_code& code) {
+  throw InputError(target.string() + ": can't be replaced (" + code.message() + ")");
+}
+
+/// Puts one folder in the place of another, which may be missing: both at once where the file
+/// system can do that, and then the former is where the new one was.
+void exchange_folders(const fs::path& made, const fs::path& target, const fs::path& former) {
+  if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) return;
+  std::error_code code, back;
+  const bool there = fs::exists(target, code);
+  if (there) fs::rename(target, former, code);
+  if (code) refuse_exchange(target, code);
+  fs::rename(made, target, code);
+  if (!code) return;
+  if (there) fs::rename(former, target, back);
+  refuse_exchange(target, code);
+}
+
+/// Takes the kind's files out of a folder and puts others in; the rest is not touched.
+void exchange_files(const fs::path& made, const fs::path& target, const fs::path& former,
+                    const FolderKind& kind) {
+  std::vector<std::pair<fs::path, fs::path>> moved;
+  const auto move = [&](const fs::path& from, const fs::path& to) {
+    std::error_code code, back;
+    fs::create_directories(to.parent_path(), code);
+    fs::rename(from, to, code);
+    if (code) {
+      for (auto pair = moved.rbegin(); pair != moved.rend(); ++pair) {
+        fs::rename(pair->second, pair->first, back);
+      }
+      refuse_exchange(target, code);
+    }
+    moved.emplace_back(from, to);
+  };
+  for (const fs::path& file : files_in(target)) {
+    if (!kind.owns(file)) continue;
+    move(target / file, former / file);
+    std::error_code not_empty;
+    if (file.has_parent_path()) fs::remove(target / file.parent_path(), not_empty);
+  }
+  for (const fs::path& file : files_in(made)) move(made / file, target / file);
 }
 
 }  // namespace
@@ -108,43 +145,23 @@ OutputFolder::~OutputFolder() {
 
 void OutputFolder::commit() {
   std::error_code code;
-  const auto check = [&] {
-    if (code) throw InputError(target_.string() + ": can't be replaced (" + code.message() + ")");
-  };
-  if (!fs::exists(target_, code)) {
-    fs::rename(temporary_, target_, code);
-    check();
-    committed_ = true;
-    return;
+  bool shared = false;  // with files that are not the kind's, or with a shell that is in the folder
+  if (fs::exists(target_, code)) {
+    shared = fs::equivalent(target_, fs::current_path(), code);
+    for (const fs::path& file : files_in(target_)) {
+      if (kind_.owns(file)) continue;
+      shared = true;
+      if (!fs::exists(temporary_ / file, code)) continue;
+      throw InputError((target_ / file).string() + ": is no file of the " + kind_.name +
+                       " that is there, and would be written over; move it away");
+    }
   }
-  for (const fs::path& file : files_in(target_)) {
-    if (kind_.owns(file) || !fs::exists(temporary_ / file, code)) continue;
-    throw InputError((target_ / file).string() + ": is no file of the " + kind_.name +
-                     " that is there, and would be written over; move it away");
-  }
-  // Both change places at once where the file system can do that.
   fs::path former = temporary_;
-  if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
-    former += ".former";
-    fs::rename(target_, former, code);
-    check();
-    fs::rename(temporary_, target_, code);
-    if (code) {
-      std::error_code back;
-      fs::rename(former, target_, back);
-      check();
-    }
-  }
+  former += ".former";
+  shared ? exchange_files(temporary_, target_, former, kind_)
+         : exchange_folders(temporary_, target_, former);
   committed_ = true;
-  for (const fs::path& file : files_in(former)) {
-    if (kind_.owns(file)) continue;
-    fs::create_directories((target_ / file).parent_path(), code);
-    fs::rename(former / file, target_ / file, code);
-    if (code) {
-      throw InputError((former / file).string() + ": can't be put back into " + target_.string() +
-                       " (" + code.message() + "); it is kept where it is");
-    }
-  }
+  fs::remove_all(temporary_, code);
   fs::remove_all(former, code);
 }
 

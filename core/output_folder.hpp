@@ -22,9 +22,9 @@ class OutputFolder {
  public:
   /// Makes missing parent folders.
   /// @param replace  takes the place of a folder of its kind
-  /// @throws InputError  the target is empty, a file, the root of a disk, or where the program runs;
-  ///                     it holds files with names of this kind without being of it; it is of it,
-  ///                     and `replace` is false; or nothing can be made beside it
+  /// @throws InputError  the target is empty, a file, or the root of a disk; it holds files with
+  ///                     names of this kind without being of it; it is of it, and `replace` is
+  ///                     false; or nothing can be made beside it
   OutputFolder(const std::filesystem::path& target, FolderKind kind, bool replace);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -32,7 +32,7 @@ class OutputFolder {
 
   /// Where to write.
   const std::filesystem::path& temporary() const { return temporary_; }
-  /// The files of the kind that were in the target are removed, others keep their place.
+  /// Files of the kind that were in the target are removed, others are not touched.
   /// @throws InputError  one of the others would be written over, or a rename failed; the target is
   ///                     as it was
   void commit();

@@ -227,7 +227,7 @@ TEST_F(Exchange, MeshesAreOfTheAskedSurfaceInTheAskedFrame) {
   write_obj(folder / "concave.obj", l_block());
   ASSERT_EQ(reconstruct({"concave.obj", "-o", "b.h5", "--core", "--radius", "0.2"}).exit_code, 0);
   const auto exported = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> all = {"export", "b.h5", "--format", "ply", "-o", "out"};
+    std::vector<std::string> all = {"export", "b.h5", "--format", "ply", "-o", "out", "--replace"};
     all.insert(all.end(), options.begin(), options.end());
     const ProgramRun run = run_clast(all, folder.path());
     EXPECT_EQ(run.exit_code, 0) << run.err;

@@ -229,7 +229,7 @@ TEST_F(FileSafety, ALinkAsOutputIsFollowed) {
   EXPECT_EQ(Json::parse(run({"show", "blocks.h5", "--json"}).out).size(), 3u);
 }
 
-TEST_F(FileSafety, AFullDiskIsToldBeforeTheRunsWhereItCanBeKnown) {
+TEST_F(FileSafety, AFullDiskIsReportedBeforeTheRunsWhereItCanBeKnown) {
   write_text_file(folder / "many.toml",
                   replaced(slope_campaign(), "random = 2, seed", "random = 2000, seed"));
   {
@@ -243,7 +243,7 @@ TEST_F(FileSafety, AFullDiskIsToldBeforeTheRunsWhereItCanBeKnown) {
                  "MB will be written, and no file here may be larger (ulimit -f) than 1 MB");
 }
 
-TEST_F(FileSafety, ADiskThatFillsDuringTheRunsIsToldAndKeepsThem) {
+TEST_F(FileSafety, ADiskThatFillsDuringTheRunsIsReportedAndKeepsThem) {
   // Trajectories, which nobody can foresee, fill it.
   std::string text = replaced(slope_campaign(), "random = 2, seed", "random = 20, seed");
   text = replaced(text, "trajectory_interval_s = 0", "trajectory_interval_s = 0.0005");
