@@ -58,6 +58,37 @@ TEST_F(Campaigns, RunFromTerrainToReport) {
   EXPECT_FALSE(fs::exists(folder / "1.h5.part"));
 }
 
+// Each of the two blocks with its own, and the same when it is alone.
+TEST_F(Campaigns, DryRunListsTheStiffnessOfEveryBlock) {
+  const auto dry = [&](const std::string& text, const std::vector<std::string>& more) {
+    write_text_file(folder / "campaign.toml", text);
+    std::vector<std::string> arguments = {"simulate", "campaign.toml", "--dry-run"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun run = run_clast(arguments, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out;
+  };
+  const std::string both = slope_campaign();
+  const std::string alone = replaced(both, "[terrain]", "select = [\"bar\"]\n[terrain]");
+  const Json blocks = Json::parse(dry(both, {"--json"}))["stiffness"];
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[0]["block"], "cube");
+  EXPECT_EQ(blocks[1]["block"], "bar");
+  EXPECT_NE(blocks[0]["stiffness_n_m"], blocks[1]["stiffness_n_m"]);
+  const BlockLibrary library = BlockLibrary::read(folder / "blocks.h5");
+  for (const Json& row : blocks) {
+    const Block& block = library.block(row["block"].get<std::string>());
+    // Rest decides here: m g/(e_n^2 d) with d = 2 % of S.
+    const double normal = block.mass.mass * 9.81 / (0.01 * 0.02 * block.axes().S);
+    EXPECT_NEAR(row["stiffness_n_m"][0].get<double>(), normal, 1e-9 * normal);
+    EXPECT_NEAR(row["rest_depth_m"][1].get<double>(), 0.02 * block.axes().S, 1e-9);
+  }
+  EXPECT_EQ(Json::parse(dry(alone, {"--json"}))["stiffness"], Json::array({blocks[1]}));
+  const std::string table = dry(both, {});
+  EXPECT_TRUE(contains(table, "k_n, N/m") && contains(table, "k_r, N m/rad")) << table;
+  EXPECT_TRUE(contains(table, "\ncube ") && contains(table, "\nbar ")) << table;
+}
+
 TEST_F(Campaigns, CompareGroupsAnimatesAndHoldsAgainstMeasuredStops) {
   std::string text =
       replaced(slope_campaign(), "trajectory_interval_s = 0", "trajectory_interval_s = 0.1");
