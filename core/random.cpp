@@ -1,9 +1,6 @@
 #include "core/random.hpp"
 
 #include <cmath>
-#include <string>
-
-#include "core/digest.hpp"
 
 namespace clast {
 
@@ -40,11 +37,6 @@ Quat Random::rotation() {
   const double a = std::sqrt(1.0 - share);
   const double b = std::sqrt(share);
   return {a * std::sin(first), a * std::cos(first), b * std::sin(second), b * std::cos(second)};
-}
-
-std::uint64_t named_seed(std::uint64_t seed, std::string_view name) {
-  const std::string digest = sha256(std::to_string(seed) + "/" + std::string(name));
-  return std::stoull(digest.substr(0, 16), nullptr, 16);
 }
 
 }  // namespace clast

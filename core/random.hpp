@@ -2,7 +2,6 @@
 /// Seeded random numbers with the same bits on every machine. Every draw comes from a generator
 /// that is passed in.
 #include <cstdint>
-#include <string_view>
 
 #include "core/types.hpp"
 
@@ -32,9 +31,5 @@ class Random {
  private:
   std::uint64_t state_;
 };
-
-/// The seed of a sequence of its own for what is called `name`: it stays the same whatever else
-/// draws from `seed`, in whatever order.
-std::uint64_t named_seed(std::uint64_t seed, std::string_view name);
 
 }  // namespace clast

@@ -11,6 +11,7 @@
 #include "study/campaign_checks.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/ground_sets.hpp"
+#include "study/named_seed.hpp"
 #include "study/release_points.hpp"
 #include "study/run_stiffness.hpp"
 

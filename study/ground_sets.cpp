@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "study/named_seed.hpp"
 
 namespace clast {
 namespace {

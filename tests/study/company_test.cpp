@@ -40,6 +40,17 @@ class Company : public CampaignRun {
     library.write(*folder_ / "blocks.h5");
   }
 
+  /// Short, with a barrier on the slope that is passed soon.
+  static std::string campaign_text() {
+    std::string text =
+        replaced_once(CampaignRun::campaign_text(), "max_time_s = 6", "max_time_s = 3");
+    return replaced_once(text, "from = [0, -20]\nto = [0, 20]",
+                         "from = [-11, -20]\nto = [-11, 20]");
+  }
+  static std::string with(const std::string& from, const std::string& to) {
+    return replaced_once(campaign_text(), from, to);
+  }
+
   /// The campaign with these blocks, and what else is replaced.
   static std::string of(const std::string& blocks, std::string text = campaign_text()) {
     return replaced_once(std::move(text), "[terrain]", "select = [" + blocks + "]\n[terrain]");
@@ -48,6 +59,7 @@ class Company : public CampaignRun {
   static Runs stored(const std::filesystem::path& file, const std::string& block) {
     const CampaignResults results = read_results(file);
     Runs runs;
+    std::size_t crossings = 0, impacts = 0;
     for (const RunRecord& record : results.runs) {
       if (results.blocks[record.block].id != block) continue;
       StoredRun run;
@@ -59,6 +71,8 @@ class Company : public CampaignRun {
         if (impact.run == record.run) run.impacts.push_back(impact);
       }
       run.trajectory = read_trajectory(file, record.run);
+      crossings += run.crossings.size();
+      impacts += run.impacts.size();
       const Vec3 start = results.frame.map(record.start.position);
       const std::string name = with_digits(start.y(), 6) + " " + with_digits(start.z(), 6) + " " +
                                std::to_string(record.orientation) + " " +
@@ -68,7 +82,7 @@ class Company : public CampaignRun {
       for (Impact& impact : run.impacts) impact.run = 0;
       EXPECT_TRUE(runs.emplace(name, packed(run)).second) << name << " comes twice";
     }
-    EXPECT_FALSE(runs.empty()) << block;
+    EXPECT_TRUE(crossings > 0 && impacts > 0) << "nothing to compare";
     return runs;
   }
 
@@ -236,9 +250,10 @@ TEST_F(Company, WarningsNameTheBlock) {
   ASSERT_EQ(soft.size(), 1u);
   EXPECT_TRUE(contains(soft[0], "block heavy: k_n = 5e+07 N/m is softer than the ")) << soft[0];
   // Too long for the pebble only.
-  const std::string message = refusal(given("stiffness_n_m = 1e8\ntime_step_s = 5e-4"));
-  EXPECT_TRUE(contains(message, "block pebble: time step 0.0005 s is too long")) << message;
-  EXPECT_EQ(refusal(of("\"heavy\"", given("stiffness_n_m = 1e8\ntime_step_s = 5e-4"))), "");
+  const std::string too_long = given("stiffness_n_m = 1e8\ntime_step_s = 7e-4");
+  const std::string message = refusal(too_long);
+  EXPECT_TRUE(contains(message, "block pebble: time step 0.0007 s is too long")) << message;
+  EXPECT_EQ(refusal(replaced_once(too_long, "[contact]", "select = [\"heavy\"]\n[contact]")), "");
 }
 
 }  // namespace
