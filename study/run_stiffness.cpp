@@ -58,6 +58,7 @@ std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
     run.stiffness = choice.stiffness;
     run.rest_depth = choice.settled_depth;
     run.impact_depth = choice.impact_depth;
+    release_settings(prepared.campaign, run).check();
     worst[run.block].include(fastest, grounds[run.ground_set]);
   }
 

@@ -12,6 +12,7 @@ namespace clast {
 /// changes what a run gets.
 /// @return what the user should know, by block
 /// @throws SimulationError  a time step of the user's that is too long for a block: its name
+/// @throws InputError       settings that no run can have: field and value
 std::vector<std::string> settle_stiffness(PreparedCampaign& prepared);
 
 }  // namespace clast
