@@ -25,7 +25,7 @@ class RunObserver {
         run_(run.run) {}
 
   void see(const MotionStep& step) {
-    const double gravity = prepared_.settings.gravity;
+    const double gravity = prepared_.campaign.gravity;
     const double interval = prepared_.campaign.trajectory_interval;
     if (interval > 0.0) {
       // Counted, not added up, so that frames of all runs fall on the same times.
@@ -76,8 +76,8 @@ StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned,
   try {
     result =
         simulate_release(*prepared.surface, prepared.header.ground_sets[planned.ground_set].zones,
-                         prepared.bodies[planned.block], planned.start, prepared.settings,
-                         [&](const MotionStep& step) {
+                         prepared.bodies[planned.block], planned.start,
+                         release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
                            observer.see(step);
                            if (after_step) after_step(step.end_time);
                          });
@@ -209,6 +209,16 @@ std::vector<std::uint32_t> open_runs(const PreparedCampaign& prepared, const Sha
 }
 
 }  // namespace
+
+ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run) {
+  return {.stiffness = run.stiffness,
+          .law = campaign.stiffness.law,
+          .weights = campaign.weights,
+          .gravity = campaign.gravity,
+          .max_time = campaign.max_time,
+          .rest_energy = campaign.rest_energy,
+          .rest_duration = campaign.rest_duration};
+}
 
 TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   // Steps of the golden ratio are spread evenly however many are taken.

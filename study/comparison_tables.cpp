@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/version.hpp"
+#include "study/block_stiffness.hpp"
 #include "study/comparison.hpp"
 #include "study/profiles.hpp"
 #include "study/report/gis_layers.hpp"
@@ -59,6 +60,20 @@ void cells_of_plan(CsvText& csv, const CampaignResults& results, const RunRow& r
   csv.count(row.record->ground_set);
   const std::uint32_t set = row.record->ground_set;
   csv.count(set < results.ground_sets.size() ? results.ground_sets[set].member : 0);
+}
+
+// Lowest and highest of every quantity over the runs of a block; null where results have none.
+nlohmann::ordered_json stiffness_json(const CampaignResults& results) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const BlockStiffness& block : stiffness_by_block(results.blocks, results.runs)) {
+    nlohmann::ordered_json row = {{"block", block.block}};
+    for (const StiffnessValue& value : block.values) {
+      row[value.name] = nullptr;
+      if (!value.range.empty()) row[value.name] = {value.range.low, value.range.high};
+    }
+    list.push_back(row);
+  }
+  return list;
 }
 
 }  // namespace
@@ -279,6 +294,7 @@ std::string provenance_json(const Comparison& comparison) {
                              {"inputs", results.inputs},
                              {"runs", results.runs.size()},
                              {"planned_runs", results.planned_runs},
+                             {"stiffness", stiffness_json(results)},
                              {"campaign", results.campaign_text}});
   }
   if (comparison.measured) {

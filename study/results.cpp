@@ -151,10 +151,6 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   Hdf5Group contact = root.create_group("contact");
   contact.set_attribute<std::string>("law", name_of(header.law));
   contact.set_attribute<std::string>("weights", name_of(header.weights));
-  contact.set_attribute<double>("stiffness_n_m", header.stiffness.normal);
-  contact.set_attribute<double>("tangential_stiffness_n_m", header.stiffness.tangential);
-  contact.set_attribute<double>("rolling_stiffness_n_m_rad", header.stiffness.rolling);
-  contact.set_attribute<double>("time_step_s", header.stiffness.time_step);
 
   write_terrain_group(root.create_group("terrain"), header.terrain, header.frame);
 }
@@ -193,9 +189,13 @@ void write_runs(Hdf5Group group, std::vector<RunRecord>& runs) {
                    [&](RunRecord& run) { return column.field(state.field(run)); });
     }
   }
-  for (const RunValue& column : kRunValues) {
-    write_column(group, column.name, column.unit, runs, column.field);
-  }
+  const auto write_values = [&](const auto& columns) {
+    for (const RunValue& column : columns) {
+      write_column(group, column.name, column.unit, runs, column.field);
+    }
+  };
+  write_values(kRunValues);
+  write_values(kRunStiffness);
   for (const RunCount& column : kRunCounts) {
     write_column(group, column.name, column.unit, runs,
                  [&](RunRecord& run) { return static_cast<std::int64_t>(column.field(run)); });

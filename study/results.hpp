@@ -24,6 +24,11 @@ struct RunRecord {
   std::uint32_t orientation = 0;  ///< index of the orientation in its release set
   std::uint32_t ground_set = 0;   ///< index into CampaignResults::ground_sets
   RigidState start;
+  ContactStiffness stiffness;  ///< and time step, chosen for this run or given
+  /// Of the block at rest, m g/(k_n e_n^2) or m g/k_n by law, and of an impact at the fastest speed
+  /// that its start allows, m; not a number in results of schema 3 and older.
+  double rest_depth = 0.0;
+  double impact_depth = 0.0;
   ReleaseResult result;
   ContactStatistics contacts;
 };
@@ -83,7 +88,6 @@ struct CampaignResults {
   std::vector<std::string> zone_names;
   std::vector<GroundParameters> ground;  ///< by zone, without groups; uncertain ones in the middle
   std::vector<GroundSet> ground_sets;
-  ContactStiffness stiffness;
   ContactLaw law;
   ContactWeights weights = ContactWeights::kPatch;
   std::vector<std::string> warnings;

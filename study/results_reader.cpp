@@ -297,6 +297,22 @@ void read_runs(const Reader& reader, CampaignResults& results) {
   }
 }
 
+// Of every run; in files that have one for all, as attributes of /contact, without depths.
+void read_stiffness(const Reader& reader, const Hdf5Group& contact, CampaignResults& results) {
+  std::vector<RunRecord>& runs = results.runs;
+  const bool one_for_all = contact.has_attribute(kRunStiffness.front().name);
+  for (const RunValue& column : kRunStiffness) {
+    std::vector<double> values;
+    if (!one_for_all) {
+      values = reader.column<double>(column.name, runs.size());
+    } else {
+      const bool stored = contact.has_attribute(column.name);
+      values.assign(runs.size(), stored ? contact.attribute<double>(column.name) : std::nan(""));
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i) column.field(runs[i]) = values[i];
+  }
+}
+
 // Crossings and impacts are in order of runs that there are.
 template <class Event>
 void check_events(const Reader& reader, const std::vector<Event>& events,
@@ -356,13 +372,10 @@ CampaignResults read_results(const fs::path& path) {
   const Hdf5Group contact = root.group.group("contact");
   results.law = contact_law(contact.attribute<std::string>("law"));
   results.weights = contact_weights(contact.attribute<std::string>("weights"));
-  results.stiffness = {.normal = contact.attribute<double>("stiffness_n_m"),
-                       .tangential = contact.attribute<double>("tangential_stiffness_n_m"),
-                       .rolling = contact.attribute<double>("rolling_stiffness_n_m_rad"),
-                       .time_step = contact.attribute<double>("time_step_s")};
   read_terrain_group(root.into("terrain"), results);
 
   read_runs(root.into("runs"), results);
+  read_stiffness(root.into("runs"), contact, results);
   read_crossings(root.into("crossings"), results);
   check_events(root.into("crossings"), results.crossings, results);
   read_impacts(root.into("impacts"), results);

@@ -20,6 +20,7 @@
 #include "core/output_file.hpp"
 #include "core/parallel.hpp"
 #include "core/text_file.hpp"
+#include "study/block_stiffness.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/comparison.hpp"
 #include "study/report/plan_map.hpp"
@@ -80,18 +81,19 @@ std::filesystem::path output_of(const SimulateArgs& args, const Shard& shard) {
 nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
   nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
   for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
-  const ContactStiffness& stiffness = prepared.stiffness.stiffness;
-  std::vector<std::string> warnings = prepared.header.warnings;
+  nlohmann::ordered_json stiffness = nlohmann::ordered_json::array();
+  for (const BlockStiffness& block : stiffness_by_block(prepared.header.blocks, prepared.runs)) {
+    nlohmann::ordered_json row = {{"block", block.block}};
+    for (const StiffnessValue& value : block.values) {
+      row[value.name] = {value.range.low, value.range.high};
+    }
+    stiffness.push_back(row);
+  }
   return {{"runs", prepared.runs.size()},
           {"blocks", blocks},
           {"release_points", prepared.header.release_points.size()},
-          {"normal_stiffness_n_m", stiffness.normal},
-          {"tangential_stiffness_n_m", stiffness.tangential},
-          {"rolling_stiffness_n_m_rad", stiffness.rolling},
-          {"time_step_s", stiffness.time_step},
-          {"settled_depth_m", prepared.stiffness.settled_depth},
-          {"impact_depth_m", prepared.stiffness.impact_depth},
-          {"warnings", warnings}};
+          {"stiffness", stiffness},
+          {"warnings", prepared.header.warnings}};
 }
 
 /// "4 release points, 64 orientations", for each release set, and how often the ground is drawn.
@@ -107,14 +109,31 @@ std::string releases_text(const PreparedCampaign& prepared) {
   return text;
 }
 
+/// More blocks than this are not printed one by one.
+constexpr std::size_t kMostPrinted = 20;
+
+/// What the runs of each block have, and those of all where there are many.
+TextTable stiffness_table(const PreparedCampaign& prepared) {
+  const std::vector<BlockStiffness> blocks =
+      stiffness_by_block(prepared.header.blocks, prepared.runs);
+  TextTable table{{"block"}, {}};
+  for (const StiffnessValue& value : blocks.front().values) {
+    table.headings.push_back(value.heading);
+  }
+  const auto add = [&](const BlockStiffness& block) {
+    std::vector<std::string> row = stiffness_cells(block);
+    row.insert(row.begin(), block.block);
+    table.rows.push_back(row);
+  };
+  for (std::size_t i = 0; i < std::min(blocks.size(), kMostPrinted); ++i) add(blocks[i]);
+  if (blocks.size() > kMostPrinted) add(over_all(blocks));
+  return table;
+}
+
 void print_plan(const PreparedCampaign& prepared) {
-  const ContactStiffness& stiffness = prepared.stiffness.stiffness;
   std::cout << counted(prepared.runs.size(), "run") << ": "
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
-            << "k_n " << rounded(stiffness.normal) << " N/m, k_t " << rounded(stiffness.tangential)
-            << " N/m, time step " << rounded(stiffness.time_step, 3) << " s; rests at most "
-            << rounded(prepared.stiffness.settled_depth, 2) << " m deep, impacts go at most "
-            << rounded(prepared.stiffness.impact_depth, 2) << " m deep\n";
+            << stiffness_table(prepared).text();
   for (const std::string& warning : prepared.header.warnings) {
     std::cout << "warning: " << warning << "\n";
   }

@@ -34,10 +34,11 @@ TEST_F(CampaignRun, PlansEveryBlockPointAndOrientationInOrder) {
   EXPECT_LT((start - Vec3(-12, 3, 9.5)).norm(), 1e-12);
   // The only bound there is for a body that starts at rest: the fall to the lowest ground.
   const double fastest = std::sqrt(2 * 9.81 * 9.5);
-  const StiffnessChoice expected =
-      choose_stiffness(plan.bodies, plan.header.ground, fastest, 9.81, {});
-  EXPECT_NEAR(plan.stiffness.stiffness.normal, expected.stiffness.normal,
-              1e-9 * expected.stiffness.normal);
+  for (const RunRecord& run : plan.runs) {
+    const StiffnessChoice expected = choose_stiffness(std::span(&plan.bodies[run.block], 1),
+                                                      plan.header.ground, fastest, 9.81, {});
+    EXPECT_NEAR(run.stiffness.normal, expected.stiffness.normal, 1e-9 * expected.stiffness.normal);
+  }
 }
 
 TEST_F(CampaignRun, QuaternionFileTurnsTheBlockAsItsSourceHoldsIt) {

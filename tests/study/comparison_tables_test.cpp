@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/random.hpp"
 #include "core/text_file.hpp"
@@ -171,6 +172,22 @@ TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
                                              "profiles.csv", "provenance.json", "report.html",
                                              "runs.csv", "stops.gpkg"}));
   EXPECT_TRUE(contains(read_text_file(folder / "out" / "provenance.json"), std::string(64, 'c')));
+}
+
+TEST(ProvenanceJson, HasTheStiffnessOfEveryBlock) {
+  CampaignResults results = hand_made_results();
+  results.runs[0].impact_depth = 0.05;
+  for (RunRecord& run : results.runs) run.rest_depth = std::nan("");
+  const auto json = nlohmann::json::parse(provenance_json(compared(std::move(results))));
+  const nlohmann::json& blocks = json["files"][0]["stiffness"];
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[0]["block"], "round<1>");
+  EXPECT_EQ(blocks[0]["stiffness_n_m"], (std::vector<double>{1e8, 1e8}));
+  EXPECT_EQ(blocks[0]["impact_depth_m"], (std::vector<double>{0.05, 0.1}));
+  EXPECT_EQ(blocks[1]["stiffness_n_m"], (std::vector<double>{3e8, 4e8}));
+  EXPECT_EQ(blocks[1]["rolling_stiffness_n_m_rad"], (std::vector<double>{2e7, 2e7}));
+  EXPECT_EQ(blocks[1]["time_step_s"], (std::vector<double>{1e-5, 1e-5}));
+  EXPECT_TRUE(blocks[1]["rest_depth_m"].is_null()) << "of a file that does not hold it";
 }
 
 TEST(WriteComparison, FileInPlaceOfTheFolderIsRefused) {

@@ -27,8 +27,8 @@ TEST(Results, WhatIsNotAResultsFileIsRefused) {
   EXPECT_TRUE(contains(refused("text.h5"), "text.h5: is not an HDF5 file"));
   Hdf5File::create(folder / "blocks.h5", "clast block library", 1);
   EXPECT_TRUE(contains(refused("blocks.h5"), "blocks.h5: is a \"clast block library\" file"));
-  Hdf5File::create(folder / "newer.h5", "clast results", 4);
-  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 4"));
+  Hdf5File::create(folder / "newer.h5", "clast results", 5);
+  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 5"));
   Hdf5File::create(folder / "older.h5", "clast results", 1);
   EXPECT_TRUE(contains(refused("older.h5"), "has schema version 1 of an older clast"));
   Hdf5File::create(folder / "bare.h5", "clast results", 2);
@@ -41,7 +41,7 @@ TEST(Results, StraightBarriersOfSchema2AreRead) {
     ResultsWriter writer = ResultsWriter::create(folder / "old.h5", sample_header());
     add_run(writer, 0);
     writer.finish();
-    Hdf5File file = Hdf5File::open(folder / "old.h5", "clast results", 3, true);
+    Hdf5File file = Hdf5File::open(folder / "old.h5", "clast results", 4, true);
     Hdf5Group barriers = file.root().group("barriers");
     barriers.remove("point_count");
     barriers.remove("points_m");
@@ -66,7 +66,7 @@ TEST(Results, DamageIsNamed) {
   const auto after = [&](const auto& change) {
     fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
     {
-      Hdf5File file = Hdf5File::open(bad, "clast results", 3, true);
+      Hdf5File file = Hdf5File::open(bad, "clast results", 4, true);
       Hdf5Group root = file.root();
       change(root);
       file.flush();
