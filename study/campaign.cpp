@@ -5,6 +5,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "study/barrier_line.hpp"
 #include "study/campaign_reading.hpp"
 
 namespace clast {
@@ -131,6 +132,11 @@ std::vector<Vec2> read_barrier_line(const TomlTable& table) {
     if (points.size() > 1 && !((points.back() - points[points.size() - 2]).norm() > 0.0)) {
       table.refuse("through", point, "two points after each other must differ");
     }
+  }
+  try {
+    check_barrier_line(points);
+  } catch (const InputError& error) {
+    table.refuse("through", *line, "barrier " + *table.text("name") + ": " + error.what());
   }
   return points;
 }

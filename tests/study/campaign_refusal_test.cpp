@@ -154,6 +154,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "must differ"},
         Refused{"from = [36, -400]\nto = [36, -340]", "through = [[36, -400], [36]]",
                 "campaign.toml:40: [[barrier]] through = [36]: must be points [x, y]"},
+        Refused{"from = [36, -400]\nto = [36, -340]", "through = [[0, 0], [4, 4], [4, 0], [0, 4]]",
+                "campaign.toml:40: [[barrier]] through = [[0, 0], [4, 4], [4, 0], [0, 4]]: barrier "
+                "EC12: segments 1 and 3 meet at (2, 2); a barrier must not cross, touch or retrace "
+                "itself, apart from a ring, whose last point is its first: make two barriers of "
+                "it"},
+        Refused{"from = [36, -400]\nto = [36, -340]", "through = [[0, 0], [4, 0], [1, 0]]",
+                "campaign.toml:40: [[barrier]] through = [[0, 0], [4, 0], [1, 0]]: barrier EC12: "
+                "segments 1 and 2 meet at (1, 0); a barrier must not cross, touch or retrace "
+                "itself, apart from a ring, whose last point is its first: make two barriers of "
+                "it"},
         Refused{"to = [36, -340]", "to = [36, -400]",
                 "campaign.toml:41: [[barrier]] to = [36, -400]: must differ from from"},
         Refused{
