@@ -4,8 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "core/delimited_text.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/printable.hpp"
 #include "shapes/detail/cloud_readers.hpp"
 
 namespace clast::detail {
@@ -66,19 +68,15 @@ class Lines {
 };
 
 /// What a message repeats of a word, which may be bytes of any kind.
-std::string printable(std::string_view word) {
+std::string quoted(std::string_view word) {
   constexpr std::size_t kQuoted = 40;
-  std::string text(word.substr(0, kQuoted));
-  for (char& c : text) {
-    if (c < 32 || c == 127) c = '?';
-  }
-  return text;
+  return "\"" + printable(word.substr(0, kQuoted)) + "\"";
 }
 
-/// How the words of a line are told apart.
+/// How the words of a line are told apart: as the fields of any table, but blanks separate too.
 struct Separation {
   std::string_view separators;
-  bool decimal_comma = false;
+  char separator = ',';  ///< of `number_in_field`
 
   /// Takes the next word off `line`; empty at its end.
   std::string_view word(std::string_view& line) const {
@@ -90,28 +88,16 @@ struct Separation {
     return found;
   }
 
-  std::optional<double> number(std::string_view word) const {
-    if (!decimal_comma || word.find(',') == std::string_view::npos) return number_in(word);
-    std::string text(word);
-    std::replace(text.begin(), text.end(), ',', '.');
-    return number_in(text);
+  std::size_t words_in(std::string_view line) const {
+    std::size_t count = 0;
+    while (!word(line).empty()) ++count;
+    return count;
   }
 };
 
-/// A comma between digits is a decimal comma when something else separates at least three words.
 Separation separation_of(std::string_view line) {
-  const bool comma = line.find(',') != std::string_view::npos;
-  if (line.find(';') != std::string_view::npos) return {" \t;", comma};
-  if (!comma) return {" \t", false};
-  constexpr Separation kBlanks{" \t", true};
-  std::string_view rest = line;
-  std::size_t words = 0;
-  bool decimals = true;
-  for (std::string_view word = kBlanks.word(rest); !word.empty(); word = kBlanks.word(rest)) {
-    ++words;
-    decimals = decimals && kBlanks.number(word).has_value();
-  }
-  return words >= 3 && decimals ? kBlanks : Separation{" \t,", false};
+  const char separator = separator_of(line);
+  return {separator == ';' ? " \t;" : separator == ',' ? " \t," : " \t", separator};
 }
 
 /// Words that stand for x, y and z in a heading.
@@ -122,7 +108,7 @@ constexpr std::array<std::array<std::string_view, 4>, 3> kAxisNames = {
 
 /// Columns of x, y and z in a heading; none when it does not name them all.
 std::optional<std::array<std::size_t, 3>> columns_in(std::string_view heading) {
-  constexpr Separation kAny{" \t,;", false};
+  constexpr Separation kAny{" \t,;"};
   std::array<std::size_t, 3> columns{};
   std::array<bool, 3> found{};
   std::size_t column = 0;
@@ -153,10 +139,11 @@ class LinesOfPoints {
     const std::string_view text = line.substr(begin);
     if (text.starts_with('#') || text.starts_with("//")) return;
     if (!separation_known_) {
-      if (is_heading(text)) return;
+      if (is_heading(text, number)) return;
       separation_ = separation_of(text);
       separation_known_ = true;
     }
+    check_words(text, number);
     const Vec3 point = point_in(text, number);
     count_up(point.x());
     sink_.add(point);
@@ -183,15 +170,36 @@ class LinesOfPoints {
   }
 
   /// The lines before the first point: a heading, or the number of points.
-  bool is_heading(std::string_view text) {
-    constexpr Separation kAny{" \t,;", false};
+  bool is_heading(std::string_view text, std::size_t number) {
+    constexpr Separation kAny{" \t,;"};
     std::string_view rest = text;
     const bool starts_with_number = number_in(kAny.word(rest)).has_value();
     const bool alone = kAny.word(rest).empty();
     if (lines_before_ >= kLongestHeading || (starts_with_number && !alone)) return false;
     ++lines_before_;
-    if (const auto named = columns_in(text)) columns_ = *named;
+    if (const auto named = columns_in(text)) {
+      columns_ = *named;
+      words_ = kAny.words_in(text);
+      words_line_ = number;
+    }
     return true;
+  }
+
+  /// Where a heading names the columns, or commas or semicolons stand between them, each line has
+  /// as many words: one without would shift what follows, and a decimal comma would split a number.
+  void check_words(std::string_view line, std::size_t number) {
+    if (words_ == 0 && separation_.separator != ',' && separation_.separator != ';') return;
+    const std::size_t words = separation_.words_in(line);
+    if (words_ == 0) {
+      words_ = words;
+      words_line_ = number;
+    }
+    if (words == words_) return;
+    throw InputError("line " + std::to_string(number) + ": has " + std::to_string(words) +
+                     " fields, but line " + std::to_string(words_line_) + " has " +
+                     std::to_string(words_) + "; " +
+                     (separation_.separator == ',' ? kDecimalCommaAdvice
+                                                   : "each line needs all columns of the first"));
   }
 
   Vec3 point_in(std::string_view line, std::size_t number) const {
@@ -202,10 +210,10 @@ class LinesOfPoints {
       if (word.empty()) break;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (columns_[axis] != column) continue;
-        const std::optional<double> value = separation_.number(word);
+        const std::optional<double> value = number_in_field(word, separation_.separator);
         if (!value) {
-          throw InputError("line " + std::to_string(number) + ": \"" + printable(word) +
-                           "\" stands where " + "xyz"[axis] + " is needed; a line must be x y z");
+          throw InputError("line " + std::to_string(number) + ": " + quoted(word) +
+                           " stands where " + "xyz"[axis] + " is needed; a line must be x y z");
         }
         point[static_cast<Eigen::Index>(axis)] = *value;
         --left;
@@ -219,9 +227,11 @@ class LinesOfPoints {
   }
 
   PointSink& sink_;
-  Separation separation_{" \t,;", false};
+  Separation separation_{" \t,;"};
   bool separation_known_ = false;
   std::size_t lines_before_ = 0;
+  std::size_t words_ = 0;  ///< of each line, by line `words_line_`; 0: as many as there are
+  std::size_t words_line_ = 0;
   std::size_t points_ = 0;
   double last_x_ = 0.0;
   bool counting_ = true;  ///< so far
