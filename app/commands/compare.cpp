@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/option_values.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
 #include "study/comparison.hpp"
 #include "study/report/vtk_animation.hpp"
 
@@ -37,18 +39,20 @@ void compare_results(const CompareArgs& args) {
           "no trajectory is stored, so nothing can be animated; set [run] "
           "trajectory_interval_s above zero");
     }
-    std::cout << animation.string() << "\n";
+    std::cout << printable(animation.string()) << "\n";
   }
   for (const std::string& warning : comparison.warnings) {
-    std::cerr << "clast: warning: " << warning << "\n";
+    std::cerr << "clast: warning: " << printable(warning) << "\n";
   }
   for (const Difference& difference : comparison.differences) {
     // Classes are what the study is about; the rest is in the table.
     if (comparison.groups[difference.first].kind == GroupKind::kGarcia && difference.found()) {
-      std::cout << in_words(difference, comparison) << "\n";
+      std::cout << printable(in_words(difference, comparison)) << "\n";
     }
   }
-  for (const std::filesystem::path& file : written) std::cout << file.string() << "\n";
+  for (const std::filesystem::path& file : written) {
+    std::cout << printable(file.string()) << "\n";
+  }
 }
 
 }  // namespace
@@ -73,7 +77,7 @@ void add_compare(CLI::App& app) {
       ->add_option("--animate", args->animated,
                    "Write animation/animation.pvd for ParaView too, with so many of the runs")
       ->type_name("RUNS")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number(0, 1000000))
       ->capture_default_str();
   command
       ->add_option("--measured", args->measured,

@@ -17,6 +17,7 @@
 #include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "core/printable.hpp"
 #include "core/text_file.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/comparison.hpp"
@@ -96,7 +97,8 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
 std::string releases_text(const PreparedCampaign& prepared) {
   std::string text;
   for (const ReleasePlan& release : prepared.campaign.releases) {
-    text += (text.empty() ? "" : "; ") + (release.name.empty() ? "" : release.name + ": ") +
+    text += (text.empty() ? "" : "; ") +
+            (release.name.empty() ? "" : printable(release.name) + ": ") +
             counted(release.points.size(), "release point") + ", " +
             counted(release.orientations.size(), "orientation");
   }
@@ -114,7 +116,7 @@ void print_plan(const PreparedCampaign& prepared) {
             << rounded(prepared.stiffness.settled_depth, 2) << " m deep, impacts go at most "
             << rounded(prepared.stiffness.impact_depth, 2) << " m deep\n";
   for (const std::string& warning : prepared.header.warnings) {
-    std::cout << "warning: " << warning << "\n";
+    std::cout << "warning: " << printable(warning) << "\n";
   }
 }
 
@@ -204,7 +206,7 @@ void print_results(const std::filesystem::path& file, const SimulateArgs& args,
     std::cout << summary.dump(2) << "\n";
   } else {
     print_outcome(results);
-    std::cout << file.string() << ": written\n";
+    std::cout << printable(file.string()) << ": written\n";
   }
   check_outcome(results, file);
 }
@@ -252,7 +254,7 @@ void tell_of_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared,
             << counted(runs, "run") << " on " << counted(threads, "thread") << ", judging by "
             << counted(probe.runs, "run") << " of " << rounded(probe.each, 2) << " s"
             << (probe.cut_short ? ", the last of which was not waited for" : "") << "\n"
-            << map.string() << ": written\n";
+            << printable(map.string()) << ": written\n";
 }
 
 /// What shapes a run: that it is the same on all processes.
@@ -327,7 +329,7 @@ void add_simulate(CLI::App& app) {
       ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--threads", args->threads, "Threads to use; 0: one for each core")
-      ->check(number_between(0, 4096))
+      ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume, "Go on with an interrupted campaign");

@@ -87,17 +87,15 @@ struct Separation {
     line.remove_prefix(found.size());
     return found;
   }
-
-  std::size_t words_in(std::string_view line) const {
-    std::size_t count = 0;
-    while (!word(line).empty()) ++count;
-    return count;
-  }
 };
 
 Separation separation_of(std::string_view line) {
   const char separator = separator_of(line);
   return {separator == ';' ? " \t;" : separator == ',' ? " \t," : " \t", separator};
+}
+
+std::size_t fields_in(std::string_view line, char separator) {
+  return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), separator));
 }
 
 /// Words that stand for x, y and z in a heading.
@@ -143,7 +141,7 @@ class LinesOfPoints {
       separation_ = separation_of(text);
       separation_known_ = true;
     }
-    check_words(text, number);
+    check_fields(text, number);
     const Vec3 point = point_in(text, number);
     count_up(point.x());
     sink_.add(point);
@@ -179,27 +177,38 @@ class LinesOfPoints {
     ++lines_before_;
     if (const auto named = columns_in(text)) {
       columns_ = *named;
-      words_ = kAny.words_in(text);
-      words_line_ = number;
+      if (separator_of(text) == ',') {
+        fields_ = fields_in(text, ',');
+        counted_line_ = number;
+      }
     }
     return true;
   }
 
-  /// Where a heading names the columns, or commas or semicolons stand between them, each line has
-  /// as many words: one without would shift what follows, and a decimal comma would split a number.
-  void check_words(std::string_view line, std::size_t number) {
-    if (words_ == 0 && separation_.separator != ',' && separation_.separator != ';') return;
-    const std::size_t words = separation_.words_in(line);
-    if (words_ == 0) {
-      words_ = words;
-      words_line_ = number;
+  /// Between commas each line has as many fields as the first, since a decimal comma would split a
+  /// number; and no field up to z is empty, which would shift those behind it.
+  void check_fields(std::string_view line, std::size_t number) {
+    const char separator = separation_.separator;
+    if (separator != ',' && separator != ';') return;
+    const std::size_t fields = fields_in(line, separator);
+    if (fields_ == 0) {
+      fields_ = fields;
+      counted_line_ = number;
     }
-    if (words == words_) return;
-    throw InputError("line " + std::to_string(number) + ": has " + std::to_string(words) +
-                     " fields, but line " + std::to_string(words_line_) + " has " +
-                     std::to_string(words_) + "; " +
-                     (separation_.separator == ',' ? kDecimalCommaAdvice
-                                                   : "each line needs all columns of the first"));
+    if (separator == ',' && fields != fields_) {
+      throw InputError("line " + std::to_string(number) + ": has " + std::to_string(fields) +
+                       " fields, but line " + std::to_string(counted_line_) + " has " +
+                       std::to_string(fields_) + "; " + kDecimalCommaAdvice);
+    }
+    const std::size_t last = *std::max_element(columns_.begin(), columns_.end());
+    for (std::size_t field = 0; field <= last && !line.empty(); ++field) {
+      const std::size_t end = std::min(line.find(separator), line.size());
+      if (line.substr(0, end).find_first_not_of(" \t") == std::string_view::npos) {
+        throw InputError("line " + std::to_string(number) + ": field " + std::to_string(field + 1) +
+                         " is empty, and one behind it is needed; fill it in");
+      }
+      line.remove_prefix(std::min(end + 1, line.size()));
+    }
   }
 
   Vec3 point_in(std::string_view line, std::size_t number) const {
@@ -230,8 +239,8 @@ class LinesOfPoints {
   Separation separation_{" \t,;"};
   bool separation_known_ = false;
   std::size_t lines_before_ = 0;
-  std::size_t words_ = 0;  ///< of each line, by line `words_line_`; 0: as many as there are
-  std::size_t words_line_ = 0;
+  std::size_t fields_ = 0;  ///< of each line between commas; 0 until one is counted
+  std::size_t counted_line_ = 0;
   std::size_t points_ = 0;
   double last_x_ = 0.0;
   bool counting_ = true;  ///< so far
