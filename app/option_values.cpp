@@ -56,10 +56,9 @@ MeasuredLength measured_length(const std::string& text) {
   for (const std::string& piece : split_list(commas)) numbers.push_back(number_from(piece));
   const auto refuse = [&](const std::string& what) {
     throw CLI::ValidationError(
-        "--scale-length",
-        "\"" + text + "\" " + what +
-            "; expected two points of the scan and the metres between them, such as "
-            "\"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
+        "--scale-length", "\"" + text + "\" " + what +
+                              "; expected two points of the scan and the metres between them (" +
+                              kBlockLength.words() + "), such as \"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
   };
   if (numbers.size() != 7) refuse("has " + counted(numbers.size(), "number") + " and not seven");
   for (const double number : numbers) {
