@@ -21,6 +21,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/printable.hpp"
 #include "core/utf8.hpp"
 #include "library/library_update.hpp"
 
@@ -198,7 +199,7 @@ class Batch {
     if (!args_.options.split || outcome.blocks.empty() || !outcome.failures.empty()) return;
     const std::string next = scan.id + "_" + std::to_string(outcome.blocks.size() + 1);
     if (!library_.has(next)) return;
-    std::cerr << "clast: " << args_.library << " still holds block " << next
+    std::cerr << "clast: " << printable(args_.library) << " still holds block " << printable(next)
               << " of an earlier split; if it is no more, use clast library remove\n";
   }
 
@@ -239,7 +240,7 @@ class Batch {
     try {
       save();
     } catch (const Error& error) {
-      std::cerr << "clast: " << error.what() << "; this is tried again at the end\n";
+      std::cerr << "clast: " << printable(error.what()) << "; this is tried again at the end\n";
     }
     written_ = std::chrono::steady_clock::now();
   }
@@ -254,7 +255,7 @@ class Batch {
     if (scans_.size() > 1) print_failure();
   }
 
-  void print_failure() const { std::cerr << "clast: " << last_failure_ << "\n"; }
+  void print_failure() const { std::cerr << "clast: " << printable(last_failure_) << "\n"; }
 
   void write_page(const ScanFile& scan, const Block& block, const std::string& page) {
     try {
@@ -286,8 +287,10 @@ class Batch {
     unsaved_.push_back({&scan, block.id});
     made_.push_back(std::move(json));
     if (args_.json) return;
-    std::cout << block_line(block) << "\n";
-    for (const std::string& warning : block.warnings) std::cout << "  note: " << warning << "\n";
+    std::cout << printable(block_line(block)) << "\n";
+    for (const std::string& warning : block.warnings) {
+      std::cout << "  note: " << printable(warning) << "\n";
+    }
     std::cout.flush();
   }
 
@@ -299,11 +302,11 @@ class Batch {
       return;
     }
     if (skipped_ > 0) {
-      std::cout << args_.library << ": " << counted(skipped_, "scan")
+      std::cout << printable(args_.library) << ": " << counted(skipped_, "scan")
                 << " skipped, in the library already with the same file and options\n";
     }
     if (made_.empty()) return;
-    std::cout << args_.library << ": " << counted(made_.size(), "block") << " written, "
+    std::cout << printable(args_.library) << ": " << counted(made_.size(), "block") << " written, "
               << library_.blocks().size() << " in all\n";
   }
 

@@ -174,7 +174,7 @@ std::string crossings_csv(const Comparison& comparison) {
     const Crossing& crossing = *row.crossing;
     cells_of_run(csv, comparison.rows[row.row]);
     csv.cell(std::string_view(comparison.lines[row.barrier].name));
-    csv.cell(std::string_view(crossing.forward ? "forward" : "backward"));
+    csv.cell(std::string_view(comparison.lines[row.barrier].direction(crossing)));
     csv.count(row.counted ? 1 : 0);
     csv.cell(crossing.time);
     cells(csv, row.position);

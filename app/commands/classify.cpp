@@ -13,6 +13,8 @@
 #include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
+#include "core/printable.hpp"
+#include "library/block_ranges.hpp"
 
 namespace clast {
 
@@ -56,7 +58,7 @@ void print_tables(const PopulationReport& report, const std::vector<ReadPopulati
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     if (i > 0) std::cout << "\n";
-    if (report.populations.size() > 1) std::cout << reported.population.name << "\n";
+    if (report.populations.size() > 1) std::cout << printable(reported.population.name) << "\n";
     std::cout << "L, I, S: " << reported.measured << "\n\n";
     if (reported.population.blocks.size() > kMostPrinted) {
       std::cout << reported.population.blocks.size()
@@ -112,7 +114,7 @@ void note_shared_files(std::vector<ReadPopulation>& sources) {
       if (a.sha256 != b.sha256) continue;
       second.notes.push_back("both populations hold the same file, " + a.file +
                              (a.file == b.file ? "" : " and " + b.file));
-      sources[1].said += second.population.name + ": " + second.notes.back() + "\n";
+      sources[1].said += printable(second.population.name + ": " + second.notes.back()) + "\n";
     }
   }
 }
@@ -198,8 +200,8 @@ void classify(const ClassifyArgs& args) {
   for (const ReadPopulation& source : sources) std::cerr << source.said;
   args.json ? print_json(report, sources) : print_tables(report, sources);
   if (!args.output.empty() && !args.json) {
-    std::cout << "\nReport: " << (std::filesystem::path(args.output) / "report.html").string()
-              << "\n";
+    std::cout << "\nReport: "
+              << printable((std::filesystem::path(args.output) / "report.html").string()) << "\n";
   }
 }
 
@@ -236,7 +238,7 @@ void add_classify(CLI::App& app) {
       ->add_option("--axis-error", args->reading.axis_error,
                    "What the axes are known to, m; default: 0.05 for a table (tape), twice the "
                    "deviation from the scan for a library")
-      ->check(number_between(0.0, 1e6))
+      ->check(within(kAxisError))
       ->type_name("M");
   command->add_flag("--thirds", args->limits.sneed_folk_thirds,
                     "Limits 1/3 and 2/3 for the second letter of Sneed & Folk, not 0.33 and 0.67");
@@ -249,7 +251,7 @@ void add_classify(CLI::App& app) {
       ->add_option("--roundness", args->reading.roundness_edge,
                    "With --json: Wadell roundness of a library's blocks, on their surface cut anew "
                    "into triangles with edges of so many m")
-      ->check(positive_number())
+      ->check(within(kBlockLength))
       ->type_name("M");
   command
       ->add_option("--columns", args->first.columns,

@@ -4,8 +4,10 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/option_values.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
+#include "core/printable.hpp"
 #include "study/comparison.hpp"
 #include "study/report/vtk_animation.hpp"
 
@@ -44,17 +46,17 @@ void compare_results(const CompareArgs& args) {
   }
   folder.commit();
   for (const std::string& warning : comparison.warnings) {
-    std::cerr << "clast: warning: " << warning << "\n";
+    std::cerr << "clast: warning: " << printable(warning) << "\n";
   }
   for (const Difference& difference : comparison.differences) {
     // Classes are what the study is about; the rest is in the table.
     if (comparison.groups[difference.first].kind == GroupKind::kGarcia && difference.found()) {
-      std::cout << in_words(difference, comparison) << "\n";
+      std::cout << printable(in_words(difference, comparison)) << "\n";
     }
   }
   for (const std::filesystem::path& file : written) {
     const std::filesystem::path name = file.lexically_relative(folder.temporary());
-    std::cout << (std::filesystem::path(args.folder) / name).string() << "\n";
+    std::cout << printable((std::filesystem::path(args.folder) / name).string()) << "\n";
   }
 }
 
@@ -82,7 +84,7 @@ void add_compare(CLI::App& app) {
       ->add_option("--animate", args->animated,
                    "Write animation/animation.pvd for ParaView too, with so many of the runs")
       ->type_name("RUNS")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number(0, 1000000))
       ->capture_default_str();
   command
       ->add_option("--measured", args->measured,

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
@@ -11,6 +12,7 @@
 #include "core/file_kind.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
+#include "core/printable.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
 #include "shapes/coplanar_faces.hpp"
@@ -34,6 +36,7 @@ struct ExportArgs {
   std::string up = "z";
   int segments = 4;
   bool replace = false;
+  bool segments_given = false;
 };
 
 /// z up to y up, the inverse of what `--up y` does on reading.
@@ -98,6 +101,18 @@ void check_places(const ExportArgs& args, const std::vector<const Block*>& block
   }
 }
 
+/// An option that changes nothing was meant for something.
+void report_segments(const Block& block, const ExportArgs& args) {
+  const std::optional<double> length = wrap_length(block.body, args.segments);
+  const int most = most_wrap_segments(block.body);
+  if (!args.segments_given || !length || args.segments <= most) return;
+  std::cerr << "block " << printable(block.id)
+            << " is concave: its skin is wrapped in triangles of " << with_digits(*length, 3)
+            << (is_unscaled(block) ? " units" : " m")
+            << ", the shortest there are (1/150 of its diagonal), so --segments " << args.segments
+            << " gives what " << most << " gives\n";
+}
+
 void export_blocks(const ExportArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
   const std::vector<std::string> formats = split_list(args.formats);
@@ -109,6 +124,13 @@ void export_blocks(const ExportArgs& args) {
     }
   }
   if (formats.empty()) throw CLI::ValidationError("--format", "names no format");
+  const bool only_shp = formats == std::vector<std::string>{"shp"};
+  const bool skin = !only_shp && (args.what == "skin" || args.what == "both");
+  if (args.segments_given && !skin) {
+    throw CLI::ValidationError("--segments",
+                               "is for the rounded skin in a mesh file, and none is written; add "
+                               "for example --format ply --what skin");
+  }
   if (args.frame == "principal" && args.up == "y") {
     throw CLI::ValidationError("--up", "y turns the source frame; the principal frame has no up");
   }
@@ -124,11 +146,12 @@ void export_blocks(const ExportArgs& args) {
   std::size_t written = 0;
   for (const Block* block : blocks) {
     if (is_unscaled(*block)) {
-      std::cerr << "block " << block->id << " is unscaled, so what is written of it is not in "
+      std::cerr << "block " << printable(block->id)
+                << " is unscaled, so what is written of it is not in "
                 << "metres: " << unscaled_reason() << "\n";
     }
     std::vector<std::pair<std::string, TriangleMesh>> meshes;
-    const bool only_shp = formats == std::vector<std::string>{"shp"};
+    if (skin) report_segments(*block, args);
     if (!only_shp) meshes = chosen_meshes(*block, args);
     for (auto& [suffix, mesh] : meshes) {
       if (args.frame == "principal") {
@@ -148,14 +171,15 @@ void export_blocks(const ExportArgs& args) {
         const Vec3 origin = write_mesh(file, mesh);
         ++written;
         if (!origin.isZero(0.0)) {
-          std::cerr << file.string() << ": its floats can't hold coordinates this far out, so "
-                    << place(origin) << " was taken off (" << file.filename().string()
+          std::cerr << printable(file.string())
+                    << ": its floats can't hold coordinates this far out, so " << place(origin)
+                    << " was taken off (" << printable(file.filename().string())
                     << ".origin.txt says so); obj, ply and vtp keep them\n";
         }
       }
     }
   }
-  std::cout << args.folder << ": " << counted(written, "file") << " of "
+  std::cout << printable(args.folder) << ": " << counted(written, "file") << " of "
             << counted(blocks.size(), "block") << " written\n";
 }
 
@@ -183,13 +207,16 @@ void add_export(CLI::App& app) {
       ->check(CLI::IsMember({"skin", "core", "both", "surface"}))
       ->type_name("NAME")
       ->capture_default_str();
-  command
-      ->add_option("--segments", args->segments,
-                   "Pieces of a quarter turn in the skin, 1 to 64; its volume is short by a share "
-                   "of their square")
-      ->check(number_between(1, 64))
-      ->type_name("N")
-      ->capture_default_str();
+  CLI::Option* segments =
+      command
+          ->add_option(
+              "--segments", args->segments,
+              "Pieces of a quarter turn in the skin, 1 to 64; its volume is short by a share "
+              "of their square. The skin of a concave block has no triangles shorter than "
+              "1/150 of its diagonal")
+          ->check(whole_number(1, 64))
+          ->type_name("N")
+          ->capture_default_str();
   command
       ->add_option("--frame", args->frame,
                    "Frame of mesh files: source, that of the scan, or principal, origin at the "
@@ -206,7 +233,10 @@ void add_export(CLI::App& app) {
       "origin at\nthe centre of mass, faces in one plane as one polygon, and where the scan had "
       "that frame.\n"
       "Example:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl");
-  command->callback([args] { export_blocks(*args); });
+  command->callback([args, segments] {
+    args->segments_given = segments->count() > 0;
+    export_blocks(*args);
+  });
 }
 
 }  // namespace clast

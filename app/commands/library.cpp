@@ -7,7 +7,9 @@
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
 #include "core/utf8.hpp"
+#include "library/block_ranges.hpp"
 #include "library/library_update.hpp"
 #include "library/unscaled.hpp"
 
@@ -47,7 +49,7 @@ void merge(const MergeArgs& args) {
           add_part(library, parts[i], args.inputs[i], args.replace);
         }
       });
-  std::cout << args.output << ": " << counted(joined.blocks().size(), "block") << "\n";
+  std::cout << printable(args.output) << ": " << counted(joined.blocks().size(), "block") << "\n";
 }
 
 void add_merge(CLI::App& app) {
@@ -77,7 +79,7 @@ void remove_blocks(const RemoveArgs& args) {
           changed.block(id);  // all are there, or none is removed
         for (const std::string& id : args.ids) changed.remove(id);
       });
-  std::cout << args.library << ": " << counted(args.ids.size(), "block") << " removed, "
+  std::cout << printable(args.library) << ": " << counted(args.ids.size(), "block") << " removed, "
             << library.blocks().size() << " left\n";
 }
 
@@ -134,11 +136,13 @@ void set_field_notes(const SetArgs& args) {
                                               });
   const Block& block = library.block(args.id);
 
-  std::cout << args.library << ": field notes of block " << args.id << " stored\n";
+  std::cout << printable(args.library) << ": field notes of block " << printable(args.id)
+            << " stored\n";
   if (is_unscaled(block)) {
     if (taped) std::cout << scales_by_tape(*taped, block.axes());
     if (args.weighed) {
-      std::cout << "block " << args.id << " is unscaled and has no mass to compare with\n";
+      std::cout << "block " << printable(args.id)
+                << " is unscaled and has no mass to compare with\n";
     }
     return;
   }
@@ -158,7 +162,7 @@ void add_set(CLI::App& app) {
   command->add_option("--note", args->note, "Anything else")->type_name("TEXT");
   command->add_option("--taped", args->taped, "Axes measured by tape, m")->type_name("L,I,S");
   command->add_option("--weighed", args->weighed, "Weighed mass, kg")
-      ->check(positive_number())
+      ->check(within(kBlockMass))
       ->type_name("KG");
   command->footer(
       "Notes are kept beside the computed values and change none of them.\n"

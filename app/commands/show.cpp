@@ -7,6 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/text_table.hpp"
 #include "classify/equilibria.hpp"
+#include "core/printable.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
@@ -36,7 +37,7 @@ std::string overview(const std::vector<const Block*>& blocks) {
          length(axes.S), rounded(elongation_s_c(axes), 3), length(block->mass.volume, 4, "3"),
          rounded(block->density), mass_text(*block), sneed_folk_class(axes), zingg_class(axes),
          garcia_class(axes), length(block->body.radius, 3), length(block->deviation.hausdorff, 2)});
-    if (is_unscaled(*block)) unscaled += (unscaled.empty() ? "" : ", ") + block->id;
+    if (is_unscaled(*block)) unscaled += (unscaled.empty() ? "" : ", ") + printable(block->id);
   }
   if (unscaled.empty()) return table.text();
   return table.text() + "\nUnscaled (u: unit of the model, of no known length): " + unscaled +
@@ -78,9 +79,10 @@ std::vector<std::array<std::string, 2>> unseen_lines(const Block& block) {
 
 /// What the overview leaves out.
 std::string details(const Block& block) {
-  std::string text = "\n" + block.id + "\n";
+  std::string text = "\n" + printable(block.id) + "\n";
   const auto line = [&](const std::string& name, const std::string& value) {
-    text += "  " + name + std::string(name.size() < 26 ? 26 - name.size() : 1, ' ') + value + "\n";
+    text += "  " + name + std::string(name.size() < 26 ? 26 - name.size() : 1, ' ') +
+            printable(value) + "\n";
   };
   line("source", block.source.file);
   line("source sha256", block.source.sha256);

@@ -19,6 +19,7 @@
 #include "core/file_kind.hpp"
 #include "core/output_file.hpp"
 #include "core/parallel.hpp"
+#include "core/printable.hpp"
 #include "core/text_file.hpp"
 #include "study/block_stiffness.hpp"
 #include "study/campaign_runner.hpp"
@@ -100,7 +101,8 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
 std::string releases_text(const PreparedCampaign& prepared) {
   std::string text;
   for (const ReleasePlan& release : prepared.campaign.releases) {
-    text += (text.empty() ? "" : "; ") + (release.name.empty() ? "" : release.name + ": ") +
+    text += (text.empty() ? "" : "; ") +
+            (release.name.empty() ? "" : printable(release.name) + ": ") +
             counted(release.points.size(), "release point") + ", " +
             counted(release.orientations.size(), "orientation");
   }
@@ -135,7 +137,7 @@ void print_plan(const PreparedCampaign& prepared) {
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
             << stiffness_table(prepared).text();
   for (const std::string& warning : prepared.header.warnings) {
-    std::cout << "warning: " << warning << "\n";
+    std::cout << "warning: " << printable(warning) << "\n";
   }
 }
 
@@ -225,7 +227,7 @@ void print_results(const std::filesystem::path& file, const SimulateArgs& args,
     std::cout << summary.dump(2) << "\n";
   } else {
     print_outcome(results);
-    std::cout << file.string() << ": written\n";
+    std::cout << printable(file.string()) << ": written\n";
   }
   check_outcome(results, file);
 }
@@ -275,7 +277,7 @@ void tell_of_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared,
             << counted(runs, "run") << " on " << counted(threads, "thread") << ", judging by "
             << counted(probe.runs, "run") << " of " << rounded(probe.each, 2) << " s"
             << (probe.cut_short ? ", the last of which was not waited for" : "") << "\n"
-            << map.string() << ": written\n";
+            << printable(map.string()) << ": written\n";
 }
 
 /// What shapes a run: that it is the same on all processes.
@@ -351,7 +353,7 @@ void add_simulate(CLI::App& app) {
       ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--threads", args->threads, "Threads to use; 0: one for each core")
-      ->check(number_between(0, 4096))
+      ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume, "Go on with an interrupted campaign");

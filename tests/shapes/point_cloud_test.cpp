@@ -106,6 +106,8 @@ TEST_F(Clouds, HeadingsAndRemarksAreUnderstood) {
   expect_points("d.txt", "easting northing height\n1 2 3\n", one);
   expect_points("e.csv", "PointID,Northing,Easting,Elevation_m\n7,2,1,3\n", one);
   expect_points("f.csv", "Nr;E;N;H;code\n7;1;2;3;4\n", one);
+  expect_points("h.xyz", "1 2 3\n1,5 2,25 3\n", {{1, 2, 3}, {1.5, 2.25, 3}});
+  expect_points("i.csv", "x;y;z;q\n1;2;3;;\n", one);
   expect_points("g.txt", "scan of May\nsite: quarry\nby hand\nid y x z\n7 2 1 3\n", one);
 }
 
@@ -140,7 +142,14 @@ TEST_F(Clouds, BadTextIsRefusedByLine) {
   EXPECT_TRUE(contains(refused("n.xyz", "nan 1 2\nnan 1 2\n"),
                        "2 have a coordinate that is not finite; export it again"));
   EXPECT_TRUE(contains(refused("d.xyz", "# nothing\n"), "holds no points"));
-  EXPECT_TRUE(contains(refused("e.xyz", "1 2 3\n1 2 1,5\n"), "line 2: \"1,5\""));
+  EXPECT_TRUE(contains(refused("e.xyz", "1 2 3\n1 2 1,5,2\n"), "line 2: \"1,5,2\""));
+  // Decimal commas between commas: (1.5, 2.5, 3.5).
+  EXPECT_TRUE(contains(refused("e.csv", "x,y,z\n1,5,2,5,3,5\n"),
+                       "line 2: has 6 fields, but line 1 has 3; where commas are decimal signs"));
+  EXPECT_TRUE(contains(refused("e.csv", "1,2,3\n1,5,2,5,3,5\n"), "line 2: has 6 fields"));
+  // A missing number of the point would make y of x.
+  EXPECT_TRUE(
+      contains(refused("e.csv", "id;x;y;z;q\n7;1;2;3;4\n;1;2;3;4\n"), "line 3: field 1 is empty"));
   EXPECT_TRUE(contains(refused("f.xyz", std::string(3 << 20, 'x')), "line 1: has no end"));
   EXPECT_TRUE(contains(refusal([&] { read_cloud(folder / "none.xyz"); }), "no such file"));
   EXPECT_TRUE(contains(refusal([&] { read_cloud(folder.path()); }), "folder"));

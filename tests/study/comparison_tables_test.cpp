@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -99,6 +101,46 @@ TEST(CrossingsTable, HoldsAllInOrderOfRunAndTimeOnTheMap) {
   EXPECT_EQ(table.number(0, "x_m"), kMapOrigin.x() + 10.0);
   EXPECT_EQ(table.number(0, "z_m"), kMapOrigin.z() - 4.0);
   EXPECT_NEAR(table.number(0, "total_energy_j"), 650.0, 1e-9);
+}
+
+// Run 1 starts inside, leaves, comes back and leaves again; run 3 enters and leaves. A ring that
+// runs clockwise stores its exits backward.
+TEST(BarriersTable, ARingCountsItsFirstEntryAndItsFirstExit) {
+  for (const bool counter_clockwise : {true, false}) {
+    CampaignResults results = hand_made_results();
+    std::vector<Vec2>& ring = results.barriers[0].through;
+    ring = {Vec2(8, -9), Vec2(12, -9), Vec2(12, 9), Vec2(8, 9), Vec2(8, -9)};
+    if (!counter_clockwise) std::reverse(ring.begin(), ring.end());
+    const auto crossing = [&](std::uint32_t run, double time, double speed, bool out) {
+      Crossing made = hand_made_crossing(run, 0, time, speed);
+      made.forward = out == counter_clockwise;
+      return made;
+    };
+    results.crossings = {crossing(1, 1.0, 2.0, true), crossing(1, 2.0, 3.0, false),
+                         crossing(1, 3.0, 9.0, true), crossing(3, 1.2, 6.0, false),
+                         crossing(3, 1.4, 4.0, true)};
+    const Comparison comparison = compared(std::move(results));
+    const CsvTable crossings = read_csv(crossings_csv(comparison));
+    const std::vector<std::array<const char*, 3>> expected = {{"B<1> (out)", "out", "1"},
+                                                              {"B<1> (in)", "in", "1"},
+                                                              {"B<1> (out)", "out", "0"},
+                                                              {"B<1> (in)", "in", "1"},
+                                                              {"B<1> (out)", "out", "1"}};
+    ASSERT_EQ(crossings.rows.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(crossings.rows[i].at("barrier"), expected[i][0]);
+      EXPECT_EQ(crossings.rows[i].at("direction"), expected[i][1]);
+      EXPECT_EQ(crossings.rows[i].at("counted"), expected[i][2]);
+    }
+    const CsvTable barriers = read_csv(barriers_csv(comparison));
+    const std::size_t in = barriers.find("barrier", "B<1> (in)"),
+                      out = barriers.find("barrier", "B<1> (out)");
+    EXPECT_EQ(barriers.rows[in].at("group"), "all");
+    EXPECT_EQ(barriers.rows[in].at("crossings"), "2");
+    EXPECT_EQ(barriers.rows[out].at("crossings"), "2");
+    EXPECT_NEAR(barriers.number(in, "speed_mean_m_s"), (3.0 + 6.0) / 2.0, 1e-12);
+    EXPECT_NEAR(barriers.number(out, "speed_mean_m_s"), (2.0 + 4.0) / 2.0, 1e-12);
+  }
 }
 
 TEST(DepositsTable, HoldsEveryGroupInDegreesAndMapMetres) {
