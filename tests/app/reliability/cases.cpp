@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/digest.hpp"
 #include "core/number_text.hpp"
 #include "tests/support/cloud_sample.hpp"
 #include "tests/support/damage.hpp"
@@ -307,13 +308,6 @@ std::vector<Kind> cloud_kinds() {
   };
 }
 
-/// FNV-1a: the same on every machine.
-std::uint64_t seed_of(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  return hash;
-}
-
 }  // namespace
 
 const std::vector<Kind>& kinds() {
@@ -333,8 +327,10 @@ std::string Case::level() const {
 
 std::string Case::name() const { return kind->name + ": " + level() + ": " + body->name; }
 
+std::uint64_t Case::seed() const { return std::stoull(sha256(name()).substr(0, 16), nullptr, 16); }
+
 DamagedScan Case::scan() const {
-  Random random(seed_of(name()));
+  Random random(seed());
   const Pose turn{Vec3::Zero(), random.rotation()};
   const Body turned{body->name, transformed(body->mesh, turn), transformed(body->fine, turn),
                     body->truth};

@@ -1,5 +1,6 @@
 #pragma once
 /// The cases of the reliability trial: kinds of damage, amounts of each, and what is right.
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -33,8 +34,10 @@ struct Case {
   const Body* body = nullptr;
 
   std::string level() const;  ///< amount and unit
-  /// "kind: amount unit: body". Seeds the draws of the case, so that other cases change nothing.
+  /// "kind: amount unit: body".
   std::string name() const;
+  /// A digest of the name, so that a case is the same whatever other cases there are.
+  std::uint64_t seed() const;
   /// Turned at random and damaged.
   DamagedScan scan() const;
 };

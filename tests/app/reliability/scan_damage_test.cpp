@@ -101,7 +101,7 @@ TEST(ReliabilityCases, AreManyWithNamesOfTheirOwnAndTheSameEachTime) {
   std::set<std::string> names;
   for (const reliability::Case& one : cases) names.insert(one.name());
   EXPECT_EQ(names.size(), cases.size());
-  for (std::size_t i = 0; i < cases.size(); i += bodies.size()) {
+  for (std::size_t i = 0; i < cases.size(); i += bodies.size()) {  // one of each kind and amount
     const reliability::DamagedScan first = cases[i].scan(), again = cases[i].scan();
     ASSERT_EQ(first.surface.vertices.size(), again.surface.vertices.size()) << cases[i].name();
     for (std::size_t v = 0; v < first.surface.vertices.size(); ++v) {
