@@ -9,8 +9,10 @@
 #include "core/number_text.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/cut_out.hpp"
+#include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/ragged_holes.hpp"
 #include "reconstruct/detail/separate_sets.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
@@ -32,6 +34,10 @@ constexpr double kOutlierDeviations = 1.0;
 /// A piece beside an open block with more of its area is no scrap.
 constexpr double kScrapArea = 0.1;
 constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and told
+/// A hole that has less of the closed surface than this, filled flat, is a gap in what was seen and
+/// filled as its rim says: of a ball that leaves 0.03 % of the volume open. A larger one is a side
+/// that nobody saw.
+constexpr double kUnseenShare = 0.01;
 /// An open scan of which less than this share is filled in was closed by other means before.
 constexpr double kHardlyOpen = 0.01;
 constexpr double kToldTilt = 1.0;  ///< degrees; a turn by less is not told
@@ -55,7 +61,7 @@ class Separation {
   std::vector<FieldBlock> of_mesh(const TriangleMesh& raw) {
     std::optional<TriangleMesh> sheet = open_sheet(raw);
     if (!sheet) return {{cleaned_scan(raw, name_, options_.scan), {}}};
-    if (options_.find_ground) {
+    if (options_.find_ground && !only_small_holes(*sheet)) {
       const std::vector<Vec3> points = detail::points_over(*sheet);
       if (const std::optional<Ground> ground = found_ground(points)) {
         return cut_out(*sheet, points, *ground);
@@ -143,36 +149,58 @@ class Separation {
     note_mended(DefectKind::kFolded, mends.folded);
     note_mended(DefectKind::kFin, mends.fins);
     note_mended(DefectKind::kTouchingEdge, mends.touching);
-    if (mends.orientation.turned > 0) {
-      note(DefectKind::kMixedWinding, mends.orientation.turned, 0.0,
-           mesh.vertices[mends.orientation.first]);
+    const std::size_t turned = mends.orientation.turned + detail::turn_hanging_scraps(mesh);
+    if (turned > 0) {
+      note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[mends.orientation.first]);
     }
-    const std::vector<FilledHole> fans = detail::close_by_fans(mesh, detail::kFanEdges);
+    const std::vector<FilledHole> ragged = detail::close_ragged_holes(mesh);
     if (inspect(mesh).closed()) return std::nullopt;
     note_mended(DefectKind::kPinchedVertex, detail::split_pinched_vertices(mesh));
     const detail::Spikes spikes = detail::flatten_spikes(mesh);
     note(DefectKind::kSpike, spikes.count, 0.0, spikes.place, spikes.highest * options_.scan.unit);
-    take_fans(report, fans, surface_area(mesh));
+    take_fillings(report, ragged, surface_area(mesh));
     mended_ = std::move(report);
     return mesh;
   }
 
-  void take_fans(RepairReport& report, const std::vector<FilledHole>& fans, double area) const {
-    if (fans.empty()) return;
+  /// Adds fillings of holes to a report, in metres.
+  /// @param area  of the surface with them, in the file's units
+  void take_fillings(RepairReport& report, const std::vector<FilledHole>& fillings,
+                     double area) const {
+    if (fillings.empty()) return;
     const double unit = options_.scan.unit;
+    RepairReport filled;
     double share = 0.0;
-    for (FilledHole hole : fans) {
+    for (FilledHole hole : fillings) {
       hole.area_share = hole.area / area;
       share += hole.area_share;
       hole.perimeter *= unit;
       hole.radius *= unit;
       hole.area *= unit * unit;
-      report.holes.push_back(hole);
+      hole.volume_below *= unit * unit * unit;
+      hole.volume_above *= unit * unit * unit;
+      filled.volume_below += hole.volume_below;
+      filled.volume_above += hole.volume_above;
+      filled.invented_share += hole.area_share;
+      filled.holes.push_back(hole);
     }
-    std::stable_sort(report.holes.begin(), report.holes.end(),
+    std::stable_sort(filled.holes.begin(), filled.holes.end(),
                      [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
-    report.defects.push_back(
-        {DefectKind::kHole, fans.size(), share, report.holes[0].radius, report.holes[0].centre});
+    filled.defects.push_back({DefectKind::kHole, fillings.size(), share, filled.holes[0].radius,
+                              filled.holes[0].centre});
+    report = joined(std::move(report), std::move(filled));
+  }
+
+  /// Are all holes of the sheet so small that none is an unseen side?
+  static bool only_small_holes(const TriangleMesh& sheet) {
+    const double area = surface_area(sheet);
+    for (const std::vector<std::uint32_t>& loop : boundary_loops(sheet)) {
+      std::vector<Vec3> border;
+      for (const std::uint32_t v : loop) border.push_back(sheet.vertices[v]);
+      const double flat = detail::flat_area(border);
+      if (flat > kUnseenShare * (area + flat)) return false;
+    }
+    return true;
   }
 
   StandingBlocks standing_on(const std::vector<Vec3>& points, const Ground& ground) const {
@@ -268,7 +296,12 @@ class Separation {
   /// Closes, cleans, and turns to metres with z up.
   FieldBlock closed_block(TriangleMesh open, const std::optional<Plane>& ground,
                           const Vec3& centre) const {
-    turn_outward(open);
+    RepairReport mended = mended_;
+    if (turn_outward(open)) std::swap(mended.volume_below, mended.volume_above);
+    if (mended.as_read.triangles > 0) {  // the surface of a cloud has no small holes
+      const std::vector<FilledHole> filled = detail::fill_holes(open, kUnseenShare);
+      take_fillings(mended, filled, surface_area(open));
+    }
     std::optional<Underside> side;
     try {
       side = closed_underside(
@@ -278,7 +311,7 @@ class Separation {
     }
     ScanOptions options = options_.scan;
     FieldBlock block{cleaned_scan(side ? side->best : std::move(open), name_, options), {}};
-    block.scan.report = joined(mended_, std::move(block.scan.report));
+    block.scan.report = joined(std::move(mended), std::move(block.scan.report));
     block.scan.notes = repair_notes(block.scan.report);
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), notes_.begin(), notes_.end());
@@ -332,9 +365,10 @@ class Separation {
   }
 
   /// By the volume that the surface would have with its largest hole filled flat.
-  static void turn_outward(TriangleMesh& open) {
+  /// @returns whether it faced inwards
+  static bool turn_outward(TriangleMesh& open) {
     const std::vector<std::vector<std::uint32_t>> loops = boundary_loops(open);
-    if (loops.empty()) return;
+    if (loops.empty()) return false;
     const auto& largest =
         *std::max_element(loops.begin(), loops.end(),
                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
@@ -347,8 +381,9 @@ class Separation {
       sixfold += (open.vertices[a] - middle)
                      .dot((open.vertices[b] - middle).cross(open.vertices[c] - middle));
     }
-    if (sixfold >= 0.0) return;
-    for (TriangleMesh::Triangle& t : open.triangles) std::swap(t[1], t[2]);
+    if (sixfold >= 0.0) return false;
+    detail::turn_over(open);
+    return true;
   }
 
   std::string name_;

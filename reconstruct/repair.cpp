@@ -7,8 +7,10 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "reconstruct/detail/crossing_mends.hpp"
+#include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/ragged_holes.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
@@ -146,8 +148,13 @@ class Route {
     note(DefectKind::kFolded, mends.folded);
     note(DefectKind::kFin, mends.fins);
     note(DefectKind::kTouchingEdge, mends.touching);
-    if (facing.turned > 0) {
-      note(DefectKind::kMixedWinding, facing.turned, 0.0, mesh_.vertices[facing.first]);
+    std::size_t turned = facing.turned;
+    if (options_.invent) {
+      turned += detail::turn_hanging_scraps(mesh_);
+      report_.holes = detail::close_ragged_holes(mesh_);
+    }
+    if (turned > 0) {
+      note(DefectKind::kMixedWinding, turned, 0.0, mesh_.vertices[facing.first]);
     }
   }
 
@@ -168,7 +175,9 @@ class Route {
 
   void fill() {
     std::vector<FilledHole>& holes = report_.holes;
-    holes = detail::close_by_fans(mesh_, detail::kFanEdges);
+    for (const FilledHole& hole : detail::close_by_fans(mesh_, detail::kFanEdges)) {
+      holes.push_back(hole);
+    }
     if (options_.invent && inspect(mesh_).boundary_edges > 0) {
       for (const FilledHole& hole : detail::fill_holes(mesh_)) holes.push_back(hole);
     }
@@ -176,6 +185,8 @@ class Route {
     for (FilledHole& hole : holes) {
       hole.area_share = hole.area / area;
       report_.invented_share += hole.area_share;
+      report_.volume_below += hole.volume_below;
+      report_.volume_above += hole.volume_above;
       if (hole.area_share <= options_.largest_hole || hole.fan) continue;
       fail("the surface is an open sheet and no block: " + open_edges(welded_) +
            "; closing it would invent " + with_digits(100.0 * hole.area_share, 3) +
@@ -327,6 +338,8 @@ class Route {
   void turn_outward() {
     if (detail::signed_volume(mesh_) > 0.0) return;
     detail::turn_over(mesh_);
+    std::swap(report_.volume_below, report_.volume_above);
+    for (FilledHole& hole : report_.holes) std::swap(hole.volume_below, hole.volume_above);
     note(DefectKind::kInward, 1);
   }
 

@@ -174,6 +174,8 @@ RepairReport joined(RepairReport first, RepairReport second) {
     second.holes.push_back(hole);
     second.invented_share += hole.area_share;
   }
+  second.volume_below += first.volume_below;
+  second.volume_above += first.volume_above;
   std::stable_sort(second.holes.begin(), second.holes.end(),
                    [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
   second.inner_shells += first.inner_shells;

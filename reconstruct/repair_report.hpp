@@ -46,6 +46,8 @@ struct FilledHole {
   double area_share = 0.0;  ///< of the mended surface
   Vec3 centre = Vec3::Zero();
   bool fan = false;  ///< closed by triangles between its border vertices alone
+  /// How much less or more the block may hold here than the filling says, m^3.
+  double volume_below = 0.0, volume_above = 0.0;
 };
 
 /// A hole larger than this share of the mended surface is told of by itself: its filling is a
@@ -57,6 +59,9 @@ struct RepairReport {
   std::vector<Defect> defects;      ///< none: the surface was sound
   std::vector<FilledHole> holes;    ///< largest area first
   double invented_share = 0.0;      ///< fillings over the whole mended surface
+  /// How much less or more than the mended surface the block may hold, as far as fillings and
+  /// doubled surfaces leave that open, m^3.
+  double volume_below = 0.0, volume_above = 0.0;
   std::size_t inner_shells = 0;     ///< bubbles inside, dropped unless they were to be kept
   double inner_shell_volume = 0.0;  ///< of all of them, m^3
   bool inner_shells_kept = false;
