@@ -34,10 +34,6 @@ constexpr double kOutlierDeviations = 1.0;
 /// A piece beside an open block with more of its area is no scrap.
 constexpr double kScrapArea = 0.1;
 constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and told
-/// A hole that has less of the closed surface than this, filled flat, is a gap in what was seen and
-/// filled as its rim says: of a ball that leaves 0.03 % of the volume open. A larger one is a side
-/// that nobody saw.
-constexpr double kUnseenShare = 0.01;
 /// An open scan of which less than this share is filled in was closed by other means before.
 constexpr double kHardlyOpen = 0.01;
 constexpr double kToldTilt = 1.0;  ///< degrees; a turn by less is not told
@@ -197,8 +193,7 @@ class Separation {
     for (const std::vector<std::uint32_t>& loop : boundary_loops(sheet)) {
       std::vector<Vec3> border;
       for (const std::uint32_t v : loop) border.push_back(sheet.vertices[v]);
-      const double flat = detail::flat_area(border);
-      if (flat > kUnseenShare * (area + flat)) return false;
+      if (detail::is_unseen_side(border, area)) return false;
     }
     return true;
   }
@@ -299,7 +294,7 @@ class Separation {
     RepairReport mended = mended_;
     if (turn_outward(open)) std::swap(mended.volume_below, mended.volume_above);
     if (mended.as_read.triangles > 0) {  // the surface of a cloud has no small holes
-      const std::vector<FilledHole> filled = detail::fill_holes(open, kUnseenShare);
+      const std::vector<FilledHole> filled = detail::fill_holes(open, false);
       take_fillings(mended, filled, surface_area(open));
     }
     std::optional<Underside> side;

@@ -36,6 +36,10 @@ using Vertex = CgalMesh::Vertex_index;
 
 /// Above this many border edges the search of all triangulations, cubic in them, takes minutes.
 constexpr std::size_t kMostForAllTriangulations = 400;
+/// See `is_unseen_side`: of a ball, a gap of 1 % of the surface leaves 0.03 % of the volume open,
+/// one of 5 % leaves 0.7 %.
+constexpr double kUnseenShare = 0.05, kSmallestUnseenShare = 0.01;
+constexpr double kUnseenWidth = 3.0;  ///< in mean sides of the border
 /// A filling stands off a soap film by this share of the hole's width at most: a cap of a ball with
 /// a tenth of its surface does by a third, one with a seventh by this.
 constexpr double kMostBulge = 0.5;
@@ -155,12 +159,17 @@ void fill(CgalMesh& mesh, Halfedge border, const std::vector<Vec3>& points, Fill
 
 }  // namespace
 
-double flat_area(const std::vector<Vec3>& border) {
+bool is_unseen_side(const std::vector<Vec3>& border, double seen_area) {
   Vec3 doubled = Vec3::Zero();
+  double around = 0.0;
   for (std::size_t i = 0; i < border.size(); ++i) {
-    doubled += (border[i] - border[0]).cross(border[(i + 1) % border.size()] - border[0]);
+    const Vec3& next = border[(i + 1) % border.size()];
+    doubled += (border[i] - border[0]).cross(next - border[0]);
+    around += (next - border[i]).norm();
   }
-  return 0.5 * doubled.norm();
+  const double flat = 0.5 * doubled.norm(), share = flat / (seen_area + flat);
+  const double sides_wide = 2.0 * flat * static_cast<double>(border.size()) / (around * around);
+  return share > kUnseenShare || (share > kSmallestUnseenShare && sides_wide > kUnseenWidth);
 }
 
 FilledHole measured_hole(const std::vector<Vec3>& border) {
@@ -214,7 +223,7 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
   return filled;
 }
 
-std::vector<FilledHole> fill_holes(TriangleMesh& mesh, double largest_share) {
+std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides) {
   const double area = surface_area(mesh);
   CgalMesh work = to_cgal(mesh);
   std::vector<Halfedge> starts;
@@ -226,8 +235,7 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh, double largest_share) {
       border.push_back(point_of(work, v));
     }
     FilledHole hole = measured_hole(border);
-    const double flat = flat_area(border);
-    if (flat > largest_share * (area + flat)) continue;
+    if (!unseen_sides && is_unseen_side(border, area)) continue;
     try {
       fill(work, start, border, hole);
     } catch (const CGAL::Failure_exception&) {  // met something that it takes for impossible
