@@ -17,6 +17,7 @@
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
+#include "reconstruct/detail/surface_copy.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/standing_blocks.hpp"
 #include "reconstruct/weld.hpp"
@@ -57,13 +58,18 @@ class Separation {
   std::vector<FieldBlock> of_mesh(const TriangleMesh& raw) {
     std::optional<TriangleMesh> sheet = open_sheet(raw);
     if (!sheet) return {{cleaned_scan(raw, name_, options_.scan), {}}};
+    std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
+    if (drop_copies(pieces)) return {{cleaned_scan(raw, name_, options_.scan), {}}};
+    if (!mended_.doubled.empty()) {
+      sheet = TriangleMesh{};
+      for (const detail::Piece& piece : pieces) *sheet = merged(std::move(*sheet), piece.mesh);
+    }
     if (options_.find_ground && !only_small_holes(*sheet)) {
       const std::vector<Vec3> points = detail::points_over(*sheet);
       if (const std::optional<Ground> ground = found_ground(points)) {
         return cut_out(*sheet, points, *ground);
       }
     }
-    std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
     double scraps = 0.0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       if (pieces[i].area > kScrapArea * pieces[0].area) {
@@ -187,6 +193,41 @@ class Separation {
     report = joined(std::move(report), std::move(filled));
   }
 
+  /// Drops copies of the first piece, once that is the best of them, and notes them.
+  /// @returns whether that piece is closed and nothing but copies and scraps is beside it: repair
+  /// does the rest
+  bool drop_copies(std::vector<detail::Piece>& pieces) {
+    detail::put_best_copy_first(pieces);
+    const TriangleMesh& first = pieces[0].mesh;
+    const double diagonal = bounds(first).diagonal(), unit = options_.scan.unit;
+    const detail::TriangleTree tree(first);
+    bool others = false;
+    std::vector<detail::Piece> kept;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      const bool scrap = pieces[i].area < kScrapArea * pieces[0].area;
+      const auto copy =
+          scrap ? std::nullopt : detail::copy_of_surface(pieces[i].mesh, tree, diagonal);
+      others |= !scrap && !copy;
+      if (!copy) {
+        kept.push_back(std::move(pieces[i]));
+        continue;
+      }
+      DoubledSurface doubled = detail::described_copy(*copy, pieces[i], first, tree);
+      doubled.offset *= unit;
+      doubled.distance *= unit;
+      doubled.volume_change *= unit * unit * unit;
+      doubled.kept_volume *= unit * unit * unit;
+      mended_.volume_below += std::max(0.0, -doubled.volume_change);
+      mended_.volume_above += std::max(0.0, doubled.volume_change);
+      mended_.doubled.push_back(doubled);
+      mended_.defects.push_back({DefectKind::kDoubleSheet, 1, pieces[i].area / pieces[0].area, 0.0,
+                                 pieces[i].mesh.vertices[0]});
+    }
+    pieces.resize(1);
+    for (detail::Piece& piece : kept) pieces.push_back(std::move(piece));
+    return !others && inspect(pieces[0].mesh).closed();
+  }
+
   /// Are all holes of the sheet so small that none is an unseen side?
   static bool only_small_holes(const TriangleMesh& sheet) {
     const double area = surface_area(sheet);
@@ -292,7 +333,13 @@ class Separation {
   FieldBlock closed_block(TriangleMesh open, const std::optional<Plane>& ground,
                           const Vec3& centre) const {
     RepairReport mended = mended_;
-    if (turn_outward(open)) std::swap(mended.volume_below, mended.volume_above);
+    if (turn_outward(open)) {
+      std::swap(mended.volume_below, mended.volume_above);
+      for (DoubledSurface& copy : mended.doubled) {
+        copy.offset = -copy.offset;
+        copy.volume_change = -copy.volume_change;
+      }
+    }
     if (mended.as_read.triangles > 0) {  // the surface of a cloud has no small holes
       const std::vector<FilledHole> filled = detail::fill_holes(open, false);
       take_fillings(mended, filled, surface_area(open));

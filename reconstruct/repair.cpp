@@ -13,6 +13,7 @@
 #include "reconstruct/detail/ragged_holes.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
+#include "reconstruct/detail/surface_copy.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/weld.hpp"
 #include "shapes/self_intersection.hpp"
@@ -67,10 +68,11 @@ class Route {
     weld(local);
     mend_soup();
     std::vector<detail::Piece> pieces = detail::pieces_of(mesh_);
+    detail::put_best_copy_first(pieces);
     mesh_ = std::move(pieces.front().mesh);
     mend_block();
-    take_pieces(pieces);
     turn_outward();
+    take_pieces(pieces);
     finish_report();
     for (Vec3& v : mesh_.vertices) v += origin_;
     return {std::move(mesh_), std::move(report_)};
@@ -265,14 +267,21 @@ class Route {
   void take_pieces(const std::vector<detail::Piece>& pieces) {
     if (pieces.size() == 1) return;
     const detail::TriangleTree tree(mesh_);
-    const double on_block = kDoubleSheet * bounds(mesh_).diagonal();
+    const double diagonal = bounds(mesh_).diagonal(), on_block = kDoubleSheet * diagonal;
     std::vector<const TriangleMesh*> shells;
-    Dropped islands, sheets;
+    Dropped islands, sheets, copies;
     std::size_t others = 0;
     bool open = false;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       const TriangleMesh& piece = pieces[i].mesh;
       const bool closed = inspect(piece).closed();
+      if (pieces[i].area >= kIslandArea * pieces[0].area) {
+        if (const auto copy = detail::copy_of_surface(piece, tree, diagonal)) {
+          (closed ? copies : sheets).add(pieces[i]);
+          note_copy(detail::described_copy(*copy, pieces[i], mesh_, tree));
+          continue;
+        }
+      }
       const bool inside = detail::lies_inside(piece, mesh_, tree);
       const auto holds_piece = [&](const TriangleMesh* shell) {
         return detail::encloses(*shell, piece.vertices[0]);
@@ -291,8 +300,15 @@ class Route {
     }
     if (others > 0) fail_pieces(others, open, pieces[1].area / pieces[0].area);
     note(DefectKind::kDoubleSheet, sheets.count, sheets.area, sheets.place);
+    note(DefectKind::kDoubledShell, copies.count, copies.area, copies.place);
     note(DefectKind::kIsland, islands.count, islands.area, islands.place);
     take_shells(shells);
+  }
+
+  void note_copy(const DoubledSurface& copy) {
+    report_.doubled.push_back(copy);
+    report_.volume_below += std::max(0.0, -copy.volume_change);
+    report_.volume_above += std::max(0.0, copy.volume_change);
   }
 
   struct Dropped {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "shapes/mesh_topology.hpp"
+
 namespace clast::detail {
 
 namespace {
@@ -20,6 +22,9 @@ constexpr double kLeft = 0.35;
 /// no counterpart.
 constexpr double kOneWay = 0.9, kCounted = 0.9;
 constexpr double kSameWay = 0.3;  ///< cosine between the normals of copy and surface
+/// A copy with this share of the area is one of the whole block; of two such the one with so many
+/// times the triangles is finer.
+constexpr double kCompleteCopy = 0.5, kFiner = 1.25;
 constexpr double kMostScale = 0.12;
 constexpr double kMostTurn = 0.2;  ///< rad
 /// What holds turns and scales that nothing else decides, as of a ball or a flat patch.
@@ -142,8 +147,12 @@ std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& piece, const Tria
     return std::nullopt;
   }
   SurfaceCopy copy;
-  copy.distance = root_mean_square(feet);
-  for (const Foot& foot : feet) copy.offset += foot.height / static_cast<double>(feet.size());
+  const double before = root_mean_square(feet);
+  for (const Foot& foot : feet) {
+    copy.offset += foot.height / static_cast<double>(feet.size());
+    copy.distance += foot.distance * foot.distance / static_cast<double>(feet.size());
+  }
+  copy.distance = std::sqrt(copy.distance);
   Vec3 turned = Vec3::Zero();
   double scale = 1.0;
   for (int step = 0; step < kSteps; ++step) {
@@ -153,8 +162,60 @@ std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& piece, const Tria
   copy.scale = 1.0 / scale;
   if (std::abs(copy.scale - 1.0) > kMostScale || turned.norm() > kMostTurn) return std::nullopt;
   const double left = root_mean_square(feet);
-  if (left > std::max(kLeft * copy.distance, kFits * diagonal)) return std::nullopt;
+  if (left > std::max(kLeft * before, kFits * diagonal)) return std::nullopt;
   return copy;
+}
+
+void put_best_copy_first(std::vector<Piece>& pieces) {
+  const auto better = [](const Piece& a, const Piece& b) {
+    const bool a_closed = inspect(a.mesh).closed(), b_closed = inspect(b.mesh).closed();
+    if (a_closed != b_closed) return a_closed;
+    return static_cast<double>(a.mesh.triangles.size()) >
+           kFiner * static_cast<double>(b.mesh.triangles.size());
+  };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    if (pieces[i].area < kCompleteCopy * pieces[0].area) break;
+    if (!better(pieces[i], pieces[best])) continue;
+    const TriangleTree tree(pieces[0].mesh);
+    if (copy_of_surface(pieces[i].mesh, tree, bounds(pieces[0].mesh).diagonal())) best = i;
+  }
+  std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(best),
+              pieces.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+}
+
+DoubledSurface described_copy(const SurfaceCopy& copy, const Piece& dropped,
+                              const TriangleMesh& kept, const TriangleTree& tree) {
+  DoubledSurface doubled;
+  doubled.closed = inspect(dropped.mesh).closed();
+  doubled.area_share = dropped.area / surface_area(kept);
+  doubled.offset = copy.offset;
+  doubled.distance = copy.distance;
+  doubled.scale = copy.scale;
+  const std::size_t of_kept = kept.triangles.size(), of_copy = dropped.mesh.triangles.size();
+  if (inspect(kept).closed() && !doubled.closed) {
+    doubled.kept_for = KeptFor::kClosed;
+  } else if (doubled.area_share < kCompleteCopy) {
+    doubled.kept_for = KeptFor::kWhole;
+  } else if (static_cast<double>(of_kept) > kFiner * static_cast<double>(of_copy)) {
+    doubled.kept_for = KeptFor::kFiner;
+  }
+  if (inspect(kept).closed()) doubled.kept_volume = std::abs(signed_volume(kept));
+  if (doubled.closed && doubled.kept_volume > 0.0) {
+    doubled.volume_change = std::abs(signed_volume(dropped.mesh)) - doubled.kept_volume;
+    return doubled;
+  }
+  std::uint32_t hint = 0;
+  for (const TriangleMesh::Triangle& t : dropped.mesh.triangles) {
+    const Vec3 &a = dropped.mesh.vertices[t[0]], &b = dropped.mesh.vertices[t[1]],
+               &c = dropped.mesh.vertices[t[2]];
+    const Vec3 middle = (a + b + c) / 3.0;
+    const TriangleTree::Closest found = tree.closest(middle, hint);
+    hint = found.triangle;
+    doubled.volume_change += 0.5 * (b - a).cross(c - a).norm() *
+                             tree.face_normal(found.triangle).dot(middle - found.point);
+  }
+  return doubled;
 }
 
 }  // namespace clast::detail

@@ -2,7 +2,10 @@
 /// Is a piece of surface a second copy of the block's: the same rock, scanned or stored twice and
 /// placed a little apart?
 #include <optional>
+#include <vector>
 
+#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/repair_report.hpp"
 #include "shapes/detail/triangle_tree.hpp"
 #include "shapes/triangle_mesh.hpp"
 
@@ -25,5 +28,16 @@ struct SurfaceCopy {
 /// @cite chen1992
 std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& piece, const TriangleTree& tree,
                                            double diagonal);
+
+/// Where another piece is a copy of the first and better than it, that one becomes the first: a
+/// closed one is better than an open one, and of two alike the one with a quarter more triangles.
+/// @param pieces  at least one, the largest first
+void put_best_copy_first(std::vector<Piece>& pieces);
+
+/// What is to be reported of a copy that is dropped: why the other was kept, and what it would
+/// change.
+/// @param kept  a surface that faces outwards, of which the tree is
+DoubledSurface described_copy(const SurfaceCopy& copy, const Piece& dropped,
+                              const TriangleMesh& kept, const TriangleTree& tree);
 
 }  // namespace clast::detail
