@@ -57,9 +57,9 @@ class Separation {
 
   std::vector<FieldBlock> of_mesh(const TriangleMesh& raw) {
     std::optional<TriangleMesh> sheet = open_sheet(raw);
-    if (!sheet) return {{cleaned_scan(raw, name_, options_.scan), {}}};
+    if (!sheet) return {cleaned(raw)};
     std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
-    if (drop_copies(pieces)) return {{cleaned_scan(raw, name_, options_.scan), {}}};
+    if (drop_copies(pieces)) return {cleaned(raw)};
     if (!mended_.doubled.empty()) {
       sheet = TriangleMesh{};
       for (const detail::Piece& piece : pieces) *sheet = merged(std::move(*sheet), piece.mesh);
@@ -73,7 +73,7 @@ class Separation {
     double scraps = 0.0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       if (pieces[i].area > kScrapArea * pieces[0].area) {
-        return {{cleaned_scan(raw, name_, options_.scan), {}}};  // says what is wrong
+        return {cleaned(raw)};  // says what is wrong
       }
       scraps += pieces[i].area / surface_area(*sheet);
     }
@@ -120,6 +120,32 @@ class Separation {
   }
 
  private:
+  /// Was a little missing, and more than a fan closes?
+  static bool hardly_open(const FieldBlock& block) {
+    if (block.underside) return block.underside->invented_share < kHardlyOpen;
+    const RepairReport& report = block.scan.report;
+    return report.invented_share < kHardlyOpen &&
+           std::any_of(report.holes.begin(), report.holes.end(), [](const FilledHole& hole) {
+             return hole.border_edges > detail::kFanEdges;
+           });
+  }
+
+  /// Of a scan that was hardly open that much is said.
+  static FieldBlock with_doubt(FieldBlock block) {
+    if (hardly_open(block)) {
+      block.scan.notes.push_back(
+          "hardly any surface was missing, so the bounds are narrow; whether the scanning "
+          "software had closed a side before that nobody saw, such as the bottom, the file does "
+          "not tell: check the volume by weighing (--mass with --density)");
+    }
+    return block;
+  }
+
+  /// By repair alone.
+  FieldBlock cleaned(const TriangleMesh& raw) const {
+    return with_doubt({cleaned_scan(raw, name_, options_.scan), {}});
+  }
+
   bool all_within_reach(const std::vector<Vec3>& points) const {
     return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
       return p.allFinite() && p.cwiseAbs().maxCoeff() * options_.scan.unit <= kLargestCoordinate &&
@@ -377,15 +403,9 @@ class Separation {
     }
     if (side) {
       notes.insert(notes.end(), side->notes.begin(), side->notes.end());
-      if (side->invented_share < kHardlyOpen) {
-        notes.push_back(
-            "hardly any surface was missing, so the bounds are narrow; whether the scanning "
-            "software had closed a side before that nobody saw, such as the bottom, the file does "
-            "not tell: check the volume by weighing (--mass with --density)");
-      }
       block.underside = moved(std::move(*side), [&](const Vec3& p) { return turn * to_metres(p); });
     }
-    return block;
+    return with_doubt(std::move(block));
   }
 
   /// The same underside with every length scaled and every place moved.
