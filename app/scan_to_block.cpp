@@ -70,6 +70,27 @@ void add_unseen(Block& block, const Underside& side) {
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
 
+/// Fillings of gaps that leave less than this share of the volume open are not worth a range.
+constexpr double kWorthARange = 0.02;
+
+/// What the fillings of gaps leave open, where that is much: of a coarse scan a missing triangle
+/// is.
+void add_filled(Block& block, const Scan& scan) {
+  const RepairReport& report = scan.report;
+  const double volume = solid_mass_properties(scan.mesh, 1.0).volume;
+  const double width = report.volume_below + report.volume_above;
+  if (report.invented_share == 0.0 || width < kWorthARange * volume) return;
+  const Vec3 lengths = smallest_box(scan.mesh.vertices).lengths;
+  const Axes axes{lengths[0], lengths[1], lengths[2]};
+  block.unseen = {.lower_volume = volume - report.volume_below,
+                  .best_volume = volume,
+                  .upper_volume = volume + report.volume_above,
+                  .invented_share = report.invented_share,
+                  .lower_axes = axes,
+                  .upper_axes = axes};
+  block.warnings.insert(block.warnings.begin(), described_unseen(block));
+}
+
 /// Thins and measures one block of a scan.
 Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
                  const ScanToBlockOptions& options,
@@ -101,7 +122,12 @@ Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
   const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
   if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
-  if (found.underside && !options.block.convex) add_unseen(block, *found.underside);
+  if (options.block.convex) return block;
+  if (found.underside) {
+    add_unseen(block, *found.underside);
+  } else {
+    add_filled(block, scan);
+  }
   return block;
 }
 

@@ -20,6 +20,11 @@ std::string share(double value) {
   return value < 5e-4 ? "under 0.1 %" : percent(value);
 }
 
+std::string closing(const FilledHole& hole) {
+  if (!hole.fan) return "a smooth filling";
+  return hole.border_edges <= 4 ? "a fan" : "its corners";
+}
+
 }  // namespace
 
 std::string repair_section(const RepairReport& report, bool cloud, bool open_side,
@@ -56,10 +61,9 @@ std::string repair_section(const RepairReport& report, bool cloud, bool open_sid
                     2);
     for (std::size_t i = 0; i < std::min(kMostHoles, report.holes.size()); ++i) {
       const FilledHole& hole = report.holes[i];
-      holes.row({"H" + std::to_string(i + 1), hole.fan ? "a fan" : "a smooth filling",
-                 std::to_string(hole.border_edges), with_digits(hole.perimeter, 3),
-                 with_digits(hole.radius, 3), with_digits(hole.area, 3), share(hole.area_share),
-                 place(hole.centre)});
+      holes.row({"H" + std::to_string(i + 1), closing(hole), std::to_string(hole.border_edges),
+                 with_digits(hole.perimeter, 3), with_digits(hole.radius, 3),
+                 with_digits(hole.area, 3), share(hole.area_share), place(hole.centre)});
     }
     html += "<h3>Holes that were filled, the largest first</h3>\n" + holes.html();
     if (report.holes.size() > kMostHoles) {
