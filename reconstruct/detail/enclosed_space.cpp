@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace clast::detail {
@@ -30,20 +31,22 @@ class Space {
       const double along = planes_[i].normal.dot(way);
       if (along * place.factor > room_[i]) place = {way, room_[i] / along, i};
     }
-    place.factor = std::max(1.0, place.factor);
     bounded_ = bounded_ && place.factor <= farthest_;
     return place;
+  }
+
+  /// By which a way to the film is to be lengthened to reach a plane; no shorter than it is.
+  double factor(const Vec3& way, std::size_t plane) const {
+    const double along = planes_[plane].normal.dot(way);
+    if (!(along > 0.0)) return std::numeric_limits<double>::infinity();
+    return std::max(1.0, room_[plane] / along);
   }
 
   void add(const Carried& a, const Carried& b, const Carried& c, int depth) {
     if (!bounded_) return;
     const bool one_plane = a.plane == b.plane && b.plane == c.plane;
     if (one_plane || depth == 0) {
-      const double tetrahedron = a.way.dot(b.way.cross(c.way)) / 6.0;
-      result.volume += tetrahedron * (a.factor * b.factor * c.factor - 1.0);
-      for (const Carried* place : {&a, &b, &c}) {
-        result.places.push_back(centre_ + place->factor * place->way);
-      }
+      add_behind({a.way, b.way, c.way}, {a.plane, b.plane, c.plane});
       return;
     }
     const Carried ab = carried(0.5 * (a.way + b.way)), bc = carried(0.5 * (b.way + c.way)),
@@ -52,6 +55,23 @@ class Space {
     add(ab, b, bc, depth - 1);
     add(ca, bc, c, depth - 1);
     add(ab, bc, ca, depth - 1);
+  }
+
+  /// The space before each of the planes holds what is before all of them: the least counts.
+  void add_behind(const std::array<Vec3, 3>& ways, const std::array<std::size_t, 3>& planes) {
+    std::array<double, 3> least{};
+    double product = std::numeric_limits<double>::infinity();
+    for (const std::size_t plane : planes) {
+      std::array<double, 3> factors{};
+      for (std::size_t k = 0; k < 3; ++k) factors[k] = factor(ways[k], plane);
+      if (const double own = factors[0] * factors[1] * factors[2]; own < product) {
+        product = own;
+        least = factors;
+      }
+    }
+    bounded_ = bounded_ && std::isfinite(product);
+    result.volume += ways[0].dot(ways[1].cross(ways[2])) / 6.0 * (product - 1.0);
+    for (std::size_t k = 0; k < 3; ++k) result.places.push_back(centre_ + least[k] * ways[k]);
   }
 
   bool bounded() const { return bounded_; }

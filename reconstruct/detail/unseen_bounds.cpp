@@ -15,9 +15,9 @@ namespace {
 /// far from what was seen that a small error of theirs moves the bound by tenths of the volume.
 constexpr double kMostByFlanks = 1.5, kMostOnFloor = 2.0;
 constexpr double kLeastLeft = 0.5;  ///< of the volume, by a film that is dented
-/// What the body may stand out of the planes, against their slack, where sides are bounded: a
-/// corner does that the volume does not show.
-constexpr double kSideMargin = 0.5;
+/// The planes are moved out by so much more of their slack where sides are bounded: a corner that
+/// stands out is seen in them and hardly in the volume.
+constexpr double kSideSlack = 0.5;
 constexpr double kFarthest = 10.0;  ///< from the middle, against the film there
 
 struct Middle {
@@ -53,23 +53,29 @@ double film_area(const TriangleMesh& mesh, std::size_t first) {
 
 UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts) {
   const Middle middle = middle_of(closed);
-  FlankPlanes flanks = flank_planes(closed, parts.first, parts.rims);
+  const FlankPlanes flanks = flank_planes(closed, parts.first, parts.rims);
   UnseenBounds bounds;
   bounds.lower_volume = std::max(middle.volume - flanks.slack * film_area(closed, parts.first),
                                  kLeastLeft * middle.volume);
-  if (parts.floor) flanks.planes.push_back({-parts.floor->normal, -parts.floor->distance});
-  const std::optional<EnclosedSpace> behind =
-      enclosed_space(closed, parts.first, middle.place, flanks.planes, kFarthest);
+  const auto behind = [&](double further) {
+    std::vector<Plane> planes = flanks.planes;
+    for (Plane& plane : planes) plane.distance += further;
+    if (parts.floor) planes.push_back({-parts.floor->normal, -parts.floor->distance});
+    return enclosed_space(closed, parts.first, middle.place, planes, kFarthest);
+  };
+  const std::optional<EnclosedSpace> space = behind(0.0);
   const double most = parts.floor ? kMostOnFloor : kMostByFlanks;
-  if (!behind || middle.volume + behind->volume > most * middle.volume) return bounds;
-  bounds.upper_volume = middle.volume + behind->volume;
+  if (!space || middle.volume + space->volume > most * middle.volume) return bounds;
+  bounds.upper_volume = middle.volume + space->volume;
+  const std::optional<EnclosedSpace> wider = behind(kSideSlack * flanks.slack);
+  if (!wider) return bounds;
   std::vector<Vec3> seen;
   for (std::size_t t = 0; t < parts.first; ++t) {
     for (const std::uint32_t v : closed.triangles[t]) seen.push_back(closed.vertices[v]);
   }
   std::vector<Vec3> possible = seen;
-  possible.insert(possible.end(), behind->places.begin(), behind->places.end());
-  bounds.sides = box_ranges(seen, possible, kSideMargin * flanks.slack);
+  possible.insert(possible.end(), wider->places.begin(), wider->places.end());
+  bounds.sides = box_ranges(seen, possible);
   return bounds;
 }
 

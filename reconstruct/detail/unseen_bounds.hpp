@@ -15,7 +15,7 @@ namespace clast::detail {
 struct UnseenBounds {
   double lower_volume = 0.0;           ///< with a film that is dented as the seen surface is
   std::optional<double> upper_volume;  ///< none: too large a part is unseen
-  std::optional<SideBounds> sides;     ///< where there is an upper volume
+  std::optional<SideBounds> sides;     ///< none without an upper volume
 };
 
 /// What is known of a body beside its seen surface.
