@@ -19,7 +19,7 @@ namespace clast {
 namespace {
 
 /// Holes whose flat filling has this share of the surface are bracketed beside the largest one.
-constexpr double kBracketed = 0.01;
+constexpr double kBracketed = 0.003;
 /// The narrowing at the rim is taken over these shares of the height that was seen: over the longer
 /// one for the largest cone below an uneven rim, over the shorter for the likeliest shape.
 constexpr double kLargestBand = 0.2, kBestBand = 0.1;

@@ -71,7 +71,7 @@ struct Underside {
 };
 
 /// Closes the largest hole of a scan as an underside, and the others flat, and brackets them
-/// together; those below 1 % of the surface are closed flat and count as seen.
+/// together; those below 0.3 % of the surface are closed flat and count as seen.
 ///
 /// Of a convex body every tangent plane of the seen surface holds all of it, also what nobody saw:
 /// the upper volume fills the space between the films and these planes, moved out by what the seen

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kEverywhere = 1500;    ///< turns spread over all, about 13 degrees apart
 constexpr std::size_t kStarts = 32;  ///< of these, those with the smallest boxes are followed down
-constexpr double kFirstStep = 0.12, kLastStep = 0.004;  // rad; halved in between
+constexpr double kFirstStep = 0.12, kLastStep = 3e-4;  // rad; halved in between
 constexpr double kSameBox = 1e-4;    ///< relative; minima closer than this are one
 constexpr std::size_t kMinima = 12;  ///< ... and so many least boxes are looked around
 constexpr int kDirections = 24;      ///< a minimum is looked around by turns about so many axes
@@ -22,6 +22,9 @@ constexpr double kLargestAngle = 0.25, kShrink = 0.62;  // rad; each angle again
 /// Hulls with more corners are thinned; what is lost of an extent is below 1e-3 of it.
 constexpr std::size_t kMostCorners = 1500;
 constexpr int kLooks = 3000;
+/// Boxes larger than the largest by this much count: axes that are looked at are a hair off those
+/// of the least boxes, and a body a hair outside of what is possible.
+constexpr double kLeeway = 1.003;
 /// What lies between the axes that are looked at: a share of the width of the bounds.
 constexpr double kGaps = 0.05;
 
@@ -124,11 +127,12 @@ SideBounds box_ranges(std::span<const Vec3> seen, std::span<const Vec3> possible
   const std::vector<Vec3> inner = outermost(seen), outer = outermost(possible);
   const OrientedBox least = smallest_box(inner), most = smallest_box(outer);
   const Eigen::Matrix3Xd of_inner = columns(inner), of_outer = columns(outer);
+  const double largest = kLeeway * most.volume();
   SideBounds bounds{least.lengths, least.lengths};
   const auto look = [&](const Mat3& axes) -> Turn {
     Vec3 low = extents(of_inner, axes);
     const Turn turn{low.prod(), axes};
-    const double room = most.volume() / turn.volume;
+    const double room = largest / turn.volume;
     if (room < 1.0) return turn;
     Vec3 high = extents(of_outer, axes).cwiseMin(room * low);
     std::sort(low.begin(), low.end(), std::greater<>());
@@ -143,7 +147,7 @@ SideBounds box_ranges(std::span<const Vec3> seen, std::span<const Vec3> possible
   turns.push_back({least.volume(), least.axes});
   turns.push_back({0.0, most.axes});
   for (const Turn& turn : turns) {
-    if (turn.volume > most.volume()) continue;
+    if (turn.volume > largest) continue;
     look(turn.axes);
     double angle = kLargestAngle;
     for (int step = 0; step < kAngles; ++step, angle *= kShrink) {

@@ -133,8 +133,8 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
     return (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
   };
   if (kind == "plane" || kind == "buried") {
-    const double cut = level(kind == "plane" ? random.uniform(0.05, 0.6)
-                                             : random.uniform(0.05, 0.22));
+    const double cut =
+        level(kind == "plane" ? random.uniform(0.05, 0.6) : random.uniform(0.05, 0.22));
     found.open = above_level(mesh, cut);
     if (kind == "buried") found.ground = Plane{Vec3::UnitZ(), cut};
     if (detail::pieces_of(found.open).size() != 1) return std::nullopt;
