@@ -201,7 +201,11 @@ class Closing {
     result_.lower_volume = bounds.lower_volume;
     result_.upper_volume = bounds.upper_volume;
     result_.sides = bounds.sides;
-    if (result_.upper_volume) look_under(bottom, highest);
+    if (result_.upper_volume) {
+      look_under(bottom, highest);
+    } else {
+      result_.assumption.clear();
+    }
   }
 
   /// The shape that the sections make likeliest, no larger than the upper one.

@@ -58,7 +58,7 @@ struct Underside {
   /// sides of its box then.
   std::optional<double> upper_volume;
   std::optional<SideBounds> sides;
-  std::string assumption;          ///< what the bounds rest on, in words
+  std::string assumption;          ///< what the upper volume rests on, in words
   std::size_t open_sides = 1;      ///< holes that are bracketed, together
   double invented_share = 0.0;     ///< filling's share of the area of `best`
   std::size_t first_invented = 0;  ///< triangles from this one on are filling, in both
