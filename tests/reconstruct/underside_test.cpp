@@ -239,11 +239,21 @@ TEST(Underside, UndercutBlocksAreInsideTheBracket) {
 
 TEST(Underside, OtherHolesAreClosedFlatAndTold) {
   TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
+  open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 121);
+  const Underside side = *closed_underside(open);
+  EXPECT_TRUE(inspect(side.best).closed());
+  EXPECT_EQ(side.open_sides, 1u);
+  ASSERT_EQ(side.notes.size(), 1u);
+  EXPECT_EQ(side.notes[0], "1 other hole filled straight across");
+}
+
+TEST(Underside, LargeHolesAreBracketedTogether) {
+  TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
   open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 124);
   const Underside side = *closed_underside(open);
   EXPECT_TRUE(inspect(side.best).closed());
-  ASSERT_EQ(side.notes.size(), 1u);
-  EXPECT_EQ(side.notes[0], "1 other hole filled straight across");
+  EXPECT_EQ(side.open_sides, 2u);
+  EXPECT_TRUE(side.notes.empty());
 }
 
 TEST(Underside, AClosedScanHasNone) {
