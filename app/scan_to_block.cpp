@@ -57,16 +57,15 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
 
 /// What the side that nobody saw leaves open.
 void add_unseen(Block& block, const Underside& side) {
-  const auto axes_of = [](const TriangleMesh& mesh) {
-    const Vec3 lengths = smallest_box(mesh.vertices).lengths;
-    return Axes{lengths[0], lengths[1], lengths[2]};
-  };
-  block.unseen = {.lower_volume = side.lower_volume,
-                  .best_volume = side.best_volume,
-                  .upper_volume = side.upper_volume,
-                  .invented_share = side.invented_share,
-                  .lower_axes = axes_of(side.lower),
-                  .upper_axes = axes_of(side.upper)};
+  const auto axes = [](const Vec3& sides) { return Axes{sides[0], sides[1], sides[2]}; };
+  UnseenPart unseen;
+  unseen.lower_volume = side.lower_volume;
+  unseen.best_volume = side.best_volume;
+  unseen.upper_volume = side.upper_volume;
+  unseen.invented_share = side.invented_share;
+  unseen.assumption = side.assumption;
+  if (side.sides) unseen.axes = AxesRange{axes(side.sides->lower), axes(side.sides->upper)};
+  block.unseen = unseen;
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
 

@@ -47,11 +47,13 @@ FieldNotes read_field_notes(const Hdf5Group& group, const std::string& where) {
 void write_unseen(Hdf5Group group, const UnseenPart& unseen) {
   group.set_attribute("volume_lower_m3", unseen.lower_volume);
   group.set_attribute("volume_best_m3", unseen.best_volume);
-  group.set_attribute("volume_upper_m3", unseen.upper_volume);
+  if (unseen.upper_volume) group.set_attribute("volume_upper_m3", *unseen.upper_volume);
   group.set_attribute("invented_share", unseen.invented_share);
+  group.set_attribute("assumption", unseen.assumption);
+  if (!unseen.axes) return;
   const auto vector = [](const Axes& axes) { return Vec3(axes.L, axes.I, axes.S); };
-  write_matrix(group, "box_lower", vector(unseen.lower_axes), "m");
-  write_matrix(group, "box_upper", vector(unseen.upper_axes), "m");
+  write_matrix(group, "axes_lower", vector(unseen.axes->lower), "m");
+  write_matrix(group, "axes_upper", vector(unseen.axes->upper), "m");
 }
 
 UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
@@ -59,7 +61,9 @@ UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
   UnseenPart unseen;
   unseen.lower_volume = read_scalar(group, "volume_lower_m3", kPositive, where);
   unseen.best_volume = read_scalar(group, "volume_best_m3", unseen.lower_volume, where);
-  unseen.upper_volume = read_scalar(group, "volume_upper_m3", unseen.best_volume, where);
+  if (group.has_attribute("volume_upper_m3")) {
+    unseen.upper_volume = read_scalar(group, "volume_upper_m3", unseen.best_volume, where);
+  }
   unseen.invented_share = read_scalar(group, "invented_share", 0.0, where);
   require(unseen.invented_share <= 1.0, where, "invented_share is more than 1");
   const auto axes = [&](const std::string& name) {
@@ -67,8 +71,20 @@ UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
     require(sides.minCoeff() > 0.0, where, name + " is not positive");
     return Axes{sides[0], sides[1], sides[2]};
   };
-  unseen.lower_axes = axes("box_lower");
-  unseen.upper_axes = axes("box_upper");
+  if (group.has_attribute("assumption")) {
+    unseen.assumption = group.attribute<std::string>("assumption");
+  }
+  if (group.has("axes_lower")) {
+    unseen.axes = AxesRange{axes("axes_lower"), axes("axes_upper")};
+    const Axes &low = unseen.axes->lower, &high = unseen.axes->upper;
+    require(low.L <= high.L && low.I <= high.I && low.S <= high.S, where,
+            "axes_lower is above axes_upper");
+  } else if (group.has("box_lower")) {  // files of clast 0.x: boxes of a small and a large shape
+    const Axes small = axes("box_lower"), large = axes("box_upper");
+    unseen.axes = AxesRange{
+        {std::min(small.L, large.L), std::min(small.I, large.I), std::min(small.S, large.S)},
+        {std::max(small.L, large.L), std::max(small.I, large.I), std::max(small.S, large.S)}};
+  }
   return unseen;
 }
 

@@ -411,13 +411,14 @@ class Separation {
   /// The same underside with every length scaled and every place moved.
   template <class Move>
   Underside moved(Underside side, const Move& move) const {
-    for (TriangleMesh* mesh : {&side.lower, &side.best, &side.upper}) {
+    for (TriangleMesh* mesh : {&side.lower, &side.best}) {
       for (Vec3& vertex : mesh->vertices) vertex = move(vertex);
     }
     const double unit = options_.scan.unit, cubed = unit * unit * unit;
     side.lower_volume *= cubed;
     side.best_volume *= cubed;
-    side.upper_volume *= cubed;
+    if (side.upper_volume) *side.upper_volume *= cubed;
+    if (side.sides) side.sides = SideBounds{unit * side.sides->lower, unit * side.sides->upper};
     const Vec3 centre = move(side.rim_centre);
     side.down = (move(side.rim_centre + side.down) - centre).normalized();
     side.rim_centre = centre;

@@ -71,14 +71,55 @@ TEST(BlockLibrary, EveryMemberOfABlockComesBack) {
   EXPECT_EQ(is.unseen->best_volume, was.unseen->best_volume);
   EXPECT_EQ(is.unseen->upper_volume, was.unseen->upper_volume);
   EXPECT_EQ(is.unseen->invented_share, was.unseen->invented_share);
-  EXPECT_EQ(is.unseen->lower_axes.S, was.unseen->lower_axes.S);
-  EXPECT_EQ(is.unseen->upper_axes.I, was.unseen->upper_axes.I);
+  ASSERT_TRUE(is.unseen->axes.has_value());
+  EXPECT_EQ(is.unseen->axes->lower.S, was.unseen->axes->lower.S);
+  EXPECT_EQ(is.unseen->axes->upper.I, was.unseen->axes->upper.I);
+  EXPECT_EQ(is.unseen->assumption, was.unseen->assumption);
   EXPECT_EQ(is.warnings, was.warnings);
   EXPECT_EQ(is.field.site, was.field.site);
   EXPECT_EQ(is.field.note, was.field.note);
   EXPECT_EQ(is.field.taped->L, was.field.taped->L);
   EXPECT_EQ(is.field.taped->S, was.field.taped->S);
   EXPECT_EQ(is.field.weighed_mass, was.field.weighed_mass);
+}
+
+TEST(BlockLibrary, ABlockWithoutUpperBoundStaysWithout) {
+  const ScratchFolder folder;
+  BlockLibrary library;
+  Block block = filled_block("SP1A");
+  block.unseen->upper_volume.reset();
+  block.unseen->axes.reset();
+  library.add(block);
+  library.write(folder / "blocks.h5");
+  const BlockLibrary read = BlockLibrary::read(folder / "blocks.h5");
+  const UnseenPart& unseen = *read.block("SP1A").unseen;
+  EXPECT_FALSE(unseen.upper_volume.has_value());
+  EXPECT_FALSE(unseen.axes.has_value());
+  EXPECT_EQ(unseen.lower_volume, 5.5);
+}
+
+// Older files hold the boxes of two shapes in place of bounds of each axis.
+TEST(BlockLibrary, TheUnseenPartOfAnOlderFileIsRead) {
+  const ScratchFolder folder;
+  const auto path = written(folder);
+  {
+    const Hdf5File file = Hdf5File::open(path, "clast block library", 1, true);
+    Hdf5Group unseen = writable_block(file).group("unseen");
+    unseen.remove("axes_lower");
+    unseen.remove("axes_upper");
+    for (const auto& [name, sides] : {std::pair{"box_lower", std::vector{3.0, 2.3, 0.9}},
+                                      {"box_upper", std::vector{2.9, 2.0, 1.2}}}) {
+      unseen.write<double>(name, sides);
+      unseen.set_unit(name, "m");
+    }
+  }
+  const BlockLibrary library = BlockLibrary::read(path);
+  const AxesRange& axes = *library.block("SP1A").unseen->axes;
+  EXPECT_EQ(axes.lower.L, 2.9);
+  EXPECT_EQ(axes.upper.L, 3.0);
+  EXPECT_EQ(axes.lower.I, 2.0);
+  EXPECT_EQ(axes.upper.I, 2.3);
+  EXPECT_EQ(axes.upper.S, 1.2);
 }
 
 TEST(BlockLibrary, AnUnscaledBlockStaysUnscaled) {
