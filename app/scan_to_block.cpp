@@ -71,6 +71,8 @@ void add_unseen(Block& block, const Underside& side) {
 
 /// Fillings of gaps that leave less than this share of the volume open are not worth a range.
 constexpr double kWorthARange = 0.02;
+/// A cone on a whole side is three times as high as a slab of the same volume.
+constexpr double kPointed = 3.0;
 
 /// What the fillings of gaps leave open, where that is much: of a coarse scan a missing triangle
 /// is.
@@ -79,14 +81,19 @@ void add_filled(Block& block, const Scan& scan) {
   const double volume = solid_mass_properties(scan.mesh, 1.0).volume;
   const double width = report.volume_below + report.volume_above;
   if (report.invented_share == 0.0 || width < kWorthARange * volume) return;
-  const Vec3 lengths = smallest_box(scan.mesh.vertices).lengths;
-  const Axes axes{lengths[0], lengths[1], lengths[2]};
-  block.unseen = {.lower_volume = volume - report.volume_below,
-                  .best_volume = volume,
-                  .upper_volume = volume + report.volume_above,
-                  .invented_share = report.invented_share,
-                  .lower_axes = axes,
-                  .upper_axes = axes};
+  const Vec3 sides = smallest_box(scan.mesh.vertices).lengths;
+  const auto scaled_axes = [&](double factor) {
+    return Axes{factor * sides[0], factor * sides[1], factor * sides[2]};
+  };
+  UnseenPart unseen;
+  unseen.lower_volume = volume - report.volume_below;
+  unseen.best_volume = volume;
+  unseen.upper_volume = volume + report.volume_above;
+  unseen.invented_share = report.invented_share;
+  unseen.axes = AxesRange{scaled_axes(1.0 - kPointed * report.volume_below / volume),
+                          scaled_axes(1.0 + kPointed * report.volume_above / volume)};
+  unseen.assumption = "behind a filled gap the surface goes on as it does around it";
+  block.unseen = unseen;
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
 

@@ -1,5 +1,6 @@
 /// Every closed real mesh with triangles deleted at random, over many seeds.
 #include <gtest/gtest.h>
+#include <limits>
 
 #include <array>
 #include <cmath>
@@ -39,7 +40,10 @@ Torn tear(const TriangleMesh& rock, double rock_volume, const Vec3& sides, doubl
   torn.bracketed = block.underside.has_value();
   const RepairReport& report = block.scan.report;
   const double low = torn.bracketed ? block.underside->lower_volume : volume - report.volume_below;
-  const double high = torn.bracketed ? block.underside->upper_volume : volume + report.volume_above;
+  const double high =
+      torn.bracketed
+          ? block.underside->upper_volume.value_or(std::numeric_limits<double>::infinity())
+          : volume + report.volume_above;
   torn.in_range = rock_volume > low * (1.0 - 1e-9) && rock_volume < high * (1.0 + 1e-9);
   return torn;
 }

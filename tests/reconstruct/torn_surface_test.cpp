@@ -208,7 +208,8 @@ TEST(TornSurface, ATornBlockOnTheGroundKeepsItsUnseenSide) {
     const FieldBlock torn = field_blocks(without_triangles(cut.open, 0.1, 3), "torn")[0];
     ASSERT_TRUE(whole.underside && torn.underside);
     EXPECT_NEAR(torn.underside->lower_volume / whole.underside->lower_volume, 1.0, 0.01);
-    EXPECT_NEAR(torn.underside->upper_volume / whole.underside->upper_volume, 1.0, 0.03);
+    EXPECT_NEAR(torn.underside->upper_volume.value() / whole.underside->upper_volume.value(), 1.0,
+                0.03);
     ++checked;
   }
   EXPECT_GE(checked, 2u);

@@ -46,17 +46,18 @@ void read_ranges(const Json& block, Given& given) {
   const Json& unseen = block.at("unseen");
   given.volume_range = {unseen.at("volume_lower_m3").get<double>(),
                         upper(unseen.value("volume_upper_m3", Json()))};
-  const Json lower_box = unseen.at("box_lower_m"), upper_box = unseen.value("box_upper_m", Json());
+  // Null: not known, which holds anything.
+  const Json lower = unseen.at("axes_lower_m"), upper_axes = unseen.at("axes_upper_m");
   std::array<Range, 3> ranges;
-  const std::array<double, 3> own = sides(given.axes);
   for (std::size_t k = 0; k < 3; ++k) {
-    const double low = lower_box.at(k).get<double>();
-    const double high = upper_box.is_array() ? upper(upper_box.at(k)) : upper(upper_box);
-    ranges[k] = {std::min({low, high, own[k]}), std::max({low, high, own[k]})};
+    ranges[k] = {lower.is_array() ? lower.at(k).get<double>() : 0.0,
+                 upper(upper_axes.is_array() ? upper_axes.at(k) : Json())};
   }
   given.axes_range = ranges;
   for (const auto& [scheme, key] : kSchemes) {
-    given.possible_classes[scheme] = unseen.at(key).get<std::vector<std::string>>();
+    const Json& classes = unseen.at(key);
+    given.possible_classes[scheme] =
+        classes.is_array() ? classes.get<std::vector<std::string>>() : class_names(scheme);
   }
 }
 

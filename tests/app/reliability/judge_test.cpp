@@ -30,8 +30,8 @@ Json block(double volume, const Axes& axes) {
 Json bracketed(Json block, double low, double high, const Axes& lower, const Axes& upper) {
   block["unseen"] = {{"volume_lower_m3", low},
                      {"volume_upper_m3", high},
-                     {"box_lower_m", {lower.L, lower.I, lower.S}},
-                     {"box_upper_m", {upper.L, upper.I, upper.S}},
+                     {"axes_lower_m", {lower.L, lower.I, lower.S}},
+                     {"axes_upper_m", {upper.L, upper.I, upper.S}},
                      {"sneed_folk", {block["sneed_folk"]}},
                      {"zingg", {block["zingg"]}},
                      {"shape", {block["shape"]}}};
@@ -110,7 +110,7 @@ TEST(ReliabilityJudge, AnUpperBoundThatIsSaidToBeUnknownHoldsAnything) {
     open["unseen"][key].push_back(shape_class(scheme, kRock.truth.axes));
   }
   open["unseen"]["volume_upper_m3"] = nullptr;
-  open["unseen"]["box_upper_m"] = nullptr;
+  open["unseen"]["axes_upper_m"] = nullptr;
   const Verdict verdict = judge(given(open), {kRock});
   EXPECT_EQ(verdict.outcome, Outcome::kBracketed) << verdict.why;
   EXPECT_FALSE(verdict.width);
