@@ -4,75 +4,39 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
+#include <limits>
 #include <string>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/detail/cloud_normals.hpp"
+#include "reconstruct/detail/local_surface.hpp"
+#include "reconstruct/detail/outliers.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/poisson.hpp"
+#include "reconstruct/detail/seen_surface.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
+#include "shapes/detail/triangle_tree.hpp"
 #include "shapes/mesh_topology.hpp"
 
 namespace clast {
 
 namespace {
 
-/// Neighbours a normal is handed on to.
-constexpr int kHanding = 12;
-/// Unsupported patches with less than this share of the area are gaps between points and stay.
-constexpr double kGapShare = 0.005;
+constexpr double kClean = 0.05;  ///< noise over the distance of points that does not matter
+/// Neighbours for a normal, of averaged points and of others: what to try first.
+constexpr std::array<int, 3> kManyFirst = {18, 10, 30}, kFewFirst = {10, 18, 30};
+/// Edges that touch, and points passed by, of a surface through points that are oriented well.
+constexpr double kGood = 5e-4;
+/// A point is passed by where the surface is so many spacings away; of more of the area than this
+/// share, the surface found is not that of the block.
+constexpr double kMissed = 1.5, kMostMissed = 0.01;
+constexpr int kRounds = 3;         ///< of surface and normals
 constexpr double kSpacings = 2.0;  ///< a cell holds about four points at least
 /// Points that lie closer about a plane than this share of their diagonal bound no body.
 constexpr double kFlat = 1e-3;
-
-/// Turns the normals from neighbour to neighbour along the tree that bends least, from the point
-/// farthest from the middle, whose normal faces away from it.
-void turn_outward(std::vector<Vec3>& normals, const std::vector<Vec3>& points) {
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
-  const detail::NearestPoints tree(points);
-  struct Step {
-    double bend;
-    std::uint32_t from, to;
-    bool operator>(const Step& other) const {
-      return bend != other.bend ? bend > other.bend
-                                : std::pair(from, to) > std::pair(other.from, other.to);
-    }
-  };
-  std::vector<std::vector<std::uint32_t>> beside(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    for (const auto& near : tree.nearest(points[i], kHanding)) {
-      beside[i].push_back(near.point);
-      beside[near.point].push_back(i);
-    }
-  }
-  std::vector<bool> done(points.size(), false);
-  std::vector<std::uint32_t> outermost(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) outermost[i] = i;
-  std::stable_sort(outermost.begin(), outermost.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return (points[a] - middle).squaredNorm() > (points[b] - middle).squaredNorm();
-  });
-  std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
-  const auto settle = [&](std::uint32_t point, const Vec3& like) {
-    if (normals[point].dot(like) < 0.0) normals[point] = -normals[point];
-    done[point] = true;
-    for (const std::uint32_t next : beside[point]) {
-      if (!done[next]) open.push({1.0 - std::abs(normals[point].dot(normals[next])), point, next});
-    }
-  };
-  for (const std::uint32_t start : outermost) {  // a second piece, if there is one, starts anew
-    if (done[start]) continue;
-    settle(start, points[start] - middle);
-    while (!open.empty()) {
-      const Step step = open.top();
-      open.pop();
-      if (!done[step.to]) settle(step.to, normals[step.from]);
-    }
-  }
-}
 
 /// Standard deviation of the points about the plane, and about the line, that fits them best, m.
 std::array<double, 2> thicknesses(std::span<const Vec3> points) {
@@ -98,64 +62,118 @@ void refuse_flat(std::span<const Vec3> points, double diagonal) {
                       "of the file are x, y and z");
 }
 
-double area_of(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
-  return 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                   .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
-                   .norm();
+/// Points about a body, and the closed surface through them.
+struct Body {
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;
+  TriangleMesh surface;  ///< its vertices are the points
+  std::size_t off = 0;   ///< points left out, which lay off the surface
+};
+
+[[noreturn]] void refuse_no_surface(std::size_t points) {
+  throw GeometryError("no surface was found through the " + std::to_string(points) +
+                      " points; are they of one block, and on its surface?");
 }
 
-/// Which triangles are near points. Small patches that are not count as seen too.
-std::vector<bool> supported(const TriangleMesh& mesh, const std::vector<Vec3>& points,
-                            double reach) {
-  const detail::NearestPoints tree(points);
-  std::vector<bool> seen(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Vec3 middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
-    seen[t] = tree.nearest(middle, 1).front().distance < reach;
+/// The surface shows which normals are wrong, and these where the surface was.
+void find_surface(Body& body) {
+  for (int round = 0; round < kRounds; ++round) {
+    const detail::Indicator indicator(body.points, body.normals);
+    if (!indicator.found()) refuse_no_surface(body.points.size());
+    body.surface = detail::surface_between(body.points, indicator);
+    if (body.surface.triangles.empty()) refuse_no_surface(body.points.size());
+    if (detail::correct_normals(body.normals, body.surface) == 0) return;
   }
-  std::vector<std::size_t> unseen;
-  std::vector<bool> other(seen.size());
-  for (std::size_t t = 0; t < seen.size(); ++t) {
-    other[t] = !seen[t];
-    if (!seen[t]) unseen.push_back(t);
-  }
-  const TriangleMesh gaps = detail::with_triangles(mesh, other);
-  const std::vector<std::uint32_t> patch_of = triangle_components(gaps);
-  std::vector<double> areas;
-  for (std::size_t i = 0; i < unseen.size(); ++i) {
-    if (patch_of[i] >= areas.size()) areas.resize(patch_of[i] + 1, 0.0);
-    areas[patch_of[i]] += area_of(gaps, gaps.triangles[i]);
-  }
-  const double most = kGapShare * surface_area(mesh);
-  for (std::size_t i = 0; i < unseen.size(); ++i) {
-    if (areas[patch_of[i]] < most) seen[unseen[i]] = true;
-  }
-  return seen;
 }
 
-/// The same mesh, its vertices and triangles in an order that follows from the coordinates alone:
-/// CGAL hands facets out in the order of their places in memory.
-TriangleMesh in_order(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> order(mesh.vertices.size()), number(mesh.vertices.size());
-  for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = v;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b];
-    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
-  });
-  TriangleMesh result;
-  for (std::uint32_t v = 0; v < order.size(); ++v) {
-    number[order[v]] = v;
-    result.vertices.push_back(mesh.vertices[order[v]]);
+/// Leaves out the points that lie off the surface.
+void remove_off_surface(Body& body) {
+  const detail::LocalSurface local(body.points, body.normals);
+  const std::vector<bool> off = local.off_surface(detail::local_spacings(body.points));
+  Body kept;
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    if (off[i]) continue;
+    kept.points.push_back(body.points[i]);
+    kept.normals.push_back(body.normals[i]);
   }
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    TriangleMesh::Triangle triangle = {number[t[0]], number[t[1]], number[t[2]]};
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
-                triangle.end());
-    result.triangles.push_back(triangle);
+  kept.off = body.points.size() - kept.points.size();
+  body = std::move(kept);
+}
+
+/// Takes noise out that shows between neighbours. It leaves what is as rough as that, too.
+void smooth(Body& body) {
+  const detail::LocalSurface local(body.points, body.normals);
+  const double noise = local.noise();
+  if (noise < kClean * detail::spacing(body.points)) return;
+  std::vector<Vec3> points = local.smoothed(noise);
+  body.points = std::move(points);
+}
+
+/// Edges where the surface touches itself, as a share of all. Where some normals face in, the
+/// surface goes on inside the body, and touches itself all over.
+double touching_share(const TriangleMesh& surface) {
+  const MeshReport report = inspect(surface);
+  return static_cast<double>(report.non_manifold_edges) / static_cast<double>(report.edges);
+}
+
+/// Points that the surface passes by.
+struct Missed {
+  std::size_t count = 0;
+  double share = 0.0;  ///< of the area that all points stand for
+  Vec3 place = Vec3::Zero();
+};
+
+/// @param points  all, also those that were left out: where the surface is not the block's, these
+///                are many and lie far apart
+Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) {
+  const detail::TriangleTree tree(surface);
+  const std::vector<double> spacings = detail::local_spacings(points);
+  Missed missed;
+  double all = 0.0, area = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double own = spacings[i] * spacings[i];
+    all += own;
+    if (std::sqrt(tree.closest(points[i]).squared_distance) < kMissed * spacings[i]) continue;
+    ++missed.count;
+    area += own;
+    if (own <= largest) continue;
+    largest = own;
+    missed.place = points[i];
   }
-  std::sort(result.triangles.begin(), result.triangles.end());
-  return result;
+  missed.share = area / all;
+  return missed;
+}
+
+/// The surface through the points with their noise smoothed; of those that normals of few and of
+/// many neighbours give, the first that is as good as a surface, or the best.
+Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbours) {
+  Body best;
+  Missed missed;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int count : neighbours) {
+    Body body{points, detail::plane_normals(points, count), {}, 0};
+    detail::turn_outward(body.normals, body.points);
+    find_surface(body);
+    remove_off_surface(body);
+    smooth(body);
+    find_surface(body);
+    const Missed left = missed_points(body.surface, points);
+    const double defects = touching_share(body.surface) + left.share;
+    if (defects >= least) continue;
+    least = defects;
+    missed = left;
+    best = std::move(body);
+    if (least <= kGood) break;
+  }
+  if (missed.share > kMostMissed) {
+    throw GeometryError("the surface passes " + std::to_string(missed.count) + " of the " +
+                        std::to_string(points.size()) + " points by, " +
+                        with_digits(100.0 * missed.share, 2) + " % of what they cover, near " +
+                        place(missed.place) +
+                        ": they lie too far apart there for how thin the block is; scan it more "
+                        "densely there, or delete points that do not belong to it");
+  }
+  return best;
 }
 
 TriangleMesh largest_piece(const TriangleMesh& mesh) {
@@ -172,11 +190,10 @@ void CloudSurfaceOptions::check() const {
   };
   require(cell > 0.0 && cell <= 0.1, "cell", cell);
   require(neighbours >= 3 && neighbours <= 200, "neighbours", neighbours);
-  require(edge > 0.0 && edge <= 20.0, "edge", edge);
   require(trim > 0.0, "trim", trim);
 }
 
-TriangleMesh cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options) {
+CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options) {
   options.check();
   if (points.size() < options.fewest) {
     throw InputError(std::to_string(points.size()) + " points are too few for a block; at least " +
@@ -185,28 +202,21 @@ TriangleMesh cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   Bounds box;
   for (const Vec3& p : points) box.include(p);
   refuse_flat(points, box.diagonal());
-  const double cell = std::max(options.cell * box.diagonal(), kSpacings * detail::spacing(points));
-  const std::vector<Vec3> thin = detail::thinned(points, cell);
-  const double apart = detail::spacing(thin);
-  std::vector<Vec3> normals = detail::plane_normals(thin, options.neighbours);
-  turn_outward(normals, thin);
-  const TriangleMesh closed = detail::poisson_surface(thin, normals, options.edge * apart);
-  if (closed.triangles.empty()) {
-    throw GeometryError("no surface was found through the " + std::to_string(points.size()) +
-                        " points; are they of one block, and on its surface?");
-  }
-  TriangleMesh whole = in_order(largest_piece(closed));
-  if (detail::signed_volume(whole) < 0.0) {
-    detail::turn_over(whole);
-    whole = in_order(whole);
-  }
-  TriangleMesh open = largest_piece(
-      detail::with_triangles(whole, supported(whole, thin, options.trim * std::max(cell, apart))));
+  const double cell = options.cell * box.diagonal();
+  const bool dense = cell > kSpacings * detail::spacing(points);
+  const Body body = body_through(
+      dense ? detail::thinned(points, cell) : std::vector<Vec3>(points.begin(), points.end()),
+      dense ? std::span<const int>(kManyFirst) : std::span<const int>(kFewFirst));
+  const std::vector<double> spacings = detail::local_spacings(body.points);
+  const detail::SeenSurface seen = detail::seen_surface(body.surface, spacings, options.trim);
+  TriangleMesh open = detail::with_triangles(body.surface, seen.seen);
+  detail::cut_touching_edges(open);
+  detail::split_pinched_vertices(open);
+  open = largest_piece(open);
   if (open.triangles.empty()) {
     throw GeometryError("the surface found does not follow the points; are they on one surface?");
   }
-  detail::split_pinched_vertices(open);
-  return open;
+  return {std::move(open), body.off, seen.gaps, seen.gap_share, seen.gap_place};
 }
 
 }  // namespace clast

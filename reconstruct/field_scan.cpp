@@ -11,6 +11,7 @@
 #include "reconstruct/detail/cut_out.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
+#include "reconstruct/detail/outliers.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/ragged_holes.hpp"
 #include "reconstruct/detail/separate_sets.hpp"
@@ -30,8 +31,6 @@ namespace clast {
 namespace {
 
 constexpr std::size_t kFewestPoints = 500;  ///< of a cloud
-constexpr int kOutlierNeighbours = 16;
-constexpr double kOutlierDeviations = 1.0;
 /// A piece beside an open block with more of its area is no scrap.
 constexpr double kScrapArea = 0.1;
 constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and told
@@ -96,10 +95,7 @@ class Separation {
                        std::to_string(kFewestPoints) + " at least");
     }
     std::vector<Vec3> points;
-    for (const std::uint32_t i :
-         detail::without_outliers(raw, kOutlierNeighbours, kOutlierDeviations)) {
-      points.push_back(raw[i]);
-    }
+    for (const std::uint32_t i : detail::without_isolated(raw)) points.push_back(raw[i]);
     notes_.push_back("made from " + std::to_string(raw.size()) + " points, " +
                      std::to_string(raw.size() - points.size()) + " of them outliers");
     detail::NearAndFar sets = detail::near_and_far(points);
@@ -107,14 +103,20 @@ class Separation {
     std::optional<Ground> ground;
     if (options_.find_ground) ground = found_ground(points);
     if (!ground) {
-      return {closed_block(surface_of(without_far(std::move(sets))), {}, Vec3::Zero())};
+      TriangleMesh surface = surface_of(without_far(std::move(sets)), notes_);
+      return {closed_block(std::move(surface), {}, Vec3::Zero())};
     }
     const StandingBlocks standing = standing_on(points, *ground);
     std::vector<FieldBlock> blocks;
     for (const StandingBlock* block : chosen(standing)) {
       std::vector<Vec3> own;
       for (const std::uint32_t i : block->points) own.push_back(points[i]);
-      blocks.push_back(closed_block(surface_of(own), below(*block, own, *ground), block->centre));
+      std::vector<std::string> notes;
+      TriangleMesh surface = surface_of(own, notes);
+      blocks.push_back(
+          closed_block(std::move(surface), below(*block, own, *ground), block->centre));
+      std::vector<std::string>& all = blocks.back().scan.notes;
+      all.insert(all.end(), notes.begin(), notes.end());
     }
     return blocks;
   }
@@ -316,9 +318,20 @@ class Separation {
     return ground.plane_below(block.centre, 0.5 * box.diagonal());
   }
 
-  TriangleMesh surface_of(const std::vector<Vec3>& points) const {
+  /// Also notes what the surface leaves out and fills.
+  TriangleMesh surface_of(const std::vector<Vec3>& points, std::vector<std::string>& notes) const {
     try {
-      return cloud_surface(points, options_.surface);
+      CloudSurface surface = cloud_surface(points, options_.surface);
+      if (surface.outliers > 0) {
+        notes.push_back(std::to_string(surface.outliers) +
+                        " more points left out, which lie off the surface of those around them");
+      }
+      if (surface.gaps > 0) {
+        notes.push_back(std::to_string(surface.gaps) + (surface.gaps == 1 ? " gap" : " gaps") +
+                        " between the points filled, " + with_digits(100.0 * surface.gap_share, 2) +
+                        " % of the surface, the largest near " + place(surface.gap_place));
+      }
+      return std::move(surface.mesh);
     } catch (const GeometryError& error) {
       throw GeometryError(name_ + ": " + error.what());
     } catch (const InputError& error) {

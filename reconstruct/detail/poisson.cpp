@@ -4,19 +4,14 @@
 #define CGAL_EIGEN3_ENABLED
 
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Delaunay_triangulation_cell_base_with_circumcenter_3.h>
-#include <CGAL/IO/facets_in_complex_2_to_triangle_mesh.h>
-#include <CGAL/Implicit_surface_3.h>
 #include <CGAL/Poisson_reconstruction_function.h>
 #include <CGAL/Random.h>
-#include <CGAL/Robust_circumcenter_traits_3.h>
-#include <CGAL/Surface_mesh_cell_base_3.h>
-#include <CGAL/Surface_mesh_complex_2_in_triangulation_3.h>
-#include <CGAL/Surface_mesh_default_criteria_3.h>
-#include <CGAL/Surface_mesh_vertex_base_3.h>
-#include <CGAL/make_surface_mesh.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -27,80 +22,165 @@ namespace clast::detail {
 
 namespace {
 
-/// A vertex or cell that knows when it was made. The mesher keeps sets of them; without a stamp
-/// those are in order of their places in memory, and the surface depends on what the program has
-/// done before.
-template <class Base>
-class Stamped : public Base {
- public:
-  using Has_timestamp = CGAL::Tag_true;
-  template <class Structure>
-  struct Rebind_TDS {
-    using Other = Stamped<typename Base::template Rebind_TDS<Structure>::Other>;
-  };
+enum class Side : std::uint8_t { kOutside, kInside, kReached };
 
-  using Base::Base;
-  Stamped() = default;
-  Stamped(const Stamped& other) : Base(other) {}  // a copy is made anew
-  Stamped& operator=(const Stamped& other) {
-    Base::operator=(other);
-    return *this;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, CgalKernel>;
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<Side, CgalKernel>;
+using Delaunay =
+    CGAL::Delaunay_triangulation_3<CgalKernel,
+                                   CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+using Cell = Delaunay::Cell_handle;
+using Oriented = std::pair<CgalPoint, CgalKernel::Vector_3>;
+using Function = CGAL::Poisson_reconstruction_function<CgalKernel>;
+
+/// Where a cell is asked for its side: its circumcentre, or, of a flat one whose circumcentre is
+/// nowhere, its middle.
+CgalPoint asked_at(const Cell& cell) {
+  const CgalPoint &a = cell->vertex(0)->point(), &b = cell->vertex(1)->point(),
+                  &c = cell->vertex(2)->point(), &d = cell->vertex(3)->point();
+  const CgalPoint centre = CGAL::circumcenter(a, b, c, d);
+  return std::isfinite(CGAL::squared_distance(centre, a)) ? centre : CGAL::centroid(a, b, c, d);
+}
+
+/// All cells of one side that hang together with `first`; they are `kReached` after.
+std::vector<Cell> hanging_together(const Cell& first, Side side) {
+  std::vector<Cell> cells = {first};
+  first->info() = Side::kReached;
+  for (std::size_t next = 0; next < cells.size(); ++next) {
+    for (int i = 0; i < 4; ++i) {
+      const Cell beside = cells[next]->neighbor(i);
+      if (beside->info() != side) continue;
+      beside->info() = Side::kReached;
+      cells.push_back(beside);
+    }
   }
-  std::size_t time_stamp() const { return stamp_; }
-  void set_time_stamp(std::size_t stamp) { stamp_ = stamp; }
+  return cells;
+}
 
- private:
-  std::size_t stamp_ = static_cast<std::size_t>(-1);  // none yet
-};
+void set(const std::vector<Cell>& cells, Side side) {
+  for (const Cell& cell : cells) cell->info() = side;
+}
 
-using Traits = CGAL::Robust_circumcenter_traits_3<CgalKernel>;
-using Vertex = Stamped<CGAL::Surface_mesh_vertex_base_3<Traits>>;
-using Cell = Stamped<CGAL::Delaunay_triangulation_cell_base_with_circumcenter_3<
-    Traits, CGAL::Surface_mesh_cell_base_3<Traits>>>;
-using Triangulation =
-    CGAL::Delaunay_triangulation_3<Traits, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+/// Leaves the largest piece inside, by volume, and fills what is enclosed.
+void keep_one_solid(Delaunay& delaunay) {
+  const std::vector<Cell> around =
+      hanging_together(delaunay.infinite_vertex()->cell(), Side::kOutside);
+  for (const Cell& cell : delaunay.finite_cell_handles()) {
+    if (cell->info() == Side::kOutside) cell->info() = Side::kInside;
+  }
+  set(around, Side::kOutside);
+  double largest = 0.0;
+  std::vector<Cell> kept;
+  for (const Cell& cell : delaunay.finite_cell_handles()) {
+    if (cell->info() != Side::kInside) continue;
+    std::vector<Cell> piece = hanging_together(cell, Side::kInside);
+    double volume = 0.0;
+    for (const Cell& part : piece) volume += delaunay.tetrahedron(part).volume();
+    if (volume <= largest) continue;
+    largest = volume;
+    kept = std::move(piece);
+  }
+  for (const Cell& cell : delaunay.all_cell_handles()) cell->info() = Side::kOutside;
+  set(kept, Side::kInside);
+}
 
-/// Angles in degrees, radii of the Delaunay balls and distances from the surface in edges.
-constexpr double kAngle = 20.0, kRadius = 1.0, kDistance = 0.125;
-/// The surface is looked for within so many radii of the points, its places are found to this share
-/// of the distance allowed.
-constexpr double kReach = 5.0, kFineness = 1e-3;
+/// Facets with a cell inside and one outside, facing outward; vertices are numbers of points.
+std::vector<TriangleMesh::Triangle> border(const Delaunay& delaunay) {
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (const Cell& cell : delaunay.finite_cell_handles()) {
+    if (cell->info() != Side::kInside) continue;
+    for (int i = 0; i < 4; ++i) {
+      if (cell->neighbor(i)->info() == Side::kInside) continue;
+      TriangleMesh::Triangle t;
+      for (int k = 0; k < 3; ++k) {
+        // CGAL's triples face into the cell.
+        t[static_cast<std::size_t>(2 - k)] =
+            cell->vertex(Delaunay::vertex_triple_index(i, k))->info();
+      }
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      triangles.push_back(t);
+    }
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+constexpr std::size_t kSlopeSamples = 500;
+/// The slope is taken over this share of the diagonal to both sides.
+constexpr double kSlopeStep = 0.005;
 
 }  // namespace
 
-TriangleMesh poisson_surface(std::span<const Vec3> points, std::span<const Vec3> normals,
-                             double edge) {
-  using Vector = CgalKernel::Vector_3;
-  using Oriented = std::pair<CgalPoint, Vector>;
+struct Indicator::Impl {
+  Vec3 origin;
+  Function function;
+
+  static std::vector<Oriented> oriented(std::span<const Vec3> points,
+                                        std::span<const Vec3> normals) {
+    std::vector<Oriented> result;
+    result.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3 p = points[i] - points[0];
+      const Vec3& n = normals[i];
+      result.emplace_back(CgalPoint(p.x(), p.y(), p.z()),
+                          CgalKernel::Vector_3(n.x(), n.y(), n.z()));
+    }
+    return result;
+  }
+  explicit Impl(const Vec3& first, const std::vector<Oriented>& points)
+      : origin(first),
+        function(points.begin(), points.end(), CGAL::First_of_pair_property_map<Oriented>(),
+                 CGAL::Second_of_pair_property_map<Oriented>()) {}
+};
+
+Indicator::Indicator(std::span<const Vec3> points, std::span<const Vec3> normals) {
+  if (points.empty()) return;
+  CGAL::get_default_random() = CGAL::Random(1);  // CGAL's own is seeded by the clock
+  auto impl = std::make_unique<Impl>(points[0], Impl::oriented(points, normals));
+  if (!impl->function.compute_implicit_function()) return;
+  impl_ = std::move(impl);
+  Bounds box;
+  for (const Vec3& p : points) box.include(p);
+  const double step = kSlopeStep * box.diagonal();
+  std::vector<double> slopes;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / kSlopeSamples);
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    slopes.push_back((at(points[i] + step * normals[i]) - at(points[i] - step * normals[i])) /
+                     (2.0 * step));
+  }
+  const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+  std::nth_element(slopes.begin(), middle, slopes.end());
+  facing_ = *middle < 0.0 ? -1.0 : 1.0;
+}
+
+Indicator::~Indicator() = default;
+
+bool Indicator::found() const { return impl_ != nullptr; }
+
+double Indicator::at(const Vec3& place) const {
+  const Vec3 p = place - impl_->origin;
+  return facing_ * impl_->function(CgalPoint(p.x(), p.y(), p.z()));
+}
+
+TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator) {
   if (points.empty()) return {};
   const Vec3 origin = points[0];
-  std::vector<Oriented> oriented;
-  oriented.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  std::vector<std::pair<CgalPoint, std::uint32_t>> numbered;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Vec3 p = points[i] - origin;
-    const Vec3& n = normals[i];
-    oriented.emplace_back(CgalPoint(p.x(), p.y(), p.z()), Vector(n.x(), n.y(), n.z()));
+    numbered.emplace_back(CgalPoint(p.x(), p.y(), p.z()), i);
   }
-  CGAL::get_default_random() = CGAL::Random(1);  // CGAL's own is seeded by the clock
-  using Function = CGAL::Poisson_reconstruction_function<CgalKernel>;
-  Function function(oriented.begin(), oriented.end(), CGAL::First_of_pair_property_map<Oriented>(),
-                    CGAL::Second_of_pair_property_map<Oriented>());
-  if (!function.compute_implicit_function()) return {};
-  const double reach = kReach * std::sqrt(function.bounding_sphere().squared_radius());
-  const CGAL::Implicit_surface_3<CgalKernel, Function> implicit(
-      function, CgalKernel::Sphere_3(function.get_inner_point(), reach * reach),
-      kFineness * kDistance * edge / reach);
-  const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(kAngle, kRadius * edge,
-                                                                      kDistance * edge);
-  Triangulation triangulation;
-  CGAL::Surface_mesh_complex_2_in_triangulation_3<Triangulation> complex(triangulation);
-  CGAL::make_surface_mesh(complex, implicit, criteria, CGAL::Manifold_with_boundary_tag());
-  if (triangulation.number_of_vertices() == 0) return {};
-  CgalMesh surface;
-  CGAL::facets_in_complex_2_to_triangle_mesh(complex, surface);
-  TriangleMesh mesh = from_cgal(surface);
-  for (Vec3& vertex : mesh.vertices) vertex += origin;
-  return mesh;
+  Delaunay delaunay(numbered.begin(), numbered.end());
+  const auto is_inside = [&](const Cell& cell) {
+    const CgalPoint p = asked_at(cell);
+    return indicator.at(origin + Vec3(p.x(), p.y(), p.z())) < 0.0;
+  };
+  for (const Cell& cell : delaunay.all_cell_handles()) {
+    const bool inside = !delaunay.is_infinite(cell) && is_inside(cell);
+    cell->info() = inside ? Side::kInside : Side::kOutside;
+  }
+  keep_one_solid(delaunay);
+  return {std::vector<Vec3>(points.begin(), points.end()), border(delaunay)};
 }
 
 }  // namespace clast::detail

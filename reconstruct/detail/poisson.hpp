@@ -1,16 +1,40 @@
 #pragma once
-/// The surface between inside and outside that oriented points tell of.
+/// The surface between inside and outside that oriented points show.
+#include <memory>
 #include <span>
 
 #include "shapes/triangle_mesh.hpp"
 
 namespace clast::detail {
 
-/// Poisson reconstruction over a Delaunay triangulation: a closed surface, also where there are no
-/// points. Empty when none is found.
-/// @param edge  about the length of its triangles' edges, m
+/// A function that is negative inside and positive outside the body whose surface oriented points
+/// lie on, solved for over all of them [kazhdan2006]: single points off the surface, gaps and
+/// changes of density do not decide.
 /// @cite kazhdan2006
-TriangleMesh poisson_surface(std::span<const Vec3> points, std::span<const Vec3> normals,
-                             double edge);
+class Indicator {
+ public:
+  /// @param normals  unit, outward, or nearly all inward
+  Indicator(std::span<const Vec3> points, std::span<const Vec3> normals);
+  ~Indicator();
+
+  bool found() const;  ///< false where the equations could not be solved
+  double at(const Vec3& place) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+  double facing_ = 1.0;  ///< -1 where most normals face inward
+};
+
+/// The closed surface through the points that parts the Delaunay tetrahedra inside from those
+/// outside, asked at their circumcentres: the restricted Delaunay triangulation, which of a sample
+/// dense enough is a manifold. The surface has no vertex but the points, so it never leaves their
+/// hull; points off it are no vertices. It crosses itself nowhere, is in one piece without
+/// cavities, and closed also where no points are: there its triangles are large.
+/// @returns outward; vertices are all points in order, also those not used; empty when nothing is
+///          inside
+/// @pre indicator.found()
+/// @cite amenta1999
+TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator);
 
 }  // namespace clast::detail

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/detail/outliers.hpp"
 #include "shapes/triangle_mesh.hpp"
 
 namespace clast::detail {
@@ -12,8 +13,9 @@ namespace {
 
 constexpr double kThinCell = 1.0 / 150.0;  ///< of the diagonal: sets are told apart on fewer points
 constexpr double kReach = 3.0;             ///< cells from one point of a set to the next,
-constexpr double kSpacings = 4.0;          ///< or so many spacings of the points
-constexpr double kNear = 0.25;             ///< of the largest set's diagonal
+/// or so many spacings of the thinnest points: this quantile of all.
+constexpr double kSpacings = 4.0, kThinnest = 0.98;
+constexpr double kNear = 0.25;  ///< of the largest set's diagonal
 
 bool meet(const Bounds& a, const Bounds& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
@@ -29,7 +31,12 @@ NearAndFar near_and_far(std::span<const Vec3> points) {
   const double cell = kThinCell * box.diagonal();
   if (points.empty() || !(cell > 0.0)) return result;
   const std::vector<Vec3> thin = thinned(points, cell);
-  const double reach = std::max(kReach * cell, kSpacings * spacing(points));
+  if (thin.size() < 8) return result;
+  std::vector<double> spacings = local_spacings(thin);
+  const auto thinnest = spacings.begin() + static_cast<std::ptrdiff_t>(
+                                               kThinnest * static_cast<double>(spacings.size()));
+  std::nth_element(spacings.begin(), thinnest, spacings.end());
+  const double reach = std::max(kReach * cell, kSpacings * *thinnest);
   const std::vector<std::vector<std::uint32_t>> sets = clusters(thin, reach, 1);
   if (sets.size() < 2) return result;
 

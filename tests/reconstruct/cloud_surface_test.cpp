@@ -2,13 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <set>
+
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "massprops/solid.hpp"
+#include "reconstruct/detail/outliers.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "tests/support/field_scene.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
+#include "tests/support/sampled_cloud.hpp"
 
 namespace clast {
 namespace {
@@ -26,7 +31,7 @@ std::vector<Vec3> points_on(TriangleMesh body, double steepest, int count = 2000
 }
 
 TEST(CloudSurface, OfABallSeenFromAllSidesIsTheBall) {
-  const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -1.0), kCoarse);
+  const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -1.0), kCoarse).mesh;
   const MeshReport report = inspect(surface);
   EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
   EXPECT_EQ(report.euler_characteristic, 2);
@@ -35,14 +40,14 @@ TEST(CloudSurface, OfABallSeenFromAllSidesIsTheBall) {
 
 TEST(CloudSurface, OfAConcaveRockHasItsVolume) {
   const TriangleMesh rock = rock_mesh(16, {0.5, 0.4, 0.3}, 3);
-  const TriangleMesh surface = cloud_surface(points_on(rock, -1.0), kCoarse);
+  const TriangleMesh surface = cloud_surface(points_on(rock, -1.0), kCoarse).mesh;
   const double truth = solid_mass_properties(rock, 1.0).volume;
   EXPECT_NEAR(solid_mass_properties(surface, 1.0).volume, truth, 0.015 * truth);
 }
 
 TEST(CloudSurface, IsOpenWhereNoPointsAre) {
   // A cap within acos 0.6 = 53 degrees of the lowest point has a fifth of the ball.
-  const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -0.6), kCoarse);
+  const TriangleMesh surface = cloud_surface(points_on(unit_sphere(20), -0.6), kCoarse).mesh;
   const MeshReport report = inspect(surface);
   EXPECT_EQ(report.components, 1u);
   EXPECT_EQ(report.boundary_loops, 1u);
@@ -54,9 +59,9 @@ TEST(CloudSurface, IsOpenWhereNoPointsAre) {
 
 TEST(CloudSurface, LiesWhereTheCloudLiesOnAMap) {
   std::vector<Vec3> points = points_on(unit_sphere(10), -1.0, 10000);
-  const TriangleMesh here = cloud_surface(points, kCoarse);
+  const TriangleMesh here = cloud_surface(points, kCoarse).mesh;
   for (Vec3& p : points) p += Vec3(524288.0, 4194304.0, 1024.0);  // exact in a float of the offset
-  const TriangleMesh there = cloud_surface(points, kCoarse);
+  const TriangleMesh there = cloud_surface(points, kCoarse).mesh;
   EXPECT_NEAR(solid_mass_properties(there, 1.0).volume, solid_mass_properties(here, 1.0).volume,
               0.002);
   EXPECT_LT((bounds(there).low - bounds(here).low - Vec3(524288.0, 4194304.0, 1024.0)).norm(),
@@ -67,12 +72,87 @@ TEST(CloudSurface, LiesWhereTheCloudLiesOnAMap) {
 TEST(CloudSurface, SameInputGivesTheSameBitsWhateverWasDoneBefore) {
   const std::vector<Vec3> points = points_on(rock_mesh(16, {0.5, 0.4, 0.3}, 3), -0.6, 40000);
   const CloudSurfaceOptions options{.cell = 0.012};
-  const TriangleMesh first = cloud_surface(points, options);
+  const TriangleMesh first = cloud_surface(points, options).mesh;
   for (const double cell : {0.02, 0.015, 0.03}) {
     cloud_surface(points, {.cell = cell});
-    const TriangleMesh again = cloud_surface(points, options);
+    const TriangleMesh again = cloud_surface(points, options).mesh;
     EXPECT_EQ(first.vertices, again.vertices) << cell;
     EXPECT_EQ(first.triangles, again.triangles) << cell;
+  }
+}
+
+TEST(CloudSurface, OfPointsWithoutNoiseGoesThroughThemAndNeverBeyond) {
+  const TriangleMesh rock = rock_mesh(16, {0.5, 0.4, 0.05}, 3);
+  const std::vector<Vec3> points = sampled_cloud(rock, {.points = 6000}, 4);
+  const CloudSurface surface = cloud_surface(points);
+  EXPECT_TRUE(inspect(surface.mesh).closed());
+  EXPECT_EQ(surface.gaps, 0u);
+  std::set<std::array<double, 3>> given;
+  for (const Vec3& p : points) given.insert({p.x(), p.y(), p.z()});
+  std::size_t on = 0;
+  for (const Vec3& v : surface.mesh.vertices) on += given.contains({v.x(), v.y(), v.z()});
+  EXPECT_EQ(on, surface.mesh.vertices.size());
+  const double truth = solid_mass_properties(rock, 1.0).volume;
+  EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, truth, 0.01 * truth);
+}
+
+TEST(CloudSurface, IsClosedWhereTheDensityOnlyFalls) {
+  const std::vector<Vec3> points =
+      sampled_cloud(unit_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 5);
+  const CloudSurface surface = cloud_surface(points);
+  EXPECT_TRUE(inspect(surface.mesh).closed());
+  EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, 4.0 / 3.0 * kPi, 0.02 * 4.2);
+}
+
+TEST(CloudSurface, AGapIsFilledAndReportedWithItsPlace) {
+  std::vector<Vec3> points = sampled_cloud(unit_sphere(20), {.points = 20000}, 6);
+  std::erase_if(points,
+                [](const Vec3& p) { return p.z() > std::cos(0.12); });  // 0.36 % of the area
+  const CloudSurface surface = cloud_surface(points);
+  EXPECT_TRUE(inspect(surface.mesh).closed());
+  EXPECT_EQ(surface.gaps, 1u);
+  EXPECT_NEAR(surface.gap_share, 0.0036, 0.002);
+  EXPECT_GT(surface.gap_place.z(), 0.9);
+}
+
+TEST(CloudSurface, PointsTooFarApartForAThinBodyAreRefused) {
+  const TriangleMesh plate = rock_mesh(16, {0.5, 0.4, 0.005}, 3);
+  const std::vector<Vec3> points = sampled_cloud(plate, {.points = 1000}, 4);
+  EXPECT_TRUE(
+      contains(refusal<GeometryError>([&] { cloud_surface(points); }), "scan it more densely"));
+}
+
+TEST(Outliers, OfACompleteCloudNoPointIsGivenUp) {
+  const std::vector<Vec3> even = sampled_cloud(unit_sphere(20), {.points = 8000}, 7);
+  EXPECT_EQ(detail::without_isolated(even).size(), even.size());
+  // Where the density falls to a twentieth in one step, a few at the step look like outliers.
+  const std::vector<Vec3> step =
+      sampled_cloud(unit_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 7);
+  EXPECT_GE(detail::without_isolated(step).size(), step.size() - 20);
+}
+
+TEST(Outliers, NearlyAllThatLieOffTheSurfaceAreFound) {
+  const std::vector<Vec3> points =
+      sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
+  std::size_t rock = 0, off = 0;
+  for (const std::uint32_t i : detail::without_isolated(points)) {
+    rock += i < 8000;
+    off += i >= 8000 && std::abs(points[i].norm() - 1.0) > 0.1;  // 2.5 spacings of 0.04
+  }
+  EXPECT_GE(rock, 7960u);
+  EXPECT_LE(off, 2u);
+}
+
+TEST(CloudSurface, OutliersThatAreLeftDoNotDecide) {
+  for (const double share : {0.02, 0.1}) {
+    const std::vector<Vec3> points =
+        sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = share}, 8);
+    std::vector<Vec3> kept;
+    for (const std::uint32_t i : detail::without_isolated(points)) kept.push_back(points[i]);
+    const CloudSurface surface = cloud_surface(kept);
+    EXPECT_TRUE(inspect(surface.mesh).closed()) << share;
+    EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, 4.0 / 3.0 * kPi, 0.01 * 4.2)
+        << share;
   }
 }
 
@@ -98,7 +178,6 @@ TEST(CloudSurface, TooFewPointsAndOptionsOutOfRangeAreRefused) {
   const std::vector<Vec3> none;
   EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.cell = 0.0}); }), "cell"));
   EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.neighbours = 1}); }), "neighbours"));
-  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.edge = -1.0}); }), "edge"));
   EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.trim = 0.0}); }), "trim"));
 }
 

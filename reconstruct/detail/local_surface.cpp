@@ -1,0 +1,147 @@
+#include "reconstruct/detail/local_surface.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace clast::detail {
+
+namespace {
+
+/// Cosine to the normal of the place below which a point is of another side: of a plate's other
+/// face, or round a sharp edge.
+constexpr double kSameSide = 0.4;
+constexpr std::size_t kFewest = 9;    ///< points for the six coefficients of a quadric
+constexpr double kFarthest = 3.0;     ///< noises that a point is moved at most
+constexpr int kNoiseNeighbours = 24;  ///< for the noise
+constexpr std::size_t kNoiseSamples = 2000;
+/// Numbers of neighbours a point is smoothed over: the most that one quadric, or plane, fits as
+/// well as the noise lets it.
+constexpr std::array<int, 4> kScales = {24, 48, 96, 192};
+/// A point is off the surface by so many spacings and standard deviations of its neighbours, and
+/// its own spacing so many times theirs.
+constexpr double kOffSpacings = 0.4, kOffDeviations = 3.0;
+constexpr double kApart = 1.15;
+constexpr double kFits = 1.15;  ///< residuals over the noise
+/// A plane does where its residuals are no larger than the quadric's by more than this.
+constexpr double kFlatEnough = 1.03;
+
+using Row = Eigen::Matrix<double, 6, 1>;
+
+/// Points about a place as heights over its tangent plane.
+struct Patch {
+  std::vector<Row> rows;        ///< 1, a, b, a^2, a b, b^2 in reaches
+  std::vector<double> heights;  ///< m
+  std::vector<double> weights;
+};
+
+struct Fit {
+  double height = 0.0;     ///< at the place, m
+  double deviation = 0.0;  ///< of the points about it, m
+};
+
+/// Least squares with the first `Terms` of a row: 3, a plane; 6, a quadric.
+template <int Terms>
+Fit fit_of(const Patch& patch) {
+  Eigen::Matrix<double, Terms, Terms> matrix = Eigen::Matrix<double, Terms, Terms>::Zero();
+  Eigen::Matrix<double, Terms, 1> right = Eigen::Matrix<double, Terms, 1>::Zero();
+  for (std::size_t i = 0; i < patch.rows.size(); ++i) {
+    const Eigen::Matrix<double, Terms, 1> row = patch.rows[i].template head<Terms>();
+    matrix += patch.weights[i] * row * row.transpose();
+    right += patch.weights[i] * patch.heights[i] * row;
+  }
+  matrix.diagonal().array() += 1e-9 * matrix(0, 0);
+  const Eigen::Matrix<double, Terms, 1> found = matrix.ldlt().solve(right);
+  double squares = 0.0, weight = 0.0;
+  for (std::size_t i = 0; i < patch.rows.size(); ++i) {
+    const double off = patch.heights[i] - found.dot(patch.rows[i].template head<Terms>());
+    squares += patch.weights[i] * off * off;
+    weight += patch.weights[i];
+  }
+  const auto used = static_cast<double>(patch.rows.size());
+  return {found[0], std::sqrt(squares / (weight * std::max(1.0, used - Terms) / used))};
+}
+
+/// The nearest points that face the way of `normal`.
+Patch patch_at(const Vec3& place, const Vec3& normal, std::span<const NearestPoints::Near> near,
+               std::span<const Vec3> points, std::span<const Vec3> normals) {
+  const double reach = near.back().distance;
+  const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+  Patch patch;
+  for (const NearestPoints::Near& n : near) {
+    if (normals[n.point].dot(normal) < kSameSide) continue;
+    const Vec3 from = points[n.point] - place;
+    const double a = from.dot(u) / reach, b = from.dot(v) / reach;
+    const double share = 0.95 * n.distance / reach;
+    Row row;
+    row << 1.0, a, b, a * a, a * b, b * b;
+    patch.rows.push_back(row);
+    patch.heights.push_back(from.dot(normal));
+    patch.weights.push_back((1.0 - share * share) * (1.0 - share * share));
+  }
+  return patch;
+}
+
+}  // namespace
+
+LocalSurface::LocalSurface(std::span<const Vec3> points, std::span<const Vec3> normals)
+    : points_(points), normals_(normals), tree_(points) {}
+
+double LocalSurface::noise() const {
+  std::vector<double> deviations;
+  const std::size_t step = std::max<std::size_t>(1, points_.size() / kNoiseSamples);
+  for (std::size_t i = 0; i < points_.size(); i += step) {
+    const auto near = tree_.nearest(points_[i], kNoiseNeighbours);
+    const Patch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
+    if (patch.rows.size() >= kFewest) deviations.push_back(fit_of<6>(patch).deviation);
+  }
+  if (deviations.empty()) return 0.0;
+  const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
+  std::nth_element(deviations.begin(), middle, deviations.end());
+  return *middle;
+}
+
+std::vector<bool> LocalSurface::off_surface(std::span<const double> spacings) const {
+  std::vector<bool> off(points_.size(), false);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    std::vector<NearestPoints::Near> near = tree_.nearest(points_[i], kNoiseNeighbours);
+    std::erase_if(near, [&](const NearestPoints::Near& n) { return n.point == i; });
+    double spacing = 0.0;
+    Vec3 facing = Vec3::Zero();  // its own normal means nothing where it is an outlier
+    for (const NearestPoints::Near& n : near) {
+      spacing += spacings[n.point] / static_cast<double>(near.size());
+      facing += normals_[n.point] / static_cast<double>(near.size());
+    }
+    if (spacings[i] < kApart * spacing || facing.norm() < kSameSide) continue;
+    const Patch patch = patch_at(points_[i], facing.normalized(), near, points_, normals_);
+    if (patch.rows.size() < kFewest) continue;
+    const Fit fit = fit_of<3>(patch);
+    off[i] = std::abs(fit.height) > kOffSpacings * spacing + kOffDeviations * fit.deviation;
+  }
+  return off;
+}
+
+std::vector<Vec3> LocalSurface::smoothed(double noise) const {
+  std::vector<Vec3> result(points_.begin(), points_.end());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const auto near = tree_.nearest(points_[i], kScales.back());
+    std::optional<double> off;
+    for (const int count : kScales) {
+      if (static_cast<std::size_t>(count) > near.size()) break;
+      const Patch patch =
+          patch_at(points_[i], normals_[i], std::span(near).first(static_cast<std::size_t>(count)),
+                   points_, normals_);
+      if (patch.rows.size() < kFewest) continue;
+      const Fit plane = fit_of<3>(patch), quadric = fit_of<6>(patch);
+      const Fit& fit = plane.deviation < kFlatEnough * quadric.deviation ? plane : quadric;
+      if (off && fit.deviation > kFits * noise) break;
+      off = fit.height;
+    }
+    if (off) result[i] += std::clamp(*off, -kFarthest * noise, kFarthest * noise) * normals_[i];
+  }
+  return result;
+}
+
+}  // namespace clast::detail

@@ -1,0 +1,36 @@
+#pragma once
+/// The surface near a place, as the points around it say.
+#include <span>
+#include <vector>
+
+#include "core/types.hpp"
+#include "reconstruct/detail/cloud.hpp"
+
+namespace clast::detail {
+
+/// Moving least squares: planes and quadrics fitted to the nearest points that face the same way.
+/// @cite levin2004
+class LocalSurface {
+ public:
+  /// @param points   alive as long as this
+  /// @param normals  unit, outward, one for each point; alive as long as this
+  LocalSurface(std::span<const Vec3> points, std::span<const Vec3> normals);
+
+  /// Standard deviation of the points about small quadrics: the median over up to 2,000 points, m.
+  double noise() const;
+
+  /// Points that lie farther off what their neighbours fit than `spacings` (m) and the scatter of
+  /// these allow, and a little apart from them: outliers close to the surface.
+  std::vector<bool> off_surface(std::span<const double> spacings) const;
+
+  /// Every point moved along its normal onto the plane or quadric through its neighbourhood, which
+  /// is as large as `noise` (m) lets one fit: edges stay, since there none does.
+  std::vector<Vec3> smoothed(double noise) const;
+
+ private:
+  std::span<const Vec3> points_;
+  std::span<const Vec3> normals_;
+  NearestPoints tree_;
+};
+
+}  // namespace clast::detail

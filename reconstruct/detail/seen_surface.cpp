@@ -1,0 +1,122 @@
+#include "reconstruct/detail/seen_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "reconstruct/detail/soup.hpp"
+#include "shapes/mesh_topology.hpp"
+
+namespace clast::detail {
+
+namespace {
+
+/// Of n points strewn at random over a surface the largest ball without any has a radius of about
+/// sqrt(ln n / pi) spacings: 1.6 of 3,000, 1.9 of 100,000.
+constexpr double kLargestBall = 2.5;
+/// The thinnest points around a patch, in so many rings: this quantile of their spacings. A stray
+/// point or two in the middle of a hole explain nothing.
+constexpr int kRings = 2;
+constexpr double kThinnest = 0.85;
+/// Holes with less than this share of the area are gaps between points and count as seen.
+constexpr double kGapShare = 0.005;
+
+/// The ball without points over a triangle, as if its longest edge were all three.
+double ball_over(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    longest = std::max(longest, (mesh.vertices[t[k]] - mesh.vertices[t[(k + 1) % 3]]).norm());
+  }
+  return longest / std::sqrt(3.0);
+}
+
+double spacing_at(std::span<const double> spacings, const TriangleMesh::Triangle& t) {
+  const double a = spacings[t[0]], b = spacings[t[1]], c = spacings[t[2]];
+  return std::max(std::min(a, b), std::min(std::max(a, b), c));
+}
+
+/// Triangles with large balls that hang together.
+struct Patch {
+  double area = 0.0;
+  double largest = 0.0;        ///< ball, m
+  double largest_share = 0.0;  ///< ball over spacing
+  Vec3 place = Vec3::Zero();   ///< of that ball
+  std::vector<std::uint32_t> points;
+};
+
+/// Adds the vertices around those of a patch, ring by ring: at its very border the spacing of thin
+/// points is not their own.
+void add_rings(std::vector<std::uint32_t>& points, const TriangleMesh& mesh) {
+  std::vector<bool> in(mesh.vertices.size(), false);
+  for (const std::uint32_t point : points) in[point] = true;
+  for (int ring = 0; ring < kRings; ++ring) {
+    std::vector<bool> wider = in;
+    for (const TriangleMesh::Triangle& t : mesh.triangles) {
+      if (!in[t[0]] && !in[t[1]] && !in[t[2]]) continue;
+      for (const std::uint32_t v : t) wider[v] = true;
+    }
+    in = std::move(wider);
+  }
+  points.clear();
+  for (std::uint32_t v = 0; v < in.size(); ++v) {
+    if (in[v]) points.push_back(v);
+  }
+}
+
+bool is_hole(const Patch& patch, std::span<const double> spacings) {
+  std::vector<double> around;
+  for (const std::uint32_t point : patch.points) around.push_back(spacings[point]);
+  const auto thin = around.begin() +
+                    static_cast<std::ptrdiff_t>(kThinnest * static_cast<double>(around.size() - 1));
+  std::nth_element(around.begin(), thin, around.end());
+  return patch.largest > kLargestBall * *thin;
+}
+
+}  // namespace
+
+SeenSurface seen_surface(const TriangleMesh& closed, std::span<const double> spacings, double rim) {
+  std::vector<bool> wide;
+  std::vector<std::size_t> numbers;
+  for (const TriangleMesh::Triangle& t : closed.triangles) {
+    wide.push_back(ball_over(closed, t) > rim * spacing_at(spacings, t));
+    if (wide.back()) numbers.push_back(wide.size() - 1);
+  }
+  const std::vector<std::uint32_t> patch_of = triangle_components(with_triangles(closed, wide));
+  std::vector<Patch> patches;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (patch_of[i] >= patches.size()) patches.resize(patch_of[i] + 1);
+    Patch& patch = patches[patch_of[i]];
+    const TriangleMesh::Triangle& t = closed.triangles[numbers[i]];
+    const double ball = ball_over(closed, t), share = ball / spacing_at(spacings, t);
+    patch.area += triangle_area(closed, t);
+    patch.points.insert(patch.points.end(), t.begin(), t.end());
+    patch.largest = std::max(patch.largest, ball);
+    if (share <= patch.largest_share) continue;
+    patch.largest_share = share;
+    patch.place = (closed.vertices[t[0]] + closed.vertices[t[1]] + closed.vertices[t[2]]) / 3.0;
+  }
+  for (Patch& patch : patches) {
+    if (patch.largest_share > kLargestBall) add_rings(patch.points, closed);
+  }
+  const double area = surface_area(closed);
+  SeenSurface result;
+  double largest = 0.0;
+  std::vector<bool> unseen(patches.size());
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    if (patches[k].largest_share <= kLargestBall || !is_hole(patches[k], spacings)) continue;
+    unseen[k] = patches[k].area >= kGapShare * area;
+    if (unseen[k]) continue;
+    ++result.gaps;
+    result.gap_share += patches[k].area / area;
+    if (patches[k].area <= largest) continue;
+    largest = patches[k].area;
+    result.gap_place = patches[k].place;
+  }
+  result.seen.assign(closed.triangles.size(), true);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (unseen[patch_of[i]]) result.seen[numbers[i]] = false;
+  }
+  return result;
+}
+
+}  // namespace clast::detail

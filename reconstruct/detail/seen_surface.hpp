@@ -1,0 +1,27 @@
+#pragma once
+/// Which part of a closed surface through points has been seen.
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+struct SeenSurface {
+  std::vector<bool> seen;         ///< of each triangle
+  std::size_t gaps = 0;           ///< holes so small that they count as seen: filled
+  double gap_share = 0.0;         ///< of the area of the surface
+  Vec3 gap_place = Vec3::Zero();  ///< in the largest gap, m
+};
+
+/// Over a triangle stands a ball that holds no point. Between points strewn at random the largest
+/// is about two spacings in radius; a patch of triangles with larger ones is a hole. Where the
+/// density falls the balls grow with the spacing: a patch is none if its largest ball is explained
+/// by the thinnest points around it. A hole goes on to where the balls are no larger than usual.
+/// @param closed    its vertices are the points
+/// @param spacings  of the points, as `local_spacings` gives them, m
+/// @param rim       radius of the ball at which a hole ends, in spacings
+SeenSurface seen_surface(const TriangleMesh& closed, std::span<const double> spacings, double rim);
+
+}  // namespace clast::detail
