@@ -47,22 +47,33 @@ Json boxes_json(const Block& block) {
 Json unseen_json(const Block& block) {
   const UnseenPart& unseen = *block.unseen;
   const UnseenRange range = unseen_range(block);
-  const auto sides = [](const Axes& axes) { return Json{axes.L, axes.I, axes.S}; };
+  const auto known = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
+  const auto sides = [&](Axes AxesRange::*end) {
+    if (!range.axes) return Json(nullptr);
+    const Axes& axes = (*range.axes).*end;
+    return Json{axes.L, axes.I, axes.S};
+  };
+  const auto classes = [&](const char* scheme) {
+    return range.axes ? Json(range.classes.at(scheme)) : Json(nullptr);
+  };
   return {{"invented_share", unseen.invented_share},
           {"volume_lower_m3", unseen.lower_volume},
           {"volume_best_m3", unseen.best_volume},
-          {"volume_upper_m3", unseen.upper_volume},
+          {"volume_upper_m3", known(unseen.upper_volume)},
           {"mass_lower_kg", range.lower_mass},
-          {"mass_upper_kg", range.upper_mass},
-          {"density_lower_kg_m3", range.lower_density},
+          {"mass_upper_kg", known(range.upper_mass)},
+          {"density_lower_kg_m3", known(range.lower_density)},
           {"density_upper_kg_m3", range.upper_density},
-          {"box_lower_m", sides(unseen.lower_axes)},
-          {"box_upper_m", sides(unseen.upper_axes)},
-          {"s_c_lower", range.lower_s_c},
-          {"s_c_upper", range.upper_s_c},
-          {"sneed_folk", range.classes.at("sneed-folk")},
-          {"zingg", range.classes.at("zingg")},
-          {"shape", range.classes.at("garcia")}};
+          {"axes_lower_m", sides(&AxesRange::lower)},
+          {"axes_upper_m", sides(&AxesRange::upper)},
+          {"s_c_lower", known(range.lower_s_c)},
+          {"s_c_upper", known(range.upper_s_c)},
+          {"sneed_folk", classes("sneed-folk")},
+          {"zingg", classes("zingg")},
+          {"shape", classes("garcia")},
+          {"assumption", unseen.assumption}};
 }
 
 /// Keys of lengths, areas and volumes tell that no unit is known; masses and moments are null.

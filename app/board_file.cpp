@@ -8,6 +8,7 @@ namespace clast {
 
 namespace {
 
+constexpr NumberRange kPlace{-kBarLength.high, kBarLength.high, "m"};
 constexpr std::uint64_t kMostSquares = 100;
 constexpr std::uint64_t kMostIds = 100000;
 
@@ -18,7 +19,7 @@ BoardMarker read_marker(const TomlNode& node, const std::string& file) {
   marker.id = static_cast<int>(*table.count("id", 0, kMostIds));
   const TomlNode& centre = table.required("centre_m", "[x, y] or [x, y, z] of its centre");
   const std::vector<double> at =
-      table.numbers("centre_m", centre, 2, 3, "[x, y] or [x, y, z] of its centre, m");
+      table.numbers("centre_m", centre, 2, 3, "[x, y] or [x, y, z] of its centre, m", kPlace);
   marker.centre = {at[0], at[1], at.size() > 2 ? at[2] : 0.0};
   return marker;
 }
@@ -33,8 +34,8 @@ CharucoBoard read_charuco(const TomlNode& node, const std::string& file,
   board.dictionary = dictionary;
   board.columns = static_cast<int>(*table.count("columns", 3, kMostSquares));
   board.rows = static_cast<int>(*table.count("rows", 3, kMostSquares));
-  board.square = *table.number("square_m", kPositive);
-  board.marker = *table.number("marker_m", kPositive);
+  board.square = *table.number("square_m", kMarkerSide);
+  board.marker = *table.number("marker_m", kMarkerSide);
   if (const TomlNode* older = table.find("older_pattern")) {
     if (older->kind != TomlNode::Kind::kBoolean) {
       table.refuse("older_pattern", *older, "must be true or false");
@@ -53,7 +54,7 @@ ScaleBoard read_board(const std::filesystem::path& file) {
   table.required("dictionary", "the kind of its markers, such as \"4x4_50\"");
   ScaleBoard board;
   board.dictionary = *table.text("dictionary");
-  board.marker_side = table.number("marker_side_m", kPositive);
+  board.marker_side = table.number("marker_side_m", kMarkerSide);
   if (const TomlNode* charuco = table.find("charuco")) {
     board.charuco = read_charuco(*charuco, name, board.dictionary);
   }

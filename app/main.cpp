@@ -1,6 +1,7 @@
 // The command table, and the one place where errors become messages and exit codes:
 // 0 done, 1 something failed, 2 misused.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -11,6 +12,7 @@
 
 #include "app/commands/commands.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
 #include "core/version.hpp"
 
 namespace {
@@ -70,8 +72,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     const CLI::App* command = named_command(&app);
-    std::cerr << "clast: " << described(error, *command) << "\nSee: " << full_name(command)
-              << " --help\n";
+    std::cerr << "clast: " << clast::printable(described(error, *command))
+              << "\nSee: " << full_name(command) << " --help\n";
     return kMisused;
   }
   return 0;
@@ -88,18 +90,20 @@ int checked(int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that grows beyond `ulimit -f` then fails as on a full disk, with a message.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return checked(run(argc, argv));
   } catch (const clast::Error& error) {
-    std::cerr << "clast: " << error.what() << "\n";
+    std::cerr << "clast: " << clast::printable(error.what()) << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << "clast: not enough memory; close other programs or use a smaller input\n";
   } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "clast: " << error.path1().string() << ": " << error.code().message()
-              << "; check the path and its permissions\n";
+    std::cerr << "clast: " << clast::printable(error.path1().string()) << ": "
+              << error.code().message() << "; check the path and its permissions\n";
   } catch (const std::exception& error) {
     std::cerr << "clast: unexpected failure, please report it with the command you gave: "
-              << error.what() << "\n";
+              << clast::printable(error.what()) << "\n";
   }
   return kFailed;
 }

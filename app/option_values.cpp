@@ -10,6 +10,7 @@
 #include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "library/block_ranges.hpp"
 
 namespace clast {
 
@@ -41,10 +42,11 @@ double length_unit(const std::string& text) {
   const auto unit = units.find(text);
   if (unit != units.end()) return unit->second;
   const double factor = number_from(text);
-  if (factor > 0.0) return factor;
+  if (kLengthUnit.holds(factor)) return factor;
   throw CLI::ValidationError("--units", "\"" + text +
                                             "\" is no unit; expected m, cm, mm, um, km, in, ft or "
-                                            "the metres in one unit as a positive number");
+                                            "the metres in one unit, a number " +
+                                            kLengthUnit.words());
 }
 
 MeasuredLength measured_length(const std::string& text) {
@@ -54,51 +56,58 @@ MeasuredLength measured_length(const std::string& text) {
   for (const std::string& piece : split_list(commas)) numbers.push_back(number_from(piece));
   const auto refuse = [&](const std::string& what) {
     throw CLI::ValidationError(
-        "--scale-length",
-        "\"" + text + "\" " + what +
-            "; expected two points of the scan and the metres between them, such as "
-            "\"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
+        "--scale-length", "\"" + text + "\" " + what +
+                              "; expected two points of the scan and the metres between them (" +
+                              kBlockLength.words() + "), such as \"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
   };
   if (numbers.size() != 7) refuse("has " + counted(numbers.size(), "number") + " and not seven");
   for (const double number : numbers) {
     if (!std::isfinite(number)) refuse("holds what is no number");
   }
   const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
-  if (!(numbers[6] > 0.0)) refuse("gives a length that is not positive");
+  if (!kBlockLength.holds(numbers[6])) refuse("gives a length that is not " + kBlockLength.words());
   if (a == b) refuse("gives the same point twice");
-  return {{a, b}, numbers[6] / (b - a).norm()};
+  const double unit = numbers[6] / (b - a).norm();
+  if (!kLengthUnit.holds(unit)) {
+    refuse("makes a unit of the scan " + with_digits(unit, 6) + " m long, which is not " +
+           kLengthUnit.words());
+  }
+  return {{a, b}, unit};
 }
 
 Axes axes_from(const std::string& text) {
   const std::vector<std::string> pieces = split_list(text);
-  if (pieces.size() == 3) {
-    try {
-      return Axes::sorted(number_from(pieces[0]), number_from(pieces[1]), number_from(pieces[2]));
-    } catch (const InputError&) {
-      // Falls to the message below, which says the same for every way to be wrong.
-    }
+  std::vector<double> lengths;
+  for (const std::string& piece : pieces) {
+    if (kBlockLength.holds(number_from(piece))) lengths.push_back(number_from(piece));
   }
-  throw CLI::ValidationError("--taped", "\"" + text +
-                                            "\" is not three positive lengths in metres, such as "
-                                            "0.65,0.53,0.38");
+  if (pieces.size() == 3 && lengths.size() == 3) {
+    return Axes::sorted(lengths[0], lengths[1], lengths[2]);
+  }
+  throw CLI::ValidationError("--taped", "\"" + text + "\" is not three lengths " +
+                                            kBlockLength.words() + ", such as 0.65,0.53,0.38");
 }
 
 CLI::Validator up_axis() { return CLI::IsMember({"y", "z"}); }
 
-CLI::Validator positive_number() {
-  return {[](const std::string& text) {
-            return number_from(text) > 0.0 ? "" : "\"" + text + "\" is not a positive number";
+CLI::Validator within(const NumberRange& range) {
+  return {[range](const std::string& text) {
+            if (range.holds(number_from(text))) return std::string();
+            return "\"" + text + "\" is not a number; it must be " + range.words();
           },
           ""};
 }
 
-CLI::Validator whole_number() {
-  return {[](const std::string& text) {
+CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
+  return {[low, high](const std::string& text) {
             std::uint64_t value = 0;
             const char* end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
-            if (error == std::errc() && stop == end) return std::string();
-            return "\"" + text + "\" is not a whole number, 0 or more";
+            if (error == std::errc() && stop == end && value >= low && value <= high) {
+              return std::string();
+            }
+            return "\"" + text + "\" is not a whole number from " + std::to_string(low) + " to " +
+                   std::to_string(high);
           },
           ""};
 }

@@ -2,18 +2,20 @@
 /// Values of command-line options that are more than a number or a name.
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "classify/form.hpp"
+#include "core/number_range.hpp"
 
 namespace clast {
 
 /// "a, b,c" as {"a", "b", "c"}; empty pieces are dropped.
 std::vector<std::string> split_list(const std::string& text);
 
-/// Metres per unit: m, cm, mm, um, km, in, ft, or a positive factor.
+/// Metres per unit: m, cm, mm, um, km, in, ft, or a factor in `kLengthUnit`.
 /// @throws CLI::ValidationError  anything else
 double length_unit(const std::string& text);
 
@@ -28,15 +30,15 @@ struct MeasuredLength {
 MeasuredLength measured_length(const std::string& text);
 
 /// "L,I,S" in metres, in any order.
-/// @throws CLI::ValidationError  not three positive numbers
+/// @throws CLI::ValidationError  not three numbers in `kBlockLength`
 Axes axes_from(const std::string& text);
 
 /// Accepts "y" and "z".
 CLI::Validator up_axis();
-/// Accepts finite numbers above zero.
-CLI::Validator positive_number();
-/// Accepts whole numbers from 0 to 2^64 - 1, in digits alone.
-CLI::Validator whole_number();
+/// Accepts the numbers of a range.
+CLI::Validator within(const NumberRange& range);
+/// Accepts whole numbers from `low` to `high`, in digits alone.
+CLI::Validator whole_number(std::uint64_t low = 0, std::uint64_t high = UINT64_MAX);
 /// Accepts finite numbers from `low` to `high`.
 CLI::Validator number_between(double low, double high);
 

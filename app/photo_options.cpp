@@ -19,12 +19,12 @@ ScaleBar bar_from(const std::string& text) {
                      numbers[1] >= 0.0 && numbers[0] < 1e5 && numbers[1] < 1e5 &&
                      numbers[0] == static_cast<int>(numbers[0]) &&
                      numbers[1] == static_cast<int>(numbers[1]) && numbers[0] != numbers[1] &&
-                     numbers[2] > 0.0 && numbers[2] < 1e4;
+                     kBarLength.holds(numbers[2]);
   if (!whole) {
-    throw CLI::ValidationError("--scale-bar",
-                               "\"" + text +
-                                   "\" is not two different markers and the metres between their "
-                                   "centres, such as 0,3,1.254");
+    throw CLI::ValidationError(
+        "--scale-bar", "\"" + text +
+                           "\" is not two different markers and the distance of their centres, " +
+                           kBarLength.words() + ", such as 0,3,1.254");
   }
   return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), numbers[2]};
 }
@@ -85,7 +85,7 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
   command
       .add_option("--marker-size", args.marker_size,
                   "Side of the black square of every marker, m: sets the scale, or checks the bars")
-      ->check(positive_number())
+      ->check(within(kMarkerSide))
       ->type_name("M")
       ->group(group);
   std::vector<std::string> dictionaries = marker_dictionaries();

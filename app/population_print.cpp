@@ -4,6 +4,7 @@
 #include "classify/box_convention.hpp"
 #include "classify/certainty.hpp"
 #include "classify/surface_indices.hpp"
+#include "core/printable.hpp"
 
 namespace clast {
 namespace {
@@ -161,7 +162,7 @@ std::string summary_text(const PopulationSummary& summary) {
 }
 
 std::string comparison_text(const PopulationComparison& comparison) {
-  std::string text = "\n" + comparison.name_a + " against " + comparison.name_b + ":\n";
+  std::string text = "\n" + printable(comparison.name_a + " against " + comparison.name_b) + ":\n";
   for (const ClassDifference& one : comparison.schemes) text += one.words + "\n";
   for (const MeasureDifference& one : comparison.measures) text += one.words + "\n";
   return text;

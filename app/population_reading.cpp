@@ -13,6 +13,7 @@
 #include "classify/dimension_table.hpp"
 #include "classify/population_notes.hpp"
 #include "core/digest.hpp"
+#include "core/printable.hpp"
 #include "core/utf8.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
@@ -27,6 +28,8 @@ using Json = nlohmann::ordered_json;
 
 /// True for the signature every HDF5 file begins with.
 bool is_hdf5(const std::string& path) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code)) return false;  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
   std::string begin(8, '\0');
   return file.read(begin.data(), 8) && begin == "\x89HDF\r\n\x1a\n";
@@ -99,13 +102,14 @@ void add_library(ReadPopulation& source, const BlockReading& reading, const std:
 std::string notes_text(const std::string& input, const DimensionTable& table) {
   std::string text;
   for (std::size_t i = 0; i < std::min(kMostNotes, table.notes.size()); ++i) {
-    text += input + ": " + table.notes[i] + "\n";
+    text += printable(input + ": " + table.notes[i]) + "\n";
   }
   if (table.notes.size() > kMostNotes) {
-    text += input + ": and " + std::to_string(table.notes.size() - kMostNotes) + " more notes\n";
+    text += printable(input) + ": and " + std::to_string(table.notes.size() - kMostNotes) +
+            " more notes\n";
   }
   if (table.skipped + table.sorted + table.unweighed > 0) {
-    text += input + ": " + counted(table.blocks.size(), "row") + " used, " +
+    text += printable(input) + ": " + counted(table.blocks.size(), "row") + " used, " +
             std::to_string(table.skipped) + " skipped, " + std::to_string(table.sorted) +
             " sorted, " + std::to_string(table.unweighed) + " without a usable mass\n";
   }
@@ -191,7 +195,7 @@ ReadPopulation read_population(const PopulationFiles& files, const BlockReading&
   }
   for (const std::string& note : notes) {
     reported.notes.push_back(note);
-    source.said += reported.population.name + ": " + note + "\n";
+    source.said += printable(reported.population.name + ": " + note) + "\n";
   }
   return source;
 }

@@ -21,9 +21,9 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/output_file.hpp"
+#include "core/printable.hpp"
 #include "core/utf8.hpp"
-#include "library/block_library.hpp"
+#include "library/library_update.hpp"
 
 namespace clast {
 namespace {
@@ -102,8 +102,8 @@ class Batch {
     }
     if (std::filesystem::exists(args.library)) library_ = BlockLibrary::read(args.library);
     // A place that can't be written is refused before the work and not after it.
-    const OutputFile trial(args.library);
-    if (!args.report.empty()) report_.emplace(args.report);
+    check_library_place(args.library);
+    if (!args.report.empty()) report_.emplace(args.report, args.replace || args.resume);
   }
 
   void run() {
@@ -111,7 +111,7 @@ class Batch {
         scans_.size(), args_.jobs, [&](std::size_t i) { return made(scans_[i]); },
         [&](std::size_t i, Outcome& outcome) { take(scans_[i], outcome); });
     progress_.clear();
-    if (!made_.empty()) library_.write(args_.library);
+    save();
     if (report_) report_->finish();
     print_end();
     if (failed_.empty()) return;
@@ -130,6 +130,10 @@ class Batch {
   void tell(const std::string& what) {
     const std::lock_guard lock(mutex_);
     progress_.update(std::min(steps_++, kStages * scans_.size()), what);
+  }
+
+  bool is_of(const Block& block, const std::string& sha256) const {
+    return block.source.options.ends_with(request_) && block.source.sha256 == sha256;
   }
 
   /// True where the block in the library was made of the same bytes by the same options.
@@ -170,7 +174,7 @@ class Batch {
     steps_ = std::max(steps_, kStages * ++taken_);
     for (std::size_t i = 0; i < outcome.blocks.size(); ++i) {
       try {
-        add(outcome.blocks[i]);
+        add(scan, outcome.blocks[i]);
         const auto photos = outcome.photos.find(outcome.blocks[i].id);
         if (photos != outcome.photos.end()) made_.back()["photos"] = photos->second;
         if (report_) write_page(scan, outcome.blocks[i], outcome.pages[i]);
@@ -195,17 +199,48 @@ class Batch {
     if (!args_.options.split || outcome.blocks.empty() || !outcome.failures.empty()) return;
     const std::string next = scan.id + "_" + std::to_string(outcome.blocks.size() + 1);
     if (!library_.has(next)) return;
-    std::cerr << "clast: " << args_.library << " still holds block " << next
+    std::cerr << "clast: " << printable(args_.library) << " still holds block " << printable(next)
               << " of an earlier split; if it is no more, use clast library remove\n";
+  }
+
+  /// Adds what was made since the last time to the library as it is now, which other processes may
+  /// have written to meanwhile.
+  void save() {
+    if (unsaved_.empty()) return;
+    std::vector<std::pair<Unsaved, std::string>> refused;
+    const auto waiting = [&] {
+      progress_.clear();
+      std::cerr << "clast: " << args_.library << ": another program is writing to it; waiting\n";
+    };
+    library_ = update_library(
+        args_.library, {.make = true, .waiting = waiting}, [&](BlockLibrary& library) {
+          for (const Unsaved& one : unsaved_) {
+            const Block& block = library_.block(one.id);
+            const bool done = args_.resume && library.has(one.id) &&
+                              is_of(library.block(one.id), block.source.sha256);
+            if (done) continue;
+            try {
+              library.add(block, args_.replace);
+            } catch (const InputError& error) {  // another process was first
+              refused.emplace_back(one, error.what());
+            }
+          }
+        });
+    unsaved_.clear();
+    for (const auto& [one, reason] : refused) {
+      std::erase_if(made_.get_ref<nlohmann::ordered_json::array_t&>(),
+                    [&](const nlohmann::ordered_json& json) { return json["id"] == one.id; });
+      lose(*one.scan, reason);
+    }
   }
 
   /// What can't be written now is tried again at the end.
   void save_now_and_then() {
-    if (made_.empty() || std::chrono::steady_clock::now() - written_ < kBetweenWrites) return;
+    if (unsaved_.empty() || std::chrono::steady_clock::now() - written_ < kBetweenWrites) return;
     try {
-      library_.write(args_.library);
+      save();
     } catch (const Error& error) {
-      std::cerr << "clast: " << error.what() << "; this is tried again at the end\n";
+      std::cerr << "clast: " << printable(error.what()) << "; this is tried again at the end\n";
     }
     written_ = std::chrono::steady_clock::now();
   }
@@ -220,7 +255,7 @@ class Batch {
     if (scans_.size() > 1) print_failure();
   }
 
-  void print_failure() const { std::cerr << "clast: " << last_failure_ << "\n"; }
+  void print_failure() const { std::cerr << "clast: " << printable(last_failure_) << "\n"; }
 
   void write_page(const ScanFile& scan, const Block& block, const std::string& page) {
     try {
@@ -246,13 +281,16 @@ class Batch {
     return blocks;
   }
 
-  void add(const Block& block) {
+  void add(const ScanFile& scan, const Block& block) {
     nlohmann::ordered_json json = block_json(block);  // may refuse the block: before it is taken
     library_.add(block, args_.replace);
+    unsaved_.push_back({&scan, block.id});
     made_.push_back(std::move(json));
     if (args_.json) return;
-    std::cout << block_line(block) << "\n";
-    for (const std::string& warning : block.warnings) std::cout << "  note: " << warning << "\n";
+    std::cout << printable(block_line(block)) << "\n";
+    for (const std::string& warning : block.warnings) {
+      std::cout << "  note: " << printable(warning) << "\n";
+    }
     std::cout.flush();
   }
 
@@ -264,19 +302,26 @@ class Batch {
       return;
     }
     if (skipped_ > 0) {
-      std::cout << args_.library << ": " << counted(skipped_, "scan")
+      std::cout << printable(args_.library) << ": " << counted(skipped_, "scan")
                 << " skipped, in the library already with the same file and options\n";
     }
     if (made_.empty()) return;
-    std::cout << args_.library << ": " << counted(made_.size(), "block") << " written, "
+    std::cout << printable(args_.library) << ": " << counted(made_.size(), "block") << " written, "
               << library_.blocks().size() << " in all\n";
   }
+
+  /// A block that is in `library_` and not yet in the file.
+  struct Unsaved {
+    const ScanFile* scan;
+    std::string id;
+  };
 
   const ScanBatch& args_;
   std::vector<ScanFile> scans_;
   std::string request_;
   Progress progress_;
-  BlockLibrary library_;
+  BlockLibrary library_;  ///< as last read or written, and what was made since
+  std::vector<Unsaved> unsaved_;
   std::optional<ScanReport> report_;
   std::mutex mutex_;  ///< of all below, the library and the progress
   std::size_t steps_ = 0, taken_ = 0, skipped_ = 0;

@@ -5,6 +5,7 @@
 
 #include "app/block_report.hpp"
 #include "app/text_table.hpp"
+#include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/text_file.hpp"
@@ -25,6 +26,9 @@ namespace fs = std::filesystem;
 /// Corners that no camera of a page could tell from rounder ones.
 constexpr int kSkinSegments = 2;
 
+/// How every summary of every version begins.
+constexpr const char* kSummary = "block,outcome,scan,";
+
 std::string scale_in_words(const ScanToBlockOptions& options) {
   std::string text = "one unit of the file is " + with_digits(options.scan.unit, 6) + " m";
   text += options.scale_points ? " (from a measured length" : " (--units " + options.unit_name;
@@ -34,16 +38,37 @@ std::string scale_in_words(const ScanToBlockOptions& options) {
   return text + ")";
 }
 
-/// "0.52" or, where a part was not seen, "0.52 (0.48 to 0.56)".
-std::string with_bounds(double value, double low, double high) {
-  std::string text = rounded(value);
-  if (low < high) text += " (" + rounded(low) + " to " + rounded(high) + ")";
-  return text;
+/// "0.52" or, where a part was not seen, "0.52 (0.48 to 0.56)" or "0.52 (at least 0.48)".
+std::string with_bounds(double value, double low, const std::optional<double>& high) {
+  if (!high) return rounded(value) + " (at least " + rounded(low) + ")";
+  if (low < *high) return rounded(value) + " (" + rounded(low) + " to " + rounded(*high) + ")";
+  return rounded(value);
+}
+
+/// Bounds of the axes and every class they allow.
+std::string range_facts(const Block& block, const std::string& unit) {
+  const UnseenRange range = unseen_range(block);
+  const std::string not_known = "not known: too much of the block is not seen";
+  if (!range.axes) return fact("bounds of L, I, S; possible shapes", not_known);
+  const auto& [low, high] = *range.axes;
+  const auto between = [](double from, double to) {
+    return rounded(from, 3) + " to " + rounded(to, 3);
+  };
+  std::string shapes;
+  for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
+    for (const std::string& name : range.classes.at(scheme)) {
+      shapes += (shapes.empty() ? "" : ", ") + name;
+    }
+  }
+  return fact("bounds of L; I; S, " + unit, between(low.L, high.L) + "; " + between(low.I, high.I) +
+                                                "; " + between(low.S, high.S)) +
+         fact("possible shapes", shapes);
 }
 
 std::string facts(const Block& block, const std::string& scale) {
   const Axes axes = block.axes();
-  double low_volume = 0.0, high_volume = 0.0, low_mass = 0.0, high_mass = 0.0;
+  double low_volume = 0.0, low_mass = 0.0;
+  std::optional<double> high_volume = 0.0, high_mass = 0.0;
   if (block.unseen) {
     const UnseenRange range = unseen_range(block);
     low_volume = block.unseen->lower_volume, high_volume = block.unseen->upper_volume;
@@ -61,6 +86,7 @@ std::string facts(const Block& block, const std::string& scale) {
   html += fact("density, kg/m3", rounded(block.density));
   html +=
       fact("shape", sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes));
+  if (block.unseen) html += range_facts(block, unit);
   html += fact("vertices of the block", std::to_string(block.body.vertices.size()));
   html += fact("radius of its rounding, " + unit, rounded(block.body.radius, 3));
   html += fact("surface not seen but filled in",
@@ -122,9 +148,11 @@ std::string mass_check(const Block& block, const ScanToBlockOptions& options) {
                      " than the weighed " + rounded(*weighed) + " kg.";
   if (block.unseen) {
     const double low = block.density * block.unseen->lower_volume;
-    const double high = block.density * block.unseen->upper_volume;
-    const bool inside = low <= *weighed && *weighed <= high;
-    text += " The unseen side allows " + rounded(low) + " to " + rounded(high) +
+    const std::optional<double>& upper = block.unseen->upper_volume;
+    const bool inside = low <= *weighed && (!upper || *weighed <= block.density * *upper);
+    text += " The unseen side allows " +
+            (upper ? rounded(low) + " to " + rounded(block.density * *upper)
+                   : rounded(low) + " or more") +
             " kg, which the weighed mass is " + (inside ? "within." : "outside of.");
   }
   return section("Mass check", paragraph(text));
@@ -167,13 +195,21 @@ std::string block_page(const Block& block, const PagedScan& scan,
   return scan_page("Block " + block.id, body);
 }
 
-ScanReport::ScanReport(fs::path folder)
+ScanReport::ScanReport(fs::path folder, bool replace)
     : folder_(std::move(folder)),
       blocks_({"block", "picture", "scan", "L m", "I m", "S m", "volume m3", "volume from",
                "volume to", "filled in %", "mass kg", "s_c", "off scan, % of L", "notes"},
               3),
       failures_({"scan", "why there is no block"}, 2) {
-  const OutputFile trial(folder_ / "index.html");
+  const fs::path summary = folder_ / "summary.csv";
+  std::error_code code;
+  if (fs::is_regular_file(summary, code) && !read_text_file(summary).starts_with(kSummary)) {
+    throw InputError(summary.string() +
+                     ": is there already and no summary of such pages, so it is not replaced; name "
+                     "another folder");
+  }
+  check_output(summary, {.kind = "text", .replace = replace});
+  check_output(folder_ / "index.html", {.kind = "HTML", .replace = replace});
   csv_.header(
       "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
       "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"
@@ -204,13 +240,15 @@ void ScanReport::add_row(const Block& block, const std::string& outcome) {
   if (fs::exists(page_of(block))) {
     name = "<a href=\"" + link_to("blocks/" + block.id + ".html") + "\">" + name + "</a>";
   }
-  const auto bound = [&](double UnseenPart::*member) {
-    return unseen ? rounded((*unseen).*member) + (metric ? "" : " u3") : std::string();
-  };
+  const auto cubed = [&](double volume) { return rounded(volume) + (metric ? "" : " u3"); };
+  std::string from, to;
+  if (unseen) {
+    from = cubed(unseen->lower_volume);
+    to = unseen->upper_volume ? cubed(*unseen->upper_volume) : "not known";
+  }
   blocks_.html_row({name, thumbnail(block.surface, block.id), escaped(block.source.file),
                     rounded(axes.L, 3) + u, rounded(axes.I, 3) + u, rounded(axes.S, 3) + u,
-                    rounded(block.mass.volume) + (metric ? "" : " u3"),
-                    bound(&UnseenPart::lower_volume), bound(&UnseenPart::upper_volume),
+                    rounded(block.mass.volume) + (metric ? "" : " u3"), from, to,
                     unseen ? fixed(100.0 * unseen->invented_share, 1) : "", mass_text(block),
                     rounded(elongation_s_c(axes), 3),
                     fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
@@ -223,7 +261,7 @@ void ScanReport::add_row(const Block& block, const std::string& outcome) {
   for (const double size : {axes.L, axes.I, axes.S, block.mass.volume}) metric_cell(size);
   if (unseen) {
     metric_cell(unseen->lower_volume);
-    metric_cell(unseen->upper_volume);
+    metric_cell(unseen->upper_volume.value_or(std::nan("")));
     csv_.cell(unseen->invented_share);
   } else {
     csv_.empty_cells(3);

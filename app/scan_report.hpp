@@ -28,8 +28,10 @@ std::string block_page(const Block& block, const PagedScan& scan,
 /// FOLDER/index.html, FOLDER/summary.csv and FOLDER/blocks/ID.html.
 class ScanReport {
  public:
-  /// @throws InputError  the folder can't be made or written to
-  explicit ScanReport(std::filesystem::path folder);
+  /// @param replace  the summary of an earlier batch that is there
+  /// @throws InputError  the folder can't be made or written to, or holds such a summary and
+  ///                     `replace` is false, or a summary.csv or index.html of another kind
+  ScanReport(std::filesystem::path folder, bool replace);
 
   /// Writes the page of a block and adds it to the summary.
   /// @throws InputError  the page can't be written

@@ -57,16 +57,43 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
 
 /// What the side that nobody saw leaves open.
 void add_unseen(Block& block, const Underside& side) {
-  const auto axes_of = [](const TriangleMesh& mesh) {
-    const Vec3 lengths = smallest_box(mesh.vertices).lengths;
-    return Axes{lengths[0], lengths[1], lengths[2]};
+  const auto axes = [](const Vec3& sides) { return Axes{sides[0], sides[1], sides[2]}; };
+  UnseenPart unseen;
+  unseen.lower_volume = side.lower_volume;
+  unseen.best_volume = side.best_volume;
+  unseen.upper_volume = side.upper_volume;
+  unseen.invented_share = side.invented_share;
+  unseen.assumption = side.assumption;
+  if (side.sides) unseen.axes = AxesRange{axes(side.sides->lower), axes(side.sides->upper)};
+  block.unseen = unseen;
+  block.warnings.insert(block.warnings.begin(), described_unseen(block));
+}
+
+/// Fillings of gaps that leave less than this share of the volume open are not worth a range.
+constexpr double kWorthARange = 0.02;
+/// A cone on a whole side is three times as high as a slab of the same volume.
+constexpr double kPointed = 3.0;
+
+/// What the fillings of gaps leave open, where that is much: of a coarse scan a missing triangle
+/// is.
+void add_filled(Block& block, const Scan& scan) {
+  const RepairReport& report = scan.report;
+  const double volume = solid_mass_properties(scan.mesh, 1.0).volume;
+  const double width = report.volume_below + report.volume_above;
+  if (report.invented_share == 0.0 || width < kWorthARange * volume) return;
+  const Vec3 sides = smallest_box(scan.mesh.vertices).lengths;
+  const auto scaled_axes = [&](double factor) {
+    return Axes{factor * sides[0], factor * sides[1], factor * sides[2]};
   };
-  block.unseen = {.lower_volume = side.lower_volume,
-                  .best_volume = side.best_volume,
-                  .upper_volume = side.upper_volume,
-                  .invented_share = side.invented_share,
-                  .lower_axes = axes_of(side.lower),
-                  .upper_axes = axes_of(side.upper)};
+  UnseenPart unseen;
+  unseen.lower_volume = volume - report.volume_below;
+  unseen.best_volume = volume;
+  unseen.upper_volume = volume + report.volume_above;
+  unseen.invented_share = report.invented_share;
+  unseen.axes = AxesRange{scaled_axes(1.0 - kPointed * report.volume_below / volume),
+                          scaled_axes(1.0 + kPointed * report.volume_above / volume)};
+  unseen.assumption = "behind a filled gap the surface goes on as it does around it";
+  block.unseen = unseen;
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
 
@@ -101,7 +128,12 @@ Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
   const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
   if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
-  if (found.underside && !options.block.convex) add_unseen(block, *found.underside);
+  if (options.block.convex) return block;
+  if (found.underside) {
+    add_unseen(block, *found.underside);
+  } else {
+    add_filled(block, scan);
+  }
   return block;
 }
 

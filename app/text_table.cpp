@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/printable.hpp"
+
 namespace clast {
 
 namespace {
@@ -42,12 +44,16 @@ std::string counted(std::size_t count, const std::string& noun) {
 }
 
 std::string TextTable::text() const {
+  std::vector<std::vector<std::string>> shown = rows;
+  for (std::vector<std::string>& row : shown) {
+    for (std::string& cell : row) cell = printable(cell);
+  }
   std::vector<std::size_t> widths;
   std::vector<bool> right;
   for (std::size_t column = 0; column < headings.size(); ++column) {
     widths.push_back(width(headings[column]));
     bool numbers = column > 0;
-    for (const auto& row : rows) {
+    for (const auto& row : shown) {
       widths[column] = std::max(widths[column], width(row[column]));
       numbers = numbers && (row[column].empty() || is_number(row[column]));
     }
@@ -64,7 +70,7 @@ std::string TextTable::text() const {
     result += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   };
   add_line(headings);
-  for (const auto& row : rows) add_line(row);
+  for (const auto& row : shown) add_line(row);
   return result;
 }
 

@@ -13,7 +13,7 @@ std::string with_decimals(double value, int decimals);
 std::string counted(std::size_t count, const std::string& noun);
 
 /// Columns under headings, as wide as their longest entry. The first column is text, on the left;
-/// others are on the right when they hold numbers.
+/// others are on the right when they hold numbers. What cells hold is made `printable`.
 struct TextTable {
   std::vector<std::string> headings;
   std::vector<std::vector<std::string>> rows;

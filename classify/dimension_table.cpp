@@ -7,11 +7,10 @@
 #include <span>
 #include <string_view>
 
-#include "classify/delimited_text.hpp"
+#include "core/delimited_text.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
-#include "core/utf8.hpp"
 
 namespace clast {
 namespace {
@@ -22,15 +21,6 @@ std::string lower_case(std::string_view text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return result;
-}
-
-std::optional<double> number_of(std::string_view field, char separator) {
-  constexpr std::size_t kMostDigits = 64;  // no number anyone writes is longer
-  if (separator == ',' || field.find(',') == std::string_view::npos) return number_in(field);
-  if (field.size() > kMostDigits) return std::nullopt;
-  std::array<char, kMostDigits> text;
-  std::replace_copy(field.begin(), field.end(), text.begin(), ',', '.');
-  return number_in({text.data(), field.size()});
 }
 
 struct Unit {
@@ -86,6 +76,7 @@ constexpr std::array<const char*, 3> kAxisNames = {"L", "I", "S"};
 
 /// Where the table holds what.
 struct Layout {
+  std::string file;
   char separator = ',';
   bool has_header = false;
   std::array<std::size_t, 3> axes{};  ///< columns of L, I, S
@@ -104,7 +95,7 @@ class Header {
       names_.push_back(column_name(field));
     }
     is_one_ = std::none_of(first.fields.begin(), first.fields.end(), [&](std::string_view field) {
-      return number_of(field, separator).has_value();
+      return number_in_field(field, separator).has_value();
     });
   }
 
@@ -197,6 +188,7 @@ void check_columns_differ(const Layout& layout, const std::string& file) {
 Layout layout_of(const Header& header, char separator, const DimensionColumns& columns,
                  const std::string& file, std::vector<std::string>& notes) {
   Layout layout;
+  layout.file = file;
   layout.separator = separator;
   layout.has_header = header.is_one();
   const std::array<const std::string*, 3> wanted = {&columns.L, &columns.I, &columns.S};
@@ -240,14 +232,16 @@ struct CellRange {
   const char* unit = "";
 };
 
-Cell positive_cell(const Record& record, std::size_t column, char separator, const char* quantity,
-                   const CellRange& range) {
+Cell positive_cell(const Record& record, std::size_t column, const Layout& layout,
+                   const char* quantity, const CellRange& range) {
   const std::string name = quantity;
-  if (column >= record.fields.size() || record.fields[column].empty()) {
-    return {0.0, name + " is missing"};
-  }
   const std::string_view field = record.fields[column];
-  const auto value = number_of(field, separator);
+  if (field.empty()) return {0.0, name + " is missing"};
+  if (is_doubtful_number(field, layout.separator)) {
+    throw InputError(layout.file + ":" + std::to_string(record.line) + ": " + name + " \"" +
+                     std::string(field) + "\": " + kDecimalCommaAdvice);
+  }
+  const auto value = number_in_field(field, layout.separator);
   if (!value) return {0.0, name + " \"" + std::string(field) + "\" is not a number"};
   if (!(*value > 0.0) || !std::isfinite(*value)) {
     return {0.0, name + " = " + std::string(field) + " is not a positive, finite number"};
@@ -265,7 +259,7 @@ void read_row(const Record& record, const Layout& layout, DimensionTable& table)
   const auto row = [&] { return "row " + std::to_string(record.line); };
   std::array<double, 3> values{};
   for (int axis = 0; axis < 3; ++axis) {
-    const Cell cell = positive_cell(record, layout.axes[axis], layout.separator, kAxisNames[axis],
+    const Cell cell = positive_cell(record, layout.axes[axis], layout, kAxisNames[axis],
                                     {layout.unit, kShortest, kLongest, "m"});
     if (!cell.trouble.empty()) {
       ++table.skipped;
@@ -284,7 +278,7 @@ void read_row(const Record& record, const Layout& layout, DimensionTable& table)
   const Axes& sorted = block.as_written;
   block.axes = {sorted.L * layout.unit, sorted.I * layout.unit, sorted.S * layout.unit};
   if (layout.mass) {
-    const Cell mass = positive_cell(record, *layout.mass, layout.separator, "mass",
+    const Cell mass = positive_cell(record, *layout.mass, layout, "mass",
                                     {layout.mass_unit, kLightest, kHeaviest, "kg"});
     if (mass.trouble.empty()) {
       block.mass = mass.value * layout.mass_unit;
@@ -293,8 +287,7 @@ void read_row(const Record& record, const Layout& layout, DimensionTable& table)
       table.notes.push_back(row() + ": " + mass.trouble + "; the block counts by number only");
     }
   }
-  const bool named =
-      layout.name && *layout.name < record.fields.size() && !record.fields[*layout.name].empty();
+  const bool named = layout.name && !record.fields[*layout.name].empty();
   block.name = named ? std::string(record.fields[*layout.name]) : row();
   table.blocks.push_back(std::move(block));
 }
@@ -338,17 +331,14 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
                      " m: must be positive, for example 0.01 for a table in centimetres");
   }
   const std::string file = path.string();
-  std::string content = read_text_file(path);
-  check_is_text(content, file);  // before bytes that are no text are taken for letters
-  const bool latin = !is_utf8(content);
-  if (latin) content = utf8_from_latin1(content);
-  DelimitedText text(content, file);
+  const TableText content = table_text(read_text_file(path), file);
+  DelimitedText text(content.text, file);
   Record record;
   if (!text.next(record)) throw InputError(file + ": the table is empty");
   const Header header(record, text.separator(), file);
 
   DimensionTable table;
-  if (latin) {
+  if (content.from_latin1) {
     table.notes.push_back(
         "the file is not UTF-8 and was read as Windows-1252 (Latin-1); where letters with accents "
         "look wrong, save it as CSV (UTF-8)");

@@ -35,13 +35,15 @@ struct DimensionColumns {
 /// the columns must be numbers). Column names are matched without case and with a unit ending
 /// ("L_m", "l (cm)", "mass [t]") cut off; without another unit asked for it is the unit of the
 /// column. Fields may be quoted, also over several lines [rfc4180]; decimal commas are read where
-/// the comma is not the separator. Rows with zero, negative, missing or unreadable axes, or with
-/// axes outside 1e-9 to 1e9 m, are skipped and noted; a mass that can't be read is noted and left
-/// out. Text that is not UTF-8 is taken for Windows-1252; that, and a unit that makes most blocks
-/// longer than 50 m, is noted too. Names and notes are UTF-8.
+/// the comma is not the separator. A row with more or fewer fields than the first is refused, and
+/// so is a number with a comma in a table that separates by commas; rows with zero, negative,
+/// missing or unreadable axes, or with axes outside 1e-9 to 1e9 m, are skipped and noted; a mass
+/// that can't be read is noted and left out. Text that is not UTF-8 is taken for Windows-1252;
+/// that, and a unit that makes most blocks longer than 50 m, is noted too. Names and notes are
+/// UTF-8.
 /// @throws InputError  no file, not text, no such column (the message lists those found), several
 ///                     columns of that name, one column for two quantities, columns with different
-///                     units, or no usable row
+///                     units, a row of another number of fields (its line), or no usable row
 /// @cite rfc4180
 DimensionTable read_dimension_table(const std::filesystem::path& path,
                                     const DimensionColumns& columns = {});

@@ -39,17 +39,18 @@ SchemeLimit turned(const SchemeLimit& line) { return {-line.one, -line.i, -line.
 /// L, I and S run through their ranges independently. One L fits given ratios x = I/L and y = S/L
 /// if the ranges of L, I/x and S/y have a length in common, and they do if any two of them have:
 /// six inequalities that are linear in x and y, beside y <= x <= 1.
-Polygon reachable_ratios(const Axes& axes, double error) {
+Polygon reachable_ratios(const Axes& lower, const Axes& upper) {
   // As shares of L, so that rounding is the same for any size.
-  const auto low = [&](double axis) { return std::max(axis - error, kThinnest * axis) / axes.L; };
-  const auto high = [&](double axis) { return (axis + error) / axes.L; };
+  const double size = 0.5 * (lower.L + upper.L);
+  const auto low = [&](double Axes::*axis) { return lower.*axis / size; };
+  const auto high = [&](double Axes::*axis) { return upper.*axis / size; };
   Polygon polygon = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
-  for (const SchemeLimit& line : {SchemeLimit{.one = -low(axes.I), .i = high(axes.L)},
-                                  SchemeLimit{.one = high(axes.I), .i = -low(axes.L)},
-                                  SchemeLimit{.one = -low(axes.S), .s = high(axes.L)},
-                                  SchemeLimit{.one = high(axes.S), .s = -low(axes.L)},
-                                  SchemeLimit{.i = -low(axes.S), .s = high(axes.I)},
-                                  SchemeLimit{.i = high(axes.S), .s = -low(axes.I)}}) {
+  for (const SchemeLimit& line : {SchemeLimit{.one = -low(&Axes::I), .i = high(&Axes::L)},
+                                  SchemeLimit{.one = high(&Axes::I), .i = -low(&Axes::L)},
+                                  SchemeLimit{.one = -low(&Axes::S), .s = high(&Axes::L)},
+                                  SchemeLimit{.one = high(&Axes::S), .s = -low(&Axes::L)},
+                                  SchemeLimit{.i = -low(&Axes::S), .s = high(&Axes::I)},
+                                  SchemeLimit{.i = high(&Axes::S), .s = -low(&Axes::I)}}) {
     polygon = part_above(polygon, line);
   }
   return polygon;
@@ -106,10 +107,19 @@ std::vector<Ratios> places_of_all_pieces(const Polygon& polygon,
 
 std::vector<std::string> possible_classes(const std::string& scheme, const Axes& axes,
                                           double axis_error, const SchemeOptions& options) {
+  const auto thinner = [&](double axis) { return std::max(axis - axis_error, kThinnest * axis); };
+  return possible_classes(scheme, Axes{thinner(axes.L), thinner(axes.I), thinner(axes.S)},
+                          Axes{axes.L + axis_error, axes.I + axis_error, axes.S + axis_error},
+                          options);
+}
+
+std::vector<std::string> possible_classes(const std::string& scheme, const Axes& lower,
+                                          const Axes& upper, const SchemeOptions& options) {
   std::vector<Ratios> places =
-      places_of_all_pieces(reachable_ratios(axes, axis_error), scheme_limits(scheme, options));
-  // A hair of an error may leave nothing of the polygon once it is rounded.
-  places.emplace_back(axes.I / axes.L, axes.S / axes.L);
+      places_of_all_pieces(reachable_ratios(lower, upper), scheme_limits(scheme, options));
+  // A hair of a range may leave nothing of the polygon once it is rounded.
+  const double size = lower.L + upper.L;
+  places.emplace_back((lower.I + upper.I) / size, (lower.S + upper.S) / size);
   std::vector<std::string> found;
   for (const Ratios& place : places) {
     const double x = std::min(place.x(), 1.0), y = std::min(place.y(), x);

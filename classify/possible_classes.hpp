@@ -1,5 +1,5 @@
 #pragma once
-/// Which shape classes a block can have whose axes are known to within an error.
+/// Which shape classes a block can have whose axes are known to within an error or a range.
 #include <string>
 #include <vector>
 
@@ -13,5 +13,10 @@ namespace clast {
 /// @throws InputError  unknown scheme
 std::vector<std::string> possible_classes(const std::string& scheme, const Axes& axes,
                                           double axis_error, const SchemeOptions& options = {});
+
+/// The same of axes L >= I >= S each of which lies between those of `lower` and `upper`.
+/// @param lower  positive, none above that of `upper`
+std::vector<std::string> possible_classes(const std::string& scheme, const Axes& lower,
+                                          const Axes& upper, const SchemeOptions& options = {});
 
 }  // namespace clast

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/number_range.hpp"
 #include "core/number_text.hpp"
 
 namespace clast {
@@ -167,9 +168,10 @@ const Scheme& scheme_named(const std::string& name) {
 }  // namespace
 
 void SchemeOptions::check() const {
-  if (!(erdogan_limit > 1.0) || !std::isfinite(erdogan_limit)) {
+  constexpr NumberRange kLimit{1.0001, 1e3};
+  if (!kLimit.holds(erdogan_limit)) {
     throw InputError("erdogan_limit is " + with_digits(erdogan_limit, 6) +
-                     "; it is a limit of L/I and I/S and must be above 1");
+                     "; it is a limit of L/I and I/S and must be " + kLimit.words());
   }
 }
 

@@ -5,7 +5,29 @@
 #include <cmath>
 #include <utility>
 
+#include "core/number_text.hpp"
+
 namespace clast {
+namespace {
+
+/// What `text` begins with after its apostrophes starts a formula.
+bool begins_a_formula(std::string_view text) {
+  const std::size_t first = text.find_first_not_of('\'');
+  return first != std::string_view::npos &&
+         std::string_view("=+-@\t\r\n").find(text[first]) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string spreadsheet_cell(std::string_view text) {
+  const bool guarded = begins_a_formula(text) && !number_in(text);
+  return (guarded ? "'" : "") + std::string(text);
+}
+
+std::string_view from_spreadsheet_cell(std::string_view cell) {
+  if (cell.starts_with('\'') && begins_a_formula(cell)) cell.remove_prefix(1);
+  return cell;
+}
 
 void CsvText::begin_cell() {
   if (!first_) text_ += ',';
@@ -14,12 +36,13 @@ void CsvText::begin_cell() {
 
 void CsvText::cell(std::string_view text) {
   begin_cell();
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+  const std::string written = spreadsheet_cell(text);
+  if (written.size() == text.size() && text.find_first_of(",\"\r\n") == std::string_view::npos) {
     text_ += text;
     return;
   }
   text_ += '"';
-  for (const char c : text) text_.append(c == '"' ? 2 : 1, c);
+  for (const char c : written) text_.append(c == '"' ? 2 : 1, c);
   text_ += '"';
 }
 

@@ -6,8 +6,17 @@
 
 namespace clast {
 
+/// A text as it is written into a cell: where a spreadsheet would run it as a formula, since it
+/// begins with one of = + - @, a tab or a line end and is no number, an apostrophe stands before
+/// it, which a spreadsheet shows as text. Texts that look so already get one more, so that
+/// `from_spreadsheet_cell` gives back each of them.
+std::string spreadsheet_cell(std::string_view text);
+/// The text of a cell that `spreadsheet_cell` may have written: without that apostrophe.
+std::string_view from_spreadsheet_cell(std::string_view cell);
+
 /// CSV after RFC 4180, with "\n" line ends. Numbers are the shortest text that reads back to the
-/// same bits (-0 is written as 0); what is not known is an empty cell.
+/// same bits (-0 is written as 0); what is not known is an empty cell. Texts that a spreadsheet
+/// would run are written by `spreadsheet_cell`, in quotes.
 /// @cite rfc4180
 class CsvText {
  public:

@@ -6,10 +6,13 @@
 #include <cerrno>
 #include <cstring>
 #include <new>
+#include <optional>
 #include <utility>
 
+#include "core/detail/hdf5_checksum.hpp"
 #include "core/detail/hdf5_types.hpp"
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 #include "core/version.hpp"
 
 namespace clast {
@@ -24,10 +27,8 @@ namespace {
 /// first use of HDF5, hence here.
 [[maybe_unused]] const herr_t kNoCleanUpAtExit = H5dont_atexit();
 
-constexpr std::size_t kSmallest = 4096;      ///< bytes; smaller arrays are stored plain
-constexpr std::size_t kChunk = 32768;        ///< bytes of a chunk of an array written at once
-constexpr std::size_t kAppendChunk = 16384;  ///< bytes; less, since every flush writes the last one
-constexpr std::size_t kAppendWidth = 1024;   ///< bytes of a text that is appended
+constexpr std::size_t kSmallest = 4096;  ///< bytes; smaller arrays are stored plain
+constexpr std::size_t kChunk = 32768;    ///< bytes of a chunk
 constexpr unsigned kGzipLevel = 4;
 /// Deflate shrinks at most 1032 times: an array that claims more than this of its bytes on disk is
 /// damaged, and is refused before memory is asked for.
@@ -52,6 +53,7 @@ void chunk_and_compress(const Id& properties, const std::vector<hsize_t>& chunk)
   H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
   H5Pset_shuffle(properties);
   H5Pset_deflate(properties, kGzipLevel);
+  H5Pset_fletcher32(properties);
 }
 
 }  // namespace
@@ -60,7 +62,8 @@ void chunk_and_compress(const Id& properties, const std::vector<hsize_t>& chunk)
 struct Hdf5Group::Handle {
   Id id;
   std::string file;
-  std::string path;  ///< inside the file: "" for the root, "/blocks/B017"
+  std::string path;     ///< inside the file: "" for the root, "/blocks/B017"
+  bool checked = true;  ///< the file has checksums; those of the first versions have none
 
   hid_t get() const {
     silence();
@@ -78,8 +81,34 @@ struct Hdf5Group::Handle {
     fail(name, "can't be written; is the disk full?" + reason());
   }
 
+  /// What can't be read is not missing: an optional part must not be lost that way.
   bool has(const std::string& name) const {
-    return H5Lexists(get(), name.c_str(), H5P_DEFAULT) > 0;
+    const htri_t there = H5Lexists(get(), name.c_str(), H5P_DEFAULT);
+    if (there < 0) fail_damaged(name);
+    return there > 0;
+  }
+  bool has_attribute(const std::string& name) const {
+    const htri_t there = H5Aexists(get(), name.c_str());
+    if (there < 0) fail_damaged("@" + name);
+    return there > 0;
+  }
+  Handle child(Id opened, const std::string& name) const {
+    return {std::move(opened), file, path + "/" + name, checked};
+  }
+
+  /// That attributes and values, whose sum is `values`, are those that were written.
+  void verify(hid_t object, const std::string& name, std::uint64_t values) const {
+    if (!checked) return;
+    const std::optional<std::uint64_t> attributes = attributes_sum(object);
+    if (!attributes) fail(name, "has attributes that can't be read; the file is damaged");
+    if (stored_sum(object) == (*attributes ^ values)) return;
+    fail(name,
+         "does not agree with its checksum; the file is damaged: take it from a backup, or make it "
+         "again");
+  }
+  /// Adds to the checksum of an object that was written to.
+  void note_change(hid_t object, const std::string& name, std::uint64_t change) const {
+    if (checked && !fold_into_sum(object, change)) fail_write(name);
   }
 
   Id dataset(const std::string& name) const {
@@ -129,8 +158,8 @@ Hdf5Group Hdf5Group::group(const std::string& name) const {
   if (!has(name)) handle_->fail(name, "is missing; the file is damaged or not of this kind");
   Id id(H5Gopen2(handle_->get(), name.c_str(), H5P_DEFAULT), H5Gclose);
   if (!id.valid()) handle_->fail(name, "is not a readable group; the file is damaged" + reason());
-  return Hdf5Group(
-      std::make_shared<Handle>(Handle{std::move(id), handle_->file, handle_->path + "/" + name}));
+  handle_->verify(id, name, 0);
+  return Hdf5Group(std::make_shared<Handle>(handle_->child(std::move(id), name)));
 }
 
 Hdf5Group Hdf5Group::create_group(const std::string& name) {
@@ -140,22 +169,13 @@ Hdf5Group Hdf5Group::create_group(const std::string& name) {
   H5Pset_obj_track_times(properties, false);
   Id id(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose);
   if (!id.valid()) handle_->fail_write(name);
-  return Hdf5Group(
-      std::make_shared<Handle>(Handle{std::move(id), handle_->file, handle_->path + "/" + name}));
+  handle_->note_change(id, name, 0);
+  return Hdf5Group(std::make_shared<Handle>(handle_->child(std::move(id), name)));
 }
 
 void Hdf5Group::remove(const std::string& name) {
   if (!has(name)) handle_->fail(name, "is missing; there is nothing to remove");
   if (H5Ldelete(handle_->get(), name.c_str(), H5P_DEFAULT) < 0) handle_->fail_write(name);
-}
-
-void Hdf5Group::copy_from(const Hdf5Group& source, const std::string& name) {
-  if (!source.has(name)) source.handle_->fail(name, "is missing; it can't be copied");
-  if (has(name)) handle_->fail(name, "is there already");
-  if (H5Ocopy(source.handle_->get(), name.c_str(), handle_->get(), name.c_str(), H5P_DEFAULT,
-              H5P_DEFAULT) < 0) {
-    handle_->fail(name, "can't be copied from " + source.handle_->file + reason());
-  }
 }
 
 template <class T>
@@ -183,6 +203,8 @@ void Hdf5Group::write(const std::string& name, std::span<const T> values,
       H5Dcreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, properties, H5P_DEFAULT),
       H5Dclose);
   if (!dataset.valid()) handle_->fail_write(name);
+  const std::size_t bytes = values.size() * stored.element;
+  handle_->note_change(dataset, name, values_sum(stored.data(), bytes, values.size()));
   if (values.empty()) return;
   if (H5Dwrite(dataset, stored.in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, stored.data()) < 0) {
     handle_->fail_write(name);
@@ -196,17 +218,22 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
   const hsize_t most = (H5Dget_storage_size(dataset) * kLargestRatio + kSmallest) / element;
   hsize_t count = 1;
   for (const hsize_t size : handle_->extent(dataset, name)) {
-    if (size == 0) return {};
-    if (size > most / count) handle_->fail(name, "has an impossible size; the file is damaged");
+    if (count > 0 && size > most / count)
+      handle_->fail(name, "has an impossible size; the file is damaged");
     count *= size;
   }
-  const auto read_into = [&](const Id& type, void* out) {
+  const auto verified = [&](const auto& bytes) {
+    handle_->verify(dataset, name, values_sum(bytes.data(), bytes.size() * sizeof bytes[0], count));
+  };
+  const auto read_into = [&](hid_t type, void* out) {
+    if (count == 0) return;
     if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out) < 0) handle_->fail_damaged(name);
   };
   try {
     if constexpr (std::is_same_v<T, std::string>) {
       std::string bytes(count * element, '\0');
       read_into(text_type(element), bytes.data());
+      verified(bytes);
       std::vector<T> values;
       values.reserve(count);
       for (hsize_t i = 0; i < count; ++i) values.push_back(unpadded(bytes, i * element, element));
@@ -214,6 +241,13 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
     } else {
       std::vector<T> values(count);
       read_into(number_type<T>(false), values.data());
+      if (element == sizeof(T)) {
+        verified(values);
+      } else {  // stored narrower than it is read
+        std::string bytes(count * element, '\0');
+        read_into(Id(H5Dget_type(dataset), H5Tclose), bytes.data());
+        verified(bytes);
+      }
       return values;
     }
   } catch (const std::bad_alloc&) {
@@ -227,47 +261,22 @@ std::vector<std::size_t> Hdf5Group::shape(const std::string& name) const {
 }
 
 template <class T>
-void Hdf5Group::append(const std::string& name, std::span<const T> values) {
-  const Stored<T> stored(values, kAppendWidth);
-  if (!has(name)) {
-    const hsize_t none = 0;
-    const hsize_t unlimited = H5S_UNLIMITED;
-    const Id space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
-    const Id properties = dataset_properties();
-    chunk_and_compress(properties, {kAppendChunk / stored.element});
-    const Id made(H5Dcreate2(handle_->get(), name.c_str(), stored.in_file, space, H5P_DEFAULT,
-                             properties, H5P_DEFAULT),
-                  H5Dclose);
-    if (!made.valid()) handle_->fail_write(name);
-  }
-  const Id dataset = handle_->dataset(name);
-  handle_->check_type<T>(dataset, name);
-  const std::vector<hsize_t> sizes = handle_->extent(dataset, name);
-  if (sizes.size() != 1) handle_->fail(name, "is not a list; nothing can be appended to it");
-  if (values.empty()) return;
-  const hsize_t begin = sizes[0];
-  const hsize_t count = values.size();
-  const hsize_t end = begin + count;
-  if (H5Dset_extent(dataset, &end) < 0) handle_->fail(name, "can't be extended" + reason());
-  const Id in_file(H5Dget_space(dataset), H5Sclose);
-  H5Sselect_hyperslab(in_file, H5S_SELECT_SET, &begin, nullptr, &count, nullptr);
-  const Id in_memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  if (H5Dwrite(dataset, stored.in_memory, in_memory, in_file, H5P_DEFAULT, stored.data()) < 0) {
-    handle_->fail_write(name);
-  }
-}
-
-template <class T>
 void Hdf5Group::set_attribute(const std::string& name, const T& value) {
   const hid_t parent = handle_->get();
-  if (has_attribute(name)) H5Adelete(parent, name.c_str());
   const Stored<T> stored(std::span<const T>(&value, 1));
+  std::uint64_t change = attribute_sum(name, stored.data(), stored.element);
+  if (has_attribute(name)) {
+    const std::optional<std::uint64_t> before = attribute_sum(parent, name);
+    if (!before || H5Adelete(parent, name.c_str()) < 0) handle_->fail_write("@" + name);
+    change ^= *before;
+  }
   const Id space(H5Screate(H5S_SCALAR), H5Sclose);
   const Id attribute(
       H5Acreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   if (!attribute.valid() || H5Awrite(attribute, stored.in_memory, stored.data()) < 0) {
     handle_->fail_write("@" + name);
   }
+  handle_->note_change(parent, "@" + name, change);
 }
 
 template <class T>
@@ -295,12 +304,11 @@ T Hdf5Group::attribute(const std::string& name) const {
 }
 
 bool Hdf5Group::has_attribute(const std::string& name) const {
-  return H5Aexists(handle_->get(), name.c_str()) > 0;
+  return handle_->has_attribute(name);
 }
 
 Hdf5Group Hdf5Group::dataset(const std::string& name) const {
-  return Hdf5Group(std::make_shared<Handle>(
-      Handle{handle_->dataset(name), handle_->file, handle_->path + "/" + name}));
+  return Hdf5Group(std::make_shared<Handle>(handle_->child(handle_->dataset(name), name)));
 }
 
 void Hdf5Group::set_unit(const std::string& name, const std::string& unit) {
@@ -340,6 +348,7 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   const std::string expected = "; expected a \"" + format + "\" file";
   if (!fs::exists(path, code)) throw InputError(path.string() + ": no such file" + expected);
   if (fs::is_directory(path, code)) throw InputError(path.string() + ": is a folder" + expected);
+  check_input_file(path);
   if (fs::file_size(path, code) == 0) throw InputError(path.string() + ": is empty" + expected);
   if (H5Fis_hdf5(path.c_str()) == 0) {
     throw InputError(path.string() + ": is not an HDF5 file" + expected);
@@ -354,10 +363,12 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   }
   Hdf5File file(
       std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), path.string(), ""}));
+  file.handle_->checked = file.handle_->has_attribute(kChecksum);
   const Hdf5Group root = file.root();
   if (!root.has_attribute("format")) {
     throw InputError(path.string() + ": is an HDF5 file that clast did not write" + expected);
   }
+  file.handle_->verify(file.handle_->get(), "", 0);
   const std::string found = root.attribute<std::string>("format");
   if (found != format) throw InputError(path.string() + ": is a \"" + found + "\" file" + expected);
   const std::int64_t schema = root.attribute<std::int64_t>("schema_version");
@@ -374,12 +385,26 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   return file;
 }
 
+std::string Hdf5File::format_of(const fs::path& path) {
+  silence();
+  Id id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_properties()), H5Fclose);
+  if (!id.valid()) return "";
+  const Hdf5File file(std::make_shared<Hdf5Group::Handle>(
+      Hdf5Group::Handle{std::move(id), path.string(), "", false}));
+  try {
+    const Hdf5Group root = file.root();
+    return root.has_attribute("format") ? root.attribute<std::string>("format") : "";
+  } catch (const InputError&) {  // damaged, or another program's "format" that is no text
+    return "";
+  }
+}
+
 Hdf5Group Hdf5File::root() const {
   Id id(H5Gopen2(handle_->get(), "/", H5P_DEFAULT), H5Gclose);
   if (!id.valid())
     throw InputError(handle_->file + ": has no root group; it is damaged" + reason());
-  return Hdf5Group(
-      std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), handle_->file, ""}));
+  return Hdf5Group(std::make_shared<Hdf5Group::Handle>(
+      Hdf5Group::Handle{std::move(id), handle_->file, "", handle_->checked}));
 }
 
 void Hdf5File::flush() {
@@ -394,8 +419,7 @@ void Hdf5File::flush() {
 #define CLAST_HDF5_ELEMENT(T)                                               \
   template void Hdf5Group::write<T>(const std::string&, std::span<const T>, \
                                     const std::vector<std::size_t>&);       \
-  template std::vector<T> Hdf5Group::read<T>(const std::string&) const;     \
-  template void Hdf5Group::append<T>(const std::string&, std::span<const T>);
+  template std::vector<T> Hdf5Group::read<T>(const std::string&) const;
 CLAST_HDF5_ELEMENT(double)
 CLAST_HDF5_ELEMENT(float)
 CLAST_HDF5_ELEMENT(std::int64_t)

@@ -3,8 +3,10 @@
 /// library, the terrain file and the results file are all written through this.
 ///
 /// Files are written in the format of HDF5 1.8, which a killed process leaves readable up to the
-/// last `flush` and whose structures carry checksums. Link-time order of children is by name. One
-/// thread at a time.
+/// last `flush` and whose structures carry checksums. Every group and dataset has a checksum of its
+/// attributes and values besides (docs/formats.md), and every reader verifies it; only files of
+/// versions that wrote none, which have none on their root, are read without. Link-time order of
+/// children is by name. One thread at a time.
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -18,7 +20,8 @@ namespace clast {
 ///
 /// Element types: double, float, std::int64_t, std::int32_t, std::uint32_t, std::uint16_t,
 /// std::uint8_t, std::string (UTF-8, stored at the width of the longest). Every reader throws
-/// InputError naming file and dataset when something is missing, of another type, or truncated.
+/// InputError naming file and dataset when something is missing, of another type, truncated, or
+/// does not agree with its checksum.
 class Hdf5Group {
  public:
   bool has(const std::string& name) const;
@@ -28,8 +31,6 @@ class Hdf5Group {
   Hdf5Group create_group(const std::string& name);
   /// Unlinks a child; the space is given back when the file is rewritten.
   void remove(const std::string& name);
-  /// Copies child `name` of `source` (any open file) to here under the same name.
-  void copy_from(const Hdf5Group& source, const std::string& name);
 
   /// Arrays over 4 kB are stored in compressed chunks. An empty shape stands for a list.
   template <class T>
@@ -40,11 +41,6 @@ class Hdf5Group {
   template <class T>
   std::vector<T> read(const std::string& name) const;
   std::vector<std::size_t> shape(const std::string& name) const;
-
-  /// Appends to a one-dimensional, extendible, compressed dataset, made when missing. Texts are
-  /// cut to 1,024 bytes.
-  template <class T>
-  void append(const std::string& name, std::span<const T> values);
 
   template <class T>
   void set_attribute(const std::string& name,
@@ -77,6 +73,10 @@ class Hdf5File {
   ///                     the message names the file and what was found and expected
   static Hdf5File open(const std::filesystem::path& path, const std::string& format,
                        int newest_schema_version, bool writable = false);
+
+  /// What a file says that it is, without a look at the rest of it: "clast terrain". Empty when it
+  /// is not HDF5, not clast's, or damaged.
+  static std::string format_of(const std::filesystem::path& path);
 
   Hdf5Group root() const;
   /// Hands everything written so far to the operating system. Call it before a file counts as

@@ -1,8 +1,21 @@
 #pragma once
-/// Output files that appear whole or not at all.
+/// Output files that appear whole or not at all, and never in the place of something else.
+#include <cstdint>
 #include <filesystem>
+#include <initializer_list>
+#include <string>
 
 namespace clast {
+
+/// What an output may take the place of.
+struct OutputRules {
+  /// As `kind_of_file` has it: a target of any other kind is refused. Empty: any kind will do, for
+  /// what is nobody's but ours. An empty file, as a shell or a queue makes beforehand, is of every
+  /// kind.
+  std::string kind = {};
+  /// Takes the place of a file of its own kind. False: nothing that is there is written over.
+  bool replace = true;
+};
 
 /// A file that is written beside its target and renamed over it by `commit`, with the permissions
 /// of the file it replaces. Without `commit` the temporary file is removed and the target stays as
@@ -10,10 +23,10 @@ namespace clast {
 class OutputFile {
  public:
   /// Makes missing parent folders.
-  /// @throws InputError  the target is empty, a folder, a device, write-protected or a broken link,
-  /// or
-  ///                     its folder can't be made or written to
-  explicit OutputFile(std::filesystem::path target);
+  /// @throws InputError  the target is empty, a folder, a device, write-protected, a link that
+  ///                     leads nowhere or in a circle, or something that the rules keep; or its
+  ///                     folder can't be made or written to
+  explicit OutputFile(std::filesystem::path target, const OutputRules& rules = {});
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -29,5 +42,19 @@ class OutputFile {
   std::filesystem::path temporary_;
   bool committed_ = false;
 };
+
+/// That the target could be written, before the work that it is for. Missing parent folders are
+/// made.
+/// @throws InputError  as `OutputFile`
+void check_output(const std::filesystem::path& target, const OutputRules& rules);
+
+/// That files of so many bytes could be put beside the target: together by the free space of the
+/// disk, each by the largest file that the shell allows.
+/// @throws InputError  they could not; gives what is needed and what there is
+void check_room(const std::filesystem::path& target, std::initializer_list<std::uint64_t> files);
+
+/// The file that a link leads to, there or not, and any other path as it is.
+/// @throws InputError  a link that leads in a circle
+std::filesystem::path linked_target(const std::filesystem::path& target);
 
 }  // namespace clast

@@ -5,20 +5,16 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 #include "core/output_file.hpp"
 
 namespace clast {
 
 std::string read_text_file(const std::filesystem::path& path) {
-  std::error_code code;
-  if (!std::filesystem::exists(path, code)) {
-    throw InputError(path.string() + ": no such file; check the path");
-  }
-  if (std::filesystem::is_directory(path, code)) {
-    throw InputError(path.string() + ": is a folder, a file is needed");
-  }
+  check_input_file(path);
   std::ifstream stream(path, std::ios::binary);
-  // In pieces: pipes don't know their size, and one character at a time is slow for large tables.
+  // In pieces: files of /proc don't know their size, and one character at a time is slow for large
+  // tables.
   std::string content;
   constexpr std::size_t kPiece = 1 << 20;
   while (stream.good()) {

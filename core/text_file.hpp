@@ -7,7 +7,7 @@
 namespace clast {
 
 /// The content of a file.
-/// @throws InputError  missing, a directory, or unreadable; names the path
+/// @throws InputError  missing, a folder, a pipe, a device, or unreadable; names the path
 std::string read_text_file(const std::filesystem::path& path);
 
 /// Writes `content` through an `OutputFile`, so that `path` is either the old or the new file.

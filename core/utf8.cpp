@@ -30,16 +30,26 @@ bool may_follow(unsigned char first, unsigned char second) {
 
 }  // namespace
 
-bool is_utf8(std::string_view text) {
+Utf8Character first_character(std::string_view text) {
+  if (text.empty()) return {};
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = length_of(byte(at));
-    if (length == 0 || length > text.size() - at) return false;
-    if (length > 1 && !may_follow(byte(at), byte(at + 1))) return false;
-    for (std::size_t i = 2; i < length; ++i) {
-      if ((byte(at + i) & 0xc0) != 0x80) return false;
-    }
-    at += length;
+  const std::size_t length = length_of(byte(0));
+  if (length == 0 || length > text.size()) return {};
+  if (length == 1) return {byte(0), 1};
+  if (!may_follow(byte(0), byte(1))) return {};
+  char32_t code = byte(0) & (0xffu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return {};
+    code = code << 6 | (byte(i) & 0x3fu);
+  }
+  return {code, length};
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = first_character(text).length;
+    if (length == 0) return false;
+    text.remove_prefix(length);
   }
   return true;
 }

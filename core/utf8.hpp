@@ -1,9 +1,20 @@
 #pragma once
 /// Text that is UTF-8, and text that should be.
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace clast {
+
+/// A character and how many bytes it takes; no bytes where there is none.
+struct Utf8Character {
+  char32_t code = 0;
+  std::size_t length = 0;
+};
+
+/// The character that `text` begins with; of length 0 where its first bytes are no UTF-8.
+/// @cite rfc3629
+Utf8Character first_character(std::string_view text);
 
 /// Whether all of `text` is UTF-8: no byte out of place, no overlong form, no half of a surrogate
 /// pair, nothing above U+10FFFF.

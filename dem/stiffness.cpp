@@ -51,31 +51,46 @@ std::string number(double value) { return with_digits(value, 3); }
 
 }  // namespace
 
-StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
-                                 std::span<const GroundParameters> zones, double fastest,
-                                 double gravity, const StiffnessOptions& options) {
-  if (bodies.empty() || zones.empty()) {
-    throw SimulationError("stiffness: no block or no ground zone to choose it for");
-  }
-  // What the law makes of a stiffness of 1 N/m and a frequency of 1 rad/s, at worst.
-  double rest_share = 1.0, rate = 1.0;
+ContactBody contact_body(const RigidBody& body) {
+  return {body.mass, body.smallest_side, body.moments.minCoeff(), largest_mobility(body)};
+}
+
+ContactGround contact_ground(std::span<const GroundParameters> zones, const ContactLaw& law) {
+  if (zones.empty()) throw SimulationError("stiffness: no ground zone to choose it for");
+  ContactGround ground;
   std::visit(
       [&]<class Law>(const Law&) {
         for (const GroundParameters& zone : zones) {
-          const Law law = Law::of(1.0, zone);
-          rest_share = std::min(rest_share, law.rest_stiffness());
-          rate = std::max(rate, law.stepping_rate(1.0));
+          // What the law makes of a stiffness of 1 N/m and a frequency of 1 rad/s.
+          const Law unit = Law::of(1.0, zone);
+          ground.rest_share = std::min(ground.rest_share, unit.rest_stiffness());
+          ground.rate = std::max(ground.rate, unit.stepping_rate(1.0));
         }
       },
-      options.law);
+      law);
+  return ground;
+}
+
+StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
+                                 std::span<const GroundParameters> zones, double fastest,
+                                 double gravity, const StiffnessOptions& options) {
+  std::vector<ContactBody> asked;
+  for (const RigidBody& body : bodies) asked.push_back(contact_body(body));
+  return choose_stiffness(asked, contact_ground(zones, options.law), fastest, gravity, options);
+}
+
+StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const ContactGround& ground,
+                                 double fastest, double gravity, const StiffnessOptions& options) {
+  if (bodies.empty()) throw SimulationError("stiffness: no block to choose it for");
+  const double rest_share = ground.rest_share, rate = ground.rate;
   double normal = 0.0, mobility = 0.0, smallest_moment = 1e300, smallest_side = 1e300;
-  for (const RigidBody& body : bodies) {
+  for (const ContactBody& body : bodies) {
     const double depth = std::min(kRestDepth, kRestDepthShare * body.smallest_side);
     const double deepest = kImpactDepthShare * body.smallest_side;
     normal = std::max({normal, body.mass * gravity / (rest_share * depth),
                        body.mass * fastest * fastest / (deepest * deepest)});
-    mobility = std::max(mobility, largest_mobility(body));
-    smallest_moment = std::min(smallest_moment, body.moments.minCoeff());
+    mobility = std::max(mobility, body.mobility);
+    smallest_moment = std::min(smallest_moment, body.smallest_moment);
     smallest_side = std::min(smallest_side, body.smallest_side);
   }
 
@@ -101,7 +116,7 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
   }
 
   double worst_rest_share = 0.0;
-  for (const RigidBody& body : bodies) {
+  for (const ContactBody& body : bodies) {
     const double rest = body.mass * gravity / (chosen.normal * rest_share);
     // m v^2/2 + m g h = k h^2/2
     const double weight = body.mass * gravity;
@@ -115,8 +130,8 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
   if (chosen.normal < 0.999 * normal) {
     choice.warnings.push_back(
         "k_n = " + number(chosen.normal) + " N/m is softer than the " + number(normal) +
-        " N/m that \"auto\" would take: blocks settle " + number(choice.settled_depth) +
-        " m deep (" + number(100.0 * worst_rest_share) + " % of S) and the fastest impact goes " +
+        " N/m that \"auto\" would take: rest is " + number(choice.settled_depth) + " m deep (" +
+        number(100.0 * worst_rest_share) + " % of S) and the fastest impact goes " +
         number(choice.impact_depth) + " m deep");
   }
   if (!options.normal && rest_share < kDearRestShare) {

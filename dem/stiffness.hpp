@@ -19,6 +19,22 @@ struct StiffnessOptions {
   ContactLaw law;                    ///< tells the rest depth and the fastest rate of a contact
 };
 
+/// What a body asks of its contacts, worked out once: the mobility takes all its points.
+struct ContactBody {
+  double mass = 0.0;             ///< kg
+  double smallest_side = 0.0;    ///< S, m
+  double smallest_moment = 0.0;  ///< kg m^2
+  double mobility = 0.0;         ///< largest of any point of the surface, 1/kg
+};
+ContactBody contact_body(const RigidBody& body);
+
+/// What ground zones ask under a law, the worst of them.
+struct ContactGround {
+  double rest_share = 1.0;  ///< of k_n that carries a body at rest: e_n^2, or 1 by law
+  double rate = 1.0;        ///< fastest rate of a contact over its spring's frequency
+};
+ContactGround contact_ground(std::span<const GroundParameters> zones, const ContactLaw& law);
+
 /// A choice of stiffness, with warnings about what a user's own value leads to.
 struct StiffnessChoice {
   ContactStiffness stiffness;
@@ -30,10 +46,15 @@ struct StiffnessChoice {
 /// k_n such that a body rests no deeper than d = min(2 cm, 2 % of S), m g/(e_n^2 d) under the
 /// energy-restitution law, largest over all bodies and zones; stiffer where an impact at `fastest`
 /// would go deeper than S/4. k_t = k_n, k_r from k_t and the block's size, and a time step with a
-/// stated margin below the fastest contact oscillation (docs/theory.md).
+/// stated margin below the fastest contact oscillation (docs/theory.md). Bodies that meet each
+/// other share one stiffness; one that meets only ground is given alone, so that what it gets does
+/// not depend on others.
 /// @param fastest  speed no block can exceed: from release heights and the lowest ground, m/s
 /// @throws SimulationError  nothing to choose for, or a time step of the user's beyond the limit of
 ///                          stability or a quarter of S at `fastest`
+StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const ContactGround& ground,
+                                 double fastest, double gravity,
+                                 const StiffnessOptions& options = {});
 StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
                                  std::span<const GroundParameters> zones, double fastest,
                                  double gravity, const StiffnessOptions& options = {});

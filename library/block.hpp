@@ -32,14 +32,21 @@ struct FieldNotes {
   std::optional<double> weighed_mass;  ///< kg
 };
 
+/// Bounds of L, I and S, each by itself, m.
+struct AxesRange {
+  Axes lower, upper;
+};
+
 /// What is not known of a block because nobody saw a part of its surface: the side it lies on. The
-/// scan was closed three ways (reconstruct/underside.hpp); the block is the best of them.
+/// block is made of the likeliest shape (reconstruct/underside.hpp).
 struct UnseenPart {
-  double lower_volume = 0.0;    ///< m^3, filled straight across the rim
-  double best_volume = 0.0;     ///< m^3, of the closed scan the block was made from
-  double upper_volume = 0.0;    ///< m^3, walls continued down
-  double invented_share = 0.0;  ///< of the closed scan's area
-  Axes lower_axes, upper_axes;  ///< smallest boxes of the lower and the upper shape, m
+  double lower_volume = 0.0;  ///< m^3
+  double best_volume = 0.0;   ///< m^3, of the closed scan the block was made from
+  /// m^3; none where so much is not seen that nothing bounds the block from above.
+  std::optional<double> upper_volume;
+  double invented_share = 0.0;    ///< of the closed scan's area
+  std::optional<AxesRange> axes;  ///< where there is an upper volume
+  std::string assumption;         ///< what the bounds rest on; empty in older files
 };
 
 /// A block. Everything geometric is in the frame of the stored mesh (the source's, scaled to metres

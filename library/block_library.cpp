@@ -8,6 +8,7 @@
 #include "core/output_file.hpp"
 #include "core/utf8.hpp"
 #include "library/body_record.hpp"
+#include "library/detail/block_checks.hpp"
 #include "library/detail/hdf5_records.hpp"
 
 namespace clast {
@@ -17,7 +18,6 @@ using namespace detail;
 namespace {
 
 constexpr int kSchema = 1;
-const std::string kFormat = "clast block library";
 
 void write_field_notes(Hdf5Group group, const FieldNotes& field) {
   group.set_attribute("site", field.site);
@@ -47,11 +47,13 @@ FieldNotes read_field_notes(const Hdf5Group& group, const std::string& where) {
 void write_unseen(Hdf5Group group, const UnseenPart& unseen) {
   group.set_attribute("volume_lower_m3", unseen.lower_volume);
   group.set_attribute("volume_best_m3", unseen.best_volume);
-  group.set_attribute("volume_upper_m3", unseen.upper_volume);
+  if (unseen.upper_volume) group.set_attribute("volume_upper_m3", *unseen.upper_volume);
   group.set_attribute("invented_share", unseen.invented_share);
+  group.set_attribute("assumption", unseen.assumption);
+  if (!unseen.axes) return;
   const auto vector = [](const Axes& axes) { return Vec3(axes.L, axes.I, axes.S); };
-  write_matrix(group, "box_lower", vector(unseen.lower_axes), "m");
-  write_matrix(group, "box_upper", vector(unseen.upper_axes), "m");
+  write_matrix(group, "axes_lower", vector(unseen.axes->lower), "m");
+  write_matrix(group, "axes_upper", vector(unseen.axes->upper), "m");
 }
 
 UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
@@ -59,7 +61,9 @@ UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
   UnseenPart unseen;
   unseen.lower_volume = read_scalar(group, "volume_lower_m3", kPositive, where);
   unseen.best_volume = read_scalar(group, "volume_best_m3", unseen.lower_volume, where);
-  unseen.upper_volume = read_scalar(group, "volume_upper_m3", unseen.best_volume, where);
+  if (group.has_attribute("volume_upper_m3")) {
+    unseen.upper_volume = read_scalar(group, "volume_upper_m3", unseen.best_volume, where);
+  }
   unseen.invented_share = read_scalar(group, "invented_share", 0.0, where);
   require(unseen.invented_share <= 1.0, where, "invented_share is more than 1");
   const auto axes = [&](const std::string& name) {
@@ -67,8 +71,20 @@ UnseenPart read_unseen(const Hdf5Group& group, const std::string& where) {
     require(sides.minCoeff() > 0.0, where, name + " is not positive");
     return Axes{sides[0], sides[1], sides[2]};
   };
-  unseen.lower_axes = axes("box_lower");
-  unseen.upper_axes = axes("box_upper");
+  if (group.has_attribute("assumption")) {
+    unseen.assumption = group.attribute<std::string>("assumption");
+  }
+  if (group.has("axes_lower")) {
+    unseen.axes = AxesRange{axes("axes_lower"), axes("axes_upper")};
+    const Axes &low = unseen.axes->lower, &high = unseen.axes->upper;
+    require(low.L <= high.L && low.I <= high.I && low.S <= high.S, where,
+            "axes_lower is above axes_upper");
+  } else if (group.has("box_lower")) {  // files of clast 0.x: boxes of a small and a large shape
+    const Axes small = axes("box_lower"), large = axes("box_upper");
+    unseen.axes = AxesRange{
+        {std::min(small.L, large.L), std::min(small.I, large.I), std::min(small.S, large.S)},
+        {std::max(small.L, large.L), std::max(small.I, large.I), std::max(small.S, large.S)}};
+  }
   return unseen;
 }
 
@@ -141,7 +157,6 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.mass.centre = read_vector(group, "centre", where);
   block.mass.inertia = read_matrix(group, "inertia", where);
   block.principal.moments = read_vector(group, "principal_moments", where);
-  require(block.principal.moments.minCoeff() > 0.0, where, "principal_moments are not positive");
   const std::vector<double> q = read_numbers(group, "source_from_body", {4}, where);
   block.principal.rotation = Quat(q[0], q[1], q[2], q[3]);
   require(std::abs(block.principal.rotation.norm() - 1.0) < 1e-9, where,
@@ -151,7 +166,6 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.box.centre = read_vector(group, "box_centre", where);
   block.box.axes = read_matrix(group, "box_axes", where);
   block.box.lengths = read_vector(group, "box_lengths", where);
-  require(block.box.lengths.minCoeff() > 0.0, where, "box_lengths are not positive");
   block.deviation.hausdorff = read_scalar(group, "deviation_hausdorff_m", 0.0, where);
   block.deviation.mean = read_scalar(group, "deviation_mean_m", 0.0, where);
   block.deviation.volume_relative = read_scalar(group, "deviation_volume_relative", -1.0, where);
@@ -164,6 +178,7 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.warnings = group.read<std::string>("warnings");
   block.field = read_field_notes(group.group("field"), where);
   if (group.has("unseen")) block.unseen = read_unseen(group.group("unseen"), where);
+  check_agreement(block, where);
   return block;
 }
 
@@ -199,7 +214,7 @@ void check_block_id(const std::string& id) {
 }
 
 BlockLibrary BlockLibrary::read(const std::filesystem::path& path) {
-  const Hdf5File file = Hdf5File::open(path, kFormat, kSchema);
+  const Hdf5File file = Hdf5File::open(path, kLibraryFormat, kSchema);
   const Hdf5Group blocks = file.root().group("blocks");
   BlockLibrary library;
   for (const std::string& id : blocks.names()) {
@@ -209,9 +224,9 @@ BlockLibrary BlockLibrary::read(const std::filesystem::path& path) {
 }
 
 void BlockLibrary::write(const std::filesystem::path& path) const {
-  OutputFile output(path);
+  OutputFile output(path, {.kind = kLibraryFormat});
   {
-    Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchema);
+    Hdf5File file = Hdf5File::create(output.temporary(), kLibraryFormat, kSchema);
     Hdf5Group blocks = file.root().create_group("blocks");
     for (const Block& block : blocks_) write_block(blocks.create_group(block.id), block);
     file.flush();

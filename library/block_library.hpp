@@ -8,6 +8,9 @@
 
 namespace clast {
 
+/// What a library file says that it is.
+inline constexpr const char* kLibraryFormat = "clast block library";
+
 /// @throws InputError  `id` can't name a block: empty, with a slash or a control character, or only
 ///                     dots
 void check_block_id(const std::string& id);
@@ -19,7 +22,8 @@ class BlockLibrary {
   BlockLibrary() = default;
   /// @throws InputError  missing, not a clast block library, damaged, or of a newer schema
   static BlockLibrary read(const std::filesystem::path& path);
-  /// Replaces the file whole.
+  /// Replaces the file whole. A file that others may write to is changed by `update_library`.
+  /// @throws InputError  what is there is no library, or can't be written
   void write(const std::filesystem::path& path) const;
 
   const std::vector<Block>& blocks() const { return blocks_; }

@@ -1,6 +1,7 @@
 #pragma once
 /// What an unseen side leaves open of a block's mass and classes.
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,13 +9,16 @@
 
 namespace clast {
 
-/// Bounds that the shapes between the lower and the upper one have.
+/// Bounds that follow from those of volume and axes.
 struct UnseenRange {
-  double lower_mass = 0.0, upper_mass = 0.0;        ///< kg; a weighed mass has no width
-  double lower_density = 0.0, upper_density = 0.0;  ///< kg/m^3; a density given has no width
-  double lower_s_c = 0.0, upper_s_c = 0.0;
-  /// By scheme ("sneed-folk", "zingg", "garcia"): classes met from the lower to the upper box, the
-  /// block's own included.
+  double lower_mass = 0.0;              ///< kg; a weighed mass has no width
+  std::optional<double> upper_mass;     ///< none: no upper bound can be given
+  std::optional<double> lower_density;  ///< kg/m^3; a density given has no width
+  double upper_density = 0.0;
+  std::optional<AxesRange> axes;  ///< the block's own axes included; none: not known
+  std::optional<double> lower_s_c, upper_s_c;
+  /// By scheme ("sneed-folk", "zingg", "garcia"): every class that axes within their bounds have,
+  /// each axis by itself. Empty where the axes are not known.
   std::map<std::string, std::vector<std::string>> classes;
 };
 
@@ -23,7 +27,8 @@ struct UnseenRange {
 UnseenRange unseen_range(const Block& block);
 
 /// "14 % of the surface is not seen but filled in; volume between 0.13 and 0.149 m3 (best 0.137),
-/// mass ...". An unscaled block has no mass, and its volume no metres.
+/// mass ...", or that no upper bound can be given. An unscaled block has no mass, and its volume no
+/// metres.
 /// @pre  `block.unseen` is there
 std::string described_unseen(const Block& block);
 

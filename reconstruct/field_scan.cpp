@@ -9,13 +9,16 @@
 #include "core/number_text.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/cut_out.hpp"
+#include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/outliers.hpp"
 #include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/ragged_holes.hpp"
 #include "reconstruct/detail/separate_sets.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
+#include "reconstruct/detail/surface_copy.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/standing_blocks.hpp"
 #include "reconstruct/weld.hpp"
@@ -53,18 +56,23 @@ class Separation {
 
   std::vector<FieldBlock> of_mesh(const TriangleMesh& raw) {
     std::optional<TriangleMesh> sheet = open_sheet(raw);
-    if (!sheet) return {{cleaned_scan(raw, name_, options_.scan), {}}};
-    if (options_.find_ground) {
+    if (!sheet) return {cleaned(raw)};
+    std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
+    if (drop_copies(pieces)) return {cleaned(raw)};
+    if (!mended_.doubled.empty()) {
+      sheet = TriangleMesh{};
+      for (const detail::Piece& piece : pieces) *sheet = merged(std::move(*sheet), piece.mesh);
+    }
+    if (options_.find_ground && !only_small_holes(*sheet)) {
       const std::vector<Vec3> points = detail::points_over(*sheet);
       if (const std::optional<Ground> ground = found_ground(points)) {
         return cut_out(*sheet, points, *ground);
       }
     }
-    std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
     double scraps = 0.0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       if (pieces[i].area > kScrapArea * pieces[0].area) {
-        return {{cleaned_scan(raw, name_, options_.scan), {}}};  // says what is wrong
+        return {cleaned(raw)};  // says what is wrong
       }
       scraps += pieces[i].area / surface_area(*sheet);
     }
@@ -114,6 +122,32 @@ class Separation {
   }
 
  private:
+  /// Was a little missing, and more than a fan closes?
+  static bool hardly_open(const FieldBlock& block) {
+    if (block.underside) return block.underside->invented_share < kHardlyOpen;
+    const RepairReport& report = block.scan.report;
+    return report.invented_share < kHardlyOpen &&
+           std::any_of(report.holes.begin(), report.holes.end(), [](const FilledHole& hole) {
+             return hole.border_edges > detail::kFanEdges;
+           });
+  }
+
+  /// Of a scan that was hardly open that much is said.
+  static FieldBlock with_doubt(FieldBlock block) {
+    if (hardly_open(block)) {
+      block.scan.notes.push_back(
+          "hardly any surface was missing, so the bounds are narrow; whether the scanning "
+          "software had closed a side before that nobody saw, such as the bottom, the file does "
+          "not tell: check the volume by weighing (--mass with --density)");
+    }
+    return block;
+  }
+
+  /// By repair alone.
+  FieldBlock cleaned(const TriangleMesh& raw) const {
+    return with_doubt({cleaned_scan(raw, name_, options_.scan), {}});
+  }
+
   bool all_within_reach(const std::vector<Vec3>& points) const {
     return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
       return p.allFinite() && p.cwiseAbs().maxCoeff() * options_.scan.unit <= kLargestCoordinate &&
@@ -145,36 +179,92 @@ class Separation {
     note_mended(DefectKind::kFolded, mends.folded);
     note_mended(DefectKind::kFin, mends.fins);
     note_mended(DefectKind::kTouchingEdge, mends.touching);
-    if (mends.orientation.turned > 0) {
-      note(DefectKind::kMixedWinding, mends.orientation.turned, 0.0,
-           mesh.vertices[mends.orientation.first]);
+    const std::size_t turned = mends.orientation.turned + detail::turn_hanging_scraps(mesh);
+    if (turned > 0) {
+      note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[mends.orientation.first]);
     }
-    const std::vector<FilledHole> fans = detail::close_by_fans(mesh, detail::kFanEdges);
+    const std::vector<FilledHole> ragged = detail::close_ragged_holes(mesh);
     if (inspect(mesh).closed()) return std::nullopt;
     note_mended(DefectKind::kPinchedVertex, detail::split_pinched_vertices(mesh));
     const detail::Spikes spikes = detail::flatten_spikes(mesh);
     note(DefectKind::kSpike, spikes.count, 0.0, spikes.place, spikes.highest * options_.scan.unit);
-    take_fans(report, fans, surface_area(mesh));
+    take_fillings(report, ragged, surface_area(mesh));
     mended_ = std::move(report);
     return mesh;
   }
 
-  void take_fans(RepairReport& report, const std::vector<FilledHole>& fans, double area) const {
-    if (fans.empty()) return;
+  /// Adds fillings of holes to a report, in metres.
+  /// @param area  of the surface with them, in the file's units
+  void take_fillings(RepairReport& report, const std::vector<FilledHole>& fillings,
+                     double area) const {
+    if (fillings.empty()) return;
     const double unit = options_.scan.unit;
+    RepairReport filled;
     double share = 0.0;
-    for (FilledHole hole : fans) {
+    for (FilledHole hole : fillings) {
       hole.area_share = hole.area / area;
       share += hole.area_share;
       hole.perimeter *= unit;
       hole.radius *= unit;
       hole.area *= unit * unit;
-      report.holes.push_back(hole);
+      hole.volume_below *= unit * unit * unit;
+      hole.volume_above *= unit * unit * unit;
+      filled.volume_below += hole.volume_below;
+      filled.volume_above += hole.volume_above;
+      filled.invented_share += hole.area_share;
+      filled.holes.push_back(hole);
     }
-    std::stable_sort(report.holes.begin(), report.holes.end(),
+    std::stable_sort(filled.holes.begin(), filled.holes.end(),
                      [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
-    report.defects.push_back(
-        {DefectKind::kHole, fans.size(), share, report.holes[0].radius, report.holes[0].centre});
+    filled.defects.push_back({DefectKind::kHole, fillings.size(), share, filled.holes[0].radius,
+                              filled.holes[0].centre});
+    report = joined(std::move(report), std::move(filled));
+  }
+
+  /// Drops copies of the first piece, once that is the best of them, and notes them.
+  /// @returns whether that piece is closed and nothing but copies and scraps is beside it: repair
+  /// does the rest
+  bool drop_copies(std::vector<detail::Piece>& pieces) {
+    detail::put_best_copy_first(pieces);
+    const TriangleMesh& first = pieces[0].mesh;
+    const double diagonal = bounds(first).diagonal(), unit = options_.scan.unit;
+    const detail::TriangleTree tree(first);
+    bool others = false;
+    std::vector<detail::Piece> kept;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      const bool scrap = pieces[i].area < kScrapArea * pieces[0].area;
+      const auto copy =
+          scrap ? std::nullopt : detail::copy_of_surface(pieces[i].mesh, tree, diagonal);
+      others |= !scrap && !copy;
+      if (!copy) {
+        kept.push_back(std::move(pieces[i]));
+        continue;
+      }
+      DoubledSurface doubled = detail::described_copy(*copy, pieces[i], first, tree);
+      doubled.offset *= unit;
+      doubled.distance *= unit;
+      doubled.volume_change *= unit * unit * unit;
+      doubled.kept_volume *= unit * unit * unit;
+      mended_.volume_below += std::max(0.0, -doubled.volume_change);
+      mended_.volume_above += std::max(0.0, doubled.volume_change);
+      mended_.doubled.push_back(doubled);
+      mended_.defects.push_back({DefectKind::kDoubleSheet, 1, pieces[i].area / pieces[0].area, 0.0,
+                                 pieces[i].mesh.vertices[0]});
+    }
+    pieces.resize(1);
+    for (detail::Piece& piece : kept) pieces.push_back(std::move(piece));
+    return !others && inspect(pieces[0].mesh).closed();
+  }
+
+  /// Are all holes of the sheet so small that none is an unseen side?
+  static bool only_small_holes(const TriangleMesh& sheet) {
+    const double area = surface_area(sheet);
+    for (const std::vector<std::uint32_t>& loop : boundary_loops(sheet)) {
+      std::vector<Vec3> border;
+      for (const std::uint32_t v : loop) border.push_back(sheet.vertices[v]);
+      if (detail::is_unseen_side(border, area)) return false;
+    }
+    return true;
   }
 
   StandingBlocks standing_on(const std::vector<Vec3>& points, const Ground& ground) const {
@@ -281,7 +371,18 @@ class Separation {
   /// Closes, cleans, and turns to metres with z up.
   FieldBlock closed_block(TriangleMesh open, const std::optional<Plane>& ground,
                           const Vec3& centre) const {
-    turn_outward(open);
+    RepairReport mended = mended_;
+    if (turn_outward(open)) {
+      std::swap(mended.volume_below, mended.volume_above);
+      for (DoubledSurface& copy : mended.doubled) {
+        copy.offset = -copy.offset;
+        copy.volume_change = -copy.volume_change;
+      }
+    }
+    if (mended.as_read.triangles > 0) {  // the surface of a cloud has no small holes
+      const std::vector<FilledHole> filled = detail::fill_holes(open, false);
+      take_fillings(mended, filled, surface_area(open));
+    }
     std::optional<Underside> side;
     try {
       side = closed_underside(
@@ -291,7 +392,7 @@ class Separation {
     }
     ScanOptions options = options_.scan;
     FieldBlock block{cleaned_scan(side ? side->best : std::move(open), name_, options), {}};
-    block.scan.report = joined(mended_, std::move(block.scan.report));
+    block.scan.report = joined(std::move(mended), std::move(block.scan.report));
     block.scan.notes = repair_notes(block.scan.report);
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), notes_.begin(), notes_.end());
@@ -315,27 +416,22 @@ class Separation {
     }
     if (side) {
       notes.insert(notes.end(), side->notes.begin(), side->notes.end());
-      if (side->invented_share < kHardlyOpen) {
-        notes.push_back(
-            "hardly any surface was missing, so the bounds are narrow; whether the scanning "
-            "software had closed a side before that nobody saw, such as the bottom, the file does "
-            "not tell: check the volume by weighing (--mass with --density)");
-      }
       block.underside = moved(std::move(*side), [&](const Vec3& p) { return turn * to_metres(p); });
     }
-    return block;
+    return with_doubt(std::move(block));
   }
 
   /// The same underside with every length scaled and every place moved.
   template <class Move>
   Underside moved(Underside side, const Move& move) const {
-    for (TriangleMesh* mesh : {&side.lower, &side.best, &side.upper}) {
+    for (TriangleMesh* mesh : {&side.lower, &side.best}) {
       for (Vec3& vertex : mesh->vertices) vertex = move(vertex);
     }
     const double unit = options_.scan.unit, cubed = unit * unit * unit;
     side.lower_volume *= cubed;
     side.best_volume *= cubed;
-    side.upper_volume *= cubed;
+    if (side.upper_volume) *side.upper_volume *= cubed;
+    if (side.sides) side.sides = SideBounds{unit * side.sides->lower, unit * side.sides->upper};
     const Vec3 centre = move(side.rim_centre);
     side.down = (move(side.rim_centre + side.down) - centre).normalized();
     side.rim_centre = centre;
@@ -345,9 +441,10 @@ class Separation {
   }
 
   /// By the volume that the surface would have with its largest hole filled flat.
-  static void turn_outward(TriangleMesh& open) {
+  /// @returns whether it faced inwards
+  static bool turn_outward(TriangleMesh& open) {
     const std::vector<std::vector<std::uint32_t>> loops = boundary_loops(open);
-    if (loops.empty()) return;
+    if (loops.empty()) return false;
     const auto& largest =
         *std::max_element(loops.begin(), loops.end(),
                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
@@ -360,8 +457,9 @@ class Separation {
       sixfold += (open.vertices[a] - middle)
                      .dot((open.vertices[b] - middle).cross(open.vertices[c] - middle));
     }
-    if (sixfold >= 0.0) return;
-    for (TriangleMesh::Triangle& t : open.triangles) std::swap(t[1], t[2]);
+    if (sixfold >= 0.0) return false;
+    detail::turn_over(open);
+    return true;
   }
 
   std::string name_;

@@ -7,10 +7,13 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "reconstruct/detail/crossing_mends.hpp"
+#include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/ragged_holes.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
+#include "reconstruct/detail/surface_copy.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/weld.hpp"
 #include "shapes/self_intersection.hpp"
@@ -65,10 +68,11 @@ class Route {
     weld(local);
     mend_soup();
     std::vector<detail::Piece> pieces = detail::pieces_of(mesh_);
+    detail::put_best_copy_first(pieces);
     mesh_ = std::move(pieces.front().mesh);
     mend_block();
-    take_pieces(pieces);
     turn_outward();
+    take_pieces(pieces);
     finish_report();
     for (Vec3& v : mesh_.vertices) v += origin_;
     return {std::move(mesh_), std::move(report_)};
@@ -146,8 +150,13 @@ class Route {
     note(DefectKind::kFolded, mends.folded);
     note(DefectKind::kFin, mends.fins);
     note(DefectKind::kTouchingEdge, mends.touching);
-    if (facing.turned > 0) {
-      note(DefectKind::kMixedWinding, facing.turned, 0.0, mesh_.vertices[facing.first]);
+    std::size_t turned = facing.turned;
+    if (options_.invent) {
+      turned += detail::turn_hanging_scraps(mesh_);
+      report_.holes = detail::close_ragged_holes(mesh_);
+    }
+    if (turned > 0) {
+      note(DefectKind::kMixedWinding, turned, 0.0, mesh_.vertices[facing.first]);
     }
   }
 
@@ -168,7 +177,9 @@ class Route {
 
   void fill() {
     std::vector<FilledHole>& holes = report_.holes;
-    holes = detail::close_by_fans(mesh_, detail::kFanEdges);
+    for (const FilledHole& hole : detail::close_by_fans(mesh_, detail::kFanEdges)) {
+      holes.push_back(hole);
+    }
     if (options_.invent && inspect(mesh_).boundary_edges > 0) {
       for (const FilledHole& hole : detail::fill_holes(mesh_)) holes.push_back(hole);
     }
@@ -176,6 +187,8 @@ class Route {
     for (FilledHole& hole : holes) {
       hole.area_share = hole.area / area;
       report_.invented_share += hole.area_share;
+      report_.volume_below += hole.volume_below;
+      report_.volume_above += hole.volume_above;
       if (hole.area_share <= options_.largest_hole || hole.fan) continue;
       fail("the surface is an open sheet and no block: " + open_edges(welded_) +
            "; closing it would invent " + with_digits(100.0 * hole.area_share, 3) +
@@ -254,14 +267,21 @@ class Route {
   void take_pieces(const std::vector<detail::Piece>& pieces) {
     if (pieces.size() == 1) return;
     const detail::TriangleTree tree(mesh_);
-    const double on_block = kDoubleSheet * bounds(mesh_).diagonal();
+    const double diagonal = bounds(mesh_).diagonal(), on_block = kDoubleSheet * diagonal;
     std::vector<const TriangleMesh*> shells;
-    Dropped islands, sheets;
+    Dropped islands, sheets, copies;
     std::size_t others = 0;
     bool open = false;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       const TriangleMesh& piece = pieces[i].mesh;
       const bool closed = inspect(piece).closed();
+      if (pieces[i].area >= kIslandArea * pieces[0].area) {
+        if (const auto copy = detail::copy_of_surface(piece, tree, diagonal)) {
+          (closed ? copies : sheets).add(pieces[i]);
+          note_copy(detail::described_copy(*copy, pieces[i], mesh_, tree));
+          continue;
+        }
+      }
       const bool inside = detail::lies_inside(piece, mesh_, tree);
       const auto holds_piece = [&](const TriangleMesh* shell) {
         return detail::encloses(*shell, piece.vertices[0]);
@@ -280,8 +300,15 @@ class Route {
     }
     if (others > 0) fail_pieces(others, open, pieces[1].area / pieces[0].area);
     note(DefectKind::kDoubleSheet, sheets.count, sheets.area, sheets.place);
+    note(DefectKind::kDoubledShell, copies.count, copies.area, copies.place);
     note(DefectKind::kIsland, islands.count, islands.area, islands.place);
     take_shells(shells);
+  }
+
+  void note_copy(const DoubledSurface& copy) {
+    report_.doubled.push_back(copy);
+    report_.volume_below += std::max(0.0, -copy.volume_change);
+    report_.volume_above += std::max(0.0, copy.volume_change);
   }
 
   struct Dropped {
@@ -327,6 +354,8 @@ class Route {
   void turn_outward() {
     if (detail::signed_volume(mesh_) > 0.0) return;
     detail::turn_over(mesh_);
+    std::swap(report_.volume_below, report_.volume_above);
+    for (FilledHole& hole : report_.holes) std::swap(hole.volume_below, hole.volume_above);
     note(DefectKind::kInward, 1);
   }
 

@@ -11,6 +11,7 @@ namespace {
 
 /// A share of the surface below which it isn't worth a word.
 constexpr double kWorthTelling = 1e-3;
+constexpr std::size_t kFanEdges = 4;  ///< a hole with more is closed by more than a fan
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -31,10 +32,13 @@ class Sentences {
     for (const Defect& defect : report_.defects) {
       if (defect.kind == DefectKind::kHole) {
         for (std::string& note : of_holes()) notes.push_back(std::move(note));
+      } else if (defect.kind == DefectKind::kDoubledShell) {
+        continue;  // one by one below
       } else {
         notes.push_back(of(defect));
       }
     }
+    for (const DoubledSurface& copy : report_.doubled) notes.push_back(of(copy));
     if (report_.wrap_bias) {
       notes.push_back(
           "the surface could not be freed of its crossings and was wrapped anew: hollows narrower "
@@ -54,6 +58,39 @@ class Sentences {
   static std::string worth_of(const Defect& defect) {
     if (defect.area_share < kWorthTelling) return "";
     return ", " + percent(defect.area_share) + " of the surface";
+  }
+
+  static std::string of(const DoubledSurface& copy) {
+    std::string text = copy.closed ? "a second copy of the block's whole surface, "
+                                   : "a second copy of " + percent(std::min(1.0, copy.area_share)) +
+                                         " of the block's surface, ";
+    text += with_digits(100.0 * copy.scale, 4) + " % of its size, " + metres(copy.distance) +
+            " off it and on average " + metres(std::abs(copy.offset)) +
+            (copy.offset < 0.0 ? " inside" : " outside") +
+            ", was dropped: no bubble but the same rock, scanned or stored twice and not brought "
+            "together. ";
+    switch (copy.kept_for) {
+      case KeptFor::kClosed:
+        text += "The one that was kept is closed";
+        break;
+      case KeptFor::kWhole:
+        text += "The one that was kept is of the whole block";
+        break;
+      case KeptFor::kFiner:
+        text += "The one that was kept has more triangles";
+        break;
+      case KeptFor::kSize:
+        text += "Neither is more complete or finer, so the larger was kept";
+        break;
+    }
+    const double volume = copy.kept_volume, change = copy.volume_change;
+    text += volume > 0.0
+                ? "; it has a volume of " + with_digits(volume, 4) +
+                      " m3, with the other one it would be " + with_digits(volume + change, 4) +
+                      " m3"
+                : "; with the other one the volume would be " + with_digits(std::abs(change), 3) +
+                      " m3 " + (change < 0.0 ? "smaller" : "larger");
+    return text + ". Register the scans again, or delete one";
   }
 
   std::string of(const Defect& d) const {
@@ -100,6 +137,7 @@ class Sentences {
                        "tunnels go through the block and stay") +
                " open; if the rock has none, fill in the scan what makes one";
       case DefectKind::kHole:
+      case DefectKind::kDoubledShell:
         break;
     }
     return "";
@@ -108,11 +146,12 @@ class Sentences {
   /// Tiny ones together, the others together, and each large one by itself.
   std::vector<std::string> of_holes() const {
     std::vector<std::string> notes;
-    std::size_t fans = 0, fan_edges = 0, fillings = 0;
+    std::size_t fans = 0, fan_edges = 0, fillings = 0, largest_fan = 0;
     const FilledHole* largest = nullptr;
     for (const FilledHole& hole : report_.holes) {
       if (hole.fan) {
         ++fans;
+        largest_fan = std::max(largest_fan, hole.border_edges);
         fan_edges += hole.border_edges;
       } else {
         ++fillings;
@@ -121,8 +160,8 @@ class Sentences {
     }
     if (fans > 0) {
       notes.push_back(counted(fans, "hole", "holes") + " with " +
-                      counted(fan_edges, "border edge", "border edges") +
-                      " in all closed by a fan");
+                      counted(fan_edges, "border edge", "border edges") + " in all closed by " +
+                      (largest_fan <= kFanEdges ? "a fan" : "triangles between their corners"));
     }
     if (largest != nullptr) {
       notes.push_back(counted(fillings, "hole", "holes") + " filled; the largest has " +
@@ -131,8 +170,13 @@ class Sentences {
                       " from its middle at " + place(largest->centre));
     }
     if (report_.invented_share >= kWorthTelling) {
+      std::string open;
+      if (report_.volume_below + report_.volume_above > 0.0) {
+        open = "; the volume may be up to " + with_digits(report_.volume_below, 2) +
+               " m3 smaller or " + with_digits(report_.volume_above, 2) + " m3 larger for it";
+      }
       notes.push_back(percent(report_.invented_share) +
-                      " of the surface is invented: no scan saw what fills the holes");
+                      " of the surface is invented: no scan saw what fills the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {
       if (hole.area_share <= kLargeHole) continue;
@@ -174,8 +218,11 @@ RepairReport joined(RepairReport first, RepairReport second) {
     second.holes.push_back(hole);
     second.invented_share += hole.area_share;
   }
+  second.volume_below += first.volume_below;
+  second.volume_above += first.volume_above;
   std::stable_sort(second.holes.begin(), second.holes.end(),
                    [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
+  second.doubled.insert(second.doubled.begin(), first.doubled.begin(), first.doubled.end());
   second.inner_shells += first.inner_shells;
   second.inner_shell_volume += first.inner_shell_volume;
   return second;
@@ -199,6 +246,8 @@ const char* name_of(DefectKind kind) {
       return "vertices where the surface touches itself, split";
     case DefectKind::kDoubleSheet:
       return "sheets that lie on the block, dropped";
+    case DefectKind::kDoubledShell:
+      return "second copies of the whole surface, dropped";
     case DefectKind::kIsland:
       return "loose scraps, dropped";
     case DefectKind::kInnerShell:

@@ -18,7 +18,8 @@ enum class DefectKind {
   kTouchingEdge,   ///< edges of more than two triangles: cut apart
   kMixedWinding,   ///< triangles that face the other way than their neighbours: turned
   kPinchedVertex,  ///< vertices where the surface touches itself: split
-  kDoubleSheet,    ///< open pieces that lie on the block: dropped
+  kDoubleSheet,    ///< open pieces that lie on the block, or are copies of a part of it: dropped
+  kDoubledShell,   ///< closed copies of the whole block a little apart from it: dropped
   kIsland,         ///< pieces beside the block, or loose in it: dropped
   kInnerShell,     ///< closed pieces inside the block: dropped, or kept as cavities
   kSpike,          ///< vertices that stand out of their neighbourhood: put back
@@ -46,6 +47,29 @@ struct FilledHole {
   double area_share = 0.0;  ///< of the mended surface
   Vec3 centre = Vec3::Zero();
   bool fan = false;  ///< closed by triangles between its border vertices alone
+  /// How much less or more the block may hold here than the filling says, m^3.
+  double volume_below = 0.0, volume_above = 0.0;
+};
+
+/// Why of two copies of a surface one was kept.
+enum class KeptFor {
+  kSize,    ///< neither is more complete or finer than the other: the larger, which is heavier
+  kFiner,   ///< it has more triangles
+  kWhole,   ///< the other is of a part of the block only
+  kClosed,  ///< the other is open
+};
+
+/// A second copy of the block's surface, or of a part of it, that was dropped: two scans, or a scan
+/// stored twice, that were not brought together.
+struct DoubledSurface {
+  bool closed = false;         ///< it bounds a block by itself
+  double area_share = 0.0;     ///< of the area of the surface that was kept
+  double offset = 0.0;         ///< mean distance from that, positive outside of it, m
+  double distance = 0.0;       ///< root mean square distance from it, m
+  double scale = 1.0;          ///< its size against it, as they fit best
+  double volume_change = 0.0;  ///< what the block would hold more with this one, m^3
+  double kept_volume = 0.0;    ///< of the block with the one that was kept; 0: that is open, m^3
+  KeptFor kept_for = KeptFor::kSize;
 };
 
 /// A hole larger than this share of the mended surface is told of by itself: its filling is a
@@ -53,10 +77,14 @@ struct FilledHole {
 constexpr double kLargeHole = 0.1;
 
 struct RepairReport {
-  MeshReport as_read;               ///< after welding, before anything else was mended
-  std::vector<Defect> defects;      ///< none: the surface was sound
-  std::vector<FilledHole> holes;    ///< largest area first
-  double invented_share = 0.0;      ///< fillings over the whole mended surface
+  MeshReport as_read;                   ///< after welding, before anything else was mended
+  std::vector<Defect> defects;          ///< none: the surface was sound
+  std::vector<FilledHole> holes;        ///< largest area first
+  std::vector<DoubledSurface> doubled;  ///< copies with 5 % of the block's area and more
+  double invented_share = 0.0;          ///< fillings over the whole mended surface
+  /// How much less or more than the mended surface the block may hold, as far as fillings and
+  /// doubled surfaces leave that open, m^3.
+  double volume_below = 0.0, volume_above = 0.0;
   std::size_t inner_shells = 0;     ///< bubbles inside, dropped unless they were to be kept
   double inner_shell_volume = 0.0;  ///< of all of them, m^3
   bool inner_shells_kept = false;

@@ -10,6 +10,7 @@
 #include "reconstruct/detail/hole_patch.hpp"
 #include "reconstruct/detail/sections.hpp"
 #include "reconstruct/detail/space_below.hpp"
+#include "reconstruct/detail/unseen_bounds.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "shapes/self_intersection.hpp"
 
@@ -17,9 +18,11 @@ namespace clast {
 
 namespace {
 
-/// The narrowing at the rim is taken over these shares of the height that was seen. Over the longer
-/// one it is the smaller of the two (sqrt A is concave), which makes the upper shape the larger.
-constexpr double kUpperBand = 0.2, kBestBand = 0.1;
+/// Holes whose flat filling has this share of the surface are bracketed beside the largest one.
+constexpr double kBracketed = 0.003;
+/// The narrowing at the rim is taken over these shares of the height that was seen: over the longer
+/// one for the largest cone below an uneven rim, over the shorter for the likeliest shape.
+constexpr double kLargestBand = 0.2, kBestBand = 0.1;
 /// Share of its cone that a cap fills. A ball's fills 3/4 when it is shallow and 0.6 when a fifth
 /// of the surface is unseen; where walls go straight down, any depth up to the deepest is as
 /// likely. See docs/theory.md for how far off this is.
@@ -27,13 +30,12 @@ constexpr double kBestShare = 0.6;
 /// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
 constexpr double kBestPower = 2.0 / 3.0;
 constexpr double kMostPointedBest = 3.0;  ///< ... and may rise to this power
-constexpr double kSharpest = 2.0;         ///< power of the upper shape
 /// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
 /// an uneven rim each tells of a part, and the largest volume counts.
 constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
 /// A rim is uneven where its heights spread over more than this share of the whole. The sections do
-/// not say then what hangs beside them, and the best shape is put at this share between the bounds:
-/// the median of 100 blocks of which what faces down steeply was taken away.
+/// not say then what hangs beside them, and the best shape is put at this share between the film
+/// and the largest cone: the median of 100 blocks of which what faces down steeply was taken away.
 constexpr double kEven = 0.05, kUnevenShare = 0.35;
 /// A rim hangs down to the ground where it is no farther above it than this share of the height.
 constexpr double kClearOfGround = 0.02;
@@ -83,19 +85,13 @@ double area_from(const TriangleMesh& mesh, std::size_t first) {
   return 0.5 * doubled;
 }
 
-/// What is below a section: a body whose sqrt(A) falls evenly with depth, cut off at a depth.
-struct Cone {
-  double volume = 0.0;
-  double depth = 0.0;
-};
-
+/// Volume below a section of a body whose sqrt(A) falls evenly with depth, cut off at a depth.
 /// @param root       sqrt of the area on top
 /// @param narrowing  decrease of the root per depth; negative where walls lean out
-Cone cone_below(double root, double narrowing, double deepest) {
+double cone_below(double root, double narrowing, double deepest) {
   const double depth = narrowing > 0.0 ? std::min(deepest, root / narrowing) : deepest;
-  return {root * root * depth - root * narrowing * depth * depth +
-              narrowing * narrowing * depth * depth * depth / 3.0,
-          depth};
+  return root * root * depth - root * narrowing * depth * depth +
+         narrowing * narrowing * depth * depth * depth / 3.0;
 }
 
 class Closing {
@@ -122,17 +118,19 @@ class Closing {
     if (flat < options_.smallest_share * (seen_area + flat)) return std::nullopt;
     refuse_sheet(rims[0], flat / (seen_area + flat));
 
-    for (std::size_t i = 1; i < rims.size(); ++i) fill(rims[i]);
-    if (rims.size() > 1) {
-      result_.notes.push_back(std::to_string(rims.size() - 1) +
-                              (rims.size() == 2 ? " other hole" : " other holes") +
-                              " filled straight across");
-    }
-    first_vertex_ = result_.lower.vertices.size();
+    const auto bracketed = [&](const Rim& rim) {
+      return &rim == &rims[0] || rim.area.norm() >= kBracketed * (seen_area + flat);
+    };
+    const auto count = std::count_if(rims.begin(), rims.end(), bracketed);
+    result_.open_sides = static_cast<std::size_t>(count);
+    for (std::size_t i = result_.open_sides; i < rims.size(); ++i) fill(rims[i]);
+    note_filled(rims.size() - result_.open_sides);
     result_.first_invented = result_.lower.triangles.size();
+    for (std::size_t i = 1; i < result_.open_sides; ++i) fill(rims[i]);
+    first_vertex_ = result_.lower.vertices.size();
     detail::HolePatch patch = fill(rims[0]);
     describe(rims[0]);
-    bracket(rims[0], detail::Film(result_.lower, std::move(patch), first_vertex_, result_.down));
+    bracket(rims, detail::Film(result_.lower, std::move(patch), first_vertex_, result_.down));
     return std::move(result_);
   }
 
@@ -145,6 +143,12 @@ class Closing {
         std::to_string(rim.loop.size()) + " edges near " +
         place(result_.lower.vertices[rim.loop[0]]) + " spans " + number(100.0 * share) +
         " % of what a closed surface would have; scan the block from all sides");
+  }
+
+  void note_filled(std::size_t small) {
+    if (small == 0) return;
+    result_.notes.push_back(std::to_string(small) + (small == 1 ? " other hole" : " other holes") +
+                            " filled straight across");
   }
 
   detail::HolePatch fill(const Rim& rim) {
@@ -165,73 +169,92 @@ class Closing {
     result_.rim_length = rim.length;
   }
 
-  void bracket(const Rim& rim, const detail::Film& film) {
+  void bracket(const std::vector<Rim>& rims, const detail::Film& film) {
     const detail::Sections sections(result_.lower, -result_.down);
-    result_.lower_volume = sections.volume_above(sections.lowest());
-    if (!(result_.lower_volume > 0.0)) {
+    film_volume_ = sections.volume_above(sections.lowest());
+    if (!(film_volume_ > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed");
     }
-    const std::vector<double> heights = rim_heights(rim);
-    const auto quantile = [&](double share) {
-      return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
-    };
-    const double bottom = lowest_bottom(heights, quantile(0.5), sections.highest());
-    result_.upper_volume = result_.best_volume = result_.lower_volume;
-    double deepest = 0.0, power = kBestPower;
-    for (const double share : kRimShares) {
-      const double level = quantile(share);
-      const Continued below = continued(sections, level, bottom);
-      if (below.upper_volume > result_.upper_volume) {
-        result_.upper_volume = below.upper_volume;
-        deepest = level - bottom;
-        // Of a round rim, bulge^p fills 1/(1 + p) of the cylinder around it.
-        power = std::clamp(1.0 / below.fill - 1.0, detail::Film::kBluntest, kSharpest);
-      }
-      result_.best_volume = std::max(result_.best_volume, below.best_volume);
-    }
-    const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
-    if (uneven) {
-      result_.best_volume =
-          result_.lower_volume + kUnevenShare * (result_.upper_volume - result_.lower_volume);
-    }
-    detail::Move move = film.holding(result_.upper_volume - result_.lower_volume, power, deepest);
-    if (look_under(bottom, sections.highest())) {
-      move = film.pointed(move, result_.upper_volume - result_.lower_volume);
-    }
-    result_.best_volume = std::min(result_.best_volume, result_.upper_volume);
-    result_.upper = film.lowered(move);
-    settle_best(film, deepest);
+    const std::vector<double> heights = rim_heights(rims[0]);
+    const double bottom =
+        lowest_bottom(heights, heights[(heights.size() - 1) / 2], sections.highest());
+    bound(rims, bottom, sections.highest());
+    guess(heights, sections, bottom, film);
     const double filling = area_from(result_.best, result_.first_invented);
     result_.invented_share = filling / surface_area(result_.best);
   }
 
+  void bound(const std::vector<Rim>& rims, double bottom, double highest) {
+    std::vector<std::uint32_t> around;
+    for (std::size_t i = 0; i < result_.open_sides; ++i) {
+      around.insert(around.end(), rims[i].loop.begin(), rims[i].loop.end());
+    }
+    detail::UnseenParts parts{.first = result_.first_invented, .rims = around, .floor = {}};
+    result_.assumption = "the unseen part lies within the planes of the flanks that were seen";
+    if (faces_ground()) {
+      parts.floor = Plane{options_.ground->normal, bottom};
+      const double depth = (options_.ground->distance - bottom) / (highest - bottom);
+      result_.assumption += " and reaches into the ground by no more than " +
+                            with_digits(100.0 * std::max(0.0, depth), 2) + " % of its height";
+    }
+    const detail::UnseenBounds bounds = detail::unseen_bounds(result_.lower, parts);
+    result_.lower_volume = bounds.lower_volume;
+    result_.upper_volume = bounds.upper_volume;
+    result_.sides = bounds.sides;
+    if (result_.upper_volume) {
+      look_under(bottom, highest);
+    } else {
+      result_.assumption.clear();
+    }
+  }
+
+  /// The shape that the sections make likeliest, no larger than the upper one.
+  void guess(const std::vector<double>& heights, const detail::Sections& sections, double bottom,
+             const detail::Film& film) {
+    const auto quantile = [&](double share) {
+      return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
+    };
+    double largest = film_volume_, deepest = 0.0;
+    result_.best_volume = film_volume_;
+    for (const double share : kRimShares) {
+      const double level = quantile(share);
+      const Continued below = continued(sections, level, bottom);
+      if (below.largest_volume > largest) {
+        largest = below.largest_volume;
+        deepest = level - bottom;
+      }
+      result_.best_volume = std::max(result_.best_volume, below.best_volume);
+    }
+    const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
+    if (uneven) result_.best_volume = std::lerp(film_volume_, largest, kUnevenShare);
+    if (result_.upper_volume) {
+      result_.best_volume = std::min(result_.best_volume, *result_.upper_volume);
+    }
+    settle_best(film, deepest);
+  }
+
   /// The upper volume is no larger than all that nobody looked through. A block that can be looked
   /// under stands on a foot; the less so, the deeper it may be buried.
-  /// @returns whether that is less than it was
-  bool look_under(double bottom, double highest) {
-    if (options_.through == nullptr || !(options_.through->side > 0.0) || !faces_ground()) {
-      return false;
-    }
+  void look_under(double bottom, double highest) {
+    if (options_.through == nullptr || !(options_.through->side > 0.0) || !faces_ground()) return;
     const double ground = options_.ground->distance, sunk = kSunk * (highest - ground);
     const detail::SpaceBelow below =
         detail::space_below(result_.lower, *options_.ground, sunk, *options_.through);
     const double share = below.foot_area / below.plan_area;
     const double buried = std::clamp((share - kFootShare) / (1.0 - kFootShare), 0.0, 1.0);
     const double depth = sunk + buried * std::max(0.0, ground - bottom - sunk);
-    const double hull = result_.lower_volume + below.volume + below.foot_area * depth;
-    if (hull >= result_.upper_volume) return false;
+    const double hull = film_volume_ + below.volume + below.foot_area * depth;
+    if (hull >= *result_.upper_volume) return;
     result_.notes.push_back("photos show " + number(100.0 * (1.0 - share)) +
                             " % of its plan to be clear of the ground: that takes " +
-                            number(100.0 * (1.0 - hull / result_.upper_volume)) +
+                            number(100.0 * (1.0 - hull / *result_.upper_volume)) +
                             " % off the largest volume");
     result_.upper_volume = hull;
-    return true;
   }
 
   /// Volumes with the sections continued below a level.
   struct Continued {
-    double upper_volume = 0.0, best_volume = 0.0;
-    double fill = 1.0;  ///< the upper part's share of the cylinder around it
+    double largest_volume = 0.0, best_volume = 0.0;
   };
 
   static Continued continued(const detail::Sections& sections, double level, double bottom) {
@@ -242,12 +265,9 @@ class Closing {
       const double higher = std::sqrt(std::max(0.0, sections.area(level + band * height)));
       return (higher - root) / (band * height);
     };
-    const Cone upper = cone_below(root, narrowing(kUpperBand), level - bottom);
-    const Cone best = cone_below(root, narrowing(kBestBand), level - bottom);
     const double above = sections.volume_above(level);
-    const double cylinder = root * root * upper.depth;
-    return {above + upper.volume, above + kBestShare * best.volume,
-            cylinder > 0.0 ? upper.volume / cylinder : 1.0};
+    return {above + cone_below(root, narrowing(kLargestBand), level - bottom),
+            above + kBestShare * cone_below(root, narrowing(kBestBand), level - bottom)};
   }
 
   /// Ascending.
@@ -283,7 +303,7 @@ class Closing {
   /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
   /// more pointed, then drawn back, until it does not.
   void settle_best(const detail::Film& film, double deepest) {
-    const double added = result_.best_volume - result_.lower_volume;
+    const double added = result_.best_volume - film_volume_;
     detail::Move start = film.holding(added, kBestPower, deepest);
     if (faces_ground()) start = film.lying(*options_.ground, start, added, kMostPointedBest);
     deepest = std::max(deepest, start.depth);
@@ -307,12 +327,16 @@ class Closing {
                               " % of its depth, where it does not meet the walls");
     }
     const detail::Sections sections(result_.best, -result_.down);
-    result_.best_volume = std::min(sections.volume_above(sections.lowest()), result_.upper_volume);
+    result_.best_volume = sections.volume_above(sections.lowest());
+    if (result_.upper_volume) {
+      result_.best_volume = std::min(result_.best_volume, *result_.upper_volume);
+    }
   }
 
   const UndersideOptions& options_;
   Underside result_;
   std::size_t first_vertex_ = 0;
+  double film_volume_ = 0.0;  ///< of `lower`, m^3
 };
 
 }  // namespace

@@ -26,8 +26,9 @@ struct UndersideOptions {
   /// and less do. None: a rim faces down, whichever way
   /// that is.
   std::optional<Plane> ground = {};
-  /// At most this much is buried, as a share of the height that was seen: a quarter of the whole
-  /// height by default. Not where the ground is known and the rim is clear of it.
+  /// In the ground that is given at most this much is buried, as a share of the height that was
+  /// seen: a quarter of the whole height by default. Not where the rim is clear of the ground.
+  /// Without a ground it is the depth of the best guess alone, and bounds nothing.
   double deepest = 1.0 / 3.0;
   /// A hole whose flat filling has less than this share of the closed surface is left alone.
   double smallest_share = 0.001;
@@ -40,32 +41,44 @@ struct UndersideOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// A scan closed three ways. All are closed and outward; `lower` has the same vertices and
-/// triangles as the others, whose filling is moved down.
+/// Bounds of the sides of the smallest box, each by itself: L, I, S in m.
+struct SideBounds {
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
+};
+
+/// A scan closed two ways, and what it may be beyond that. Both meshes are closed and outward, with
+/// the same triangles; the filling of the largest hole is moved down in `best`.
 struct Underside {
-  TriangleMesh lower;  ///< filled straight across the rim (a soap film)
+  TriangleMesh lower;  ///< filled straight across the rims (soap films)
   TriangleMesh best;
-  TriangleMesh upper;
-  double lower_volume = 0.0;  ///< m^3
+  /// Of `lower`, less what its filling may be dented as the seen surface is, m^3.
+  double lower_volume = 0.0;
   double best_volume = 0.0;
-  double upper_volume = 0.0;
+  /// None: so large a part of the block is not seen that nothing bounds it. Nothing is known of the
+  /// sides of its box then.
+  std::optional<double> upper_volume;
+  std::optional<SideBounds> sides;
+  std::string assumption;          ///< what the upper volume rests on, in words
+  std::size_t open_sides = 1;      ///< holes that are bracketed, together
   double invented_share = 0.0;     ///< filling's share of the area of `best`
-  std::size_t first_invented = 0;  ///< triangles from this one on are filling, in all three
-  Vec3 down = -Vec3::UnitZ();      ///< the way the filling faces
-  Vec3 rim_centre = Vec3::Zero();  ///< m
+  std::size_t first_invented = 0;  ///< triangles from this one on are filling, in both
+  Vec3 down = -Vec3::UnitZ();      ///< the way the filling of the largest hole faces
+  Vec3 rim_centre = Vec3::Zero();  ///< of the largest hole, m
   std::size_t rim_edges = 0;
   double rim_length = 0.0;  ///< m
   double gap = 0.0;         ///< of the rim above the ground, m; 0 without a ground
   std::vector<std::string> notes;
 };
 
-/// Closes the largest hole of a scan as an underside, and the others flat.
+/// Closes the largest hole of a scan as an underside, and the others flat, and brackets them
+/// together; those below 0.3 % of the surface are closed flat and count as seen.
 ///
-/// The bracket rests on the sections A(z) across the block. Of a convex body sqrt(A) is concave in
-/// z (Brunn & Minkowski), so below the rim it lies under its tangent: the upper shape is the cone
-/// with the section and the narrowing at the rim, no deeper than `deepest` (or than the ground).
-/// Where it is known what was looked through, the upper volume is no larger than all that was not.
-/// The lower shape ends at the rim. See docs/theory.md for the best guess and its error.
+/// Of a convex body every tangent plane of the seen surface holds all of it, also what nobody saw:
+/// the upper volume fills the space between the films and these planes, moved out by what the seen
+/// surface stands out over its own tangent planes, down to the ground where one is known. Where it
+/// is known what was looked through, the upper volume is no larger than all that was not. Where
+/// that leaves more than half as much again as was seen (as much again above a ground), there is no
+/// upper volume. See docs/theory.md for the best guess, and for what was measured.
 ///
 /// @param open  oriented 2-manifold in one piece; small holes may be left
 /// @returns none where no hole is large enough: the scan is closed, or nearly

@@ -15,18 +15,36 @@ namespace {
 /// Shortest triangles, as a share of the diagonal: about 1e5 of them on a block.
 constexpr double kFinest = 1.0 / 150.0;
 
+double piece_length(const SpheroPolyhedron& shape, int segments) {
+  return 0.5 * kPi / segments * shape.radius;
+}
+
+double finest_length(const SpheroPolyhedron& shape) {
+  Bounds box;
+  for (const Vec3& vertex : shape.vertices) box.include(vertex);
+  return kFinest * box.diagonal();
+}
+
 }  // namespace
 
-TriangleMesh outer_skin(const SpheroPolyhedron& shape, int segments) {
+std::optional<double> wrap_length(const SpheroPolyhedron& shape, int segments) {
   const std::vector<EdgeBend> bends = edge_bends(shape);
   const bool has_reflex = std::find(bends.begin(), bends.end(), EdgeBend::kReflex) != bends.end();
+  if (!has_reflex || shape.radius == 0.0) return std::nullopt;
+  return std::max(piece_length(shape, segments), finest_length(shape));
+}
+
+int most_wrap_segments(const SpheroPolyhedron& shape) {
+  return std::max(1, static_cast<int>(std::ceil(piece_length(shape, 1) / finest_length(shape))));
+}
+
+TriangleMesh outer_skin(const SpheroPolyhedron& shape, int segments) {
   TriangleMesh crossing = skin_mesh(shape, segments);  // also refuses what has no skin
-  if (!has_reflex || shape.radius == 0.0) return crossing;
+  const std::optional<double> length = wrap_length(shape, segments);
+  if (!length) return crossing;
   const TriangleMesh core = core_mesh(shape);
-  const double piece = 0.5 * kPi / segments * shape.radius;
   detail::CgalMesh wrap;
-  CGAL::alpha_wrap_3(detail::to_cgal(core), std::max(piece, kFinest * bounds(core).diagonal()),
-                     shape.radius, wrap);
+  CGAL::alpha_wrap_3(detail::to_cgal(core), *length, shape.radius, wrap);
   TriangleMesh skin = detail::from_cgal(wrap);
   // The wrap finds the offset surface to a share of its distance only.
   const detail::TriangleTree tree(core);

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 #include "core/text_file.hpp"
 #include "shapes/detail/cloud_readers.hpp"
 #include "shapes/detail/mesh_readers.hpp"
@@ -63,8 +64,7 @@ CloudSummary read_by_format(const std::filesystem::path& path, const std::string
                             detail::PointSink& sink) {
   if (extension == ".pcd") return detail::read_pcd(read_text_file(path), sink);
   if (is_text_cloud(extension) || extension == ".las" || extension == ".laz") {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(path, code)) read_text_file(path);  // says what is wrong
+    check_input_file(path);
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw InputError("can't be read; check its permissions");
     return is_text_cloud(extension) ? detail::read_text_cloud(stream, sink)

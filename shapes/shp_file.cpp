@@ -80,6 +80,8 @@ std::vector<ShpShape> read_shp(const std::filesystem::path& path) {
 }
 
 bool is_map_file(const std::filesystem::path& path) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code)) return false;  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
   std::string start(detail::kMapFileMark.size(), ' ');
   return file.read(start.data(), static_cast<std::streamsize>(start.size())) &&

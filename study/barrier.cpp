@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "study/barrier_line.hpp"
+
 namespace clast {
 namespace {
 
@@ -13,13 +15,18 @@ constexpr double kTimeTolerance = 1e-9;
 // A centre exactly on the plane counts as right of it, so that a path is split at the plane once.
 bool is_left(double distance) { return distance > 0.0; }
 
-/// @param closed  the point at `to` belongs to the segment
-std::optional<Crossing> crossing_of_segment(const Vec2& from, const Vec2& to, bool closed,
-                                            const RigidBody& body, const MotionStep& step,
-                                            const TerrainSurface& terrain, double gravity) {
+/// A step's way through the plane over a segment's whole line.
+struct Passage {
+  double time = 0.0;  ///< s
+  RigidState state;
+  bool from_left = false;
+};
+
+/// One at most, also where the plane is passed beside the segment.
+std::optional<Passage> passage(const Vec2& from, const Vec2& to, const RigidBody& body,
+                               const MotionStep& step, double gravity) {
   const Vec2 span = to - from;
-  const double length = span.norm();
-  const Vec2 along = span / length;
+  const Vec2 along = span / span.norm();
   const Vec2 left(-along.y(), along.x());
   const auto distance_left = [&](const RigidState& state) {
     return left.dot(state.position.head<2>() - from);
@@ -28,14 +35,13 @@ std::optional<Crossing> crossing_of_segment(const Vec2& from, const Vec2& to, bo
   const double end = distance_left(step.end);
   if (is_left(begin) == is_left(end)) return std::nullopt;
 
-  Crossing crossing;
-  crossing.forward = is_left(begin);
-  RigidState state;
+  Passage found;
+  found.from_left = is_left(begin);
   const double duration = step.end_time - step.begin_time;
   if (step.flight) {
     const double elapsed = std::clamp(begin / (begin - end), 0.0, 1.0) * duration;
-    crossing.time = step.begin_time + elapsed;
-    state = free_flight(body, step.begin, elapsed, gravity);
+    found.time = step.begin_time + elapsed;
+    found.state = free_flight(body, step.begin, elapsed, gravity);
   } else {
     double before = step.begin_time, after = step.end_time;
     while (after - before > kTimeTolerance) {
@@ -44,16 +50,22 @@ std::optional<Crossing> crossing_of_segment(const Vec2& from, const Vec2& to, bo
       const double distance = distance_left(state_at(body, step, middle, gravity));
       (is_left(distance) == is_left(begin) ? before : after) = middle;
     }
-    crossing.time = after;
-    state = state_at(body, step, after, gravity);
+    found.time = after;
+    found.state = state_at(body, step, after, gravity);
   }
+  return found;
+}
 
-  const double reach = along.dot(state.position.head<2>() - from);
-  if (reach < 0.0 || reach > length || (reach == length && !closed)) return std::nullopt;
+/// What is measured of a passage; none beside surveyed ground.
+std::optional<Crossing> crossing_at(double time, const RigidState& state, bool forward,
+                                    const RigidBody& body, const TerrainSurface& terrain) {
   const Vec3& centre = state.position;
   const std::optional<double> ground = terrain.height(centre.x(), centre.y(), centre.z());
   if (!ground) return std::nullopt;
 
+  Crossing crossing;
+  crossing.forward = forward;
+  crossing.time = time;
   const Pose world_from_body = state.world_from_body();
   Vec3 lowest = world_from_body * body.shape.vertices.front();
   for (const Vec3& vertex : body.shape.vertices) {
@@ -72,22 +84,69 @@ std::optional<Crossing> crossing_of_segment(const Vec2& from, const Vec2& to, bo
   return crossing;
 }
 
-}  // namespace
-
-std::vector<Crossing> find_crossings(const Barrier& barrier, const RigidBody& body,
-                                     const MotionStep& step, const TerrainSurface& terrain,
-                                     double gravity) {
+std::vector<Crossing> crossings_of_line(const Barrier& barrier, const RigidBody& body,
+                                        const MotionStep& step, const TerrainSurface& terrain,
+                                        double gravity) {
   std::vector<Crossing> found;
   for (std::size_t i = 0; i + 1 < barrier.through.size(); ++i) {
-    const bool last = i + 2 == barrier.through.size();
-    if (const std::optional<Crossing> crossing = crossing_of_segment(
-            barrier.through[i], barrier.through[i + 1], last, body, step, terrain, gravity)) {
+    const Vec2 &from = barrier.through[i], &to = barrier.through[i + 1];
+    const std::optional<Passage> passed = passage(from, to, body, step, gravity);
+    if (!passed) continue;
+    const double length = (to - from).norm();
+    const double reach = ((to - from) / length).dot(passed->state.position.head<2>() - from);
+    const bool last = i + 2 == barrier.through.size();  // its end belongs to it
+    if (reach < 0.0 || reach > length || (reach == length && !last)) continue;
+    if (const std::optional<Crossing> crossing =
+            crossing_at(passed->time, passed->state, passed->from_left, body, terrain)) {
       found.push_back(*crossing);
     }
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Crossing& a, const Crossing& b) { return a.time < b.time; });
   return found;
+}
+
+/// A step can go in or out only where it passes the line of a side, so it is looked whether it is
+/// inside before, between and after these instants: entries and exits alternate, whatever corner is
+/// grazed and however it is rounded.
+std::vector<Crossing> crossings_of_ring(const Barrier& barrier, const RigidBody& body,
+                                        const MotionStep& step, const TerrainSurface& terrain,
+                                        double gravity) {
+  std::vector<Crossing> found;
+  const std::vector<Vec2>& ring = barrier.through;
+  std::vector<Passage> passed;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+    if (auto one = passage(ring[i], ring[i + 1], body, step, gravity)) passed.push_back(*one);
+  }
+  std::stable_sort(passed.begin(), passed.end(),
+                   [](const Passage& a, const Passage& b) { return a.time < b.time; });
+  // A begin on the line itself can belong to the other side.
+  if (passed.empty()) passed.push_back({step.begin_time, step.begin, false});
+  bool inside = is_inside(ring, step.begin.position.head<2>());
+  for (std::size_t i = 0; i < passed.size(); ++i) {
+    const RigidState after =
+        i + 1 < passed.size()
+            ? state_at(body, step, 0.5 * (passed[i].time + passed[i + 1].time), gravity)
+            : step.end;
+    if (is_inside(ring, after.position.head<2>()) == inside) continue;
+    // From the left to the right is out of a ring with its inside on the left.
+    const bool forward = inside == inside_is_left(ring);
+    inside = !inside;
+    if (const std::optional<Crossing> crossing =
+            crossing_at(passed[i].time, passed[i].state, forward, body, terrain)) {
+      found.push_back(*crossing);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Crossing> find_crossings(const Barrier& barrier, const RigidBody& body,
+                                     const MotionStep& step, const TerrainSurface& terrain,
+                                     double gravity) {
+  return is_ring(barrier.through) ? crossings_of_ring(barrier, body, step, terrain, gravity)
+                                  : crossings_of_line(barrier, body, step, terrain, gravity);
 }
 
 }  // namespace clast

@@ -8,10 +8,11 @@
 namespace clast {
 
 /// Vertical planes over the segments of a line on the map. Forward is from the left of the line, as
-/// it runs, to its right.
+/// it runs, to its right. A line that ends at its first point is a ring, which is entered and left:
+/// one that runs counter-clockwise is left forward.
 struct Barrier {
   std::string name;
-  std::vector<Vec2> through;  ///< local frame, m; two points at least, neighbours differ
+  std::vector<Vec2> through;  ///< local frame, m; as `check_barrier_line` wants it
 };
 
 /// One passage of a centre of mass through a barrier.
@@ -31,7 +32,8 @@ struct Crossing {
 
 /// The crossings of `step` through the barrier in order of time, one at most through each segment:
 /// exact time in flight, to 1e-9 s otherwise. A centre exactly on a plane counts as right of it,
-/// and an inner point of the line belongs to the segment that begins there. None where the centre
+/// and an inner point of the line belongs to the segment that begins there. Of a ring, entries and
+/// exits alternate, also where a path grazes a corner. None where the centre
 /// is not over surveyed ground; where only the lowest skin point is not, its clearance is taken to
 /// the ground under the centre. `run` and `barrier` of the results are left to the caller.
 std::vector<Crossing> find_crossings(const Barrier& barrier, const RigidBody& body,

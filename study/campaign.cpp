@@ -5,6 +5,8 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "study/barrier_line.hpp"
+#include "study/campaign_ranges.hpp"
 #include "study/campaign_reading.hpp"
 
 namespace clast {
@@ -23,18 +25,16 @@ std::optional<ZoneFile> named_zone_file(const TomlTable& table, const TomlNode& 
 
 /// How the surface files are gridded, checked and mended.
 void read_terrain_checks(const TomlTable& table, Campaign& campaign) {
-  constexpr NumberRange kPercentile{0.0, true, 100.0, "from 0 to 100"};
-  constexpr std::uint64_t kMostRounds = 1000;
   TerrainOptions& terrain = campaign.terrain;
-  terrain.resolution = table.number("resolution_m", kPositive);
+  terrain.resolution = table.number("resolution_m", kCellSize);
   terrain.percentile = table.number("percentile", kPercentile);
-  terrain.outliers = table.number("outliers_m", kPositive);
-  terrain.fill = table.number("fill_m", kNotNegative);
-  terrain.crack = table.number("crack_m", kNotNegative).value_or(terrain.crack);
+  terrain.outliers = table.number("outliers_m", kOutlierDistance);
+  terrain.fill = table.number("fill_m", kHoleWidth);
+  terrain.crack = table.number("crack_m", kCrackWidth).value_or(terrain.crack);
   terrain.spike_steepness =
-      table.number("spike_steepness", kNotNegative).value_or(terrain.spike_steepness);
-  terrain.smoothing = static_cast<int>(table.count("smoothing", 0, kMostRounds).value_or(0));
-  terrain.tolerance = table.number("tolerance_m", kPositive);
+      table.number("spike_steepness", kSpikeSteepness).value_or(terrain.spike_steepness);
+  terrain.smoothing = static_cast<int>(table.count("smoothing", 0, kMostSmoothing).value_or(0));
+  terrain.tolerance = table.number("tolerance_m", kSurfaceTolerance);
   if (const TomlNode* lines = table.find("breaklines")) {
     const std::size_t count = table.texts("breaklines")->size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -47,7 +47,7 @@ void read_terrain_checks(const TomlTable& table, Campaign& campaign) {
     }
     terrain.cut_zones = cut->boolean;
   }
-  campaign.border_distance = table.number("border_distance_m", kPositive);
+  campaign.border_distance = table.number("border_distance_m", kBorderDistance);
 }
 
 void read_terrain_table(const TomlTable& top, Campaign& campaign) {
@@ -75,7 +75,7 @@ void read_terrain_table(const TomlTable& top, Campaign& campaign) {
   }
   campaign.terrain.up = choice(table, "up", {"z", "y"}).value_or("z");
   read_terrain_checks(table, campaign);
-  campaign.terrain_radius = table.number("radius_m", kNotNegative).value_or(0.0);
+  campaign.terrain_radius = table.number("radius_m", kGroundRadius).value_or(0.0);
 }
 
 void read_contact(const TomlTable& top, Campaign& campaign) {
@@ -92,10 +92,10 @@ void read_contact(const TomlTable& top, Campaign& campaign) {
   if (automatic && (automatic->kind != TomlNode::Kind::kString || automatic->text != "auto")) {
     table.refuse("stiffness", *automatic, "must be \"auto\"; a value is written stiffness_n_m");
   }
-  campaign.stiffness = {.normal = table.number("stiffness_n_m", kPositive),
-                        .tangential = table.number("tangential_stiffness_n_m", kPositive),
-                        .rolling = table.number("rolling_stiffness_n_m_rad", kPositive),
-                        .time_step = table.number("time_step_s", kPositive),
+  campaign.stiffness = {.normal = table.number("stiffness_n_m", kStiffness),
+                        .tangential = table.number("tangential_stiffness_n_m", kStiffness),
+                        .rolling = table.number("rolling_stiffness_n_m_rad", kRollingStiffness),
+                        .time_step = table.number("time_step_s", kTimeStep),
                         .law = law ? contact_law(*law) : ContactLaw()};
   if (automatic && campaign.stiffness.normal) {
     table.refuse("stiffness_n_m", *table.find("stiffness_n_m"),
@@ -110,7 +110,8 @@ std::vector<Vec2> read_barrier_line(const TomlTable& table) {
   if (!line) {
     table.required("from", "two numbers, [x, y]");
     table.required("to", "two numbers, [x, y]");
-    const std::vector<Vec2> ends = {*table.vec2("from"), *table.vec2("to")};
+    const std::vector<Vec2> ends = {*table.vec2("from", kMapCoordinate),
+                                    *table.vec2("to", kMapCoordinate)};
     if (!((ends[1] - ends[0]).norm() > 0.0)) {
       table.refuse("to", *table.find("to"), "must differ from from");
     }
@@ -126,11 +127,17 @@ std::vector<Vec2> read_barrier_line(const TomlTable& table) {
   }
   std::vector<Vec2> points;
   for (const TomlNode& point : line->list) {
-    const std::vector<double> xy = table.numbers("through", point, 2, 2, "points [x, y]");
+    const std::vector<double> xy =
+        table.numbers("through", point, 2, 2, "points [x, y]", kMapCoordinate);
     points.emplace_back(xy[0], xy[1]);
     if (points.size() > 1 && !((points.back() - points[points.size() - 2]).norm() > 0.0)) {
       table.refuse("through", point, "two points after each other must differ");
     }
+  }
+  try {
+    check_barrier_line(points);
+  } catch (const InputError& error) {
+    table.refuse("through", *line, "barrier " + *table.text("name") + ": " + error.what());
   }
   return points;
 }
@@ -156,29 +163,24 @@ std::vector<Barrier> read_barriers(const TomlTable& top) {
   return barriers;
 }
 
-// s; about a time step, so that no more can be seen, while storage goes with its inverse.
-constexpr double kShortestInterval = 1e-4;
-
 void read_run(const TomlTable& top, Campaign& campaign) {
   const TomlNode* node = top.find("run");
   if (!node) return;
   const TomlTable table(*node, top.file(), "[run]",
                         {"max_time_s", "rest_energy_j_kg", "rest_duration_s", "gravity_m_s2",
                          "downslope", "trajectory_interval_s"});
-  campaign.max_time = table.number("max_time_s", kPositive).value_or(campaign.max_time);
-  campaign.rest_energy = table.number("rest_energy_j_kg", kPositive).value_or(campaign.rest_energy);
+  campaign.max_time = table.number("max_time_s", kRunTime).value_or(campaign.max_time);
+  campaign.rest_energy =
+      table.number("rest_energy_j_kg", kRestEnergy).value_or(campaign.rest_energy);
   campaign.rest_duration =
-      table.number("rest_duration_s", kPositive).value_or(campaign.rest_duration);
-  campaign.gravity = table.number("gravity_m_s2", kPositive).value_or(campaign.gravity);
-  campaign.trajectory_interval =
-      table.number("trajectory_interval_s", kNotNegative).value_or(campaign.trajectory_interval);
-  if (campaign.trajectory_interval > 0.0 && campaign.trajectory_interval < kShortestInterval) {
-    table.refuse("trajectory_interval_s", *table.find("trajectory_interval_s"),
-                 "must be 0 (none stored), or 1e-4 or more; each state takes 112 bytes");
-  }
-  campaign.downslope = table.vec2("downslope");
-  if (campaign.downslope && !in_range(campaign.downslope->norm(), kPositive)) {
-    table.refuse("downslope", *table.find("downslope"), "must point somewhere");
+      table.number("rest_duration_s", kRestDuration).value_or(campaign.rest_duration);
+  campaign.gravity = table.number("gravity_m_s2", kGravity).value_or(campaign.gravity);
+  campaign.trajectory_interval = table.number("trajectory_interval_s", kTrajectoryInterval)
+                                     .value_or(campaign.trajectory_interval);
+  campaign.downslope = table.vec2("downslope", kDirectionComponent);
+  if (campaign.downslope && !kDirectionLength.holds(campaign.downslope->norm())) {
+    table.refuse("downslope", *table.find("downslope"),
+                 "must point somewhere, with a length " + kDirectionLength.words());
   }
 }
 

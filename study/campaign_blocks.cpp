@@ -4,6 +4,8 @@
 
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
+#include "study/campaign_ranges.hpp"
 #include "study/campaign_reading.hpp"
 
 namespace clast {
@@ -48,10 +50,10 @@ BlockScale read_scale(const TomlTable& table) {
     table.refuse("scale", *node, expected);
   }
   const TomlTable scale(*node, table.file(), "[blocks] scale", {"mass_kg", "volume_m3"});
-  if (const std::optional<double> mass = scale.number("mass_kg", kPositive)) {
+  if (const std::optional<double> mass = scale.number("mass_kg", kBlockMass)) {
     return {BlockScale::Kind::kMass, *mass};
   }
-  return {BlockScale::Kind::kVolume, *scale.number("volume_m3", kPositive)};
+  return {BlockScale::Kind::kVolume, *scale.number("volume_m3", kBlockVolume)};
 }
 
 std::vector<std::pair<std::string, double>> read_shares(const TomlTable& draw,
@@ -62,7 +64,7 @@ std::vector<std::pair<std::string, double>> read_shares(const TomlTable& draw,
   std::vector<std::pair<std::string, double>> shares;
   double sum = 0.0;
   for (const std::string& name : class_names(scheme)) {
-    const std::optional<double> share = table.number(name, kNotNegative);
+    const std::optional<double> share = table.number(name, kClassShare);
     if (!share || *share == 0.0) continue;
     shares.emplace_back(name, *share);
     sum += *share;
@@ -83,14 +85,14 @@ BlockDraw read_draw(const TomlTable& blocks, const TomlNode& node) {
   draw.seed = table.count("seed", 0, INT64_MAX).value_or(draw.seed);
   draw.scheme = choice(table, "scheme", kSchemes).value_or(draw.scheme);
   draw.shares = read_shares(table, draw.scheme);
-  draw.mass = read_uncertain(table, "mass_kg", kPositive);
+  draw.mass = read_uncertain(table, "mass_kg", kBlockMass);
   return draw;
 }
 
 GroundTable read_ground_table(const TomlTable& table) {
-  return {.energy_restitution = read_uncertain(table, "energy_restitution", kShare),
-          .friction = read_uncertain(table, "friction", kNotNegative),
-          .rolling_friction = read_uncertain(table, "rolling_friction", kNotNegative)};
+  return {.energy_restitution = read_uncertain(table, "energy_restitution", kEnergyRestitution),
+          .friction = read_uncertain(table, "friction", kFriction),
+          .rolling_friction = read_uncertain(table, "rolling_friction", kFriction)};
 }
 
 /// The tables of a table [ground], by zone.
@@ -102,15 +104,20 @@ std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::s
   if (names.empty()) all.refuse("empty; write one table [" + title + ".NAME] per zone");
   std::map<std::string, GroundTable> ground;
   for (const auto& [name, value] : node.table) {
+    try {
+      check_zone_name(name);
+    } catch (const InputError& error) {
+      all.refuse(printable(name), value, error.what());
+    }
     if (value.kind != TomlNode::Kind::kTable) {
       all.refuse(name, value, "must be in the table of a zone, [" + title + ".NAME]");
     }
     const TomlTable table(value, file, "[" + title + "." + name + "]",
                           {"energy_restitution", "friction", "rolling_friction"});
     if (complete) {
-      table.required("energy_restitution", "e_n^2, more than zero and at most 1");
-      table.required("friction", "mu, zero or more");
-      table.required("rolling_friction", "mu_R, zero or more");
+      table.required("energy_restitution", "e_n^2, " + kEnergyRestitution.words());
+      table.required("friction", "mu, " + kFriction.words());
+      table.required("rolling_friction", "mu_R, " + kFriction.words());
     }
     ground[name] = read_ground_table(table);
   }

@@ -59,18 +59,23 @@ constexpr double kManySteps = 1e9;
 constexpr double kEndlessSteps = 1e12;
 
 void tell_of_steps(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
-  const double step = prepared.stiffness.stiffness.time_step;
+  const auto shortest = std::min_element(prepared.runs.begin(), prepared.runs.end(),
+                                         [](const RunRecord& a, const RunRecord& b) {
+                                           return a.stiffness.time_step < b.stiffness.time_step;
+                                         });
+  const double step = shortest->stiffness.time_step;
   const double steps = prepared.campaign.max_time / step;
   if (!(steps > kManySteps)) return;
-  const std::string told = "the time step of " + with_digits(step, 3) + " s makes up to " +
+  const std::string cost = "block " + prepared.header.blocks[shortest->block].id +
+                           ": the time step of " + with_digits(step, 3) + " s makes up to " +
                            with_digits(steps, 2) + " steps of a run of " +
                            with_digits(prepared.campaign.max_time, 4) + " s";
   if (!(steps < kEndlessSteps)) {
-    throw InputError(prepared.campaign.file.string() + ": " + told +
+    throw InputError(prepared.campaign.file.string() + ": " + cost +
                      ", which would not end; give a softer [contact] stiffness_n_m, a longer "
                      "time_step_s or a shorter [run] max_time_s, or leave both to \"auto\"");
   }
-  warnings.push_back(told + "; runs will take long");
+  warnings.push_back(cost + "; runs will take long");
 }
 
 // Friction angles in degrees that stand where coefficients belong.
@@ -155,7 +160,7 @@ void check_falls(const PreparedCampaign& prepared) {
 }
 
 std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared) {
-  std::vector<std::string> warnings = prepared.stiffness.warnings;
+  std::vector<std::string> warnings;
   tell_of_scales(prepared, warnings);
   tell_of_steps(prepared, warnings);
   tell_of_friction(prepared, warnings);

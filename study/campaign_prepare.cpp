@@ -11,7 +11,9 @@
 #include "study/campaign_checks.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/ground_sets.hpp"
+#include "study/named_seed.hpp"
 #include "study/release_points.hpp"
+#include "study/run_stiffness.hpp"
 
 namespace clast {
 namespace {
@@ -114,12 +116,15 @@ void check_clear_of_ground(const PreparedCampaign& prepared, const GroundGap& gr
                            : "; raise the release point or use " + table + " height_m"));
 }
 
-// Random orientations of one block at one point, independent of all others.
-std::vector<Quat> fresh_orientations(const ReleasePlan& release, std::uint32_t block,
-                                     std::uint32_t point) {
-  // Two rounds, so that neighbouring numbers begin unrelated sequences.
-  const std::uint64_t by_block = Random(release.orientation_seed + block).next_bits();
-  return random_orientations(release.orientations.size(), Random(by_block + point).next_bits());
+// Random orientations of one block at one point of a set. Their seed is made from names, not from
+// places in the campaign, so that they do not depend on what else runs.
+std::vector<Quat> fresh_orientations(const ReleasePlan& release, const std::string& block,
+                                     std::size_t point) {
+  std::uint64_t seed = release.orientation_seed;
+  for (const std::string& name : {release.name, block, std::to_string(point)}) {
+    seed = named_seed(seed, name);
+  }
+  return random_orientations(release.orientations.size(), seed);
 }
 
 // The release sets of a block, in order; `run` counts over the whole campaign.
@@ -135,7 +140,7 @@ void plan_block(const std::vector<std::vector<Vec3>>& points, std::uint32_t bloc
     const ReleasePlan& release = campaign.releases[set];
     for (std::size_t of_set = 0; of_set < points[set].size(); ++of_set, ++point) {
       const std::vector<Quat> orientations = release.fresh_orientations
-                                                 ? fresh_orientations(release, block, point)
+                                                 ? fresh_orientations(release, chosen.id, of_set)
                                                  : release.orientations;
       for (std::uint32_t turn = 0; turn < orientations.size(); ++turn) {
         RunRecord run;
@@ -201,22 +206,6 @@ void plan_runs(PreparedCampaign& prepared) {
   }
 }
 
-// No block can be faster: all energy of its start, and the fall to the lowest ground, in its speed.
-double fastest_speed(const PreparedCampaign& prepared) {
-  const double lowest = prepared.surface->extent().low.z();
-  double spin = 0.0, fastest = 0.0;
-  for (const RigidBody& body : prepared.bodies) {
-    spin = std::max(spin, body.moments.maxCoeff() / body.mass);
-  }
-  for (const RunRecord& run : prepared.runs) {
-    const double fall = std::max(0.0, run.start.position.z() - lowest);
-    fastest = std::max(fastest, run.start.velocity.squaredNorm() +
-                                    spin * run.start.angular_velocity.squaredNorm() +
-                                    2.0 * prepared.campaign.gravity * fall);
-  }
-  return std::sqrt(fastest);
-}
-
 std::string with_digest(const std::filesystem::path& file) {
   return file.string() + " " + sha256_of_file(file);
 }
@@ -279,22 +268,9 @@ PreparedCampaign prepare_campaign(const Campaign& campaign) {
 
   plan_runs(prepared);
   check_falls(prepared);
-  std::vector<GroundParameters> all_ground;
-  for (const GroundSet& set : header.ground_sets) {
-    all_ground.insert(all_ground.end(), set.zones.begin(), set.zones.end());
-  }
-  prepared.stiffness = choose_stiffness(prepared.bodies, all_ground, fastest_speed(prepared),
-                                        campaign.gravity, campaign.stiffness);
-  header.stiffness = prepared.stiffness.stiffness;
+  std::vector<std::string> warnings = settle_stiffness(prepared);
   header.warnings = campaign_warnings(prepared);
-  prepared.settings = {.stiffness = header.stiffness,
-                       .law = campaign.stiffness.law,
-                       .weights = campaign.weights,
-                       .gravity = campaign.gravity,
-                       .max_time = campaign.max_time,
-                       .rest_energy = campaign.rest_energy,
-                       .rest_duration = campaign.rest_duration};
-  prepared.settings.check();
+  header.warnings.insert(header.warnings.begin(), warnings.begin(), warnings.end());
   return prepared;
 }
 

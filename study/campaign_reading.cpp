@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
+#include "study/campaign_ranges.hpp"
 
 namespace clast {
 
@@ -102,21 +103,29 @@ std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::strin
   } else {
     table.refuse(key, *node, expected);
   }
-  const std::vector<double> values = table.numbers(key, value, 2, 2, "two numbers, as in " + law);
+  const double most = std::max(range.high, kLogSigma.high);
+  const std::vector<double> values =
+      table.numbers(key, value, 2, 2, "two numbers, as in " + law, {-most, most});
   number.first = values[0];
   number.second = values[1];
-  if (!in_range(number.first, range)) {
-    table.refuse(key, *node, "its first number must be " + std::string(range.expected));
+  if (!range.holds(number.first)) {
+    table.refuse(key, *node, "its first number must be " + range.words());
   }
   if (number.law == Uncertain::Law::kUniform) {
-    if (!in_range(number.second, range)) {
-      table.refuse(key, *node, "its second number must be " + std::string(range.expected));
+    if (!range.holds(number.second)) {
+      table.refuse(key, *node, "its second number must be " + range.words());
     }
     if (!(number.second > number.first)) {
       table.refuse(key, *node, "the lower bound must come first");
     }
-  } else if (!(number.second > 0.0)) {
-    table.refuse(key, *node, "its second number, the spread, must be more than zero");
+    return number;
+  }
+  // A wider law hardly ever draws a value inside the range.
+  const NumberRange spread = number.law == Uncertain::Law::kLogNormal
+                                 ? kLogSigma
+                                 : NumberRange{range.low, range.high, range.unit};
+  if (!spread.holds(number.second)) {
+    table.refuse(key, *node, "its second number, the spread, must be " + spread.words());
   }
   if (number.law == Uncertain::Law::kLogNormal && !(number.first > 0.0)) {
     table.refuse(key, *node, "a median must be more than zero");

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "study/campaign_ranges.hpp"
 #include "study/campaign_reading.hpp"
 #include "study/release_points.hpp"
 
@@ -12,8 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr NumberRange kDropHeight{0.0, true, 10'000.0, "zero or more, and at most 10000 m"};
-
 std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, ReleasePlan& plan) {
   const std::string expected =
       "a point file, a list [[x, y, z], ...], { line = [...], count = N } or { polygon = [...], "
@@ -21,10 +20,11 @@ std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, Release
   const TomlNode& node = table.required("points", expected);
   const bool plan_only = plan.drop_height.has_value();
   const auto point_of = [&](const TomlTable& from, const std::string& key, const TomlNode& row) {
-    const std::vector<double> values = from.numbers(
-        key, row, plan_only ? 2 : 3, 3,
-        plan_only ? "points of finite numbers, [x, y] or [x, y, z]"
-                  : "points of three finite numbers, [x, y, z]; [x, y] needs height_m");
+    const std::vector<double> values =
+        from.numbers(key, row, plan_only ? 2 : 3, 3,
+                     plan_only ? "points of finite numbers, [x, y] or [x, y, z]"
+                               : "points of three finite numbers, [x, y, z]; [x, y] needs height_m",
+                     kMapCoordinate);
     return Vec3(values[0], values[1], values.size() == 3 ? values[2] : 0.0);
   };
   const auto points_of = [&](const TomlTable& from, const std::string& key, const TomlNode& list,
@@ -124,9 +124,8 @@ void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) 
 }
 
 Vec3 start_rate(const TomlTable& table, const std::string& key, double most) {
-  const Vec3 rate = table.vec3(key).value_or(Vec3::Zero());
-  // The norm of huge numbers overflows, their largest does not.
-  if (rate.cwiseAbs().maxCoeff() > most || rate.norm() > most) {
+  const Vec3 rate = table.vec3(key, {-most, most}).value_or(Vec3::Zero());
+  if (rate.norm() > most) {
     table.refuse(key, *table.find(key),
                  "must be " + with_digits(most, 6) + " in size at most; check the units");
   }

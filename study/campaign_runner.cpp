@@ -25,7 +25,7 @@ class RunObserver {
         run_(run.run) {}
 
   void see(const MotionStep& step) {
-    const double gravity = prepared_.settings.gravity;
+    const double gravity = prepared_.campaign.gravity;
     const double interval = prepared_.campaign.trajectory_interval;
     if (interval > 0.0) {
       // Counted, not added up, so that frames of all runs fall on the same times.
@@ -76,8 +76,8 @@ StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned,
   try {
     result =
         simulate_release(*prepared.surface, prepared.header.ground_sets[planned.ground_set].zones,
-                         prepared.bodies[planned.block], planned.start, prepared.settings,
-                         [&](const MotionStep& step) {
+                         prepared.bodies[planned.block], planned.start,
+                         release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
                            observer.see(step);
                            if (after_step) after_step(step.end_time);
                          });
@@ -210,6 +210,16 @@ std::vector<std::uint32_t> open_runs(const PreparedCampaign& prepared, const Sha
 
 }  // namespace
 
+ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run) {
+  return {.stiffness = run.stiffness,
+          .law = campaign.stiffness.law,
+          .weights = campaign.weights,
+          .gravity = campaign.gravity,
+          .max_time = campaign.max_time,
+          .rest_energy = campaign.rest_energy,
+          .rest_duration = campaign.rest_duration};
+}
+
 TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   // Steps of the golden ratio are spread evenly however many are taken.
   constexpr double kGoldenRatio = 0.61803398874989485;
@@ -271,8 +281,9 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   const auto open_results = [&] {
     if (team && !team->leads()) return std::string();
     const bool go_on = options.resume && std::filesystem::exists(partial_results(target));
-    writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header)
-                         : ResultsWriter::create(target, prepared.header));
+    const std::size_t runs = options.shard.runs_of(prepared.runs.size());
+    writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
+                         : ResultsWriter::create(target, prepared.header, runs));
     open = open_runs(prepared, options.shard, target, writer->stored_runs());
     return std::string();
   };

@@ -19,15 +19,16 @@ struct PreparedCampaign {
   BlockChoice choice;
   std::vector<RigidBody> bodies;          ///< of `choice.blocks`, scaled
   std::optional<TerrainSurface> surface;  ///< of `header.terrain`; always there
-  StiffnessChoice stiffness;
-  ReleaseSettings settings;
   /// Planned runs in order: blocks, release sets, their points, their orientations, members of the
   /// ensemble (fastest).
-  std::vector<RunRecord> runs;  ///< `result` still empty
+  std::vector<RunRecord> runs;  ///< with their stiffness; `result` still empty
 };
 
 /// A block as the dynamics sees it.
 RigidBody rigid_body(const Block& block);
+
+/// What the campaign and the run itself, its stiffness and time step, ask of the dynamics.
+ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run);
 
 /// Loads library and terrain, places every block and checks every start.
 /// @throws InputError       inputs that do not fit: a zone without parameters, a parameter for no

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/output_folder.hpp"
 #include "core/statistics.hpp"
 #include "study/differences.hpp"
 #include "study/measured_stops.hpp"
@@ -39,11 +40,20 @@ struct Group {
   std::vector<std::size_t> rows;      ///< into Comparison::rows
 };
 
-/// A barrier on the map. The same name and line in several files is one barrier.
+/// A barrier on the map. The same name and line in several files is one barrier; a ring is two, of
+/// entries and of exits.
 struct BarrierLine {
-  std::string name;                  ///< made unique by " (file 2)" where lines differ
+  enum class Counts { kForward, kEntries, kExits };
+  std::string name;  ///< made unique by " (file 2)" where lines differ; of a ring with " (in)" or
+                     ///< " (out)"
   std::vector<Vec2> through;         ///< map, m
   std::vector<std::uint32_t> files;  ///< that have it
+  Counts counts = Counts::kForward;
+
+  /// "forward" or "backward"; of a ring "in" or "out".
+  std::string direction(const Crossing& crossing) const;
+  /// A crossing that way.
+  bool counted(const Crossing& crossing) const;
 };
 
 /// One row of crossings.csv.
@@ -52,10 +62,10 @@ struct CrossingRow {
   std::size_t row = 0;           ///< into Comparison::rows
   std::size_t barrier = 0;       ///< into Comparison::lines
   Vec3 position = Vec3::Zero();  ///< map, m
-  bool counted = false;          ///< first forward crossing of this run at this barrier
+  bool counted = false;          ///< this run's first crossing of this barrier, the way it counts
 };
 
-/// Runs of one group at one barrier. Summaries are over first forward crossings.
+/// Runs of one group at one barrier. Summaries are over counted crossings.
 struct BarrierGroup {
   std::string barrier;
   std::string group;
@@ -154,6 +164,9 @@ std::string ground_sets_csv(const Comparison& comparison);
 
 /// What made the results, as JSON: program versions, campaigns and input files with their hashes.
 std::string provenance_json(const Comparison& comparison);
+
+/// How a folder is known that `write_comparison` and `write_animation` filled.
+FolderKind comparison_folder();
 
 /// Writes the tables, provenance.json, stops.gpkg (map layers) and report.html to `folder`.
 /// @return what was written, the report last

@@ -5,17 +5,20 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "study/barrier_line.hpp"
 
 namespace clast {
 namespace {
 
-/// Lines of all files, and for every file the line each of its barriers is.
+/// Lines of all files, and for every file the first line that each of its barriers is.
 struct Lines {
   std::vector<BarrierLine> lines;
   std::vector<std::vector<std::size_t>> line_of;
 };
 
+/// Crossings of one ring lie at two lines, entries first.
 Lines collect_lines(const std::vector<CampaignResults>& results) {
+  using Counts = BarrierLine::Counts;
   Lines found;
   std::vector<std::string> plain_names;
   for (std::uint32_t file = 0; file < results.size(); ++file) {
@@ -31,13 +34,22 @@ Lines collect_lines(const std::vector<CampaignResults>& results) {
         if (found.lines[line].through == through) break;
         name_taken = true;
       }
+      const bool ring = is_ring(through);
       if (line == found.lines.size()) {
-        const std::string suffix = name_taken ? " (file " + std::to_string(file + 1) + ")" : "";
-        found.lines.push_back({barrier.name + suffix, std::move(through), {}});
-        plain_names.push_back(barrier.name);
+        const std::string name =
+            barrier.name + (name_taken ? " (file " + std::to_string(file + 1) + ")" : "");
+        if (ring) {
+          found.lines.push_back({name + " (in)", through, {}, Counts::kEntries});
+          found.lines.push_back({name + " (out)", through, {}, Counts::kExits});
+        } else {
+          found.lines.push_back({name, through, {}, Counts::kForward});
+        }
+        plain_names.resize(found.lines.size(), barrier.name);
       }
-      std::vector<std::uint32_t>& files = found.lines[line].files;
-      if (files.empty() || files.back() != file) files.push_back(file);
+      for (std::size_t i = line; i < line + (ring ? 2 : 1); ++i) {
+        std::vector<std::uint32_t>& files = found.lines[i].files;
+        if (files.empty() || files.back() != file) files.push_back(file);
+      }
       line_of.push_back(line);
     }
     found.line_of.push_back(std::move(line_of));
@@ -72,8 +84,11 @@ std::vector<CrossingRow> collect_crossings(const std::vector<CampaignResults>& r
             " at barrier number " + std::to_string(crossing.barrier) +
             " fits no run or barrier of the file; it is damaged, run the campaign again");
       }
-      crossings.push_back({&crossing, row->second, lines.line_of[file][crossing.barrier],
-                           results[file].frame.map(crossing.position), false});
+      std::size_t line = lines.line_of[file][crossing.barrier];
+      const bool ring = lines.lines[line].counts != BarrierLine::Counts::kForward;
+      if (ring && !lines.lines[line].counted(crossing)) ++line;  // an exit
+      crossings.push_back(
+          {&crossing, row->second, line, results[file].frame.map(crossing.position), false});
     }
   }
   std::stable_sort(crossings.begin(), crossings.end(),
@@ -82,7 +97,7 @@ std::vector<CrossingRow> collect_crossings(const std::vector<CampaignResults>& r
                    });
   std::map<std::pair<std::size_t, std::size_t>, bool> counted;  // by row and barrier
   for (CrossingRow& crossing : crossings) {
-    if (!crossing.crossing->forward) continue;
+    if (!lines.lines[crossing.barrier].counted(*crossing.crossing)) continue;
     crossing.counted = counted.emplace(std::pair(crossing.row, crossing.barrier), true).second;
   }
   return crossings;
@@ -107,6 +122,18 @@ BarrierGroup measured(const std::vector<const Crossing*>& crossings) {
 }
 
 }  // namespace
+
+std::string BarrierLine::direction(const Crossing& crossing) const {
+  if (counts == Counts::kForward) return crossing.forward ? "forward" : "backward";
+  return crossing.forward == inside_is_left(through) ? "out" : "in";
+}
+
+bool BarrierLine::counted(const Crossing& crossing) const {
+  const std::string way = direction(crossing);
+  return way == (counts == Counts::kForward   ? "forward"
+                 : counts == Counts::kEntries ? "in"
+                                              : "out");
+}
 
 BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<RunRow>& rows,

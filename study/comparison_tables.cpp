@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -7,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/version.hpp"
+#include "study/block_stiffness.hpp"
 #include "study/comparison.hpp"
 #include "study/profiles.hpp"
 #include "study/report/gis_layers.hpp"
@@ -58,6 +60,20 @@ void cells_of_plan(CsvText& csv, const CampaignResults& results, const RunRow& r
   csv.count(row.record->ground_set);
   const std::uint32_t set = row.record->ground_set;
   csv.count(set < results.ground_sets.size() ? results.ground_sets[set].member : 0);
+}
+
+// Lowest and highest of every quantity over the runs of a block; null where results have none.
+nlohmann::ordered_json stiffness_json(const CampaignResults& results) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const BlockStiffness& block : stiffness_by_block(results.blocks, results.runs)) {
+    nlohmann::ordered_json row = {{"block", block.block}};
+    for (const StiffnessValue& value : block.values) {
+      row[value.name] = nullptr;
+      if (!value.range.empty()) row[value.name] = {value.range.low, value.range.high};
+    }
+    list.push_back(row);
+  }
+  return list;
 }
 
 }  // namespace
@@ -158,7 +174,7 @@ std::string crossings_csv(const Comparison& comparison) {
     const Crossing& crossing = *row.crossing;
     cells_of_run(csv, comparison.rows[row.row]);
     csv.cell(std::string_view(comparison.lines[row.barrier].name));
-    csv.cell(std::string_view(crossing.forward ? "forward" : "backward"));
+    csv.cell(std::string_view(comparison.lines[row.barrier].direction(crossing)));
     csv.count(row.counted ? 1 : 0);
     csv.cell(crossing.time);
     cells(csv, row.position);
@@ -278,6 +294,7 @@ std::string provenance_json(const Comparison& comparison) {
                              {"inputs", results.inputs},
                              {"runs", results.runs.size()},
                              {"planned_runs", results.planned_runs},
+                             {"stiffness", stiffness_json(results)},
                              {"campaign", results.campaign_text}});
   }
   if (comparison.measured) {
@@ -287,6 +304,20 @@ std::string provenance_json(const Comparison& comparison) {
   }
   // Names and paths may hold bytes that are not UTF-8; they must not stop the tables.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+FolderKind comparison_folder() {
+  const auto owns = [](const std::filesystem::path& file) {
+    static const std::set<std::string> kFiles = {
+        "runs.csv",    "barriers.csv",    "crossings.csv",   "deposits.csv",
+        "impacts.csv", "ground_sets.csv", "profiles.csv",    "measured.csv",
+        "stops.gpkg",  "differences.csv", "provenance.json", "report.html"};
+    const std::string folder = file.parent_path().string(), extension = file.extension().string();
+    if (folder == "rasters") return extension == ".tif";
+    if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
+    return kFiles.contains(file.string());
+  };
+  return {"comparison", "provenance.json", "\"downslope_from\"", owns};
 }
 
 std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,

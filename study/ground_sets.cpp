@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "study/named_seed.hpp"
 
 namespace clast {
 namespace {
@@ -57,12 +58,16 @@ std::vector<GroundSet> ground_sets(const Campaign& campaign,
   const std::size_t groups = 1 + campaign.groups.size();
   const std::uint32_t members = campaign.ensemble.members;
   std::vector<GroundSet> sets(groups * members);
-  Random random(campaign.ensemble.seed);
-  const auto draw = [&](const Uncertain& number) { return number.draw(random); };
+  // Every group draws from a sequence of its own, so that no group changes what others get.
+  std::vector<Random> random = {Random(campaign.ensemble.seed)};
+  for (const BlockGroup& group : campaign.groups) {
+    random.emplace_back(named_seed(campaign.ensemble.seed, group.name));
+  }
   for (std::uint32_t member = 0; member < members; ++member) {
     Values base;
-    put(campaign.ground, draw, base);
     for (std::size_t g = 0; g < groups; ++g) {
+      const auto draw = [&](const Uncertain& number) { return number.draw(random[g]); };
+      if (g == 0) put(campaign.ground, draw, base);
       Values values = base;
       if (g > 0) put(campaign.groups[g - 1].ground, draw, values);
       sets[g * members + member] = {g > 0 ? campaign.groups[g - 1].name : "", member,

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <map>
 
-#include "classify/delimited_text.hpp"
 #include "core/csv_text.hpp"
+#include "core/delimited_text.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/group_differences.hpp"
-#include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "core/sample_tests.hpp"
 #include "core/text_file.hpp"
+#include "study/campaign_ranges.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {
@@ -57,17 +57,18 @@ Columns columns_of(const Record& header, const std::string& file) {
 
 std::string_view field(const Record& record, const Columns& columns, const std::string& name) {
   const auto column = columns.find(name);
-  if (column == columns.end() || column->second >= record.fields.size()) return {};
-  return record.fields[column->second];
+  return column == columns.end() ? std::string_view() : record.fields[column->second];
 }
 
 double coordinate(const Record& record, const Columns& columns, const std::string& name,
-                  const std::string& file) {
-  const std::string text(field(record, columns, name));
-  const std::optional<double> value = number_in(text);
-  if (value && std::isfinite(*value)) return *value;
-  throw InputError(file + ":" + std::to_string(record.line) + ": " + name + " \"" + text +
-                   "\" is not a number");
+                  const DelimitedText& table, const std::string& file) {
+  const std::string_view text = field(record, columns, name);
+  const std::optional<double> value = number_in_field(text, table.separator());
+  if (value && kMapCoordinate.holds(*value)) return *value;
+  throw InputError(
+      file + ":" + std::to_string(record.line) + ": " + name + " \"" + std::string(text) +
+      "\" is not a number " + kMapCoordinate.words() +
+      (is_doubtful_number(text, table.separator()) ? "; " + std::string(kDecimalCommaAdvice) : ""));
 }
 
 Vec2 mean_release(const Comparison& comparison) {
@@ -158,18 +159,20 @@ BootstrapIntervals bootstrapped(const std::vector<double>& seen,
 }  // namespace
 
 MeasuredStops read_measured_stops(const std::filesystem::path& path) {
-  const std::string text = read_text_file(path), file = path.string();
-  DelimitedText table(text, file);
+  const std::string file = path.string(), bytes = read_text_file(path);
+  const TableText content = table_text(bytes, file);
+  DelimitedText table(content.text, file);
   Record record;
-  MeasuredStops measured{path, sha256(text), {}, {}};
+  MeasuredStops measured{path, sha256(bytes), {}, {}};
   if (!table.next(record)) throw InputError(file + ": is empty; it must be a table of stops");
   const Columns columns = columns_of(record, file);
   while (table.next(record)) {
     MeasuredStop stop;
-    stop.place = {coordinate(record, columns, "x", file), coordinate(record, columns, "y", file)};
+    stop.place = {coordinate(record, columns, "x", table, file),
+                  coordinate(record, columns, "y", table, file)};
     if (columns.contains("start_x")) {
-      stop.start = Vec2(coordinate(record, columns, "start_x", file),
-                        coordinate(record, columns, "start_y", file));
+      stop.start = Vec2(coordinate(record, columns, "start_x", table, file),
+                        coordinate(record, columns, "start_y", table, file));
     }
     stop.block = field(record, columns, "block");
     stop.shape = field(record, columns, "shape");

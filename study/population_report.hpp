@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "classify/population_summary.hpp"
+#include "core/output_folder.hpp"
 
 namespace clast {
 
@@ -63,9 +64,12 @@ using Diagrams = std::map<std::string, std::string>;
 /// with the class column of each scheme; "sizes" for two populations over each other.
 Diagrams population_diagrams(const PopulationReport& report);
 
+/// How `folder` is known to be one that `write_population_report` filled, by the diagrams that its
+/// provenance.json lists.
+FolderKind population_folder(const std::filesystem::path& folder);
+
 /// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, the diagrams as .svg and
-/// report.html, one page that needs no network, to `folder`. Diagrams that an earlier
-/// report left there and this one does not have are removed once the new files are there.
+/// report.html, one page that needs no network, to `folder`.
 /// @throws InputError  the folder can't be made or written to
 void write_population_report(const PopulationReport& report, const std::filesystem::path& folder);
 

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/csv_text.hpp"
 #include "core/error.hpp"
@@ -107,21 +108,19 @@ nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams
   return json;
 }
 
-/// Diagrams that the report in the folder says it wrote there; empty when there is none.
-std::vector<std::filesystem::path> earlier_diagrams(const std::filesystem::path& folder) {
+/// Names of the diagrams that the report in the folder says it wrote there; empty when there is
+/// none.
+std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
   std::error_code code;
   const std::filesystem::path path = folder / "provenance.json";
   if (!std::filesystem::is_regular_file(path, code)) return {};
   const auto json = nlohmann::json::parse(read_text_file(path), nullptr, false);
-  std::vector<std::filesystem::path> files;
-  if (!json.is_object() || !json.contains("diagrams")) return files;
+  std::set<std::string> names;
+  if (!json.is_object() || !json.contains("diagrams")) return names;
   for (const auto& name : json["diagrams"]) {
-    if (!name.is_string()) continue;
-    const std::filesystem::path file = name.get<std::string>();
-    // Whatever someone wrote into that file: nothing but a picture in the folder is ours.
-    if (file == file.filename() && file.extension() == ".svg") files.push_back(folder / file);
+    if (name.is_string()) names.insert(name.get<std::string>());
   }
-  return files;
+  return names;
 }
 
 }  // namespace
@@ -247,12 +246,23 @@ std::string tests_csv(const PopulationReport& report) {
   return csv.take();
 }
 
+FolderKind population_folder(const std::filesystem::path& folder) {
+  const auto owns = [diagrams = earlier_diagrams(folder)](const std::filesystem::path& file) {
+    static const std::set<std::string> kFiles = {"classes.csv", "shares.csv",      "sizes.csv",
+                                                 "tests.csv",   "provenance.json", "report.html"};
+    const std::string name = file.string();
+    // Whatever someone wrote into that list: nothing but a picture in the folder is ours.
+    const bool picture = file == file.filename() && file.extension() == ".svg";
+    return kFiles.contains(name) || (picture && diagrams.contains(name));
+  };
+  return {"classification", "provenance.json", "\"populations\"", owns};
+}
+
 void write_population_report(const PopulationReport& report, const std::filesystem::path& folder) {
   std::error_code code;
   if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
     throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
   }
-  const std::vector<std::filesystem::path> before = earlier_diagrams(folder);
   const Diagrams diagrams = population_diagrams(report);
   write_classes_csv(report, folder / "classes.csv");
   write_text_file(folder / "shares.csv", shares_csv(report));
@@ -262,11 +272,7 @@ void write_population_report(const PopulationReport& report, const std::filesyst
     write_text_file(folder / (name + ".svg"), svg_file(svg));
   }
   write_text_file(folder / "report.html", population_page(report, diagrams));
-  for (const std::filesystem::path& diagram : before) {
-    if (!diagrams.contains(diagram.stem().string())) std::filesystem::remove(diagram, code);
-  }
-  // Last, so that a report that was cut short leaves the list of the one before. Names may hold
-  // bytes that are not UTF-8; they must not stop it.
+  // Names may hold bytes that are not UTF-8; they must not stop it.
   write_text_file(folder / "provenance.json",
                   provenance(report, diagrams)
                           .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +

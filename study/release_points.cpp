@@ -2,86 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "core/error.hpp"
-#include "core/number_text.hpp"
-#include "core/text_file.hpp"
+#include "core/number_table.hpp"
 #include "shapes/triangle_mesh.hpp"
+#include "study/campaign_ranges.hpp"
 
 namespace clast {
 namespace {
 
 // Quaternions are often written with four to ten digits; further off is another quantity.
 constexpr double kNormTolerance = 1e-3;
-constexpr std::string_view kSeparators = " \t\r,;";
-
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  line = line.substr(0, line.find('#'));
-  while (true) {
-    const std::size_t begin = line.find_first_not_of(kSeparators);
-    if (begin == std::string_view::npos) return words;
-    line.remove_prefix(begin);
-    const std::size_t length = std::min(line.find_first_of(kSeparators), line.size());
-    words.push_back(line.substr(0, length));
-    line.remove_prefix(length);
-  }
-}
-
-struct NumberRow {
-  std::size_t line = 0;
-  std::vector<double> values;
-};
-
-std::vector<NumberRow> read_rows(const std::filesystem::path& file, std::size_t columns,
-                                 const std::string& meaning) {
-  const std::string text = read_text_file(file);
-  std::vector<NumberRow> rows;
-  std::string_view rest = text;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // byte order mark
-  bool heading_allowed = true;
-  for (std::size_t line = 1; !rest.empty(); ++line) {
-    const std::size_t length = std::min(rest.find('\n'), rest.size());
-    const std::vector<std::string_view> words = words_of(rest.substr(0, length));
-    rest.remove_prefix(std::min(length + 1, rest.size()));
-    if (words.empty()) continue;
-    const std::string where = file.string() + ":" + std::to_string(line) + ": ";
-    NumberRow row{line, {}};
-    for (const std::string_view word : words) {
-      const std::optional<double> value = number_in(word);
-      if (!value) break;
-      if (!std::isfinite(*value)) {
-        throw InputError(where + std::string(word) + " is not a finite number");
-      }
-      row.values.push_back(*value);
-    }
-    const bool heading = heading_allowed && row.values.empty();
-    heading_allowed = false;
-    if (heading) continue;
-    if (row.values.size() != words.size()) {
-      throw InputError(where + "\"" + std::string(words[row.values.size()]).substr(0, 40) +
-                       "\" is not a number; a line must be " + meaning);
-    }
-    if (words.size() != columns) {
-      throw InputError(where + std::to_string(words.size()) + " numbers; a line must be " +
-                       meaning);
-    }
-    rows.push_back(std::move(row));
-  }
-  if (rows.empty()) {
-    throw InputError(file.string() + ": holds no line with numbers; each line must be " + meaning);
-  }
-  return rows;
-}
 
 }  // namespace
 
 std::vector<Vec3> read_points(const std::filesystem::path& file) {
   std::vector<Vec3> points;
-  for (const NumberRow& row : read_rows(file, 3, "three numbers, x y z")) {
+  const NumberTable table{{{"x", "easting"}, {"y", "northing"}, {"z", "height", "elevation"}},
+                          kMapCoordinate,
+                          "three numbers, x y z"};
+  for (const NumberRow& row : read_number_table(file, table)) {
     points.emplace_back(row.values[0], row.values[1], row.values[2]);
   }
   return points;
@@ -89,7 +30,12 @@ std::vector<Vec3> read_points(const std::filesystem::path& file) {
 
 std::vector<Quat> read_orientations(const std::filesystem::path& file) {
   std::vector<Quat> orientations;
-  for (const NumberRow& row : read_rows(file, 4, "a quaternion, w x y z")) {
+  constexpr NumberRange kComponent{-2.0, 2.0};
+  const NumberTable table{
+      {{"w", "qw", "q0"}, {"x", "qx", "q1"}, {"y", "qy", "q2"}, {"z", "qz", "q3"}},
+      kComponent,
+      "a quaternion, w x y z"};
+  for (const NumberRow& row : read_number_table(file, table)) {
     Quat orientation(row.values[0], row.values[1], row.values[2], row.values[3]);
     const double norm = orientation.norm();
     if (!(std::abs(norm - 1.0) <= kNormTolerance)) {

@@ -10,12 +10,13 @@
 
 namespace clast {
 
-/// One point per line, "x y z" in m, separated by blanks, tabs, commas or semicolons. Empty lines,
-/// what follows a '#', and one heading in words before the first point are passed over.
+/// A table of points, "x y z" in m (`core/number_table.hpp`): columns by the names of a heading (x
+/// or easting, y or northing, z, height or elevation), else three a row.
 /// @throws InputError  missing or empty file, or a bad line: file, line and what was found
 std::vector<Vec3> read_points(const std::filesystem::path& file);
 
-/// One rotation per line, "w x y z", read like points. Norms within 1e-3 of 1 are set to 1.
+/// Rotations, "w x y z" (or qw, q0, ... in a heading), read like points. Norms within 1e-3 of 1 are
+/// set to 1.
 /// @throws InputError  as `read_points`, or a norm further from 1
 std::vector<Quat> read_orientations(const std::filesystem::path& file);
 

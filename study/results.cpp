@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -152,10 +151,6 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   Hdf5Group contact = root.create_group("contact");
   contact.set_attribute<std::string>("law", name_of(header.law));
   contact.set_attribute<std::string>("weights", name_of(header.weights));
-  contact.set_attribute<double>("stiffness_n_m", header.stiffness.normal);
-  contact.set_attribute<double>("tangential_stiffness_n_m", header.stiffness.tangential);
-  contact.set_attribute<double>("rolling_stiffness_n_m_rad", header.stiffness.rolling);
-  contact.set_attribute<double>("time_step_s", header.stiffness.time_step);
 
   write_terrain_group(root.create_group("terrain"), header.terrain, header.frame);
 }
@@ -194,9 +189,13 @@ void write_runs(Hdf5Group group, std::vector<RunRecord>& runs) {
                    [&](RunRecord& run) { return column.field(state.field(run)); });
     }
   }
-  for (const RunValue& column : kRunValues) {
-    write_column(group, column.name, column.unit, runs, column.field);
-  }
+  const auto write_values = [&](const auto& columns) {
+    for (const RunValue& column : columns) {
+      write_column(group, column.name, column.unit, runs, column.field);
+    }
+  };
+  write_values(kRunValues);
+  write_values(kRunStiffness);
   for (const RunCount& column : kRunCounts) {
     write_column(group, column.name, column.unit, runs,
                  [&](RunRecord& run) { return static_cast<std::int64_t>(column.field(run)); });
@@ -226,26 +225,11 @@ void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& tra
 
 }  // namespace
 
-void check_replaceable(const fs::path& target) {
-  std::error_code code;
-  if (fs::is_directory(target, code)) {
-    throw InputError(target.string() + ": is a folder; give the name of a file");
-  }
-  if (!fs::is_regular_file(target, code) || fs::file_size(target, code) == 0) return;
-  try {
-    Hdf5File::open(target, kFormat, std::numeric_limits<int>::max());
-  } catch (const InputError& error) {
-    throw InputError(target.string() +
-                     ": is there already and no results file, so it is not replaced; give another "
-                     "name, or delete it first (" +
-                     error.what() + ")");
-  }
-}
+void check_results_place(const fs::path& target) { check_output(target, {.kind = kFormat}); }
 
 void write_results_file(const fs::path& target, const CampaignResults& header, std::size_t count,
                         const std::function<StoredRun(std::size_t)>& run) {
-  check_replaceable(target);
-  OutputFile output(target);
+  OutputFile output(target, {.kind = kFormat});
   {
     Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchemaVersion);
     Hdf5Group root = file.root();
@@ -272,6 +256,24 @@ void write_results_file(const fs::path& target, const CampaignResults& header, s
   output.commit();
 }
 
+namespace {
+
+/// That the target can be written and that there is room for as many runs in the journal, beside a
+/// file that holds no run yet. That file is written, which finds whatever else may be wrong.
+void check_room_for(const fs::path& target, const CampaignResults& header, std::size_t runs) {
+  const OutputFile trial(target, {.kind = kFormat});
+  {
+    Hdf5File file = Hdf5File::create(trial.temporary(), kFormat, kSchemaVersion);
+    write_header(file.root(), header);
+    file.flush();
+  }
+  const std::uint64_t without_runs = fs::file_size(trial.temporary());
+  fs::resize_file(trial.temporary(), 0);  // what it takes is free again
+  check_room(trial.target(), {without_runs, runs * ResultsJournal::smallest_record()});
+}
+
+}  // namespace
+
 struct ResultsWriter::Impl {
   fs::path target;
   CampaignResults header;
@@ -283,17 +285,20 @@ ResultsWriter::ResultsWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)
 ResultsWriter::~ResultsWriter() = default;
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 
-ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignResults& header) {
-  check_replaceable(target);
+ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignResults& header,
+                                    std::size_t runs) {
+  check_room_for(target, header, runs);
   return ResultsWriter(std::unique_ptr<Impl>(
       new Impl{target, header, ResultsJournal::create(partial_results(target), header), {}}));
 }
 
-ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResults& header) {
-  check_replaceable(target);
+ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResults& header,
+                                    std::size_t runs) {
+  check_results_place(target);
   ResultsJournal journal = ResultsJournal::resume(partial_results(target), header);
   std::vector<std::uint32_t> stored = journal.runs();
   std::sort(stored.begin(), stored.end());
+  check_room_for(target, header, runs - std::min(runs, stored.size()));
   return ResultsWriter(
       std::unique_ptr<Impl>(new Impl{target, header, std::move(journal), std::move(stored)}));
 }

@@ -24,6 +24,11 @@ struct RunRecord {
   std::uint32_t orientation = 0;  ///< index of the orientation in its release set
   std::uint32_t ground_set = 0;   ///< index into CampaignResults::ground_sets
   RigidState start;
+  ContactStiffness stiffness;  ///< and time step, chosen for this run or given
+  /// Of the block at rest, m g/(k_n e_n^2) or m g/k_n by law, and of an impact at the fastest speed
+  /// that its start allows, m; not a number in results of schema 3 and older.
+  double rest_depth = 0.0;
+  double impact_depth = 0.0;
   ReleaseResult result;
   ContactStatistics contacts;
 };
@@ -83,7 +88,6 @@ struct CampaignResults {
   std::vector<std::string> zone_names;
   std::vector<GroundParameters> ground;  ///< by zone, without groups; uncertain ones in the middle
   std::vector<GroundSet> ground_sets;
-  ContactStiffness stiffness;
   ContactLaw law;
   ContactWeights weights = ContactWeights::kPatch;
   std::vector<std::string> warnings;
@@ -127,6 +131,11 @@ Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run)
 void merge_results(const std::vector<std::filesystem::path>& parts,
                    const std::filesystem::path& target);
 
+/// That results could be written to `target`, before the runs.
+/// @throws InputError  a folder, a device, a link in a circle, write-protected, in a folder that
+///                     can't be written to, or a file that is not empty and holds no results
+void check_results_place(const std::filesystem::path& target);
+
 /// Where runs are kept until all are done: target + ".part", a journal, not HDF5.
 std::filesystem::path partial_results(const std::filesystem::path& target);
 
@@ -135,12 +144,16 @@ std::filesystem::path partial_results(const std::filesystem::path& target);
 class ResultsWriter {
  public:
   /// Starts anew, in place of what an interrupted campaign left. Makes missing parent folders.
-  /// @throws InputError  `target` is there and no results file
-  static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header);
+  /// @param runs  that will be in the file
+  /// @throws InputError  as `check_results_place`; or the disk is too full for the header and as
+  ///                     many runs
+  static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header,
+                              std::size_t runs = 0);
   /// Goes on with `partial_results(target)`; half a run that a kill left is dropped.
   /// @throws InputError  it is missing, damaged, or of another campaign (by hash of campaign and
-  /// inputs)
-  static ResultsWriter resume(const std::filesystem::path& target, const CampaignResults& header);
+  ///                     inputs); or as `create`
+  static ResultsWriter resume(const std::filesystem::path& target, const CampaignResults& header,
+                              std::size_t runs = 0);
   ~ResultsWriter();
   ResultsWriter(ResultsWriter&&) noexcept;
 

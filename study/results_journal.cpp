@@ -20,7 +20,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the journal is little-endian");
 
 constexpr std::size_t kDigestLength = 64;
-const std::string kMagic = "clast results journal 2\n";
+const std::string kMagic = "clast results journal 3\n";
 
 // A record to be, and the same calls that read it back.
 class Packer {
@@ -85,6 +85,7 @@ void transfer(Archive& archive, StoredRun& run) {
     transfer_fields(archive, kStateValues, state.field(record));
   }
   transfer_fields(archive, kRunValues, record);
+  transfer_fields(archive, kRunStiffness, record);
   transfer_fields(archive, kRunCounts, record);
   archive.plain(record.result.stop_reason);
   archive.plain(record.result.below_ground);
@@ -243,6 +244,8 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
   fs::resize_file(path, journal.end_);
   return journal;
 }
+
+std::uint64_t ResultsJournal::smallest_record() { return record_size(packed(StoredRun{})); }
 
 void ResultsJournal::add(const StoredRun& run) {
   const std::string record = record_of(packed(run));

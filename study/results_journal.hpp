@@ -25,6 +25,9 @@ class ResultsJournal {
   /// @throws InputError  missing, not a journal, or of another campaign, inputs or program
   static ResultsJournal resume(const std::filesystem::path& path, const CampaignResults& header);
 
+  /// Bytes that a run takes at least.
+  static std::uint64_t smallest_record();
+
   const std::filesystem::path& path() const { return path_; }
   /// Runs in the order they were added.
   const std::vector<std::uint32_t>& runs() const { return runs_; }

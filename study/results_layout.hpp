@@ -10,7 +10,7 @@
 namespace clast::results_layout {
 
 inline constexpr const char* kFormat = "clast results";
-inline constexpr int kSchemaVersion = 3;
+inline constexpr int kSchemaVersion = 4;
 inline constexpr int kOldestSchema = 2;  ///< that is read
 
 /// A column and the field of a row that it holds.
@@ -91,6 +91,19 @@ inline constexpr std::array<RunValue, 17> kRunValues{{
     {"longest_flight_m", "m", [](RunRecord& r) -> double& { return r.contacts.longest_flight; }},
     {"max_energy_j", "J", [](RunRecord& r) -> double& { return r.contacts.max_energy; }},
     {"max_spin_rad_s", "rad/s", [](RunRecord& r) -> double& { return r.contacts.max_spin; }},
+}};
+
+/// How stiff the contacts of a run were. Before schema 4 the first four were attributes of
+/// /contact, one for all runs.
+inline constexpr std::array<RunValue, 6> kRunStiffness{{
+    {"stiffness_n_m", "N/m", [](RunRecord& r) -> double& { return r.stiffness.normal; }},
+    {"tangential_stiffness_n_m", "N/m",
+     [](RunRecord& r) -> double& { return r.stiffness.tangential; }},
+    {"rolling_stiffness_n_m_rad", "N m/rad",
+     [](RunRecord& r) -> double& { return r.stiffness.rolling; }},
+    {"time_step_s", "s", [](RunRecord& r) -> double& { return r.stiffness.time_step; }},
+    {"rest_depth_m", "m", [](RunRecord& r) -> double& { return r.rest_depth; }},
+    {"impact_depth_m", "m", [](RunRecord& r) -> double& { return r.impact_depth; }},
 }};
 
 /// Columns of /runs that are not plain fields.

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "core/error.hpp"
@@ -110,6 +111,26 @@ void read_impacts(const Reader& reader, CampaignResults& results) {
   }
 }
 
+// What no block can be, whatever its shape.
+void check_blocks(const Reader& reader, const CampaignResults& results) {
+  constexpr double kRounding = 1e-6;
+  for (const BlockSummary& block : results.blocks) {
+    const auto require = [&](bool fine, const char* name) {
+      if (!fine) reader.damaged(name, "is impossible for block " + block.id);
+    };
+    require(block.mass > 0.0 && std::isfinite(block.mass), "mass_kg");
+    require(block.volume >= 0.0 && std::isfinite(block.volume), "volume_m3");
+    require(block.scale > 0.0 && std::isfinite(block.scale), "scale");
+    require(std::isfinite(block.axes.L) && block.axes.L >= block.axes.I &&
+                block.axes.I >= block.axes.S && block.axes.S > 0.0,
+            "L_m");
+    const Vec3& moments = block.moments;
+    require(moments.allFinite() && moments.minCoeff() >= 0.0 &&
+                2.0 * moments.maxCoeff() <= (1.0 + kRounding) * moments.sum(),
+            "principal_moments_kg_m2");
+  }
+}
+
 void read_blocks(const Reader& reader, CampaignResults& results) {
   const std::vector<std::string> ids = reader.group.read<std::string>("id");
   const std::size_t rows = ids.size();
@@ -143,6 +164,7 @@ void read_blocks(const Reader& reader, CampaignResults& results) {
                               shape[i],
                               moments[i]});
   }
+  check_blocks(reader, results);
 }
 
 void read_barriers(const Reader& reader, CampaignResults& results) {
@@ -275,6 +297,22 @@ void read_runs(const Reader& reader, CampaignResults& results) {
   }
 }
 
+// Of every run; in files that have one for all, as attributes of /contact, without depths.
+void read_stiffness(const Reader& reader, const Hdf5Group& contact, CampaignResults& results) {
+  std::vector<RunRecord>& runs = results.runs;
+  const bool one_for_all = contact.has_attribute(kRunStiffness.front().name);
+  for (const RunValue& column : kRunStiffness) {
+    std::vector<double> values;
+    if (!one_for_all) {
+      values = reader.column<double>(column.name, runs.size());
+    } else {
+      const bool stored = contact.has_attribute(column.name);
+      values.assign(runs.size(), stored ? contact.attribute<double>(column.name) : std::nan(""));
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i) column.field(runs[i]) = values[i];
+  }
+}
+
 // Crossings and impacts are in order of runs that there are.
 template <class Event>
 void check_events(const Reader& reader, const std::vector<Event>& events,
@@ -334,13 +372,10 @@ CampaignResults read_results(const fs::path& path) {
   const Hdf5Group contact = root.group.group("contact");
   results.law = contact_law(contact.attribute<std::string>("law"));
   results.weights = contact_weights(contact.attribute<std::string>("weights"));
-  results.stiffness = {.normal = contact.attribute<double>("stiffness_n_m"),
-                       .tangential = contact.attribute<double>("tangential_stiffness_n_m"),
-                       .rolling = contact.attribute<double>("rolling_stiffness_n_m_rad"),
-                       .time_step = contact.attribute<double>("time_step_s")};
   read_terrain_group(root.into("terrain"), results);
 
   read_runs(root.into("runs"), results);
+  read_stiffness(root.into("runs"), contact, results);
   read_crossings(root.into("crossings"), results);
   check_events(root.into("crossings"), results.crossings, results);
   read_impacts(root.into("impacts"), results);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "study/toml_depth.hpp"
 
 namespace clast {
 namespace {
@@ -138,11 +139,6 @@ bool has_control_characters(const std::string& text) {
 
 }  // namespace
 
-bool in_range(double value, const NumberRange& range) {
-  return std::isfinite(value) && value <= range.high &&
-         (range.low_included ? value >= range.low : value > range.low);
-}
-
 const TomlNode* TomlNode::find(const std::string& key) const {
   for (const auto& [name, node] : table) {
     if (name == key) return &node;
@@ -151,6 +147,7 @@ const TomlNode* TomlNode::find(const std::string& key) const {
 }
 
 TomlNode parse_toml(const std::string& text, const std::string& name) {
+  check_toml_depth(text, name);
   try {
     return converted(toml::parse(text, name), SourceText(text));
   } catch (const toml::parse_error& error) {
@@ -206,7 +203,7 @@ std::optional<double> TomlTable::number(const std::string& key, const NumberRang
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   if (!node->is_number()) refuse(key, *node, "must be a number");
-  if (!in_range(node->number, range)) refuse(key, *node, std::string("must be ") + range.expected);
+  if (!range.holds(node->number)) refuse(key, *node, "must be " + range.words());
   return node->number;
 }
 
@@ -243,29 +240,34 @@ std::optional<std::vector<std::string>> TomlTable::texts(const std::string& key)
 
 std::vector<double> TomlTable::numbers(const std::string& key, const TomlNode& node,
                                        std::size_t least, std::size_t most,
-                                       const std::string& expected) const {
+                                       const std::string& expected,
+                                       const NumberRange& range) const {
   bool good =
       node.kind == TomlNode::Kind::kList && node.list.size() >= least && node.list.size() <= most;
   std::vector<double> values;
   for (const TomlNode& element : node.list) {
-    good = good && element.is_number() && in_range(element.number, kFinite);
+    good = good && element.is_number();
     values.push_back(element.number);
   }
   if (!good) refuse(key, node, "must be " + expected);
+  for (const double value : values) {
+    if (!range.holds(value)) refuse(key, node, "must be " + expected + ", each " + range.words());
+  }
   return values;
 }
 
-std::optional<Vec2> TomlTable::vec2(const std::string& key) const {
+std::optional<Vec2> TomlTable::vec2(const std::string& key, const NumberRange& range) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
-  const std::vector<double> values = numbers(key, *node, 2, 2, "two finite numbers, [x, y]");
+  const std::vector<double> values = numbers(key, *node, 2, 2, "two finite numbers, [x, y]", range);
   return Vec2(values[0], values[1]);
 }
 
-std::optional<Vec3> TomlTable::vec3(const std::string& key) const {
+std::optional<Vec3> TomlTable::vec3(const std::string& key, const NumberRange& range) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
-  const std::vector<double> values = numbers(key, *node, 3, 3, "three finite numbers, [x, y, z]");
+  const std::vector<double> values =
+      numbers(key, *node, 3, 3, "three finite numbers, [x, y, z]", range);
   return Vec3(values[0], values[1], values[2]);
 }
 

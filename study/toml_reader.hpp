@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/number_range.hpp"
 #include "core/types.hpp"
 
 namespace clast {
@@ -31,25 +32,8 @@ struct TomlNode {
 };
 
 /// @param name  of the file, for messages
-/// @throws InputError  not TOML; file, line and what is wrong
+/// @throws InputError  not TOML, or nested too deep; file, line and what is wrong
 TomlNode parse_toml(const std::string& text, const std::string& name);
-
-/// What a number must be; bounds and the words for it.
-struct NumberRange {
-  double low;
-  bool low_included;
-  double high;
-  const char* expected;  ///< completes "must be ..."
-};
-
-/// Finite and in the range.
-bool in_range(double value, const NumberRange& range);
-
-inline constexpr double kLargestNumber = 1e300;
-inline constexpr NumberRange kFinite{-kLargestNumber, true, kLargestNumber, "a finite number"};
-inline constexpr NumberRange kPositive{0.0, false, kLargestNumber, "more than zero"};
-inline constexpr NumberRange kNotNegative{0.0, true, kLargestNumber, "zero or more"};
-inline constexpr NumberRange kShare{0.0, false, 1.0, "more than zero and at most 1"};
 
 /// One table of a file. Keys it does not know are refused at once, before a missing one is noticed,
 /// so that a misspelt key is answered with its right spelling.
@@ -65,20 +49,22 @@ class TomlTable {
   /// @throws InputError  missing
   const TomlNode& required(const std::string& key, const std::string& expected) const;
   /// None when the key is absent.
-  /// @throws InputError  wrong type, empty text, number not finite or out of range
+  /// @throws InputError  wrong type, empty text, number out of range
   std::optional<std::string> text(const std::string& key) const;
   std::optional<double> number(const std::string& key, const NumberRange& range) const;
   std::optional<std::uint64_t> count(const std::string& key, std::uint64_t least,
                                      std::uint64_t most) const;
   /// A text or a list of texts, none of them empty.
   std::optional<std::vector<std::string>> texts(const std::string& key) const;
-  std::optional<Vec2> vec2(const std::string& key) const;
-  std::optional<Vec3> vec3(const std::string& key) const;
+  /// @param range  of each component
+  std::optional<Vec2> vec2(const std::string& key, const NumberRange& range) const;
+  std::optional<Vec3> vec3(const std::string& key, const NumberRange& range) const;
 
-  /// The numbers of a list of `least` to `most` finite numbers; `node` is the value of `key` or
-  /// lies inside it.
+  /// The numbers of a list of `least` to `most` numbers, each in `range`; `node` is the value of
+  /// `key` or lies inside it.
   std::vector<double> numbers(const std::string& key, const TomlNode& node, std::size_t least,
-                              std::size_t most, const std::string& expected) const;
+                              std::size_t most, const std::string& expected,
+                              const NumberRange& range) const;
 
   /// @throws InputError  always: "file:12: [table] key = value: must be ..."
   [[noreturn]] void refuse(const std::string& key, const TomlNode& node,

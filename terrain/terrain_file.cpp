@@ -12,7 +12,6 @@
 namespace clast {
 namespace {
 
-const std::string kFormat = "clast terrain";
 constexpr int kSchema = 1;
 
 /// The counts of a report under the names they have in the file.
@@ -77,9 +76,9 @@ void check(const Terrain& terrain, const std::string& file) {
 }  // namespace
 
 void write_terrain(const std::filesystem::path& path, const Terrain& terrain) {
-  OutputFile output(path);
+  OutputFile output(path, {.kind = kTerrainFormat});
   {
-    Hdf5File file = Hdf5File::create(output.temporary(), kFormat, kSchema);
+    Hdf5File file = Hdf5File::create(output.temporary(), kTerrainFormat, kSchema);
     Hdf5Group root = file.root();
     root.set_attribute("crs", terrain.frame.crs);
     const Vec3& origin = terrain.frame.origin;
@@ -112,7 +111,7 @@ void write_terrain(const std::filesystem::path& path, const Terrain& terrain) {
 }
 
 Terrain read_terrain_file(const std::filesystem::path& path) {
-  const Hdf5File file = Hdf5File::open(path, kFormat, kSchema);
+  const Hdf5File file = Hdf5File::open(path, kTerrainFormat, kSchema);
   const Hdf5Group root = file.root();
   Terrain terrain;
   terrain.frame.crs = root.attribute<std::string>("crs");

@@ -7,6 +7,11 @@
 
 namespace clast {
 
+/// What a terrain file says that it is.
+inline constexpr const char* kTerrainFormat = "clast terrain";
+
+/// Replaces a terrain file that is there.
+/// @throws InputError  what is there is no terrain file, or can't be written
 void write_terrain(const std::filesystem::path& path, const Terrain& terrain);
 /// @throws InputError  missing, not a clast terrain, damaged, or of a newer schema
 Terrain read_terrain_file(const std::filesystem::path& path);

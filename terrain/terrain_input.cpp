@@ -5,6 +5,7 @@
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "shapes/mesh_io.hpp"
@@ -25,6 +26,7 @@
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_source.hpp"
 #include "terrain/terrain_file.hpp"
+#include "terrain/terrain_ranges.hpp"
 
 namespace clast {
 namespace {
@@ -271,15 +273,7 @@ void check_files(const TerrainOptions& options, const std::optional<ZoneFile>& z
   std::vector<fs::path> files = options.surface;
   if (zones) files.push_back(zones->path);
   files.insert(files.end(), options.breaklines.begin(), options.breaklines.end());
-  for (const fs::path& file : files) {
-    std::error_code code;
-    if (!fs::exists(file, code)) {
-      throw InputError(file.string() + ": no such file; check the path");
-    }
-    if (fs::is_directory(file, code)) {
-      throw InputError(file.string() + ": is a folder, a file is needed");
-    }
-  }
+  for (const fs::path& file : files) check_input_file(file);
 }
 
 }  // namespace
@@ -288,27 +282,22 @@ void TerrainOptions::check() const {
   if (surface.empty()) throw InputError("surface: no file; name at least one");
   if (surface.size() > 65535) throw InputError("surface: more than 65,535 files");
   if (up != "z" && up != "y") throw InputError("up = \"" + up + "\"; must be \"z\" or \"y\"");
-  if (resolution && !(*resolution > 0.0 && std::isfinite(*resolution))) {
-    throw InputError("resolution = " + std::to_string(*resolution) + " m; must be more than 0");
-  }
-  if (percentile && !(*percentile >= 0.0 && *percentile <= 100.0)) {
-    throw InputError("percentile = " + std::to_string(*percentile) + "; must be from 0 to 100");
-  }
-  if (outliers && !(*outliers > 0.0 && std::isfinite(*outliers))) {
-    throw InputError("outliers = " + std::to_string(*outliers) + " m; must be more than 0");
-  }
-  const auto check_not_negative = [](const char* name, double value) {
-    if (value >= 0.0 && std::isfinite(value)) return;
-    throw InputError(std::string(name) + " = " + std::to_string(value) + "; must be 0 or more");
+  const auto check_range = [](const char* field, const std::optional<double>& value,
+                              const NumberRange& range) {
+    if (!value || range.holds(*value)) return;
+    throw InputError(std::string(field) + " = " + with_digits(*value, 6) + ": must be " +
+                     range.words());
   };
-  check_not_negative("crack", crack);
-  check_not_negative("spike_steepness", spike_steepness);
-  check_not_negative("smoothing", smoothing);
-  if (tolerance && !(*tolerance > 0.0 && std::isfinite(*tolerance))) {
-    throw InputError("tolerance = " + std::to_string(*tolerance) + " m; must be more than 0");
-  }
-  if (fill && !(*fill >= 0.0 && std::isfinite(*fill))) {
-    throw InputError("fill = " + std::to_string(*fill) + " m; must be 0 or more");
+  check_range("resolution", resolution, kCellSize);
+  check_range("percentile", percentile, kPercentile);
+  check_range("outliers", outliers, kOutlierDistance);
+  check_range("crack", crack, kCrackWidth);
+  check_range("spike_steepness", spike_steepness, kSpikeSteepness);
+  check_range("tolerance", tolerance, kSurfaceTolerance);
+  check_range("fill", fill, kHoleWidth);
+  if (smoothing < 0 || smoothing > kMostSmoothing) {
+    throw InputError("smoothing = " + std::to_string(smoothing) + ": must be from 0 to " +
+                     std::to_string(kMostSmoothing) + " rounds");
   }
   for (const std::string& zone : zones) {
     if (zone.empty()) throw InputError("zones: an empty name; every zone needs one");

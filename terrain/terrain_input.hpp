@@ -66,6 +66,11 @@ struct ZoneFile {
 /// @throws InputError  a mapping that can't be read
 std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones);
 
+/// Whether a ground zone can be called so: ground tables, zone lists and rules are written with
+/// "=", and a name is one line.
+/// @throws InputError  a name that is empty or has "=" or a control character in it
+void check_zone_name(const std::string& name);
+
 /// True when `zones` are rules by slope and height and not names or a file.
 bool are_zone_rules(const std::vector<std::string>& zones);
 

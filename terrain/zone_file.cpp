@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "core/error.hpp"
+#include "core/printable.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/terrain_input.hpp"
@@ -38,6 +39,16 @@ std::vector<std::string> ZoneFile::zones() const {
     text += (text.size() == path.string().size() ? ":" : ",") + std::to_string(number) + "=" + name;
   }
   return {text};
+}
+
+void check_zone_name(const std::string& name) {
+  const bool bad = std::any_of(name.begin(), name.end(), [](char c) {
+    return c == '=' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+  });
+  if (!name.empty() && !bad) return;
+  throw InputError("zone \"" + printable(name) +
+                   "\": a zone has a name of one line without \"=\" or control characters; rename "
+                   "it where it is written");
 }
 
 std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones) {

@@ -12,6 +12,9 @@
 #include "app/population_reading.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/output_folder.hpp"
+#include "core/printable.hpp"
+#include "library/block_ranges.hpp"
 
 namespace clast {
 
@@ -31,6 +34,7 @@ struct ClassifyArgs {
   std::string output;
   std::uint64_t seed = 1;
   bool json = false;
+  bool replace = false;
 };
 
 std::vector<std::string> schemes_from(const std::string& text) {
@@ -54,7 +58,7 @@ void print_tables(const PopulationReport& report, const std::vector<ReadPopulati
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     if (i > 0) std::cout << "\n";
-    if (report.populations.size() > 1) std::cout << reported.population.name << "\n";
+    if (report.populations.size() > 1) std::cout << printable(reported.population.name) << "\n";
     std::cout << "L, I, S: " << reported.measured << "\n\n";
     if (reported.population.blocks.size() > kMostPrinted) {
       std::cout << reported.population.blocks.size()
@@ -110,7 +114,7 @@ void note_shared_files(std::vector<ReadPopulation>& sources) {
       if (a.sha256 != b.sha256) continue;
       second.notes.push_back("both populations hold the same file, " + a.file +
                              (a.file == b.file ? "" : " and " + b.file));
-      sources[1].said += second.population.name + ": " + second.notes.back() + "\n";
+      sources[1].said += printable(second.population.name + ": " + second.notes.back()) + "\n";
     }
   }
 }
@@ -130,6 +134,7 @@ void check_options_apply(const ClassifyArgs& args, const CLI::App& command) {
     return std::count(schemes.begin(), schemes.end(), scheme) > 0;
   };
   need("--output", !args.output.empty(), "names no folder");
+  need("--replace", given("--output"), "is for the folder of --output");
   for (const auto& [option, value] :
        {std::pair{"--columns", &args.first.columns}, std::pair{"--units", &args.first.units},
         std::pair{"--against-columns", &args.against.columns},
@@ -162,6 +167,9 @@ void classify(const ClassifyArgs& args) {
                     .seed = args.seed,
                     .schemes = schemes_from(args.schemes),
                     .limits = args.limits};
+  std::optional<OutputFolder> folder;
+  if (!args.output.empty())
+    folder.emplace(args.output, population_folder(args.output), args.replace);
   std::vector<ReadPopulation> sources;
   sources.push_back(read_population(args.first, args.reading));
   if (!args.against.inputs.empty()) {
@@ -184,13 +192,16 @@ void classify(const ClassifyArgs& args) {
     }
     report.comparison = compared(a, b, report.options);
   }
-  if (!args.output.empty()) write_population_report(report, args.output);
+  if (folder) {
+    write_population_report(report, folder->temporary());
+    folder->commit();
+  }
   // Only now, so that a failure is the first thing said.
   for (const ReadPopulation& source : sources) std::cerr << source.said;
   args.json ? print_json(report, sources) : print_tables(report, sources);
   if (!args.output.empty() && !args.json) {
-    std::cout << "\nReport: " << (std::filesystem::path(args.output) / "report.html").string()
-              << "\n";
+    std::cout << "\nReport: "
+              << printable((std::filesystem::path(args.output) / "report.html").string()) << "\n";
   }
 }
 
@@ -227,7 +238,7 @@ void add_classify(CLI::App& app) {
       ->add_option("--axis-error", args->reading.axis_error,
                    "What the axes are known to, m; default: 0.05 for a table (tape), twice the "
                    "deviation from the scan for a library")
-      ->check(number_between(0.0, 1e6))
+      ->check(within(kAxisError))
       ->type_name("M");
   command->add_flag("--thirds", args->limits.sneed_folk_thirds,
                     "Limits 1/3 and 2/3 for the second letter of Sneed & Folk, not 0.33 and 0.67");
@@ -240,7 +251,7 @@ void add_classify(CLI::App& app) {
       ->add_option("--roundness", args->reading.roundness_edge,
                    "With --json: Wadell roundness of a library's blocks, on their surface cut anew "
                    "into triangles with edges of so many m")
-      ->check(positive_number())
+      ->check(within(kBlockLength))
       ->type_name("M");
   command
       ->add_option("--columns", args->first.columns,
@@ -276,6 +287,8 @@ void add_classify(CLI::App& app) {
       ->add_option("-o,--output", args->output,
                    "Folder for report.html, tables (csv) and diagrams (svg)")
       ->type_name("DIR");
+  command->add_flag("--replace", args->replace,
+                    "Put the new report in the place of one that is in the folder");
   command->add_flag("--json", args->json, "Print as JSON");
   command->footer(
       "Shares come with the 95 % interval of Wilson: what a sample of this size says "

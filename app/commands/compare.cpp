@@ -4,7 +4,10 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/option_values.hpp"
 #include "core/error.hpp"
+#include "core/output_folder.hpp"
+#include "core/printable.hpp"
 #include "study/comparison.hpp"
 #include "study/report/vtk_animation.hpp"
 
@@ -18,37 +21,43 @@ struct CompareArgs {
   std::vector<std::string> by;
   std::string measured;
   std::size_t animated = 0;
+  bool replace = false;
 };
 
 void compare_results(const CompareArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
+  OutputFolder folder(args.folder, comparison_folder(), args.replace);
   std::vector<CampaignResults> results;
   for (const std::string& file : args.results) results.push_back(read_results(file));
   CompareOptions options;
   options.by = args.by;
   if (!args.measured.empty()) options.measured = args.measured;
   const Comparison comparison = compare(std::move(results), options);
-  const std::vector<std::filesystem::path> written = write_comparison(comparison, args.folder);
+  std::vector<std::filesystem::path> written = write_comparison(comparison, folder.temporary());
   if (args.animated > 0) {
-    const std::filesystem::path animation = write_animation(
-        std::filesystem::path(args.folder) / "animation", comparison, args.animated);
+    const std::filesystem::path animation =
+        write_animation(folder.temporary() / "animation", comparison, args.animated);
     if (animation.empty()) {
       throw InputError(
           "no trajectory is stored, so nothing can be animated; set [run] "
           "trajectory_interval_s above zero");
     }
-    std::cout << animation.string() << "\n";
+    written.insert(written.begin(), animation);
   }
+  folder.commit();
   for (const std::string& warning : comparison.warnings) {
-    std::cerr << "clast: warning: " << warning << "\n";
+    std::cerr << "clast: warning: " << printable(warning) << "\n";
   }
   for (const Difference& difference : comparison.differences) {
     // Classes are what the study is about; the rest is in the table.
     if (comparison.groups[difference.first].kind == GroupKind::kGarcia && difference.found()) {
-      std::cout << in_words(difference, comparison) << "\n";
+      std::cout << printable(in_words(difference, comparison)) << "\n";
     }
   }
-  for (const std::filesystem::path& file : written) std::cout << file.string() << "\n";
+  for (const std::filesystem::path& file : written) {
+    const std::filesystem::path name = file.lexically_relative(folder.temporary());
+    std::cout << printable((std::filesystem::path(args.folder) / name).string()) << "\n";
+  }
 }
 
 }  // namespace
@@ -63,6 +72,8 @@ void add_compare(CLI::App& app) {
   command->add_option("-o,--output", args->folder, "Folder, made when missing")
       ->type_name("DIR")
       ->capture_default_str();
+  command->add_flag("--replace", args->replace,
+                    "Put the new comparison in the place of one that is in the folder");
   command
       ->add_option("--by", args->by,
                    "Group by the values of a column of runs.csv too, for example release_set, "
@@ -73,7 +84,7 @@ void add_compare(CLI::App& app) {
       ->add_option("--animate", args->animated,
                    "Write animation/animation.pvd for ParaView too, with so many of the runs")
       ->type_name("RUNS")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number(0, 1000000))
       ->capture_default_str();
   command
       ->add_option("--measured", args->measured,

@@ -3,12 +3,16 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
 #include "core/number_text.hpp"
+#include "core/output_file.hpp"
+#include "core/printable.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
 #include "shapes/coplanar_faces.hpp"
@@ -31,6 +35,8 @@ struct ExportArgs {
   std::string frame = "source";
   std::string up = "z";
   int segments = 4;
+  bool replace = false;
+  bool segments_given = false;
 };
 
 /// z up to y up, the inverse of what `--up y` does on reading.
@@ -69,6 +75,44 @@ std::vector<std::pair<std::string, TriangleMesh>> chosen_meshes(const Block& blo
   return {{"", outer_skin(block.body, args.segments)}, {"_core", core}};
 }
 
+/// What `chosen_meshes` adds to the id for the names of its files.
+std::vector<std::string> suffixes(const ExportArgs& args) {
+  if (args.what == "both") return {"", "_core"};
+  return {""};
+}
+
+std::filesystem::path mesh_file(const ExportArgs& args, const Block& block,
+                                const std::string& suffix, const std::string& format) {
+  return std::filesystem::path(args.folder) / (block.id + suffix + "." + format);
+}
+
+/// That nothing is in the place of a file to be written, such as the scan that the block was made
+/// from.
+void check_places(const ExportArgs& args, const std::vector<const Block*>& blocks,
+                  const std::vector<std::string>& formats) {
+  for (const Block* block : blocks) {
+    for (const std::string& format : formats) {
+      for (const std::string& suffix :
+           format == "shp" ? std::vector<std::string>{""} : suffixes(args)) {
+        const std::filesystem::path file = mesh_file(args, *block, suffix, format);
+        check_output(file, {.kind = kind_by_name(file), .replace = args.replace});
+      }
+    }
+  }
+}
+
+/// An option that changes nothing was meant for something.
+void report_segments(const Block& block, const ExportArgs& args) {
+  const std::optional<double> length = wrap_length(block.body, args.segments);
+  const int most = most_wrap_segments(block.body);
+  if (!args.segments_given || !length || args.segments <= most) return;
+  std::cerr << "block " << printable(block.id)
+            << " is concave: its skin is wrapped in triangles of " << with_digits(*length, 3)
+            << (is_unscaled(block) ? " units" : " m")
+            << ", the shortest there are (1/150 of its diagonal), so --segments " << args.segments
+            << " gives what " << most << " gives\n";
+}
+
 void export_blocks(const ExportArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
   const std::vector<std::string> formats = split_list(args.formats);
@@ -80,6 +124,13 @@ void export_blocks(const ExportArgs& args) {
     }
   }
   if (formats.empty()) throw CLI::ValidationError("--format", "names no format");
+  const bool only_shp = formats == std::vector<std::string>{"shp"};
+  const bool skin = !only_shp && (args.what == "skin" || args.what == "both");
+  if (args.segments_given && !skin) {
+    throw CLI::ValidationError("--segments",
+                               "is for the rounded skin in a mesh file, and none is written; add "
+                               "for example --format ply --what skin");
+  }
   if (args.frame == "principal" && args.up == "y") {
     throw CLI::ValidationError("--up", "y turns the source frame; the principal frame has no up");
   }
@@ -91,14 +142,16 @@ void export_blocks(const ExportArgs& args) {
   }
 
   if (blocks.empty()) throw InputError(args.library + ": there is no block in it to export");
+  check_places(args, blocks, formats);
   std::size_t written = 0;
   for (const Block* block : blocks) {
     if (is_unscaled(*block)) {
-      std::cerr << "block " << block->id << " is unscaled, so what is written of it is not in "
+      std::cerr << "block " << printable(block->id)
+                << " is unscaled, so what is written of it is not in "
                 << "metres: " << unscaled_reason() << "\n";
     }
     std::vector<std::pair<std::string, TriangleMesh>> meshes;
-    const bool only_shp = formats == std::vector<std::string>{"shp"};
+    if (skin) report_segments(*block, args);
     if (!only_shp) meshes = chosen_meshes(*block, args);
     for (auto& [suffix, mesh] : meshes) {
       if (args.frame == "principal") {
@@ -109,24 +162,24 @@ void export_blocks(const ExportArgs& args) {
     for (const std::string& format : formats) {
       if (format == "shp") {
         const ShpShape shape = shp_shape(*block);
-        write_shp(std::filesystem::path(args.folder) / (block->id + ".shp"), {&shape, 1});
+        write_shp(mesh_file(args, *block, "", format), {&shape, 1});
         ++written;
         continue;
       }
       for (const auto& [suffix, mesh] : meshes) {
-        const std::filesystem::path file =
-            std::filesystem::path(args.folder) / (block->id + suffix + "." + format);
+        const std::filesystem::path file = mesh_file(args, *block, suffix, format);
         const Vec3 origin = write_mesh(file, mesh);
         ++written;
         if (!origin.isZero(0.0)) {
-          std::cerr << file.string() << ": its floats can't hold coordinates this far out, so "
-                    << place(origin) << " was taken off (" << file.filename().string()
+          std::cerr << printable(file.string())
+                    << ": its floats can't hold coordinates this far out, so " << place(origin)
+                    << " was taken off (" << printable(file.filename().string())
                     << ".origin.txt says so); obj, ply and vtp keep them\n";
         }
       }
     }
   }
-  std::cout << args.folder << ": " << counted(written, "file") << " of "
+  std::cout << printable(args.folder) << ": " << counted(written, "file") << " of "
             << counted(blocks.size(), "block") << " written\n";
 }
 
@@ -141,6 +194,7 @@ void add_export(CLI::App& app) {
       ->add_option("-o,--output", args->folder, "Folder, made when missing; a file for each block")
       ->type_name("DIR")
       ->capture_default_str();
+  command->add_flag("--replace", args->replace, "Write over files that are there");
   command
       ->add_option("--format", args->formats,
                    "Comma-separated: shp (Rockable, ExaDEM), obj, stl, ply, glb, vtp")
@@ -153,13 +207,16 @@ void add_export(CLI::App& app) {
       ->check(CLI::IsMember({"skin", "core", "both", "surface"}))
       ->type_name("NAME")
       ->capture_default_str();
-  command
-      ->add_option("--segments", args->segments,
-                   "Pieces of a quarter turn in the skin, 1 to 64; its volume is short by a share "
-                   "of their square")
-      ->check(number_between(1, 64))
-      ->type_name("N")
-      ->capture_default_str();
+  CLI::Option* segments =
+      command
+          ->add_option(
+              "--segments", args->segments,
+              "Pieces of a quarter turn in the skin, 1 to 64; its volume is short by a share "
+              "of their square. The skin of a concave block has no triangles shorter than "
+              "1/150 of its diagonal")
+          ->check(whole_number(1, 64))
+          ->type_name("N")
+          ->capture_default_str();
   command
       ->add_option("--frame", args->frame,
                    "Frame of mesh files: source, that of the scan, or principal, origin at the "
@@ -176,7 +233,10 @@ void add_export(CLI::App& app) {
       "origin at\nthe centre of mass, faces in one plane as one polygon, and where the scan had "
       "that frame.\n"
       "Example:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl");
-  command->callback([args] { export_blocks(*args); });
+  command->callback([args, segments] {
+    args->segments_given = segments->count() > 0;
+    export_blocks(*args);
+  });
 }
 
 }  // namespace clast

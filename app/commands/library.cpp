@@ -1,5 +1,5 @@
 #include <CLI/CLI.hpp>
-#include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -7,8 +7,10 @@
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/printable.hpp"
 #include "core/utf8.hpp"
-#include "library/block_library.hpp"
+#include "library/block_ranges.hpp"
+#include "library/library_update.hpp"
 #include "library/unscaled.hpp"
 
 namespace clast {
@@ -21,21 +23,33 @@ struct MergeArgs {
   bool replace = false;
 };
 
-void merge(const MergeArgs& args) {
-  BlockLibrary joined;
-  if (std::filesystem::exists(args.output)) joined = BlockLibrary::read(args.output);
-  for (const std::string& input : args.inputs) {
-    const BlockLibrary library = BlockLibrary::read(input);
-    for (const Block& block : library.blocks()) {
-      try {
-        joined.add(block, args.replace);
-      } catch (const InputError& error) {
-        throw InputError(input + ": " + error.what());
-      }
+std::function<void()> say_waiting(const std::string& library) {
+  return [library] {
+    std::cerr << "clast: " << library << ": another program is writing to it; waiting\n";
+  };
+}
+
+void add_part(BlockLibrary& library, const BlockLibrary& part, const std::string& name,
+              bool replace) {
+  for (const Block& block : part.blocks()) {
+    try {
+      library.add(block, replace);
+    } catch (const InputError& error) {
+      throw InputError(name + ": " + error.what());
     }
   }
-  joined.write(args.output);
-  std::cout << args.output << ": " << counted(joined.blocks().size(), "block") << "\n";
+}
+
+void merge(const MergeArgs& args) {
+  std::vector<BlockLibrary> parts;
+  for (const std::string& input : args.inputs) parts.push_back(BlockLibrary::read(input));
+  const BlockLibrary joined = update_library(
+      args.output, {.make = true, .waiting = say_waiting(args.output)}, [&](BlockLibrary& library) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+          add_part(library, parts[i], args.inputs[i], args.replace);
+        }
+      });
+  std::cout << printable(args.output) << ": " << counted(joined.blocks().size(), "block") << "\n";
 }
 
 void add_merge(CLI::App& app) {
@@ -59,11 +73,13 @@ struct RemoveArgs {
 };
 
 void remove_blocks(const RemoveArgs& args) {
-  BlockLibrary library = BlockLibrary::read(args.library);
-  for (const std::string& id : args.ids) library.block(id);  // all are there, or none is removed
-  for (const std::string& id : args.ids) library.remove(id);
-  library.write(args.library);
-  std::cout << args.library << ": " << counted(args.ids.size(), "block") << " removed, "
+  const BlockLibrary library = update_library(
+      args.library, {.waiting = say_waiting(args.library)}, [&](BlockLibrary& changed) {
+        for (const std::string& id : args.ids)
+          changed.block(id);  // all are there, or none is removed
+        for (const std::string& id : args.ids) changed.remove(id);
+      });
+  std::cout << printable(args.library) << ": " << counted(args.ids.size(), "block") << " removed, "
             << library.blocks().size() << " left\n";
 }
 
@@ -110,19 +126,23 @@ void set_field_notes(const SetArgs& args) {
   }
   const std::optional<Axes> taped =
       args.taped ? std::optional<Axes>(axes_from(*args.taped)) : std::nullopt;
-  BlockLibrary library = BlockLibrary::read(args.library);
-  Block& block = library.block(args.id);
-  if (args.site) block.field.site = as_utf8(*args.site);
-  if (args.note) block.field.note = as_utf8(*args.note);
-  if (taped) block.field.taped = taped;
-  if (args.weighed) block.field.weighed_mass = args.weighed;
-  library.write(args.library);
+  const BlockLibrary library = update_library(args.library, {.waiting = say_waiting(args.library)},
+                                              [&](BlockLibrary& changed) {
+                                                FieldNotes& field = changed.block(args.id).field;
+                                                if (args.site) field.site = as_utf8(*args.site);
+                                                if (args.note) field.note = as_utf8(*args.note);
+                                                if (taped) field.taped = taped;
+                                                if (args.weighed) field.weighed_mass = args.weighed;
+                                              });
+  const Block& block = library.block(args.id);
 
-  std::cout << args.library << ": field notes of block " << args.id << " stored\n";
+  std::cout << printable(args.library) << ": field notes of block " << printable(args.id)
+            << " stored\n";
   if (is_unscaled(block)) {
     if (taped) std::cout << scales_by_tape(*taped, block.axes());
     if (args.weighed) {
-      std::cout << "block " << args.id << " is unscaled and has no mass to compare with\n";
+      std::cout << "block " << printable(args.id)
+                << " is unscaled and has no mass to compare with\n";
     }
     return;
   }
@@ -142,7 +162,7 @@ void add_set(CLI::App& app) {
   command->add_option("--note", args->note, "Anything else")->type_name("TEXT");
   command->add_option("--taped", args->taped, "Axes measured by tape, m")->type_name("L,I,S");
   command->add_option("--weighed", args->weighed, "Weighed mass, kg")
-      ->check(positive_number())
+      ->check(within(kBlockMass))
       ->type_name("KG");
   command->footer(
       "Notes are kept beside the computed values and change none of them.\n"

@@ -6,6 +6,7 @@
 #include "app/option_values.hpp"
 #include "app/photo_options.hpp"
 #include "app/scan_batch.hpp"
+#include "library/block_ranges.hpp"
 
 namespace clast {
 
@@ -77,7 +78,7 @@ void add_reconstruct(CLI::App& app) {
   command
       ->add_option("--scale-factor", args->scale_factor,
                    "Factor on all lengths, after --units or --scale-length")
-      ->check(positive_number())
+      ->check(within(kScaleFactor))
       ->type_name("F")
       ->capture_default_str();
   CLI::Option* up =
@@ -101,12 +102,11 @@ void add_reconstruct(CLI::App& app) {
       ->add_option("--vertices", options.vertices,
                    "Vertices a block has at most, 4 or more; default: the fewest up to 2000 with "
                    "which it is within the tolerance")
-      ->check(whole_number())
-      ->check(number_between(4, 1e6))
+      ->check(whole_number(4, 1000000))
       ->type_name("N");
   CLI::Option* radius =
       command->add_option("--radius", options.block.radius, "Minkowski radius of the rounding, m")
-          ->check(number_between(0.0, 1e3))
+          ->check(within(kMinkowskiRadius))
           ->type_name("M");
   CLI::Option* share =
       command
@@ -114,7 +114,7 @@ void add_reconstruct(CLI::App& app) {
               "--radius-share", options.block.radius_share,
               "The same as a share of S, the shortest side, 0 to 0.25; without it and without "
               "--vertices, 0.02 is halved down to 0.0025 where the tolerance needs it")
-          ->check(number_between(0.0, 0.25))
+          ->check(within(kRadiusShare))
           ->excludes(radius)
           ->type_name("SHARE")
           ->capture_default_str();
@@ -130,19 +130,19 @@ void add_reconstruct(CLI::App& app) {
                  "Take the convex hull of each scan, for example to compare with simpler models")
       ->excludes("--core");
   CLI::Option* density = command->add_option("--density", options.block.density, "Density, kg/m3")
-                             ->check(positive_number())
+                             ->check(within(kBlockDensity))
                              ->type_name("KG/M3")
                              ->capture_default_str();
   command
       ->add_option("--mass", options.block.mass,
                    "Weighed mass of the block, kg: sets the density, or checks the volume when "
                    "--density is given too")
-      ->check(positive_number())
+      ->check(within(kBlockMass))
       ->type_name("KG");
   command
       ->add_option("--accuracy", options.block.accuracy,
                    "Relative accuracy of volume and inertia, 1e-6 to 1e-2")
-      ->check(number_between(1e-6, 1e-2))
+      ->check(within(kMassAccuracy))
       ->type_name("REL")
       ->capture_default_str();
   command
@@ -150,7 +150,7 @@ void add_reconstruct(CLI::App& app) {
           "--tolerance", options.block.tolerance,
           "How far a block may lie off its scan (Hausdorff distance), as a share of L, the "
           "longest side; a block beyond it is made with a warning")
-      ->check(number_between(1e-6, 1.0))
+      ->check(within(kScanTolerance))
       ->type_name("SHARE")
       ->capture_default_str();
   command
@@ -163,7 +163,7 @@ void add_reconstruct(CLI::App& app) {
       ->add_option("--jobs", args->jobs,
                    "Scans that are worked on at the same time, 0: one per core; each takes its own "
                    "memory, and the results are the same for any number")
-      ->check(whole_number())
+      ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume,

@@ -7,6 +7,7 @@
 #include "app/commands/commands.hpp"
 #include "app/text_table.hpp"
 #include "classify/equilibria.hpp"
+#include "core/printable.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
@@ -36,7 +37,7 @@ std::string overview(const std::vector<const Block*>& blocks) {
          length(axes.S), rounded(elongation_s_c(axes), 3), length(block->mass.volume, 4, "3"),
          rounded(block->density), mass_text(*block), sneed_folk_class(axes), zingg_class(axes),
          garcia_class(axes), length(block->body.radius, 3), length(block->deviation.hausdorff, 2)});
-    if (is_unscaled(*block)) unscaled += (unscaled.empty() ? "" : ", ") + block->id;
+    if (is_unscaled(*block)) unscaled += (unscaled.empty() ? "" : ", ") + printable(block->id);
   }
   if (unscaled.empty()) return table.text();
   return table.text() + "\nUnscaled (u: unit of the model, of no known length): " + unscaled +
@@ -57,30 +58,43 @@ std::string listed(const std::vector<std::string>& names) {
 std::vector<std::array<std::string, 2>> unseen_lines(const Block& block) {
   const UnseenPart& unseen = *block.unseen;
   const UnseenRange range = unseen_range(block);
-  const auto between = [](double low, double high, int digits) {
-    return rounded(low, digits) + " to " + rounded(high, digits);
+  const auto between = [](double low, const std::optional<double>& high, int digits) {
+    return high ? rounded(low, digits) + " to " + rounded(*high, digits)
+                : "at least " + rounded(low, digits);
   };
+  const std::string unit = length_unit_of(block);
   std::vector<std::array<std::string, 2>> lines = {
       {"surface filled in %", rounded(100.0 * unseen.invented_share, 2)},
-      {"volume " + length_unit_of(block) + "3",
-       between(unseen.lower_volume, unseen.upper_volume, 4) + ", best " +
-           rounded(unseen.best_volume)}};
+      {"volume " + unit + "3", between(unseen.lower_volume, unseen.upper_volume, 4) + ", best " +
+                                   rounded(unseen.best_volume)}};
   if (!is_unscaled(block)) {
     lines.push_back({"mass kg", between(range.lower_mass, range.upper_mass, 4)});
-    lines.push_back({"density kg/m3", between(range.lower_density, range.upper_density, 4)});
+    lines.push_back({"density kg/m3", range.lower_density
+                                          ? between(*range.lower_density, range.upper_density, 4)
+                                          : "at most " + rounded(range.upper_density)});
   }
-  lines.push_back({"s_c", between(range.lower_s_c, range.upper_s_c, 3)});
-  lines.push_back({"classes", listed(range.classes.at("sneed-folk")) + "; " +
-                                  listed(range.classes.at("zingg")) + "; " +
-                                  listed(range.classes.at("garcia"))});
+  if (!range.axes) {
+    lines.push_back({"L, I, S, classes", "not known: too much of the block is not seen"});
+  } else {
+    const auto& [low, high] = *range.axes;
+    lines.push_back({"L " + unit, between(low.L, high.L, 4)});
+    lines.push_back({"I " + unit, between(low.I, high.I, 4)});
+    lines.push_back({"S " + unit, between(low.S, high.S, 4)});
+    lines.push_back({"s_c", between(*range.lower_s_c, range.upper_s_c, 3)});
+    lines.push_back({"possible classes", listed(range.classes.at("sneed-folk")) + "; " +
+                                             listed(range.classes.at("zingg")) + "; " +
+                                             listed(range.classes.at("garcia"))});
+  }
+  if (!unseen.assumption.empty()) lines.push_back({"bounds hold if", unseen.assumption});
   return lines;
 }
 
 /// What the overview leaves out.
 std::string details(const Block& block) {
-  std::string text = "\n" + block.id + "\n";
+  std::string text = "\n" + printable(block.id) + "\n";
   const auto line = [&](const std::string& name, const std::string& value) {
-    text += "  " + name + std::string(name.size() < 26 ? 26 - name.size() : 1, ' ') + value + "\n";
+    text += "  " + name + std::string(name.size() < 26 ? 26 - name.size() : 1, ' ') +
+            printable(value) + "\n";
   };
   line("source", block.source.file);
   line("source sha256", block.source.sha256);

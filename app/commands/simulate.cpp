@@ -16,8 +16,12 @@
 #include "app/progress.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
+#include "core/output_file.hpp"
 #include "core/parallel.hpp"
+#include "core/printable.hpp"
 #include "core/text_file.hpp"
+#include "study/block_stiffness.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/comparison.hpp"
 #include "study/report/plan_map.hpp"
@@ -78,25 +82,27 @@ std::filesystem::path output_of(const SimulateArgs& args, const Shard& shard) {
 nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
   nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
   for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
-  const ContactStiffness& stiffness = prepared.stiffness.stiffness;
-  std::vector<std::string> warnings = prepared.header.warnings;
+  nlohmann::ordered_json stiffness = nlohmann::ordered_json::array();
+  for (const BlockStiffness& block : stiffness_by_block(prepared.header.blocks, prepared.runs)) {
+    nlohmann::ordered_json row = {{"block", block.block}};
+    for (const StiffnessValue& value : block.values) {
+      row[value.name] = {value.range.low, value.range.high};
+    }
+    stiffness.push_back(row);
+  }
   return {{"runs", prepared.runs.size()},
           {"blocks", blocks},
           {"release_points", prepared.header.release_points.size()},
-          {"normal_stiffness_n_m", stiffness.normal},
-          {"tangential_stiffness_n_m", stiffness.tangential},
-          {"rolling_stiffness_n_m_rad", stiffness.rolling},
-          {"time_step_s", stiffness.time_step},
-          {"settled_depth_m", prepared.stiffness.settled_depth},
-          {"impact_depth_m", prepared.stiffness.impact_depth},
-          {"warnings", warnings}};
+          {"stiffness", stiffness},
+          {"warnings", prepared.header.warnings}};
 }
 
 /// "4 release points, 64 orientations", for each release set, and how often the ground is drawn.
 std::string releases_text(const PreparedCampaign& prepared) {
   std::string text;
   for (const ReleasePlan& release : prepared.campaign.releases) {
-    text += (text.empty() ? "" : "; ") + (release.name.empty() ? "" : release.name + ": ") +
+    text += (text.empty() ? "" : "; ") +
+            (release.name.empty() ? "" : printable(release.name) + ": ") +
             counted(release.points.size(), "release point") + ", " +
             counted(release.orientations.size(), "orientation");
   }
@@ -105,16 +111,33 @@ std::string releases_text(const PreparedCampaign& prepared) {
   return text;
 }
 
+/// More blocks than this are not printed one by one.
+constexpr std::size_t kMostPrinted = 20;
+
+/// What the runs of each block have, and those of all where there are many.
+TextTable stiffness_table(const PreparedCampaign& prepared) {
+  const std::vector<BlockStiffness> blocks =
+      stiffness_by_block(prepared.header.blocks, prepared.runs);
+  TextTable table{{"block"}, {}};
+  for (const StiffnessValue& value : blocks.front().values) {
+    table.headings.push_back(value.heading);
+  }
+  const auto add = [&](const BlockStiffness& block) {
+    std::vector<std::string> row = stiffness_cells(block);
+    row.insert(row.begin(), block.block);
+    table.rows.push_back(row);
+  };
+  for (std::size_t i = 0; i < std::min(blocks.size(), kMostPrinted); ++i) add(blocks[i]);
+  if (blocks.size() > kMostPrinted) add(over_all(blocks));
+  return table;
+}
+
 void print_plan(const PreparedCampaign& prepared) {
-  const ContactStiffness& stiffness = prepared.stiffness.stiffness;
   std::cout << counted(prepared.runs.size(), "run") << ": "
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
-            << "k_n " << rounded(stiffness.normal) << " N/m, k_t " << rounded(stiffness.tangential)
-            << " N/m, time step " << rounded(stiffness.time_step, 3) << " s; rests at most "
-            << rounded(prepared.stiffness.settled_depth, 2) << " m deep, impacts go at most "
-            << rounded(prepared.stiffness.impact_depth, 2) << " m deep\n";
+            << stiffness_table(prepared).text();
   for (const std::string& warning : prepared.header.warnings) {
-    std::cout << "warning: " << warning << "\n";
+    std::cout << "warning: " << printable(warning) << "\n";
   }
 }
 
@@ -204,13 +227,14 @@ void print_results(const std::filesystem::path& file, const SimulateArgs& args,
     std::cout << summary.dump(2) << "\n";
   } else {
     print_outcome(results);
-    std::cout << file.string() << ": written\n";
+    std::cout << printable(file.string()) << ": written\n";
   }
   check_outcome(results, file);
 }
 
 void join_parts(const SimulateArgs& args) {
   const std::filesystem::path target = args.output;
+  check_results_place(target);
   merge_results({args.parts.begin(), args.parts.end()}, target);
   print_results(target, args, nlohmann::ordered_json::object());
 }
@@ -232,12 +256,13 @@ constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
 /// Expected time, and the map.
 void tell_of_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, const Shard& shard,
                      nlohmann::ordered_json summary) {
+  std::filesystem::path map = args.output;
+  map.replace_extension(".map.svg");
+  check_output(map, {.kind = kind_by_name(map)});
   const TimeProbe probe = probe_time(prepared, kProbeTime);
   const unsigned threads = thread_count(args.threads);
   const std::size_t runs = shard.runs_of(prepared.runs.size());
   const double expected = probe.each * static_cast<double>(runs) / threads;
-  std::filesystem::path map = args.output;
-  map.replace_extension(".map.svg");
   write_text_file(map, plan_map(prepared.header));
   if (args.json) {
     summary["expected_time_s"] = expected;
@@ -252,7 +277,7 @@ void tell_of_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared,
             << counted(runs, "run") << " on " << counted(threads, "thread") << ", judging by "
             << counted(probe.runs, "run") << " of " << rounded(probe.each, 2) << " s"
             << (probe.cut_short ? ", the last of which was not waited for" : "") << "\n"
-            << map.string() << ": written\n";
+            << printable(map.string()) << ": written\n";
 }
 
 /// What shapes a run: that it is the same on all processes.
@@ -273,6 +298,7 @@ void simulate(const SimulateArgs& args) {
   const std::filesystem::path output = output_of(args, shard);
   const std::filesystem::path part = partial_results(output);
   team.agree([&] {
+    if (team.leads()) check_results_place(output);
     plan.emplace(prepare_campaign(read_campaign(args.campaign)));
     if (team.leads() && !args.dry_run && !args.resume && std::filesystem::exists(part)) {
       throw InputError(part.string() +
@@ -327,7 +353,7 @@ void add_simulate(CLI::App& app) {
       ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--threads", args->threads, "Threads to use; 0: one for each core")
-      ->check(number_between(0, 4096))
+      ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume, "Go on with an interrupted campaign");

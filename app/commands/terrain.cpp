@@ -9,12 +9,17 @@
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
+#include "core/output_file.hpp"
+#include "core/printable.hpp"
 #include "core/text_file.hpp"
-#include "shapes/point_cloud.hpp"
+#include "library/block_ranges.hpp"
+#include "study/release_points.hpp"
 #include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
 #include "terrain/terrain_fit.hpp"
 #include "terrain/terrain_input.hpp"
+#include "terrain/terrain_ranges.hpp"
 
 namespace clast {
 
@@ -34,6 +39,7 @@ struct TerrainArgs {
   double border_distance = 5.0;
   std::optional<double> block_size;
   bool json = false;
+  bool replace = false;
   TerrainOptions options;
 };
 
@@ -70,7 +76,8 @@ void print_report(const Terrain& terrain) {
     extent.rows.push_back({names[axis], with_decimals(low[axis], 2), with_decimals(high[axis], 2)});
   }
   std::cout << extent.text();
-  if (!terrain.frame.crs.empty()) std::cout << "map system " << terrain.frame.crs << "\n";
+  if (!terrain.frame.crs.empty())
+    std::cout << "map system " << printable(terrain.frame.crs) << "\n";
   TextTable zones{{"zone", "triangles", "plan area m2"}, {}};
   const std::vector<ZoneExtent> extents = zone_extents(terrain);
   for (std::size_t i = 0; i < extents.size(); ++i) {
@@ -78,7 +85,9 @@ void print_report(const Terrain& terrain) {
                           rounded(extents[i].plan_area)});
   }
   std::cout << zones.text();
-  for (const std::string& note : report.notes) std::cout << "note: " << note << "\n";
+  for (const std::string& note : report.notes) {
+    std::cout << "note: " << printable(note) << "\n";
+  }
 }
 
 nlohmann::ordered_json report_json(const Terrain& terrain) {
@@ -120,9 +129,9 @@ nlohmann::ordered_json report_json(const Terrain& terrain) {
 std::vector<Vec3> release_points(const TerrainArgs& args) {
   std::vector<Vec3> points;
   if (args.releases.empty()) return points;
-  points = read_cloud(args.releases);
+  points = read_points(args.releases);
   if (args.options.up == "y") {
-    for (Vec3& point : points) point = Vec3(point.x(), -point.z(), point.y());
+    for (Vec3& point : points) point = turned_z_up(point);
   }
   return points;
 }
@@ -153,6 +162,15 @@ bool is_same_file(const std::filesystem::path& output, const std::filesystem::pa
   return std::filesystem::weakly_canonical(output, none) ==
              std::filesystem::weakly_canonical(input, none) ||
          std::filesystem::equivalent(output, input, none);
+}
+
+/// Refuses outputs in the place of what is to be kept, before the work.
+void check_places(const TerrainArgs& args) {
+  check_output(args.output, {.kind = kTerrainFormat, .replace = args.replace});
+  for (const std::string& output : {args.exported, args.picture}) {
+    if (output.empty()) continue;
+    check_output(output, {.kind = kind_by_name(output), .replace = args.replace});
+  }
 }
 
 /// Refuses outputs of a kind that can't be written, or in the place of what is read.
@@ -199,6 +217,7 @@ void make_terrain(TerrainArgs args) {
     args.options.check();
     check_outputs(args);
   });
+  check_places(args);
   const std::vector<Vec3> releases = release_points(args);
   Terrain terrain = read_terrain(args.options);
   check_fit(args, releases, terrain);
@@ -212,9 +231,9 @@ void make_terrain(TerrainArgs args) {
     return;
   }
   print_report(terrain);
-  std::cout << args.output << ": written\n";
-  if (!args.exported.empty()) std::cout << args.exported << ": written\n";
-  if (!args.picture.empty()) std::cout << args.picture << ": written\n";
+  std::cout << printable(args.output) << ": written\n";
+  if (!args.exported.empty()) std::cout << printable(args.exported) << ": written\n";
+  if (!args.picture.empty()) std::cout << printable(args.picture) << ": written\n";
 }
 
 }  // namespace
@@ -225,25 +244,25 @@ void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& b
       .add_option("--resolution", options.resolution,
                   "Cell size for clouds, and for rasters and meshes that are to be resampled, m; "
                   "default: about four points of a cloud per cell, others as they are")
-      ->check(positive_number())
+      ->check(within(kCellSize))
       ->type_name("M");
   command
       .add_option("--percentile", options.percentile,
                   "Height of a cloud's cell: this percentile of its points, 0 for the lowest; "
                   "default: their mean")
-      ->check(number_between(0.0, 100.0))
+      ->check(within(kPercentile))
       ->type_name("P");
   command
       .add_option("--outliers", options.outliers,
                   "Leave out points of a cloud that are farther than this above or below the "
                   "ground around, m")
-      ->check(positive_number())
+      ->check(within(kOutlierDistance))
       ->type_name("M");
   command
       .add_option("--fill", options.fill,
                   "Fill holes up to this width, m; default: 3 cells of a cloud, 3 median edges of "
                   "a mesh, none of a raster")
-      ->check(number_between(0.0, 1e6))
+      ->check(within(kHoleWidth))
       ->type_name("M");
   command
       .add_option("--breaklines", breaklines,
@@ -257,25 +276,25 @@ void add_mending_options(CLI::App& command, TerrainOptions& options) {
   command
       .add_option("--crack", options.crack,
                   "Close cracks between tiles up to this width, m; 0: none")
-      ->check(number_between(0.0, 1e3))
+      ->check(within(kCrackWidth))
       ->type_name("M")
       ->capture_default_str();
   command
       .add_option("--spikes", options.spike_steepness,
                   "Level single vertices that stand out by more than this many times the distance "
                   "to their neighbours; 0: none")
-      ->check(number_between(0.0, 1e3))
+      ->check(within(kSpikeSteepness))
       ->type_name("X")
       ->capture_default_str();
   command.add_option("--smoothing", options.smoothing, "Rounds of smoothing")
-      ->check(CLI::Range(0, 1000))
+      ->check(whole_number(0, kMostSmoothing))
       ->type_name("N")
       ->capture_default_str();
   command
       .add_option("--tolerance", options.tolerance,
                   "Leave out vertices where the surface stays within this height, m; overhangs "
                   "stay")
-      ->check(positive_number())
+      ->check(within(kSurfaceTolerance))
       ->type_name("M");
   command.add_flag("--cut-zones", options.cut_zones,
                    "Cut the borders of zone polygons into the triangles");
@@ -292,14 +311,14 @@ void add_fit_options(CLI::App& command, TerrainArgs& args) {
   command
       .add_option("--border-distance", args.border_distance,
                   "Warn of release points nearer than this to the border, m")
-      ->check(positive_number())
+      ->check(within(kBorderDistance))
       ->needs(releases)
       ->type_name("M")
       ->capture_default_str();
   command
       .add_option("--block-size", args.block_size,
                   "Diameter of the blocks, m: warn when the ground is much coarser or finer")
-      ->check(positive_number())
+      ->check(within(kBlockLength))
       ->type_name("M");
   CLI::Option* picture =
       command
@@ -354,10 +373,12 @@ void add_terrain(CLI::App& app) {
       ->type_name("AXIS")
       ->capture_default_str();
   command->add_option("--export-cell", args->export_cell, "Cell size of an exported tif, m")
-      ->check(positive_number())
+      ->check(within(kCellSize))
       ->needs(exported)
       ->type_name("M")
       ->capture_default_str();
+  command->add_flag("--replace", args->replace,
+                    "Write over a terrain file, an export or a picture that is there");
   command->add_flag("--json", args->json, "Print the report as JSON");
   command->footer(
       "Examples:\n"

@@ -9,8 +9,7 @@ namespace clast::detail {
 
 namespace {
 
-constexpr double kMostPointed = 8.0;  ///< power of a foot
-constexpr int kPowerSteps = 40;       ///< halvings of a range of powers
+constexpr int kPowerSteps = 40;  ///< halvings of a range of powers
 
 }  // namespace
 
@@ -30,15 +29,6 @@ TriangleMesh Film::lowered(const Move& move) const {
 Move Film::holding(double added, double power, double deepest) const {
   while (added / column(power) > deepest && power > kBluntest) power *= 0.8;
   return {power, added / column(power)};
-}
-
-Move Film::pointed(const Move& blunt, double added) const {
-  double low = blunt.power, high = kMostPointed;
-  for (int i = 0; i < kPowerSteps; ++i) {
-    const double power = 0.5 * (low + high);
-    (added < blunt.depth * column(power) ? low : high) = power;
-  }
-  return {low, std::min(blunt.depth, added / column(low))};
 }
 
 Move Film::lying(const Plane& ground, const Move& blunt, double added, double most) const {

@@ -31,8 +31,6 @@ class Film {
   /// With `added` volume (m^3) under the film, no deeper than `deepest` (m) where that is possible:
   /// the power falls until it is.
   Move holding(double added, double power, double deepest) const;
-  /// The same depth with less volume: a foot of the block reaches as far down as all of it may.
-  Move pointed(const Move& blunt, double added) const;
   /// The same volume, so pointed that it touches the ground: a block does not float. The power
   /// rises to `most` at most.
   Move lying(const Plane& ground, const Move& blunt, double added, double most) const;

@@ -18,6 +18,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "reconstruct/detail/loop_filling.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "shapes/detail/cgal_mesh.hpp"
 #include "shapes/detail/half_edges.hpp"
@@ -35,6 +36,13 @@ using Vertex = CgalMesh::Vertex_index;
 
 /// Above this many border edges the search of all triangulations, cubic in them, takes minutes.
 constexpr std::size_t kMostForAllTriangulations = 400;
+/// See `is_unseen_side`: of a ball, a gap of 1 % of the surface leaves 0.03 % of the volume open,
+/// one of 5 % leaves 0.7 %.
+constexpr double kUnseenShare = 0.05, kSmallestUnseenShare = 0.01;
+constexpr double kUnseenWidth = 3.0;  ///< in mean sides of the border
+/// A filling stands off a soap film by this share of the hole's width at most: a cap of a ball with
+/// a tenth of its surface does by a third, one with a seventh by this.
+constexpr double kMostBulge = 0.5;
 
 /// The fan over `loop` from its corner `apex`.
 std::vector<Triangle> fan(const std::vector<std::uint32_t>& loop, std::size_t apex) {
@@ -50,18 +58,6 @@ double area_of(const TriangleMesh& mesh, const std::vector<Triangle>& triangles)
   return area;
 }
 
-FilledHole measured(const std::vector<Vec3>& border) {
-  FilledHole hole;
-  hole.border_edges = border.size();
-  for (std::size_t i = 0; i < border.size(); ++i) {
-    hole.perimeter += (border[(i + 1) % border.size()] - border[i]).norm();
-    hole.centre += border[i] / static_cast<double>(border.size());
-  }
-  for (const Vec3& point : border)
-    hole.radius = std::max(hole.radius, (point - hole.centre).norm());
-  return hole;
-}
-
 Vec3 point_of(const CgalMesh& mesh, Vertex v) {
   const CgalPoint& p = mesh.point(v);
   return {p.x(), p.y(), p.z()};
@@ -75,34 +71,118 @@ Vertex star_over(CgalMesh& mesh, Halfedge border) {
   }
   CGAL::Euler::fill_hole(border, mesh);
   const Vertex middle = mesh.target(CGAL::Euler::add_center_vertex(border, mesh));
-  const Vec3 centre = measured(points).centre;
+  const Vec3 centre = measured_hole(points).centre;
   mesh.point(middle) = CgalPoint(centre.x(), centre.y(), centre.z());
   return middle;
 }
 
-/// Fills one hole and returns the area of the filling; 0 when it stays open.
-double fill(CgalMesh& mesh, Halfedge border, std::size_t border_edges) {
+/// Six times the volume under faces, over `origin`.
+double sixfold_volume(const CgalMesh& mesh, const std::vector<Face>& faces, const Vec3& origin) {
+  double sum = 0.0;
+  for (const Face f : faces) {
+    std::array<Vec3, 3> corner;
+    std::size_t k = 0;
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) {
+      corner[k++] = point_of(mesh, v) - origin;
+    }
+    sum += corner[0].dot(corner[1].cross(corner[2]));
+  }
+  return sum;
+}
+
+double area_of(const CgalMesh& mesh, const std::vector<Face>& faces) {
+  double area = 0.0;
+  for (const Face f : faces) area += Processing::face_area(f, mesh);
+  return area;
+}
+
+/// Moves the vertices to a surface that goes on smoothly at the border, but no farther from a film
+/// over it than half its width. Returns six times the volume under the film.
+double bulge(CgalMesh& mesh, const std::vector<Face>& patch, const std::vector<Vertex>& added,
+             const FilledHole& hole) {
+  Processing::fair(mesh, added, CGAL::parameters::fairing_continuity(0));
+  const double film_volume = sixfold_volume(mesh, patch, hole.centre);
+  const double limit = kMostBulge * 2.0 * area_of(mesh, patch) / hole.perimeter;
+  std::vector<Vec3> film;
+  for (const Vertex v : added) film.push_back(point_of(mesh, v));
+  Processing::fair(mesh, added);
+  double highest = 0.0;
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    highest = std::max(highest, (point_of(mesh, added[i]) - film[i]).norm());
+  }
+  if (highest <= limit) return film_volume;
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    const Vec3 p = film[i] + limit / highest * (point_of(mesh, added[i]) - film[i]);
+    mesh.point(added[i]) = CgalPoint(p.x(), p.y(), p.z());
+  }
+  return film_volume;
+}
+
+/// Unit normals of the triangles beyond the sides of a border, in the order of its vertices.
+std::vector<Vec3> normals_beyond(const CgalMesh& mesh, Halfedge border) {
+  std::vector<Vec3> normals;
+  for (const Halfedge h : CGAL::halfedges_around_face(border, mesh)) {
+    const Halfedge inner = mesh.opposite(mesh.next(h));
+    const Vec3 a = point_of(mesh, mesh.source(inner)), b = point_of(mesh, mesh.target(inner)),
+               c = point_of(mesh, mesh.target(mesh.next(inner)));
+    normals.push_back((b - a).cross(c - a).normalized());
+  }
+  return normals;
+}
+
+/// Fills one hole and adds to what is known of it its area, 0 when it stays open, and how much its
+/// volume is open.
+/// @param points  of the border
+void fill(CgalMesh& mesh, Halfedge border, const std::vector<Vec3>& points, FilledHole& hole) {
+  const TangentCones cones = tangent_cones(points, normals_beyond(mesh, border));
   std::vector<Face> patch, more;
   std::vector<Vertex> added;
   Processing::triangulate_hole(
       mesh, border, std::back_inserter(patch),
-      CGAL::parameters::do_not_use_cubic_algorithm(border_edges > kMostForAllTriangulations));
+      CGAL::parameters::do_not_use_cubic_algorithm(hole.border_edges > kMostForAllTriangulations));
   if (patch.empty()) {
-    if (border_edges < 3) return 0.0;
+    if (hole.border_edges < 3) return;
     added.push_back(star_over(mesh, border));
     for (const Face f : CGAL::faces_around_target(mesh.halfedge(added[0]), mesh)) {
       patch.push_back(f);
     }
   }
   Processing::refine(mesh, patch, std::back_inserter(more), std::back_inserter(added));
-  if (!added.empty()) Processing::fair(mesh, added);
   patch.insert(patch.end(), more.begin(), more.end());
-  double area = 0.0;
-  for (const Face f : patch) area += Processing::face_area(f, mesh);
-  return area;
+  const double film =
+      added.empty() ? sixfold_volume(mesh, patch, hole.centre) : bulge(mesh, patch, added, hole);
+  const double bulged = (sixfold_volume(mesh, patch, hole.centre) - film) / 6.0;
+  hole.volume_below = std::max(0.0, cones.below + bulged);
+  hole.volume_above = std::max(0.0, cones.above - bulged);
+  hole.area = area_of(mesh, patch);
 }
 
 }  // namespace
+
+bool is_unseen_side(const std::vector<Vec3>& border, double seen_area) {
+  Vec3 doubled = Vec3::Zero();
+  double around = 0.0;
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const Vec3& next = border[(i + 1) % border.size()];
+    doubled += (border[i] - border[0]).cross(next - border[0]);
+    around += (next - border[i]).norm();
+  }
+  const double flat = 0.5 * doubled.norm(), share = flat / (seen_area + flat);
+  const double sides_wide = 2.0 * flat * static_cast<double>(border.size()) / (around * around);
+  return share > kUnseenShare || (share > kSmallestUnseenShare && sides_wide > kUnseenWidth);
+}
+
+FilledHole measured_hole(const std::vector<Vec3>& border) {
+  FilledHole hole;
+  hole.border_edges = border.size();
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    hole.perimeter += (border[(i + 1) % border.size()] - border[i]).norm();
+    hole.centre += border[i] / static_cast<double>(border.size());
+  }
+  for (const Vec3& point : border)
+    hole.radius = std::max(hole.radius, (point - hole.centre).norm());
+  return hole;
+}
 
 std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges) {
   std::vector<FilledHole> filled;
@@ -136,14 +216,15 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
     mesh.triangles.insert(mesh.triangles.end(), best.begin(), best.end());
     std::vector<Vec3> border;
     for (const std::uint32_t v : loop) border.push_back(mesh.vertices[v]);
-    filled.push_back(measured(border));
+    filled.push_back(measured_hole(border));
     filled.back().area = smallest;
     filled.back().fan = true;
   }
   return filled;
 }
 
-std::vector<FilledHole> fill_holes(TriangleMesh& mesh) {
+std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides) {
+  const double area = surface_area(mesh);
   CgalMesh work = to_cgal(mesh);
   std::vector<Halfedge> starts;
   Processing::extract_boundary_cycles(work, std::back_inserter(starts));
@@ -153,9 +234,10 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh) {
     for (const Vertex v : CGAL::vertices_around_face(start, work)) {
       border.push_back(point_of(work, v));
     }
-    FilledHole hole = measured(border);
+    FilledHole hole = measured_hole(border);
+    if (!unseen_sides && is_unseen_side(border, area)) continue;
     try {
-      hole.area = fill(work, start, border.size());
+      fill(work, start, border, hole);
     } catch (const CGAL::Failure_exception&) {  // met something that it takes for impossible
       throw GeometryError("the hole of " + std::to_string(border.size()) +
                           " border edges that is " + with_digits(hole.perimeter, 3) +

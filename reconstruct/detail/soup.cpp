@@ -20,6 +20,8 @@ using Triangle = TriangleMesh::Triangle;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Rounds of dropping fins: one that stands on another is seen when that is gone.
 constexpr int kFinRounds = 8;
+/// Share of the triangles that may disagree with a neighbour where nearly all face one way.
+constexpr double kFewDisagree = 0.01;
 
 /// The two sides of an edge that go on most smoothly from one to the other.
 std::array<std::size_t, 2> smoothest_pair(const std::vector<Vec3>& wing) {
@@ -47,6 +49,21 @@ std::vector<std::uint32_t> manifold_patches(const TriangleMesh& mesh,
   std::vector<std::uint32_t> patch(mesh.triangles.size());
   for (std::uint32_t t = 0; t < patch.size(); ++t) patch[t] = sets.find(t);
   return patch;
+}
+
+/// Takes out the triangles at edges of two along which both run the same way, where they are few.
+Mended take_out_disagreeing(TriangleMesh& mesh) {
+  std::vector<bool> drop(mesh.triangles.size(), false);
+  Mended result;
+  for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
+    if (sides.size() != 2 || sides[0].forward != sides[1].forward) return;
+    if (result.count++ == 0) result.place = mesh.vertices[sides[0].low];
+    for (const HalfEdge& side : sides) drop[side.triangle] = true;
+  });
+  const auto dropped = static_cast<double>(std::count(drop.begin(), drop.end(), true));
+  if (dropped > kFewDisagree * static_cast<double>(drop.size())) return {};
+  result.area = taken_out(mesh, drop).area;
+  return result;
 }
 
 }  // namespace
@@ -254,9 +271,19 @@ SoupMends mend_soup(TriangleMesh& mesh, double largest_fin) {
   mends.folded = drop_opposite_pairs(mesh);
   if (mesh.triangles.empty()) return mends;
   if (inspect(mesh).non_manifold_edges > 0) mends.fins = drop_fins(mesh, largest_fin);
+  const TriangleMesh as_faced = mesh;
   mends.orientation = orient_consistently(mesh);
+  if (!mends.orientation.orientable) {
+    // Of two sheets that touched, two triangles may be left that were never neighbours.
+    mesh = as_faced;
+    mends.touching = take_out_disagreeing(mesh);
+    mends.orientation = orient_consistently(mesh);
+  }
   if (!mends.orientation.orientable || inspect(mesh).non_manifold_edges == 0) return mends;
-  mends.touching = cut_touching_edges(mesh);
+  const Mended cut = cut_touching_edges(mesh);
+  if (mends.touching.count == 0) mends.touching.place = cut.place;
+  mends.touching.count += cut.count;
+  mends.touching.area += cut.area;
   const Orientation again = orient_consistently(mesh);
   mends.orientation.turned += again.turned;
   mends.orientation.orientable = again.orientable;

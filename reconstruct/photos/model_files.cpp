@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 #include "core/text_file.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
@@ -68,6 +69,7 @@ PhotoModel read_photo_model(const fs::path& path, const fs::path& photos) {
                      ": no camera model in this folder; COLMAP's has cameras.txt "
                      "or cameras.bin, Metashape's is cameras.xml");
   }
+  if (!fs::is_directory(found, code)) check_input_file(found);
   try {
     PhotoModel model = detail::in_order_of_names(read_at(found, photos));
     model.check();

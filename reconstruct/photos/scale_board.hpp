@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/number_range.hpp"
 #include "reconstruct/photos/charuco_board.hpp"
 
 namespace clast {
@@ -13,6 +14,11 @@ struct BoardMarker {
   int id = 0;
   Vec3 centre = Vec3::Zero();  ///< m, in any frame
 };
+
+/// The side of a printed marker or of a square of a board.
+inline constexpr NumberRange kMarkerSide{1e-4, 100.0, "m"};
+/// The distance of two markers.
+inline constexpr NumberRange kBarLength{1e-4, 1e4, "m"};
 
 /// Markers whose centres were measured or printed, or a ChArUco board.
 struct ScaleBoard {

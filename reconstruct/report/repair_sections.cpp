@@ -20,6 +20,11 @@ std::string share(double value) {
   return value < 5e-4 ? "under 0.1 %" : percent(value);
 }
 
+std::string closing(const FilledHole& hole) {
+  if (!hole.fan) return "a smooth filling";
+  return hole.border_edges <= 4 ? "a fan" : "its corners";
+}
+
 }  // namespace
 
 std::string repair_section(const RepairReport& report, bool cloud, bool open_side,
@@ -56,10 +61,9 @@ std::string repair_section(const RepairReport& report, bool cloud, bool open_sid
                     2);
     for (std::size_t i = 0; i < std::min(kMostHoles, report.holes.size()); ++i) {
       const FilledHole& hole = report.holes[i];
-      holes.row({"H" + std::to_string(i + 1), hole.fan ? "a fan" : "a smooth filling",
-                 std::to_string(hole.border_edges), with_digits(hole.perimeter, 3),
-                 with_digits(hole.radius, 3), with_digits(hole.area, 3), share(hole.area_share),
-                 place(hole.centre)});
+      holes.row({"H" + std::to_string(i + 1), closing(hole), std::to_string(hole.border_edges),
+                 with_digits(hole.perimeter, 3), with_digits(hole.radius, 3),
+                 with_digits(hole.area, 3), share(hole.area_share), place(hole.centre)});
     }
     html += "<h3>Holes that were filled, the largest first</h3>\n" + holes.html();
     if (report.holes.size() > kMostHoles) {
@@ -87,23 +91,33 @@ std::vector<PlaceMark> repair_marks(const RepairReport& report) {
 }
 
 std::string underside_section(const Underside& side, const std::string& unit) {
-  const double width = (side.upper_volume - side.lower_volume) / side.best_volume;
   HtmlTable table({"shape", "how", "volume " + unit + "3", "against best"}, 2);
   const auto row = [&](const char* name, const char* how, double volume) {
     const double change = volume / side.best_volume - 1.0;
     table.row({name, how, with_digits(volume, 4), (change > 0.0 ? "+" : "") + percent(change)});
   };
-  row("lower", "filled straight across the rim", side.lower_volume);
+  row("lower", "filled straight across the rim, dented as what was seen is", side.lower_volume);
   row("best", "likeliest depth below the rim; the block is made of this", side.best_volume);
-  row("upper", "walls continued down as they narrow, as deep as the ground allows",
-      side.upper_volume);
-  std::string html =
-      paragraph("The scan was open where nobody saw the block: a rim of " +
-                std::to_string(side.rim_edges) + " edges, " + with_digits(side.rim_length, 3) +
-                " " + unit + " round. " + percent(side.invented_share) +
-                " of the closed surface is invented. It was closed three ways; the true volume is "
-                "expected between the lower and the upper one, which are " +
-                percent(width) + " of the best apart.");
+  std::string text = "The scan was open where nobody saw the block: a rim of " +
+                     std::to_string(side.rim_edges) + " edges, " + with_digits(side.rim_length, 3) +
+                     " " + unit + " round";
+  if (side.open_sides > 1) {
+    const std::size_t others = side.open_sides - 1;
+    text += ", and " + std::to_string(others) +
+            (others == 1 ? " other large hole" : " other large holes");
+  }
+  text += ". " + percent(side.invented_share) + " of the closed surface is invented. ";
+  if (side.upper_volume) {
+    row("upper", "flanks continued as they were seen", *side.upper_volume);
+    const double width = (*side.upper_volume - side.lower_volume) / side.best_volume;
+    text += "The true volume is expected between the lower and the upper one, which are " +
+            percent(width) + " of the best apart, if " + side.assumption + ".";
+  } else {
+    text +=
+        "So much of the block is not seen that no upper bound of its volume, lengths and classes "
+        "can be given; scan more of it.";
+  }
+  std::string html = paragraph(text);
   if (side.gap > 0.0) {
     html +=
         paragraph("The rim stands " + with_digits(side.gap, 3) + " " + unit + " above the ground.");

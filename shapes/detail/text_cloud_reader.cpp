@@ -4,8 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "core/delimited_text.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/printable.hpp"
 #include "shapes/detail/cloud_readers.hpp"
 
 namespace clast::detail {
@@ -66,19 +68,15 @@ class Lines {
 };
 
 /// What a message repeats of a word, which may be bytes of any kind.
-std::string printable(std::string_view word) {
+std::string quoted(std::string_view word) {
   constexpr std::size_t kQuoted = 40;
-  std::string text(word.substr(0, kQuoted));
-  for (char& c : text) {
-    if (c < 32 || c == 127) c = '?';
-  }
-  return text;
+  return "\"" + printable(word.substr(0, kQuoted)) + "\"";
 }
 
-/// How the words of a line are told apart.
+/// How the words of a line are told apart: as the fields of any table, but blanks separate too.
 struct Separation {
   std::string_view separators;
-  bool decimal_comma = false;
+  char separator = ',';  ///< of `number_in_field`
 
   /// Takes the next word off `line`; empty at its end.
   std::string_view word(std::string_view& line) const {
@@ -89,29 +87,15 @@ struct Separation {
     line.remove_prefix(found.size());
     return found;
   }
-
-  std::optional<double> number(std::string_view word) const {
-    if (!decimal_comma || word.find(',') == std::string_view::npos) return number_in(word);
-    std::string text(word);
-    std::replace(text.begin(), text.end(), ',', '.');
-    return number_in(text);
-  }
 };
 
-/// A comma between digits is a decimal comma when something else separates at least three words.
 Separation separation_of(std::string_view line) {
-  const bool comma = line.find(',') != std::string_view::npos;
-  if (line.find(';') != std::string_view::npos) return {" \t;", comma};
-  if (!comma) return {" \t", false};
-  constexpr Separation kBlanks{" \t", true};
-  std::string_view rest = line;
-  std::size_t words = 0;
-  bool decimals = true;
-  for (std::string_view word = kBlanks.word(rest); !word.empty(); word = kBlanks.word(rest)) {
-    ++words;
-    decimals = decimals && kBlanks.number(word).has_value();
-  }
-  return words >= 3 && decimals ? kBlanks : Separation{" \t,", false};
+  const char separator = separator_of(line);
+  return {separator == ';' ? " \t;" : separator == ',' ? " \t," : " \t", separator};
+}
+
+std::size_t fields_in(std::string_view line, char separator) {
+  return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), separator));
 }
 
 /// Words that stand for x, y and z in a heading.
@@ -122,7 +106,7 @@ constexpr std::array<std::array<std::string_view, 4>, 3> kAxisNames = {
 
 /// Columns of x, y and z in a heading; none when it does not name them all.
 std::optional<std::array<std::size_t, 3>> columns_in(std::string_view heading) {
-  constexpr Separation kAny{" \t,;", false};
+  constexpr Separation kAny{" \t,;"};
   std::array<std::size_t, 3> columns{};
   std::array<bool, 3> found{};
   std::size_t column = 0;
@@ -153,10 +137,11 @@ class LinesOfPoints {
     const std::string_view text = line.substr(begin);
     if (text.starts_with('#') || text.starts_with("//")) return;
     if (!separation_known_) {
-      if (is_heading(text)) return;
+      if (is_heading(text, number)) return;
       separation_ = separation_of(text);
       separation_known_ = true;
     }
+    check_fields(text, number);
     const Vec3 point = point_in(text, number);
     count_up(point.x());
     sink_.add(point);
@@ -183,15 +168,47 @@ class LinesOfPoints {
   }
 
   /// The lines before the first point: a heading, or the number of points.
-  bool is_heading(std::string_view text) {
-    constexpr Separation kAny{" \t,;", false};
+  bool is_heading(std::string_view text, std::size_t number) {
+    constexpr Separation kAny{" \t,;"};
     std::string_view rest = text;
     const bool starts_with_number = number_in(kAny.word(rest)).has_value();
     const bool alone = kAny.word(rest).empty();
     if (lines_before_ >= kLongestHeading || (starts_with_number && !alone)) return false;
     ++lines_before_;
-    if (const auto named = columns_in(text)) columns_ = *named;
+    if (const auto named = columns_in(text)) {
+      columns_ = *named;
+      if (separator_of(text) == ',') {
+        fields_ = fields_in(text, ',');
+        counted_line_ = number;
+      }
+    }
     return true;
+  }
+
+  /// Between commas each line has as many fields as the first, since a decimal comma would split a
+  /// number; and no field up to z is empty, which would shift those behind it.
+  void check_fields(std::string_view line, std::size_t number) {
+    const char separator = separation_.separator;
+    if (separator != ',' && separator != ';') return;
+    const std::size_t fields = fields_in(line, separator);
+    if (fields_ == 0) {
+      fields_ = fields;
+      counted_line_ = number;
+    }
+    if (separator == ',' && fields != fields_) {
+      throw InputError("line " + std::to_string(number) + ": has " + std::to_string(fields) +
+                       " fields, but line " + std::to_string(counted_line_) + " has " +
+                       std::to_string(fields_) + "; " + kDecimalCommaAdvice);
+    }
+    const std::size_t last = *std::max_element(columns_.begin(), columns_.end());
+    for (std::size_t field = 0; field <= last && !line.empty(); ++field) {
+      const std::size_t end = std::min(line.find(separator), line.size());
+      if (line.substr(0, end).find_first_not_of(" \t") == std::string_view::npos) {
+        throw InputError("line " + std::to_string(number) + ": field " + std::to_string(field + 1) +
+                         " is empty, and one behind it is needed; fill it in");
+      }
+      line.remove_prefix(std::min(end + 1, line.size()));
+    }
   }
 
   Vec3 point_in(std::string_view line, std::size_t number) const {
@@ -202,10 +219,10 @@ class LinesOfPoints {
       if (word.empty()) break;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (columns_[axis] != column) continue;
-        const std::optional<double> value = separation_.number(word);
+        const std::optional<double> value = number_in_field(word, separation_.separator);
         if (!value) {
-          throw InputError("line " + std::to_string(number) + ": \"" + printable(word) +
-                           "\" stands where " + "xyz"[axis] + " is needed; a line must be x y z");
+          throw InputError("line " + std::to_string(number) + ": " + quoted(word) +
+                           " stands where " + "xyz"[axis] + " is needed; a line must be x y z");
         }
         point[static_cast<Eigen::Index>(axis)] = *value;
         --left;
@@ -219,9 +236,11 @@ class LinesOfPoints {
   }
 
   PointSink& sink_;
-  Separation separation_{" \t,;", false};
+  Separation separation_{" \t,;"};
   bool separation_known_ = false;
   std::size_t lines_before_ = 0;
+  std::size_t fields_ = 0;  ///< of each line between commas; 0 until one is counted
+  std::size_t counted_line_ = 0;
   std::size_t points_ = 0;
   double last_x_ = 0.0;
   bool counting_ = true;  ///< so far

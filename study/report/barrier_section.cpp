@@ -115,7 +115,9 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
 std::string barrier_section(const Comparison& comparison) {
   if (comparison.lines.empty()) return {};
   std::string html = paragraph(
-      "First forward crossing of each run. Probability is runs with a crossing over runs started, "
+      "First forward crossing of each run; of a ring the first entry (in) and the first exit "
+      "(out). "
+      "Probability is runs with a crossing over runs started, "
       "with Wilson's 95 % interval. Height is of the centre of mass, clearance of the lowest point "
       "of the block, both above the ground under it. Energy is translational plus rotational.");
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {

@@ -92,7 +92,7 @@ void write_crossings(Layer layer, const Comparison& comparison) {
     Feature feature = layer.feature();
     set_run(*feature, comparison.rows[row.row]);
     feature->SetField("barrier", comparison.lines[row.barrier].name.c_str());
-    feature->SetField("direction", crossing.forward ? "forward" : "backward");
+    feature->SetField("direction", comparison.lines[row.barrier].direction(crossing).c_str());
     feature->SetField("counted", row.counted ? 1 : 0);
     feature->SetField("time_s", crossing.time);
     feature->SetField("height_m", crossing.height);

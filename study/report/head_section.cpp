@@ -4,6 +4,7 @@
 
 #include "core/html_page.hpp"
 #include "core/version.hpp"
+#include "study/block_stiffness.hpp"
 #include "study/report/report_groups.hpp"
 
 namespace clast {
@@ -67,11 +68,11 @@ std::string head_section(const Comparison& comparison) {
                                   per_file(comparison, [](const CampaignResults& results) {
                                     return name_of(results.weights);
                                   }));
-  html += fact("Normal stiffness k_n", per_file(comparison, [](const CampaignResults& results) {
-                 return significant(results.stiffness.normal / 1e6, 4) + " MN/m";
-               }));
-  html += fact("Time step", per_file(comparison, [](const CampaignResults& results) {
-                 return significant(results.stiffness.time_step * 1e6, 4) + " \xC2\xB5s";
+  html += fact("Stiffness and time step", per_file(comparison, [](const CampaignResults& results) {
+                 const BlockStiffness all =
+                     over_all(stiffness_by_block(results.blocks, results.runs));
+                 return "k_n " + stiffness_cells(all)[0] + " N/m, step " + stiffness_cells(all)[3] +
+                        " s; by block at the end of this page";
                }));
   html += fact("Downslope (x, y)",
                fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +

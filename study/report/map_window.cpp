@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/png.hpp"
+#include "study/barrier_line.hpp"
 #include "study/report/ticks.hpp"
 
 namespace clast {
@@ -45,10 +46,15 @@ Window map_window(const Comparison& comparison) {
 }
 
 ForwardArrow forward_arrow(const BarrierLine& line) {
-  const std::size_t middle = (line.through.size() - 1) / 2;
-  const Vec2 &from = line.through[middle], &to = line.through[middle + 1];
+  using Counts = BarrierLine::Counts;
+  // The two arrows of a ring stand at different sides.
+  const std::size_t side = line.counts == Counts::kExits ? 0 : (line.through.size() - 1) / 2;
+  const Vec2 &from = line.through[side], &to = line.through[side + 1];
   const Vec2 along = (to - from).normalized();
-  return {0.5 * (from + to), Vec2(along.y(), -along.x())};
+  const Vec2 to_right(along.y(), -along.x());
+  const bool right = line.counts == Counts::kForward ||
+                     inside_is_left(line.through) == (line.counts == Counts::kExits);
+  return {0.5 * (from + to), right ? to_right : Vec2(-to_right)};
 }
 
 double contour_interval(const Comparison& comparison) {

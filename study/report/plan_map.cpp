@@ -1,6 +1,7 @@
 #include "study/report/plan_map.hpp"
 
 #include "core/html_page.hpp"
+#include "study/barrier_line.hpp"
 #include "study/comparison.hpp"
 #include "study/report/svg_map.hpp"
 
@@ -26,7 +27,11 @@ std::string plan_map(const CampaignResults& header) {
   }
   const Vec2 origin = results.frame.origin.head<2>();
   for (const Barrier& barrier : results.barriers) {
-    plan.lines.push_back({barrier.name, barrier.through, {0}});
+    const bool ring = is_ring(barrier.through);
+    plan.lines.push_back({barrier.name,
+                          barrier.through,
+                          {0},
+                          ring ? BarrierLine::Counts::kEntries : BarrierLine::Counts::kForward});
     for (Vec2& point : plan.lines.back().through) point += origin;
   }
   return svg_file(svg_map(plan));

@@ -2,8 +2,34 @@
 
 #include "core/html_page.hpp"
 #include "core/version.hpp"
+#include "study/block_stiffness.hpp"
 
 namespace clast {
+namespace {
+
+/// More blocks than this are shown when asked for.
+constexpr std::size_t kMostOpen = 20;
+
+/// Stiffness and time step of every block.
+std::string stiffness_table(const CampaignResults& results) {
+  const std::vector<BlockStiffness> blocks = stiffness_by_block(results.blocks, results.runs);
+  if (blocks.empty()) return "";
+  std::vector<std::string> heads = {"block"};
+  for (const StiffnessValue& value : blocks.front().values) heads.push_back(value.heading);
+  HtmlTable table(heads, 1);
+  const auto add = [&](const BlockStiffness& block) {
+    std::vector<std::string> row = stiffness_cells(block);
+    row.insert(row.begin(), block.block);
+    table.row(row);
+  };
+  for (const BlockStiffness& block : blocks) add(block);
+  if (blocks.size() <= kMostOpen) return table.html();
+  add(over_all(blocks));
+  return "<details><summary>Stiffness and time step of " + std::to_string(blocks.size()) +
+         " blocks</summary>" + table.html() + "</details>\n";
+}
+
+}  // namespace
 
 std::string provenance_section(const Comparison& comparison) {
   std::string html;
@@ -12,13 +38,10 @@ std::string provenance_section(const Comparison& comparison) {
     html += "<h3>" +
             escaped("File " + std::to_string(file + 1) + ": " + results.file.filename().string()) +
             "</h3>\n";
-    html +=
-        paragraph(std::to_string(results.runs.size()) + " of " +
-                  std::to_string(results.planned_runs) + " planned runs, clast " +
-                  results.program_version + ". k_n " + significant(results.stiffness.normal, 4) +
-                  " N/m, k_t " + significant(results.stiffness.tangential, 4) + " N/m, k_r " +
-                  significant(results.stiffness.rolling, 4) + " N m/rad, time step " +
-                  significant(results.stiffness.time_step, 4) + " s.");
+    html += paragraph(std::to_string(results.runs.size()) + " of " +
+                      std::to_string(results.planned_runs) + " planned runs, clast " +
+                      results.program_version + ".");
+    html += stiffness_table(results);
     HtmlTable zones(
         {"ground zone", "e_n\xC2\xB2", "friction \xC2\xB5", "rolling friction \xC2\xB5_R"}, 1);
     for (std::size_t zone = 0; zone < results.ground.size(); ++zone) {

@@ -57,11 +57,12 @@ std::string barriers(const Comparison& comparison, const Sheet& sheet) {
   std::string svg;
   for (const BarrierLine& line : comparison.lines) {
     std::string path;
-    Vec2 end(0.0, INFINITY);  // its upper end
+    const bool exits = line.counts == BarrierLine::Counts::kExits;
+    Vec2 end(0.0, exits ? -INFINITY : INFINITY);  // its upper end; of exits the lower one
     for (const Vec2& point : line.through) {
       const Vec2 at(sheet.x(point.x()), sheet.y(point.y()));
       path += (path.empty() ? "M" : "L") + fixed(at.x(), 1) + " " + fixed(at.y(), 1);
-      if (at.y() < end.y()) end = at;
+      if (exits ? at.y() > end.y() : at.y() < end.y()) end = at;
     }
     for (const char* style :
          {"stroke=\"#fff\" stroke-width=\"5\"", "stroke=\"#111\" stroke-width=\"2.2\""}) {
@@ -75,10 +76,10 @@ std::string barriers(const Comparison& comparison, const Sheet& sheet) {
     const Vec2 tip = root + 11.0 * forward, a = root + 5.0 * across, b = root - 5.0 * across;
     svg += "<path fill=\"#111\" stroke=\"#fff\" d=\"M" + fixed(a.x(), 1) + " " + fixed(a.y(), 1) +
            "L" + fixed(tip.x(), 1) + " " + fixed(tip.y(), 1) + "L" + fixed(b.x(), 1) + " " +
-           fixed(b.y(), 1) + "Z\"><title>forward through " + escaped(line.name) + "</title></path>";
-    // Named at its upper end, inside the frame.
-    svg += svg_text(end.x(), std::max(end.y() - 7.0, kMapTop + 13.0), line.name,
-                    std::string(kHalo) + " text-anchor=\"middle\"");
+           fixed(b.y(), 1) + "Z\"><title>counted through " + escaped(line.name) + "</title></path>";
+    // Named at that end, inside the frame.
+    svg += svg_text(end.x(), exits ? end.y() + 17.0 : std::max(end.y() - 7.0, kMapTop + 13.0),
+                    line.name, std::string(kHalo) + " text-anchor=\"middle\"");
   }
   return svg;
 }

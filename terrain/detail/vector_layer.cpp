@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/input_file.hpp"
 
 namespace clast::detail {
 
 DatasetPointer open_features(const std::filesystem::path& path, const std::string& what) {
+  check_input_file(path);
   DatasetPointer dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
   if (!dataset || dataset->GetLayerCount() < 1) {

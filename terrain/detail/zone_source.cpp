@@ -219,6 +219,7 @@ void number_zones(Terrain& terrain, const std::vector<std::string>& labels,
   std::vector<std::uint16_t> number(labels.size(), 0);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!used[i]) continue;
+    check_zone_name(labels[i]);
     number[i] = static_cast<std::uint16_t>(terrain.zone_names.size());
     terrain.zone_names.push_back(labels[i]);
   }

@@ -11,6 +11,7 @@
 #include "library/block_library.hpp"
 #include "study/results.hpp"
 #include "tests/study/csv_reader.hpp"
+#include "tests/study/results_equal.hpp"
 #include "tests/support/reference_data.hpp"
 #include "tests/support/run_program.hpp"
 
@@ -132,6 +133,29 @@ TEST_F(AuthumeChain, AllBlocksPassTheFirstBarrier) {
   }
   EXPECT_GE(passed.size(), 15u);
   EXPECT_TRUE(std::filesystem::exists(path("report/report.html")));
+}
+
+// k_r of SP2A was a quarter of its own where SP3A was in the campaign, and its mean stop 8 m
+// farther.
+TEST_F(AuthumeChain, ABlockRunsAsItDoesAlone) {
+  const std::string all = "select  = [\"SP1A\", \"SP2A\", \"SP2B\", \"SP3A\"]";
+  write_text_file(path("alone.toml"),
+                  with(read_text_file(path("campaign.toml")), all, "select = [\"SP2A\"]"));
+  const ProgramRun run = run_clast({"simulate", path("alone.toml"), "-o", path("alone.h5")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const CampaignResults alone = read_results(path("alone.h5"));
+  const CampaignResults together = read_results(path("results.h5"));
+  ASSERT_EQ(alone.runs.size(), 4u);
+  ASSERT_EQ(together.blocks[1].id, "SP2A");
+  for (const RunRecord& own : alone.runs) {
+    RunRecord other = together.runs[4 + own.run];
+    expect_equal(read_trajectory(path("results.h5"), other.run),
+                 read_trajectory(path("alone.h5"), own.run));
+    EXPECT_EQ(other.block, 1u);
+    other.run = own.run;
+    other.block = own.block;
+    expect_equal(other, own);
+  }
 }
 
 }  // namespace

@@ -25,7 +25,9 @@ TEST_F(Campaigns, RunFromTerrainToReport) {
 
   const ProgramRun dry = run_clast({"simulate", "campaign.toml", "--dry-run"}, folder.path());
   ASSERT_EQ(dry.exit_code, 0) << dry.err;
-  EXPECT_TRUE(contains(dry.out, "8 runs") && contains(dry.out, "k_n")) << dry.out;
+  EXPECT_TRUE(contains(dry.out, "8 runs")) << dry.out;
+  EXPECT_TRUE(contains(dry.out, "k_n, N/m") && contains(dry.out, "k_r, N m/rad")) << dry.out;
+  EXPECT_TRUE(contains(dry.out, "\ncube ") && contains(dry.out, "\nbar ")) << dry.out;
   EXPECT_FALSE(fs::exists(folder / "results.h5"));
   EXPECT_TRUE(contains(dry.out, "for 8 runs on") && contains(dry.out, "judging by")) << dry.out;
   const std::string map = read_text_file(folder / "results.map.svg");
@@ -56,6 +58,33 @@ TEST_F(Campaigns, RunFromTerrainToReport) {
   }
   EXPECT_TRUE(fs::exists(folder / "out1" / "report.html"));
   EXPECT_FALSE(fs::exists(folder / "1.h5.part"));
+}
+
+// Each of the two blocks with its own, and the same when it is alone.
+TEST_F(Campaigns, DryRunListsTheStiffnessOfEveryBlock) {
+  const auto stiffness = [&](const std::string& text) {
+    write_text_file(folder / "campaign.toml", text);
+    const ProgramRun run =
+        run_clast({"simulate", "campaign.toml", "--dry-run", "--json"}, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return Json::parse(run.out)["stiffness"];
+  };
+  const std::string both = slope_campaign();
+  const std::string alone = replaced(both, "[terrain]", "select = [\"cube\"]\n[terrain]");
+  const Json blocks = stiffness(both);
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[0]["block"], "bar");
+  EXPECT_EQ(blocks[1]["block"], "cube");
+  EXPECT_NE(blocks[0]["stiffness_n_m"], blocks[1]["stiffness_n_m"]);
+  const BlockLibrary library = BlockLibrary::read(folder / "blocks.h5");
+  for (const Json& row : blocks) {
+    const Block& block = library.block(row["block"].get<std::string>());
+    // Rest decides here: m g/(e_n^2 d) with d = 2 % of S.
+    const double normal = block.mass.mass * 9.81 / (0.01 * 0.02 * block.axes().S);
+    EXPECT_NEAR(row["stiffness_n_m"][0].get<double>(), normal, 1e-9 * normal);
+    EXPECT_NEAR(row["rest_depth_m"][1].get<double>(), 0.02 * block.axes().S, 1e-9);
+  }
+  EXPECT_EQ(stiffness(alone), Json::array({blocks[1]}));
 }
 
 TEST_F(Campaigns, CompareGroupsAnimatesAndHoldsAgainstMeasuredStops) {

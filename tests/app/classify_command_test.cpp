@@ -277,7 +277,8 @@ TEST_F(Talus, ProvenanceHoldsEveryOption) {
 TEST_F(Talus, AnEarlierReportLeavesNoDiagramBehind) {
   run_clast({"classify", "east.csv", "-o", "out"}, folder.path());
   EXPECT_TRUE(names_in(folder / "out").count("size.svg"));
-  run_clast({"classify", "east.csv", "--against", "west.csv", "-o", "out"}, folder.path());
+  run_clast({"classify", "east.csv", "--against", "west.csv", "-o", "out", "--replace"},
+            folder.path());
   run_clast({"classify", "east.csv", "--against", "west.csv", "-o", "fresh"}, folder.path());
   EXPECT_EQ(names_in(folder / "out"), names_in(folder / "fresh"));
 }

@@ -227,7 +227,7 @@ TEST_F(Exchange, MeshesAreOfTheAskedSurfaceInTheAskedFrame) {
   write_obj(folder / "concave.obj", l_block());
   ASSERT_EQ(reconstruct({"concave.obj", "-o", "b.h5", "--core", "--radius", "0.2"}).exit_code, 0);
   const auto exported = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> all = {"export", "b.h5", "--format", "ply", "-o", "out"};
+    std::vector<std::string> all = {"export", "b.h5", "--format", "ply", "-o", "out", "--replace"};
     all.insert(all.end(), options.begin(), options.end());
     const ProgramRun run = run_clast(all, folder.path());
     EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -249,6 +249,47 @@ TEST_F(Exchange, MeshesAreOfTheAskedSurfaceInTheAskedFrame) {
   expect_refused(folder, {"export", "b.h5", "--frame", "principal", "--up", "y"}, 2, "--up");
   expect_refused(folder, {"export", "b.h5", "--segments", "0"}, 2, "--segments");
   expect_refused(folder, {"export", "b.h5", "--what", "shell"}, 2, "--what");
+}
+
+// The wrap of a concave block has no triangles shorter than 1/150 of its diagonal, sqrt(9) m here:
+// a piece of a quarter turn of 0.02 m is 0.02 m at one and a half segments.
+TEST_F(Exchange, SegmentsThatChangeNothingAreReported) {
+  write_obj(folder / "concave.obj", l_block());
+  write_obj(folder / "convex.obj", box_mesh({2, 2, 1}));
+  ASSERT_EQ(reconstruct({"concave.obj", "convex.obj", "-o", "b.h5", "--core", "--radius", "0.02"})
+                .exit_code,
+            0);
+  const auto exported = [&](const std::string& id, const std::string& segments) {
+    const ProgramRun run =
+        run_clast({"export", "b.h5", id, "--format", "ply", "-o", "out", "--segments", segments},
+                  folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return std::pair(run.err, read_mesh(folder / "out" / (id + ".ply")));
+  };
+  const auto [said, many] = exported("concave", "16");
+  EXPECT_TRUE(contains(said,
+                       "block concave is concave: its skin is wrapped in triangles of 0.02 m, "
+                       "the shortest there are (1/150 of its diagonal), so --segments 16 "
+                       "gives what 2 gives"));
+  const auto [silent, few] = exported("concave", "2");
+  EXPECT_EQ(silent, "");
+  EXPECT_EQ(few.vertices, many.vertices) << "what was said is so";
+  const auto [coarse_said, coarse] = exported("concave", "1");
+  EXPECT_EQ(coarse_said, "");
+  EXPECT_LT(coarse.triangles.size(), few.triangles.size());
+  const auto [convex_said, fine] = exported("convex", "16");
+  EXPECT_EQ(convex_said, "");
+  EXPECT_GT(fine.triangles.size(), 4 * exported("convex", "4").second.triangles.size());
+  // Without the option nobody asked for a number.
+  EXPECT_EQ(run_clast({"export", "b.h5", "--format", "ply", "-o", "out"}, folder.path()).err, "");
+  // Where no skin is written it would change nothing at all.
+  for (const std::vector<std::string>& other : {std::vector<std::string>{"--format", "shp"},
+                                                {"--format", "ply", "--what", "core"},
+                                                {"--format", "ply", "--what", "surface"}}) {
+    std::vector<std::string> all = {"export", "b.h5", "-o", "none", "--segments", "8"};
+    all.insert(all.end(), other.begin(), other.end());
+    expect_refused(folder, all, 2, "--segments: is for the rounded skin");
+  }
 }
 
 }  // namespace

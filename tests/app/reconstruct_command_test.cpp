@@ -91,6 +91,11 @@ TEST_F(Scans, AnOpenScanGivesABlockThatSaysWhatIsNotKnown) {
   EXPECT_LE(unseen["s_c_lower"], block["s_c"]);
   EXPECT_GE(unseen["s_c_upper"], block["s_c"]);
   EXPECT_GE(unseen["zingg"].size(), 1u);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_LE(unseen["axes_lower_m"][axis], block["box_m"][axis]);
+    EXPECT_GE(unseen["axes_upper_m"][axis], block["box_m"][axis]);
+  }
+  EXPECT_TRUE(contains(unseen["assumption"].get<std::string>(), "planes of the flanks"));
   const ProgramRun full = run_clast({"show", "blocks.h5", "open"}, folder.path());
   EXPECT_TRUE(contains(full.out, "surface filled in %")) << full.out;
   EXPECT_TRUE(contains(full.out, "mass kg")) << full.out;

@@ -95,7 +95,7 @@ TEST_F(TerrainCommand, OutputsNeverReplaceWhatIsReadAndHaveNamesThatTell) {
   EXPECT_FALSE(fs::exists(folder / "t.h5"));
   // A terrain file may be written anew.
   ASSERT_EQ(run_clast({"terrain", "ground.obj", "-o", "t.h5"}, folder.path()).exit_code, 0);
-  EXPECT_EQ(run_clast({"terrain", "t.h5", "-o", "t.h5"}, folder.path()).exit_code, 0);
+  EXPECT_EQ(run_clast({"terrain", "t.h5", "-o", "t.h5", "--replace"}, folder.path()).exit_code, 0);
 }
 
 }  // namespace

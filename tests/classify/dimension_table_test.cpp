@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/csv_text.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "tests/support/refusal.hpp"
@@ -164,15 +165,45 @@ TEST_F(Tables, ColumnsByOtherNames) {
 
 TEST_F(Tables, BadRowsAreSkippedAndNoted) {
   const DimensionTable table = read(
-      "name,L,I,S\nok,3,2,1\nzero,3,0,1\nminus,3,-2,1\nshort,3,2\ntext,3,two,1\nempty,3,,1\n"
+      "name,L,I,S\nok,3,2,1\nzero,3,0,1\nminus,3,-2,1\ntext,3,two,1\nempty,3,,1\n"
       "tail,3,2,1x\nnan,nan,2,1\ninf,inf,2,1\nlast,6,5,4\n");
   ASSERT_EQ(table.blocks.size(), 2u);
   EXPECT_EQ(table.blocks[1].name, "last");
-  ASSERT_EQ(table.notes.size(), 8u);
-  for (std::size_t i = 0; i < 8; ++i) {
+  ASSERT_EQ(table.notes.size(), 7u);
+  for (std::size_t i = 0; i < 7; ++i) {
     EXPECT_NE(table.notes[i].find("row " + std::to_string(i + 3) + " skipped"), std::string::npos)
         << table.notes[i];
   }
+}
+
+// Rows that a program with decimal commas writes between commas, and rows cut short.
+TEST_F(Tables, ARowOfAnotherLengthThanTheHeaderIsRefusedWithItsLine) {
+  const std::string split = refusal("L,I,S\n0,9,0,8,0,7\n2,2,1\n");
+  EXPECT_TRUE(
+      contains(split, "dims.csv:2: has 6 fields, but line 1 has 3; where commas are decimal"))
+      << split;
+  EXPECT_TRUE(contains(refusal("id;L;I;S\nB1;3;2;1\nB2;3;2\n"), "dims.csv:3: has 3 fields"));
+  EXPECT_TRUE(contains(refusal("L I S\nB1 3 2 1\n"), "dims.csv:2: has 4 fields"));
+  EXPECT_TRUE(contains(refusal("1,2,3\n4,5\n", {.L = "3", .I = "2", .S = "1"}), "dims.csv:2: "));
+  // In quotes they are one field, and still may be 1.234 or 1234.
+  EXPECT_TRUE(contains(refusal("L,I,S\n\"1,5\",\"1,2\",\"0,8\"\n"),
+                       "dims.csv:2: L \"1,5\": where commas are decimal signs, separate"));
+  EXPECT_TRUE(contains(refusal("L,I,S,mass\n3,2,1,\"12,5\"\n"), "dims.csv:2: mass \"12,5\""));
+}
+
+// What `clast classify -o DIR` writes is a table of its own.
+TEST_F(Tables, NamesThatASpreadsheetWouldRunComeBack) {
+  CsvText csv;
+  csv.header("block,L_m,I_m,S_m");
+  const std::vector<std::string> names = {"=1+1", "@x", "-B7", "+A", "'=2", "B, \"8\""};
+  for (const std::string& name : names) {
+    csv.cell(name);
+    for (const double axis : {3.0, 2.0, 1.0}) csv.cell(axis);
+    csv.end_row();
+  }
+  const DimensionTable table = read(csv.take());
+  ASSERT_EQ(table.blocks.size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(table.blocks[i].name, names[i]);
 }
 
 TEST_F(Tables, AxesOutOfOrderAreSortedAndNoted) {

@@ -17,6 +17,17 @@ TEST(CsvText, QuotesOnlyWhatNeedsIt) {
   EXPECT_EQ(csv.take(), "a,b,c\nplain,\"with, comma\",\"12\"\" pipe\"\n");
 }
 
+TEST(CsvText, WhatASpreadsheetWouldRunIsTextInIt) {
+  CsvText csv;
+  for (const char* text :
+       {"=1+1", "+A1", "-cmd", "@SUM(A1)", "\tx", "\rx", "'=1", "-5", "+2e3", "a=b"}) {
+    csv.cell(text);
+  }
+  csv.cell(-5.0);
+  EXPECT_EQ(csv.take(),
+            "\"'=1+1\",\"'+A1\",\"'-cmd\",\"'@SUM(A1)\",\"'\tx\",\"'\rx\",\"''=1\",-5,+2e3,a=b,-5");
+}
+
 TEST(CsvText, ZeroHasNoSign) {
   CsvText csv;
   csv.cell(-0.0);

@@ -1,6 +1,7 @@
 #include "core/output_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -53,9 +54,14 @@ TEST(OutputFile, LinksAreFollowedAndStayLinks) {
   write_text_file(folder / "link.csv", "new");
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.csv"));
   EXPECT_EQ(read_text_file(folder / "real.csv"), "new");
+  // What is not there yet is made where the link says.
+  std::filesystem::create_symlink("new.csv", folder / "ahead.csv");
+  write_text_file(folder / "ahead.csv", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "ahead.csv"));
+  EXPECT_EQ(read_text_file(folder / "new.csv"), "new");
   std::filesystem::create_symlink("b", folder / "a");
   std::filesystem::create_symlink("a", folder / "b");
-  EXPECT_TRUE(contains(refusal([&] { OutputFile{folder / "a"}; }), "mend the link"));
+  EXPECT_TRUE(contains(refusal([&] { OutputFile{folder / "a"}; }), "repair the link"));
 }
 
 TEST(OutputFile, PermissionsOfTheOldFileStay) {
@@ -81,6 +87,48 @@ TEST(OutputFile, WriteProtectedFilesAreLeftAlone) {
     ASSERT_EQ(::seteuid(0), 0);
   }
   EXPECT_TRUE(contains(message, "a.csv: is write-protected; allow writing to it"));
+}
+
+TEST(OutputFile, OnlyItsOwnKindIsReplacedAndOnlyWhenAsked) {
+  const ScratchFolder folder;
+  write_text_file(folder / "a.png", "\x89PNG\r\n\x1a\nold");
+  write_text_file(folder / "empty.png", "");
+  write_text_file(folder / "notes.png", "what the field book says");
+  const auto refused = [&](const char* name, const OutputRules& rules) {
+    return refusal([&] { check_output(folder / name, rules); });
+  };
+  EXPECT_EQ(refused("a.png", {.kind = "PNG"}), "");
+  EXPECT_EQ(refused("empty.png", {.kind = "PNG", .replace = false}), "");
+  EXPECT_EQ(refused("new.png", {.kind = "PNG", .replace = false}), "");
+  EXPECT_TRUE(contains(refused("a.png", {.kind = "PNG", .replace = false}),
+                       "a.png: is there already, and replace is not set"));
+  for (const bool replace : {false, true}) {
+    EXPECT_TRUE(contains(refused("notes.png", {.kind = "PNG", .replace = replace}),
+                         "notes.png: is there already and holds \"text\", no \"PNG\", so it is not "
+                         "replaced; give another name, or delete it first"));
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 3);
+}
+
+TEST(OutputFile, RoomIsForeseen) {
+  const ScratchFolder folder;
+  const auto refused = [&](std::initializer_list<std::uint64_t> files) {
+    return refusal([&] { check_room(folder / "r.h5", files); });
+  };
+  constexpr std::uint64_t kMega = 1'000'000, kExa = 1'000'000 * kMega * kMega;
+  EXPECT_EQ(refused({kMega}), "");
+  EXPECT_TRUE(contains(refused({kMega, kExa}),
+                       "r.h5: at least 1e+12 MB will be written, and the "
+                       "disk has room for "));
+  rlimit old;
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &old), 0);
+  const rlimit small = {3 * kMega, old.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  EXPECT_EQ(refused({2 * kMega, 2 * kMega}), "");
+  EXPECT_TRUE(contains(refused({kMega, 4 * kMega}),
+                       "at least 4 MB will be written, and no file "
+                       "here may be larger (ulimit -f) than 3 MB"));
+  ::setrlimit(RLIMIT_FSIZE, &old);
 }
 
 TEST(OutputFile, NamesThatCanBeNoFileAreRefused) {

@@ -1,14 +1,20 @@
 #include "library/block_library.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
+#include "core/random.hpp"
 #include "core/text_file.hpp"
+#include "library/library_update.hpp"
 #include "library/unscaled.hpp"
 #include "tests/library/block_samples.hpp"
+#include "tests/support/flipped_bits.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/without_checksums.hpp"
 
 namespace clast {
 namespace {
@@ -65,14 +71,55 @@ TEST(BlockLibrary, EveryMemberOfABlockComesBack) {
   EXPECT_EQ(is.unseen->best_volume, was.unseen->best_volume);
   EXPECT_EQ(is.unseen->upper_volume, was.unseen->upper_volume);
   EXPECT_EQ(is.unseen->invented_share, was.unseen->invented_share);
-  EXPECT_EQ(is.unseen->lower_axes.S, was.unseen->lower_axes.S);
-  EXPECT_EQ(is.unseen->upper_axes.I, was.unseen->upper_axes.I);
+  ASSERT_TRUE(is.unseen->axes.has_value());
+  EXPECT_EQ(is.unseen->axes->lower.S, was.unseen->axes->lower.S);
+  EXPECT_EQ(is.unseen->axes->upper.I, was.unseen->axes->upper.I);
+  EXPECT_EQ(is.unseen->assumption, was.unseen->assumption);
   EXPECT_EQ(is.warnings, was.warnings);
   EXPECT_EQ(is.field.site, was.field.site);
   EXPECT_EQ(is.field.note, was.field.note);
   EXPECT_EQ(is.field.taped->L, was.field.taped->L);
   EXPECT_EQ(is.field.taped->S, was.field.taped->S);
   EXPECT_EQ(is.field.weighed_mass, was.field.weighed_mass);
+}
+
+TEST(BlockLibrary, ABlockWithoutUpperBoundStaysWithout) {
+  const ScratchFolder folder;
+  BlockLibrary library;
+  Block block = filled_block("SP1A");
+  block.unseen->upper_volume.reset();
+  block.unseen->axes.reset();
+  library.add(block);
+  library.write(folder / "blocks.h5");
+  const BlockLibrary read = BlockLibrary::read(folder / "blocks.h5");
+  const UnseenPart& unseen = *read.block("SP1A").unseen;
+  EXPECT_FALSE(unseen.upper_volume.has_value());
+  EXPECT_FALSE(unseen.axes.has_value());
+  EXPECT_EQ(unseen.lower_volume, 5.5);
+}
+
+// Older files hold the boxes of two shapes in place of bounds of each axis.
+TEST(BlockLibrary, TheUnseenPartOfAnOlderFileIsRead) {
+  const ScratchFolder folder;
+  const auto path = written(folder);
+  {
+    const Hdf5File file = Hdf5File::open(path, "clast block library", 1, true);
+    Hdf5Group unseen = writable_block(file).group("unseen");
+    unseen.remove("axes_lower");
+    unseen.remove("axes_upper");
+    for (const auto& [name, sides] : {std::pair{"box_lower", std::vector{3.0, 2.3, 0.9}},
+                                      {"box_upper", std::vector{2.9, 2.0, 1.2}}}) {
+      unseen.write<double>(name, sides);
+      unseen.set_unit(name, "m");
+    }
+  }
+  const BlockLibrary library = BlockLibrary::read(path);
+  const AxesRange& axes = *library.block("SP1A").unseen->axes;
+  EXPECT_EQ(axes.lower.L, 2.9);
+  EXPECT_EQ(axes.upper.L, 3.0);
+  EXPECT_EQ(axes.lower.I, 2.0);
+  EXPECT_EQ(axes.upper.I, 2.3);
+  EXPECT_EQ(axes.upper.S, 1.2);
 }
 
 TEST(BlockLibrary, AnUnscaledBlockStaysUnscaled) {
@@ -220,6 +267,126 @@ TEST(BlockLibrary, ImpossibleContentIsRefusedWithTheBlocksName) {
                        "volume_upper_m3"));
 }
 
+// Each number is one that a reader takes for itself; only the others give it away.
+TEST(BlockLibrary, NumbersThatDoNotFitTheOthersAreRefused) {
+  const ScratchFolder folder;
+  const auto after = [&](const auto& change) {
+    Block block = filled_block("SP1A");
+    change(block);
+    BlockLibrary library;
+    library.add(block);
+    library.write(folder / "blocks.h5");
+    return refusal([&] { BlockLibrary::read(folder / "blocks.h5"); });
+  };
+  EXPECT_EQ(after([](Block&) {}), "");
+  const auto expect = [&](const auto& change, const std::string& why) {
+    const std::string message = after(change);
+    EXPECT_TRUE(contains(message, "block SP1A: " + why)) << message;
+  };
+  expect([](Block& block) { block.mass.mass *= 1.00001; }, "mass_kg is ");
+  expect([](Block& block) { block.density *= 2.0; }, "mass_kg is ");
+  expect([](Block& block) { block.principal.moments[0] = 2e-307; }, "principal_moments are those");
+  expect([](Block& block) { block.principal.moments[2] = 3.1; }, "principal_moments are those");
+  expect([](Block& block) { block.principal.moments[0] = 2.2; }, "principal_moments are not posi");
+  expect([](Block& block) { block.mass.inertia(1, 1) *= 1.001; }, "inertia is not that");
+  expect([](Block& block) { block.box.lengths[0] *= 1.0001; }, "the box is not around the core");
+  expect([](Block& block) { block.box.centre.y() += 1e-4; }, "the box is not around the core");
+  expect([](Block& block) { block.box.axes(0, 1) = 0.01; }, "box_axes are no directions");
+  expect([](Block& block) { block.body.vertices[3].z() -= 1e-4; }, "the box is not around");
+  expect(
+      [](Block& block) {
+        block.mass.volume = 6.1;
+        block.mass.mass = 6.1 * block.density;
+      },
+      "volume_m3 is 6.1, more than the box holds, 6");
+  // Volume and inertia of a convex core have a closed form, and are recomputed.
+  expect(
+      [](Block& block) {
+        block.mass.relative_error = 0.0;
+        block.mass.volume *= 1.00001;
+        block.mass.mass = block.mass.volume * block.density;
+      },
+      "volume_m3 is ");
+  expect([](Block& block) { block.mass.relative_error = 0.0; },
+         "the trace of inertia is 5.5 where");
+}
+
+TEST(BlockLibrary, NoFlippedBitIsReadAsAnotherNumber) {
+  const ScratchFolder folder;
+  BlockLibrary library;
+  library.add(filled_block("SP1A"));
+  Block large = filled_block("SP2");  // some of it in compressed chunks
+  Random random(5);
+  while (large.surface.vertices.size() < 400) large.surface.vertices.push_back(random.direction());
+  library.add(large);
+  library.write(folder / "blocks.h5");
+  expect_no_flip_unnoticed(folder / "blocks.h5", 700, [&](const std::filesystem::path& file) {
+    BlockLibrary::read(file).write(folder / "again.h5");
+    return read_text_file(folder / "again.h5");
+  });
+}
+
+TEST(BlockLibrary, FilesOfVersionsWithoutChecksumsAreRead) {
+  const ScratchFolder folder;
+  const auto path = written(folder);
+  const std::string whole = read_text_file(path);
+  remove_checksums(path);
+  EXPECT_NE(read_text_file(path), whole);
+  BlockLibrary::read(path).write(folder / "again.h5");
+  EXPECT_EQ(read_text_file(folder / "again.h5"), whole);
+}
+
+TEST(BlockLibrary, OfFourAtOnceEveryChangeIsInTheFile) {
+  const ScratchFolder folder;
+  std::vector<pid_t> children;
+  for (const char* name : {"a", "b", "c", "d"}) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      for (int i = 0; i < 8; ++i) {
+        update_library(folder / "blocks.h5", {.make = true}, [&](BlockLibrary& library) {
+          library.add(filled_block(name + std::to_string(i)));
+        });
+      }
+      ::_exit(0);
+    }
+    children.push_back(child);
+  }
+  for (const pid_t child : children) {
+    int status = 1;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(BlockLibrary::read(folder / "blocks.h5").blocks().size(), 32u);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(BlockLibrary, AChangeThatThrowsLeavesTheFileAndTheLock) {
+  const ScratchFolder folder;
+  const std::string whole = read_text_file(written(folder));
+  const auto add = [&] {
+    update_library(folder / "blocks.h5", {},
+                   [](BlockLibrary& library) { library.add(filled_block("SP1A")); });
+  };
+  EXPECT_TRUE(contains(refusal(add), "SP1A is in the library already"));
+  EXPECT_TRUE(contains(refusal(add), "SP1A is in the library already"));
+  EXPECT_EQ(read_text_file(folder / "blocks.h5"), whole);
+  EXPECT_TRUE(contains(refusal([&] { update_library(folder / "none.h5", {}, [](auto&) {}); }),
+                       "none.h5: no such file"));
+}
+
+TEST(BlockLibrary, IsNotWrittenOverAnythingElse) {
+  const ScratchFolder folder;
+  write_text_file(folder / "notes.h5", "taped in the field");
+  Hdf5File::create(folder / "t.h5", "clast terrain", 1);
+  for (const char* name : {"notes.h5", "t.h5"}) {
+    const std::string before = read_text_file(folder / name);
+    EXPECT_TRUE(contains(refusal([&] { BlockLibrary().write(folder / name); }),
+                         std::string(name) + ": is there already and holds"));
+    EXPECT_EQ(read_text_file(folder / name), before);
+  }
+}
+
 TEST(BlockLibrary, EveryDatasetHasAUnit) {
   const ScratchFolder folder;
   const auto path = written(folder);
@@ -245,6 +412,10 @@ TEST(BlockLibraryFile, TellsOtherReadersHowEdgesBendAndKeepsPolygons) {
   block.body.faces = {{0, 3, 2, 1}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7},
                       {4, 5, 8},    {5, 6, 8},    {6, 7, 8},    {7, 4, 8}};
   block.body.edges = edges_of(block.body.faces);
+  block.box.centre = {0.5, 0.5, 0.5};
+  block.box.lengths = Vec3::Constant(1.0 + 2.0 * block.body.radius);
+  block.mass.volume = 1.0;
+  block.mass.mass = block.density;
   BlockLibrary library;
   library.add(block);
   library.write(path);

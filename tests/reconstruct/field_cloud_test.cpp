@@ -55,7 +55,7 @@ TEST(FieldCloud, VolumeAndAxesWithinAPercent) {
     const double bar = id == "B02_platy" ? 0.03 : id == "B07_concave" ? 0.015 : 0.01;
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(sides[k], true_sides[k], bar * true_sides[k]) << name;
     EXPECT_LE(block.underside->lower_volume, truth) << name;
-    EXPECT_GE(block.underside->upper_volume, 0.995 * truth) << name;
+    EXPECT_GE(block.underside->upper_volume.value(), 0.995 * truth) << name;
   }
 }
 
@@ -65,7 +65,7 @@ TEST(FieldCloud, ThePhonesLidarScanGivesABlockWithAnUncertainty) {
   // Its large piece is closed but for four edges where two sheets meet; what is open is a scrap
   // with 5 % of the area, which is told.
   ASSERT_TRUE(block.underside.has_value());
-  EXPECT_LE(block.underside->lower_volume, block.underside->upper_volume);
+  EXPECT_LE(block.underside->lower_volume, block.underside->upper_volume.value());
   const Defect* scrap = block.scan.report.find(DefectKind::kIsland);
   ASSERT_NE(scrap, nullptr);
   EXPECT_EQ(scrap->count, 1u);

@@ -101,11 +101,12 @@ TEST(LookedUnder, ABallStandsOnItsFoot) {
   const SeenThrough through = ball.through();
   const Underside without = *closed_underside(open, {.ground = kGround});
   const Underside with = *closed_underside(open, {.ground = kGround, .through = &through});
-  std::cout << ball.volume() << ": " << without.upper_volume << " -> " << with.upper_volume << "\n";
+  std::cout << ball.volume() << ": " << *without.upper_volume << " -> " << *with.upper_volume
+            << "\n";
   EXPECT_EQ(with.lower_volume, without.lower_volume);
-  EXPECT_GE(with.upper_volume, ball.volume());
-  EXPECT_LE(with.upper_volume, without.upper_volume);
-  EXPECT_LE(with.best_volume, with.upper_volume);
+  EXPECT_GE(with.upper_volume.value(), ball.volume());
+  EXPECT_LE(with.upper_volume.value(), without.upper_volume.value());
+  EXPECT_LE(with.best_volume, with.upper_volume.value());
 }
 
 // Nothing is known where the cubes don't reach, and of no cubes nothing.
@@ -150,25 +151,23 @@ TEST(LookedUnder, UndercutRocksInManyPosesKeepTheirVolumeInTheBracket) {
       const Underside without = *closed_underside(open, {.ground = kGround});
       const Underside with = *closed_underside(open, {.ground = kGround, .through = &through});
       const double truth = body.volume();
+      ASSERT_TRUE(without.upper_volume.has_value()) << seed << " " << pose;
       std::cout << 100.0 * buried << " % buried, foot " << foot << ": lower "
                 << with.lower_volume / truth << ", best " << without.best_volume / truth << " -> "
-                << with.best_volume / truth << ", upper " << without.upper_volume / truth << " -> "
-                << with.upper_volume / truth << "\n";
+                << with.best_volume / truth << ", upper " << *without.upper_volume / truth << " -> "
+                << *with.upper_volume / truth << "\n";
       ++poses;
       inside += with.upper_volume >= truth && with.lower_volume <= truth ? 1 : 0;
       EXPECT_TRUE(with.upper_volume >= truth || without.upper_volume < truth)
           << seed << " " << pose;
-      // The box of the upper shape still holds a foot that reaches as deep.
-      EXPECT_NEAR(bounds(with.upper).low.z(), bounds(without.upper).low.z(), 0.02);
-      EXPECT_NEAR(solid_mass_properties(with.upper, 1.0).volume, with.upper_volume, 1e-3 * truth);
       const Vec3 lengths = smallest_box(with.best.vertices).lengths;
       length_errors += (lengths.cwiseQuotient(body.lengths()) - Vec3::Ones()).cwiseAbs2();
       lying += bounds(with.best).low.z() < 0.001 ? 1 : 0;
-      narrowed += with.upper_volume < 0.99 * without.upper_volume ? 1 : 0;
+      narrowed += *with.upper_volume < 0.99 * *without.upper_volume ? 1 : 0;
       off_without += std::abs(without.best_volume / truth - 1.0);
       off_with += std::abs(with.best_volume / truth - 1.0);
-      width_without += (without.upper_volume - without.lower_volume) / truth;
-      width_with += (with.upper_volume - with.lower_volume) / truth;
+      width_without += (*without.upper_volume - without.lower_volume) / truth;
+      width_with += (*with.upper_volume - with.lower_volume) / truth;
     }
   }
   EXPECT_GE(lying, 36);  // the rest would need a spike

@@ -16,7 +16,7 @@ namespace {
 
 /// What the poses of some bodies gave.
 struct Tally {
-  int poses = 0, inside = 0;
+  int poses = 0, bracketed = 0, inside = 0;
   std::vector<std::string> misses;
   double worst_miss = 0.0;        ///< share of the volume
   std::vector<double> widths[2];  ///< (upper - lower)/best; [1]: at least 95 % seen
@@ -28,8 +28,12 @@ struct Tally {
     const Underside& side = *found;
     const bool nearly_all = block.seen >= 0.95;
     ++poses;
+    errors[nearly_all].push_back(std::abs(side.best_volume / block.volume - 1.0));
+    if (!side.upper_volume) return;
+    ++bracketed;
     const double miss =
-        std::max(side.lower_volume - block.volume, block.volume - side.upper_volume) / block.volume;
+        std::max(side.lower_volume - block.volume, block.volume - *side.upper_volume) /
+        block.volume;
     if (miss <= 0.0) {
       ++inside;
     } else {
@@ -38,8 +42,7 @@ struct Tally {
                        " % of its height buried is missed by " + with_digits(100.0 * miss, 3) +
                        " %");
     }
-    widths[nearly_all].push_back((side.upper_volume - side.lower_volume) / side.best_volume);
-    errors[nearly_all].push_back(std::abs(side.best_volume / block.volume - 1.0));
+    widths[nearly_all].push_back((*side.upper_volume - side.lower_volume) / side.best_volume);
   }
 
   static double median(std::vector<double> values) {
@@ -52,7 +55,7 @@ struct Tally {
   }
 
   void print() const {
-    std::cout << inside << " of " << poses << " inside";
+    std::cout << bracketed << " of " << poses << " bracketed, " << inside << " inside";
     for (const int nearly_all : {1, 0}) {
       std::cout << "; seen " << (nearly_all ? ">= 95 %" : "less") << " ("
                 << widths[nearly_all].size() << "): width " << 100.0 * median(widths[nearly_all])
@@ -75,8 +78,9 @@ TEST(UndersidePoses, SixtyPosesOfThreeRocks) {
   }
   tally.print();
   EXPECT_EQ(tally.poses, 60);
-  EXPECT_GE(tally.inside, 57);
-  EXPECT_LT(tally.worst_miss, 0.02);
+  EXPECT_GE(tally.bracketed, 50);  // of the others the walls hardly narrow
+  EXPECT_GE(tally.inside, tally.bracketed - 1);  // by 0.02 % of the volume
+  EXPECT_LT(tally.worst_miss, 0.005);
   ASSERT_GE(tally.widths[1].size(), 10u);
   ASSERT_GE(tally.widths[0].size(), 10u);
   EXPECT_LE(Tally::median(tally.widths[1]), 0.10);
@@ -102,7 +106,8 @@ TEST(UndersidePoses, RealStones) {
   }
   tally.print();
   EXPECT_GE(tally.poses, 84);
-  EXPECT_GE(tally.inside, 0.95 * tally.poses);
+  EXPECT_GE(tally.bracketed, 0.8 * tally.poses);
+  EXPECT_GE(tally.inside, 0.99 * tally.bracketed);
   EXPECT_LT(tally.worst_miss, 0.02);
   EXPECT_LE(Tally::median(tally.widths[1]), 0.10);
   EXPECT_LE(Tally::median(tally.widths[0]), 0.25);

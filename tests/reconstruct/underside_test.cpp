@@ -66,15 +66,17 @@ TEST(Underside, UpperBoundOfACutPyramidIsTheWholePyramid) {
   EXPECT_NEAR(side.lower_volume, frustum_volume(0.3, 1.0, 0.8), 1e-9);
   // Sides grow by 0.7 over 0.8, so the tip lies 0.3 * 0.8 / 0.7 below the rim.
   const double tip = 0.3 * 0.3 * (0.3 * 0.8 / 0.7) / 3.0;
+  EXPECT_NEAR(side.upper_volume.value(), side.lower_volume + tip, 5e-3 * tip);
   // The section is read a millionth of the height above the rim.
-  EXPECT_NEAR(side.upper_volume, side.lower_volume + tip, 3e-5 * tip);
   EXPECT_NEAR(side.best_volume, side.lower_volume + 0.6 * tip, 3e-5 * tip);
 }
 
-TEST(Underside, UprightWallsGoDownByAThirdOfTheHeightSeen) {
+// How far upright walls go down nothing tells; the likeliest is a share of the height seen.
+TEST(Underside, UprightWallsHaveNoUpperBound) {
   const Underside side = *closed_underside(open_frustum(0.5, 0.5, 0.6));
   EXPECT_NEAR(side.lower_volume, 0.5 * 0.5 * 0.6, 1e-9);
-  EXPECT_NEAR(side.upper_volume, 0.5 * 0.5 * 0.8, 1e-6);
+  EXPECT_FALSE(side.upper_volume.has_value());
+  EXPECT_FALSE(side.sides.has_value());
   EXPECT_NEAR(side.best_volume, 0.5 * 0.5 * 0.72, 1e-6);
   EXPECT_LT((side.down + Vec3::UnitZ()).norm(), 1e-9);
   EXPECT_EQ(side.rim_edges, 32u);
@@ -87,16 +89,20 @@ TEST(Underside, ABlockOnTheGroundEndsAtIt) {
   const UndersideOptions options{.ground = Plane{Vec3::UnitZ(), -0.05}};
   const Underside side = *closed_underside(open_frustum(0.5, 0.5, 0.6), options);
   EXPECT_NEAR(side.gap, 0.05, 1e-12);
-  EXPECT_NEAR(side.upper_volume, 0.5 * 0.5 * (0.65 + 0.03), 1e-6);
+  EXPECT_NEAR(side.upper_volume.value(), 0.5 * 0.5 * (0.65 + 0.03), 1e-4);
+  EXPECT_TRUE(contains(side.assumption, "into the ground by no more than 4.4 % of its height"))
+      << side.assumption;  // 0.03 of 0.68 m
   EXPECT_GE(bounds(side.best).low.z(), -0.08 - 1e-9);
   EXPECT_LT(bounds(side.best).low.z(), -0.03);
 }
 
-TEST(Underside, ARimInTheGroundIsBuriedAsOneWithoutAGround) {
+// ... by a third of the height seen, and the bracket says that it supposes that.
+TEST(Underside, ARimInTheGroundIsBuriedByAQuarterOfTheHeight) {
   const TriangleMesh open = open_frustum(0.5, 0.5, 0.6);
-  const Underside without = *closed_underside(open);
-  const Underside with = *closed_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
-  EXPECT_NEAR(with.upper_volume, without.upper_volume, 1e-9);
+  const Underside side = *closed_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
+  EXPECT_NEAR(side.upper_volume.value(), 0.5 * 0.5 * 0.8, 1e-4);
+  EXPECT_TRUE(contains(side.assumption, "into the ground by no more than 25 % of its height"))
+      << side.assumption;
 }
 
 // Height above the cut 1 + c for a ball of radius 1 with the cut at -c. The cap below is
@@ -108,17 +114,21 @@ TEST(Underside, HoldsTheCapOfABall) {
     const Underside side = *closed_underside(above_level(ball, -c + 1e-4));
     const double cap = kPi * (1 - c) * (1 - c) * (2 + c) / 3.0;
     EXPECT_NEAR(side.lower_volume, whole - cap, 0.003 * whole) << c;
-    EXPECT_GT(side.upper_volume, whole) << c;
+    // The cone that touches the ball at the rim, whose tip is 1/c from the middle.
+    const double cone = kPi * (1 - c * c) * (1 / c - c) / 3.0;
+    EXPECT_GT(side.upper_volume.value(), whole - cap + cone) << c;
+    // The tangents are those of patches, and some of a patch's width inside the rim.
+    EXPECT_LT(side.upper_volume.value(), whole - cap + 2.2 * cone) << c;
     EXPECT_NEAR(side.best_volume, whole, 0.02 * whole) << c;
     // A ball's cap of height h has 2 pi h of 4 pi.
     EXPECT_NEAR(side.invented_share, 0.5 * (1 - c), 0.02) << c;
   }
 }
 
-TEST(Underside, AllThreeShapesAreClosedAndKeepWhatWasSeen) {
+TEST(Underside, BothShapesAreClosedAndKeepWhatWasSeen) {
   for (const CutBlock& block : cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 4), 3, 11)) {
     const Underside side = *closed_underside(block.open);
-    for (const TriangleMesh* mesh : {&side.lower, &side.best, &side.upper}) {
+    for (const TriangleMesh* mesh : {&side.lower, &side.best}) {
       const MeshReport report = inspect(*mesh);
       EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
       ASSERT_GE(mesh->vertices.size(), block.open.vertices.size());
@@ -128,9 +138,8 @@ TEST(Underside, AllThreeShapesAreClosedAndKeepWhatWasSeen) {
                              mesh->triangles.begin()));
     }
     EXPECT_EQ(side.first_invented, block.open.triangles.size());
-    EXPECT_NEAR(volume(side.lower), side.lower_volume, 1e-9);
+    EXPECT_GE(volume(side.lower), side.lower_volume);
     EXPECT_NEAR(volume(side.best), side.best_volume, 1e-9);
-    EXPECT_NEAR(volume(side.upper), side.upper_volume, 1e-9);
     EXPECT_TRUE(crossing_triangles(side.best).empty());
     // The smallest box of the seen part, found anew after closing.
     const std::vector<Vec3> seen(
@@ -148,7 +157,9 @@ TEST(Underside, MovesTurnsAndScalesWithTheBlock) {
   const Underside there = *closed_underside(transformed(scaled(block.open, 3.0), pose));
   EXPECT_NEAR(there.lower_volume / here.lower_volume, 27.0, 1e-6);
   EXPECT_NEAR(there.best_volume / here.best_volume, 27.0, 1e-5);
-  EXPECT_NEAR(there.upper_volume / here.upper_volume, 27.0, 1e-5);
+  EXPECT_NEAR(there.upper_volume.value() / here.upper_volume.value(), 27.0, 1e-5);
+  EXPECT_LT((there.sides->lower - 3.0 * here.sides->lower).norm(), 0.02 * here.sides->lower.norm());
+  EXPECT_LT((there.sides->upper - 3.0 * here.sides->upper).norm(), 0.02 * here.sides->upper.norm());
   EXPECT_NEAR(there.invented_share, here.invented_share, 1e-4);
 }
 
@@ -158,6 +169,8 @@ TEST(Underside, SameInputGivesTheSameBits) {
   EXPECT_EQ(first.best.vertices, second.best.vertices);
   EXPECT_EQ(first.best.triangles, second.best.triangles);
   EXPECT_EQ(first.upper_volume, second.upper_volume);
+  EXPECT_EQ(first.sides->lower, second.sides->lower);
+  EXPECT_EQ(first.sides->upper, second.sides->upper);
 }
 
 TEST(Underside, FewPosesOfThreeRocksAreInsideTheBracket) {
@@ -165,7 +178,7 @@ TEST(Underside, FewPosesOfThreeRocksAreInsideTheBracket) {
     for (const CutBlock& block : cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, seed), 3, seed)) {
       const Underside side = *closed_underside(block.open);
       EXPECT_LE(side.lower_volume, block.volume) << seed;
-      EXPECT_GE(side.upper_volume, 0.98 * block.volume) << seed;
+      EXPECT_GE(side.upper_volume.value_or(block.volume), block.volume) << seed;
       const double bar = block.seen >= 0.95 ? 0.03 : 0.10;
       EXPECT_NEAR(side.best_volume, block.volume, bar * block.volume) << seed;
     }
@@ -203,7 +216,9 @@ TEST(Underside, UndercutBlocksAreInsideTheBracket) {
       const double truth = volume(body);
       const Plane ground{Vec3::UnitZ(), bounds(body).low.z()};
       const Underside side = *closed_underside(seen, {.ground = ground});
-      const double below = side.lower_volume / truth - 1.0, above = 1.0 - side.upper_volume / truth;
+      if (!side.upper_volume) continue;
+      const double below = side.lower_volume / truth - 1.0;
+      const double above = 1.0 - *side.upper_volume / truth;
       ++count;
       inside += below <= 0.0 && above <= 0.0;
       worst_miss = std::max({worst_miss, below, above});
@@ -215,9 +230,8 @@ TEST(Underside, UndercutBlocksAreInsideTheBracket) {
   std::cout << inside << " of " << count << " inside, worst miss " << worst_miss
             << ", best off by up to " << worst_best << ", least invented over unseen " << least_told
             << "\n";
-  EXPECT_EQ(count, 30u);
-  EXPECT_GE(inside, 29u);  // as 57 of 60 for blocks that are cut flat
-  EXPECT_LT(worst_miss, 0.02);
+  EXPECT_GE(count, 27u);  // of 30; of the others less than half may be seen
+  EXPECT_EQ(inside, count);
   EXPECT_LT(worst_best, 0.12);
   // A smooth filling has less area than the rough rock it stands for, but not much less.
   EXPECT_GT(least_told, 0.7);
@@ -225,11 +239,21 @@ TEST(Underside, UndercutBlocksAreInsideTheBracket) {
 
 TEST(Underside, OtherHolesAreClosedFlatAndTold) {
   TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
+  open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 121);
+  const Underside side = *closed_underside(open);
+  EXPECT_TRUE(inspect(side.best).closed());
+  EXPECT_EQ(side.open_sides, 1u);
+  ASSERT_EQ(side.notes.size(), 1u);
+  EXPECT_EQ(side.notes[0], "1 other hole filled straight across");
+}
+
+TEST(Underside, LargeHolesAreBracketedTogether) {
+  TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
   open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 124);
   const Underside side = *closed_underside(open);
   EXPECT_TRUE(inspect(side.best).closed());
-  ASSERT_EQ(side.notes.size(), 1u);
-  EXPECT_EQ(side.notes[0], "1 other hole filled straight across");
+  EXPECT_EQ(side.open_sides, 2u);
+  EXPECT_TRUE(side.notes.empty());
 }
 
 TEST(Underside, AClosedScanHasNone) {

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
+
+#include "core/random.hpp"
 
 namespace clast {
 namespace {
@@ -212,6 +217,115 @@ TEST(PolylineBarrier, StraightPiecesAreTheStraightBarrier) {
   EXPECT_EQ(cut[0].position, whole[0].position);
   EXPECT_EQ(cut[0].time, whole[0].time);
 }
+
+// A ring is entered and left, whichever way its points run.
+class RingBarrier : public testing::TestWithParam<bool> {
+ protected:
+  /// A square of 2 m around (3, 0).
+  Barrier square() const {
+    Barrier barrier{"square", {{2, -1}, {4, -1}, {4, 1}, {2, 1}, {2, -1}}};
+    if (!GetParam()) std::reverse(barrier.through.begin(), barrier.through.end());
+    return barrier;
+  }
+  /// 'i' and 'o' for the entries and exits of a path of straight steps of a second each.
+  std::string passed(const Barrier& barrier, const std::vector<Vec2>& path) const {
+    const RigidBody body = cube();
+    const TerrainSurface ground = plane(0.0);
+    std::string ways;
+    double last = 0.0;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      MotionStep step;
+      step.begin_time = static_cast<double>(i);
+      step.end_time = step.begin_time + 1.0;
+      step.begin.position << path[i], 2.0;
+      step.end.position << path[i + 1], 2.0;
+      step.begin.velocity << path[i + 1] - path[i], 0.0;
+      step.end.velocity = step.begin.velocity;
+      for (const Crossing& crossing : find_crossings(barrier, body, step, ground, kGravity)) {
+        EXPECT_GE(crossing.time, last);
+        last = crossing.time;
+        // Left to right is out of a ring that runs counter-clockwise.
+        ways += crossing.forward == GetParam() ? 'o' : 'i';
+      }
+    }
+    return ways;
+  }
+};
+
+TEST_P(RingBarrier, CountsWhatEntersAndLeaves) {
+  EXPECT_EQ(passed(square(), {{0, 0}, {6, 0}}), "io") << "in one step";
+  EXPECT_EQ(passed(square(), {{0, 0}, {3, 0.5}, {6, 0}}), "io");
+  EXPECT_EQ(passed(square(), {{0, 0}, {3, 0.5}}), "i") << "comes to rest in it";
+  EXPECT_EQ(passed(square(), {{3, 0}, {3.5, 0.1}, {6, 0}}), "o") << "starts in it";
+  EXPECT_EQ(passed(square(), {{3, 0}, {3.5, 0.1}}), "") << "stays in it";
+  EXPECT_EQ(passed(square(), {{0, 3}, {6, 3}}), "") << "passes beside it, over its sides' lines";
+  EXPECT_EQ(passed(square(), {{0, 0}, {6, 0}, {6, 0.5}, {0, 0.5}}), "ioio") << "passes twice";
+}
+
+TEST_P(RingBarrier, TimesAndPlacesAreThoseOfTheSides) {
+  const RigidBody body = cube();
+  Barrier ring = square();
+  // From (1.5, -2) to (3.5, 2), entered at x = 1.5 by y = x / 3.
+  for (Vec2& point : ring.through) point = {point.x() - 0.5, 2.0 * point.y()};
+  const auto found = find_crossings(ring, body, flight(body), plane(0.0), kGravity);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].time, 4.5, 1e-14);
+  EXPECT_NEAR(found[0].position.y(), 0.5, 1e-14);
+  EXPECT_EQ(found[0].forward, !GetParam());
+}
+
+// Corners hit exactly and sides run along are where a count by sides alone errs.
+TEST_P(RingBarrier, EntriesAndExitsAlternateOverCornersAndAlongSides) {
+  EXPECT_EQ(passed(square(), {{1, -2}, {3, 0}, {5, 2}}), "io") << "over two corners";
+  EXPECT_EQ(passed(square(), {{1, -2}, {2, -1}, {3, 0}}), "i") << "a step ends on the corner";
+  for (const std::vector<Vec2>& path : {std::vector<Vec2>{{1, 0}, {2, -1}, {3, -2}},
+                                        {{1, 0}, {3, -2}},
+                                        {{2, -3}, {2, 3}},
+                                        {{2, -3}, {2, 0}, {2, 3}},
+                                        {{0, 0}, {2, 0}, {2, 3}},
+                                        {{0, 0}, {2, 0}, {0, 0.5}},
+                                        {{0, 1}, {6, 1}},
+                                        {{3, 0}, {4, 0}, {4, 3}},
+                                        {{3, 0}, {4, 0}, {5, 0}}}) {
+    const std::string ways = passed(square(), path);
+    const bool starts_inside = path.front() == Vec2(3, 0);
+    const std::string expected = starts_inside ? "oioio" : "ioioi";
+    EXPECT_EQ(ways, expected.substr(0, ways.size()));
+    EXPECT_EQ(ways.size() % 2 == 1, starts_inside) << "all paths end outside";
+  }
+}
+
+// Any path: the last word tells where it ends, by another way of finding that.
+TEST_P(RingBarrier, TheCountTellsWhereAnyPathEnds) {
+  Barrier ring{"c", {{0, 0}, {6, 0}, {6, 5}, {4, 5}, {4, 2}, {2, 2}, {2, 5}, {0, 5}, {0, 0}}};
+  if (!GetParam()) std::reverse(ring.through.begin(), ring.through.end());
+  const auto inside = [](const Vec2& p) {
+    const auto within = [](double value, double low, double high) {
+      return value > low && value < high;
+    };
+    return within(p.x(), 0, 6) && within(p.y(), 0, 5) && !(within(p.x(), 2, 4) && p.y() > 2);
+  };
+  Random random(5);
+  for (int trial = 0; trial < 500; ++trial) {
+    std::vector<Vec2> path;
+    // Every other path runs over a grid that holds the corners.
+    for (int i = 0; i < 8; ++i) {
+      Vec2 point(random.uniform(-2, 8), random.uniform(-2, 8));
+      if (trial % 2 == 0) point = point.array().round();
+      path.push_back(point);
+    }
+    path.front() = Vec2(-1.5, -1.5);
+    path.push_back({random.uniform(-2, 8), random.uniform(-2, 8)});
+    const std::string ways = passed(ring, path);
+    for (std::size_t i = 0; i < ways.size(); ++i) EXPECT_EQ(ways[i], i % 2 == 0 ? 'i' : 'o');
+    EXPECT_EQ(ways.size() % 2 == 1, inside(path.back())) << trial;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothWays, RingBarrier, testing::Bool(),
+                         [](const testing::TestParamInfo<bool>& way) {
+                           return way.param ? "counter_clockwise" : "clockwise";
+                         });
 
 }  // namespace
 }  // namespace clast

@@ -65,8 +65,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:1: [blocks]: library is missing; it must be a block library made by "
                 "clast reconstruct"},
         Refused{"friction = 0.3\n", "",
-                "campaign.toml:16: [ground.gray]: friction is missing; it must be mu, zero or "
-                "more"},
+                "campaign.toml:16: [ground.gray]: friction is missing; it must be mu, 0, or "
+                "from 1e-06 to 100"},
         Refused{"points = \"points.xyz\"", "",
                 "campaign.toml:21: [release]: points is missing; it must be a point file, a list "
                 "[[x, y, z], ...], { line = [...], count = N } or { polygon = [...], count = N }"},
@@ -90,34 +90,36 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:36: [[barrier]] from = 25: must be two finite numbers, [x, y]"},
         // out of range
         Refused{"friction = 0.70", "friction = -1",
-                "campaign.toml:14: [ground.blue] friction = -1: must be zero or more"},
+                "campaign.toml:14: [ground.blue] friction = -1: must be 0, or from "
+                "1e-06 to 100"},
         Refused{"energy_restitution = 0.01", "energy_restitution = 0",
-                "campaign.toml:13: [ground.blue] energy_restitution = 0: must be more than zero "
-                "and at most 1"},
+                "campaign.toml:13: [ground.blue] energy_restitution = 0: must be from 1e-06 to 1"},
         Refused{"energy_restitution = 0.01", "energy_restitution = 1.01",
-                "campaign.toml:13: [ground.blue] energy_restitution = 1.01: must be more than zero "
-                "and at most 1"},
+                "campaign.toml:13: [ground.blue] energy_restitution = 1.01: must be from 1e-06 to "
+                "1"},
         Refused{"friction = 0.70", "friction = nan",
-                "campaign.toml:14: [ground.blue] friction = nan: must be zero or more"},
+                "campaign.toml:14: [ground.blue] friction = nan: must be 0, or from "
+                "1e-06 to 100"},
         Refused{"max_time_s = 30", "max_time_s = inf",
-                "campaign.toml:44: [run] max_time_s = inf: must be more than zero"},
+                "campaign.toml:44: [run] max_time_s = inf: must be from 0.001 to 100000 s"},
         Refused{"gravity_m_s2 = 9.8", "gravity_m_s2 = 0",
-                "campaign.toml:47: [run] gravity_m_s2 = 0: must be more than zero"},
+                "campaign.toml:47: [run] gravity_m_s2 = 0: must be from 0.01 to 1000 m/s^2"},
         Refused{"seed = 12", "seed = -12",
                 "campaign.toml:26: [release] seed = -12: must be from 0 to 9223372036854775807"},
         Refused{"downslope = [1, 0.1]", "downslope = [0, 0]",
-                "campaign.toml:48: [run] downslope = [0, 0]: must point somewhere"},
+                "campaign.toml:48: [run] downslope = [0, 0]: must point somewhere, with a "
+                "length from 1e-06 to 1e+06"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [1, nan, 0]",
                 "campaign.toml:24: [release] velocity_m_s = [1, nan, 0]: must be three finite "
-                "numbers, [x, y, z]"},
+                "numbers, [x, y, z], each from -1000 to 1000"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [800, 0, 601]",
                 "campaign.toml:24: [release] velocity_m_s = [800, 0, 601]: must be 1000 in size "
                 "at most; check the units"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [0, 0, -1e200]",
-                "campaign.toml:24: [release] velocity_m_s = [0, 0, -1e200]: must be 1000 in "
-                "size at most; check the units"},
-        Refused{"angular_velocity_rad_s = [0, 0, 2]", "angular_velocity_rad_s = [0, 10001, 0]",
-                "campaign.toml:25: [release] angular_velocity_rad_s = [0, 10001, 0]: must be "
+                "campaign.toml:24: [release] velocity_m_s = [0, 0, -1e200]: must be three "
+                "finite numbers, [x, y, z], each from -1000 to 1000"},
+        Refused{"angular_velocity_rad_s = [0, 0, 2]", "angular_velocity_rad_s = [0, 9000, 9000]",
+                "campaign.toml:25: [release] angular_velocity_rad_s = [0, 9000, 9000]: must be "
                 "10000 in size at most; check the units"},
         Refused{"up = \"y\"", "up = \"x\"",
                 "campaign.toml:8: [terrain] up = \"x\": must be \"z\" or \"y\""},
@@ -154,6 +156,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "must differ"},
         Refused{"from = [36, -400]\nto = [36, -340]", "through = [[36, -400], [36]]",
                 "campaign.toml:40: [[barrier]] through = [36]: must be points [x, y]"},
+        Refused{"from = [36, -400]\nto = [36, -340]", "through = [[0, 0], [4, 4], [4, 0], [0, 4]]",
+                "campaign.toml:40: [[barrier]] through = [[0, 0], [4, 4], [4, 0], [0, 4]]: barrier "
+                "EC12: segments 1 and 3 meet at (2, 2); a barrier must not cross, touch or retrace "
+                "itself, apart from a ring, whose last point is its first: make two barriers of "
+                "it"},
+        Refused{"from = [36, -400]\nto = [36, -340]", "through = [[0, 0], [4, 0], [1, 0]]",
+                "campaign.toml:40: [[barrier]] through = [[0, 0], [4, 0], [1, 0]]: barrier EC12: "
+                "segments 1 and 2 meet at (1, 0); a barrier must not cross, touch or retrace "
+                "itself, apart from a ring, whose last point is its first: make two barriers of "
+                "it"},
         Refused{"to = [36, -340]", "to = [36, -400]",
                 "campaign.toml:41: [[barrier]] to = [36, -400]: must differ from from"},
         Refused{
@@ -194,13 +206,14 @@ INSTANTIATE_TEST_SUITE_P(
     Slips, CampaignRefusal,
     testing::Values(
         Refused{"trajectory_interval_s = 0", "trajectory_interval_s = 1e-9",
-                "campaign.toml:49: [run] trajectory_interval_s = 1e-9: must be 0 (none stored), or "
-                "1e-4 or more; each state takes 112 bytes"},
+                "campaign.toml:49: [run] trajectory_interval_s = 1e-9: must be 0 (none is stored), "
+                "or from 0.0001 to 100000 s"},
         Refused{"downslope = [1, 0.1]", "downslope = [1e200, 1e200]",
-                "campaign.toml:48: [run] downslope = [1e200, 1e200]: must point somewhere"},
+                "campaign.toml:48: [run] downslope = [1e200, 1e200]: must be two finite numbers, "
+                "[x, y], each from -1e+06 to 1e+06"},
         Refused{"seed = 12", "seed = 12\nheight_m = 1e9",
-                "campaign.toml:27: [release] height_m = 1e9: must be zero or more, and at most "
-                "10000 m"},
+                "campaign.toml:27: [release] height_m = 1e9: must be 0 (on the ground), or from "
+                "1e-06 to 10000 m"},
         Refused{"name = \"EC12\"", "name = \"EC\\u000012\"",
                 "campaign.toml:39: [[barrier]] name = \"EC\\u000012\": must be one line without "
                 "control characters"},
@@ -220,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(
             "campaign.toml:3: [blocks] scale = \"big\": must be \"equal-mass\", { mass_kg = M } "
             "or { volume_m3 = V }"},
         Refused{"select = [\"B1\", \"B2\"]", "scale = { mass_kg = -1 }",
-                "campaign.toml:3: [blocks] scale mass_kg = -1: must be more than zero"},
+                "campaign.toml:3: [blocks] scale mass_kg = -1: must be from 1e-09 to 1e+13 kg"},
         Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 0 }",
                 "campaign.toml:3: [blocks] draw count = 0: must be from 1 to 1000000"},
         Refused{"select = [\"B1\", \"B2\"]",
@@ -232,13 +245,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "mass_kg of draw; leave scale out"},
         Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 5, mass_kg = { normal = [0, 5] } }",
                 "campaign.toml:3: [blocks] draw mass_kg = { normal = [0, 5] }: its first number "
-                "must be more than zero"},
+                "must be from 1e-09 to 1e+13 kg"},
         Refused{"friction = 0.70", "friction = { uniform = [0.8, 0.6] }",
                 "campaign.toml:14: [ground.blue] friction = { uniform = [0.8, 0.6] }: the lower "
                 "bound must come first"},
         Refused{"friction = 0.70", "friction = { normal = [0.8, 0] }",
                 "campaign.toml:14: [ground.blue] friction = { normal = [0.8, 0] }: its second "
-                "number, the spread, must be more than zero"},
+                "number, the spread, must be from 1e-06 to 100"},
         Refused{
             "friction = 0.70", "friction = { gamma = [0.8, 0] }",
             "campaign.toml:14: [ground.blue] friction = { gamma = [0.8, 0] }: must be a number, "
@@ -246,7 +259,7 @@ INSTANTIATE_TEST_SUITE_P(
             "sigma] }"},
         Refused{"energy_restitution = 0.01", "energy_restitution = { uniform = [0.5, 1.5] }",
                 "campaign.toml:13: [ground.blue] energy_restitution = { uniform = [0.5, 1.5] }: "
-                "its second number must be more than zero and at most 1"},
+                "its second number must be from 1e-06 to 1"},
         Refused{"friction = 0.70", "friction = { uniform = [0.6, 0.8] }",
                 "campaign.toml: ground parameters are uncertain; say how often they are drawn, "
                 "with [ensemble] members = N"},
@@ -325,12 +338,19 @@ TEST_F(CampaignFile, BadLinesOfPointFilesAreNamed) {
             "points.xyz:2: \"five\" is not a number; a line must be three numbers, x y z");
   EXPECT_EQ(refused_points("1 2 3\nx y z\n"),
             "points.xyz:2: \"x\" is not a number; a line must be three numbers, x y z");
-  EXPECT_EQ(refused_points("1 2 nan\n"), "points.xyz:1: nan is not a finite number");
+  EXPECT_EQ(refused_points("1 2 nan\n"),
+            "points.xyz:1: nan is not a number from -1e+08 to 1e+08 m; a line must be three "
+            "numbers, x y z");
   EXPECT_EQ(refused_points("# only this\n"),
             "points.xyz: holds no line with numbers; each line must be three numbers, x y z");
   EXPECT_EQ(refused_points(""),
             "points.xyz: holds no line with numbers; each line must be three numbers, x y z");
-  EXPECT_EQ(refused_points("x y z\n# survey of May\n\n1;2;+3 # corner\r\n1,\t2 3e0\n"), "");
+  EXPECT_EQ(refused_points("x y z\n# survey of May\n\n1;2;+3 # corner\r\n1;\t2;3e0\n"), "");
+  EXPECT_EQ(refused_points("1;2;3\n1,2,3\n"),
+            "points.xyz:2: 1 number; a line must be three numbers, x y z");
+  EXPECT_EQ(refused_points("x,y,z\n1,5,2,5,3,5\n"),
+            "points.xyz:2: 6 numbers; where commas are decimal signs, separate the columns by "
+            "semicolons or tabs, or write decimal points; a line must be three numbers, x y z");
 }
 
 TEST_F(CampaignFile, QuaternionsAreNormalisedOrRefused) {
@@ -344,6 +364,10 @@ TEST_F(CampaignFile, QuaternionsAreNormalisedOrRefused) {
             "turns.txt:1: quaternion of length 0.000000; a rotation has length 1, written w x y z");
   EXPECT_EQ(refused_turns("1 0 0\n"),
             "turns.txt:1: 3 numbers; a line must be a quaternion, w x y z");
+  // Columns by their names, in any order, and decimal commas.
+  ASSERT_EQ(refused_turns("qx;qy;qz;qw\n0;0;0,6;0,8\n"), "");
+  EXPECT_NEAR(read_orientations(folder_ / "turns.txt").at(0).w(), 0.8, 1e-15);
+  EXPECT_NEAR(read_orientations(folder_ / "turns.txt").at(0).z(), 0.6, 1e-15);
   ASSERT_EQ(refused_turns("0.7075 0.7075 0 0\n"), "");
   const std::vector<Quat> read = read_orientations(folder_ / "turns.txt");
   EXPECT_NEAR(read[0].w(), std::sqrt(0.5), 1e-15);

@@ -32,7 +32,8 @@ TEST_F(CampaignFile, TerrainChecksAreRead) {
 
 TEST_F(CampaignFile, TerrainChecksOutOfRangeAreRefused) {
   EXPECT_EQ(refusal(with_terrain("percentile = 120\n")),
-            "campaign.toml:10: [terrain] percentile = 120: must be from 0 to 100");
+            "campaign.toml:10: [terrain] percentile = 120: must be 0 (the lowest point), or from "
+            "1e-06 to 100");
   EXPECT_EQ(refusal(with_terrain("cut_zones = 1\n")),
             "campaign.toml:10: [terrain] cut_zones = 1: must be true or false");
   EXPECT_NE(refusal(with_terrain("tolerance_m = 0\n")), "");

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/random.hpp"
 #include "core/text_file.hpp"
@@ -100,6 +103,46 @@ TEST(CrossingsTable, HoldsAllInOrderOfRunAndTimeOnTheMap) {
   EXPECT_NEAR(table.number(0, "total_energy_j"), 650.0, 1e-9);
 }
 
+// Run 1 starts inside, leaves, comes back and leaves again; run 3 enters and leaves. A ring that
+// runs clockwise stores its exits backward.
+TEST(BarriersTable, ARingCountsItsFirstEntryAndItsFirstExit) {
+  for (const bool counter_clockwise : {true, false}) {
+    CampaignResults results = hand_made_results();
+    std::vector<Vec2>& ring = results.barriers[0].through;
+    ring = {Vec2(8, -9), Vec2(12, -9), Vec2(12, 9), Vec2(8, 9), Vec2(8, -9)};
+    if (!counter_clockwise) std::reverse(ring.begin(), ring.end());
+    const auto crossing = [&](std::uint32_t run, double time, double speed, bool out) {
+      Crossing made = hand_made_crossing(run, 0, time, speed);
+      made.forward = out == counter_clockwise;
+      return made;
+    };
+    results.crossings = {crossing(1, 1.0, 2.0, true), crossing(1, 2.0, 3.0, false),
+                         crossing(1, 3.0, 9.0, true), crossing(3, 1.2, 6.0, false),
+                         crossing(3, 1.4, 4.0, true)};
+    const Comparison comparison = compared(std::move(results));
+    const CsvTable crossings = read_csv(crossings_csv(comparison));
+    const std::vector<std::array<const char*, 3>> expected = {{"B<1> (out)", "out", "1"},
+                                                              {"B<1> (in)", "in", "1"},
+                                                              {"B<1> (out)", "out", "0"},
+                                                              {"B<1> (in)", "in", "1"},
+                                                              {"B<1> (out)", "out", "1"}};
+    ASSERT_EQ(crossings.rows.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(crossings.rows[i].at("barrier"), expected[i][0]);
+      EXPECT_EQ(crossings.rows[i].at("direction"), expected[i][1]);
+      EXPECT_EQ(crossings.rows[i].at("counted"), expected[i][2]);
+    }
+    const CsvTable barriers = read_csv(barriers_csv(comparison));
+    const std::size_t in = barriers.find("barrier", "B<1> (in)"),
+                      out = barriers.find("barrier", "B<1> (out)");
+    EXPECT_EQ(barriers.rows[in].at("group"), "all");
+    EXPECT_EQ(barriers.rows[in].at("crossings"), "2");
+    EXPECT_EQ(barriers.rows[out].at("crossings"), "2");
+    EXPECT_NEAR(barriers.number(in, "speed_mean_m_s"), (3.0 + 6.0) / 2.0, 1e-12);
+    EXPECT_NEAR(barriers.number(out, "speed_mean_m_s"), (2.0 + 4.0) / 2.0, 1e-12);
+  }
+}
+
 TEST(DepositsTable, HoldsEveryGroupInDegreesAndMapMetres) {
   const CsvTable table = read_csv(deposits_csv(compared(hand_made_results())));
   EXPECT_EQ(table.rows.size(), 7u);
@@ -171,6 +214,22 @@ TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
                                              "profiles.csv", "provenance.json", "report.html",
                                              "runs.csv", "stops.gpkg"}));
   EXPECT_TRUE(contains(read_text_file(folder / "out" / "provenance.json"), std::string(64, 'c')));
+}
+
+TEST(ProvenanceJson, HasTheStiffnessOfEveryBlock) {
+  CampaignResults results = hand_made_results();
+  results.runs[0].impact_depth = 0.05;
+  for (RunRecord& run : results.runs) run.rest_depth = std::nan("");
+  const auto json = nlohmann::json::parse(provenance_json(compared(std::move(results))));
+  const nlohmann::json& blocks = json["files"][0]["stiffness"];
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[0]["block"], "round<1>");
+  EXPECT_EQ(blocks[0]["stiffness_n_m"], (std::vector<double>{1e8, 1e8}));
+  EXPECT_EQ(blocks[0]["impact_depth_m"], (std::vector<double>{0.05, 0.1}));
+  EXPECT_EQ(blocks[1]["stiffness_n_m"], (std::vector<double>{3e8, 4e8}));
+  EXPECT_EQ(blocks[1]["rolling_stiffness_n_m_rad"], (std::vector<double>{2e7, 2e7}));
+  EXPECT_EQ(blocks[1]["time_step_s"], (std::vector<double>{1e-5, 1e-5}));
+  EXPECT_TRUE(blocks[1]["rest_depth_m"].is_null()) << "of a file that does not hold it";
 }
 
 TEST(WriteComparison, FileInPlaceOfTheFolderIsRefused) {

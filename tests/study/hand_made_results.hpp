@@ -29,6 +29,11 @@ inline RunRecord hand_made_run(std::uint32_t run, std::uint32_t block, double x,
   record.result.settled_penetration = 0.002;
   record.result.energy.error = 1e-5 * (run + 1);
   record.result.contact_steps = 1000 + run;
+  // The second block's own, and another in its last run.
+  record.stiffness = block == 0 ? ContactStiffness{1e8, 1e8, 1e7, 2e-5}
+                                : ContactStiffness{(run == 5 ? 4e8 : 3e8), 3e8, 2e7, 1e-5};
+  record.rest_depth = block == 0 ? 0.012 : 0.016;
+  record.impact_depth = 0.1;
   return record;
 }
 
@@ -72,7 +77,6 @@ inline CampaignResults hand_made_results() {
   results.release_points = {Vec3(0.0, 0.0, 2.0)};
   results.zone_names = {"blue", "scree"};
   results.ground = {{0.01, 0.7, 0.35}, {0.01, 0.3, 0.0}};
-  results.stiffness = {1e8, 1e8, 1e7, 2e-5};
   results.frame.origin = kMapOrigin;
   results.downslope = Vec2(2.0, 0.0);
   results.planned_runs = 6;

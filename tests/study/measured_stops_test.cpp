@@ -81,6 +81,19 @@ TEST(MeasuredStops, MayNameTheirOwnStart) {
   EXPECT_NEAR(comparison.measured->stops[0].runout, 20.0, 1e-9);
 }
 
+TEST(MeasuredStops, TablesOfAnyProgramAreReadAlike) {
+  const ScratchFolder folder;
+  for (const char* table :
+       {"x,y,block\n900050.5,6500000.25,round<1>\n", "x;y;block\n900050,5;6500000,25;round<1>\n",
+        "\xef\xbb\xbf\"X_m\"\tY_m\tblock\r\n900050,5\t6500000,25\tround<1>\r\n",
+        "x y block\n900050,5 6500000,25 round<1>\n"}) {
+    const Comparison comparison = against(table, folder);
+    ASSERT_EQ(comparison.measured->stops.size(), 1u) << table;
+    EXPECT_EQ(comparison.measured->stops[0].place, Vec2(900050.5, 6500000.25)) << table;
+    EXPECT_EQ(comparison.measured->stops[0].block, "round<1>") << table;
+  }
+}
+
 TEST(MeasuredStops, NamesThatNothingHasAndPlacesOffTheTerrainAreTold) {
   const ScratchFolder folder;
   const auto warns = [&](const std::string& table, const std::string& part) {
@@ -106,7 +119,15 @@ TEST(MeasuredStops, TablesThatAreNoneAreRefused) {
   EXPECT_TRUE(contains(refused(""), "is empty"));
   EXPECT_TRUE(contains(refused("x,z\n1,2\n"), "seen.csv:1: has no column \"y\""));
   EXPECT_TRUE(contains(refused("x,y\n1,two\n"), "seen.csv:2: y \"two\" is not a number"));
-  EXPECT_TRUE(contains(refused("x,y\n1\n"), "seen.csv:2: y \"\" is not a number"));
+  EXPECT_TRUE(contains(refused("x,y\n1\n"), "seen.csv:2: has 1 field, but line 1 has 2"));
+  EXPECT_TRUE(contains(refused("x,y\n1,\n"), "seen.csv:2: y \"\" is not a number"));
+  EXPECT_TRUE(contains(refused("x,y\n1,1e308\n"), "seen.csv:2: y \"1e308\" is not a number from"));
+  // (900050.5, 6500000.25) of a program that writes decimal commas.
+  EXPECT_TRUE(
+      contains(refused("x,y\n900050,5,6500000,25\n"),
+               "seen.csv:2: has 4 fields, but line 1 has 2; where commas are decimal signs"));
+  EXPECT_TRUE(
+      contains(refused("x,y\n\"900050,5\",6500000\n"), "seen.csv:2: x \"900050,5\" is not a "));
   EXPECT_TRUE(contains(refused("x,y\n"), "holds no stop"));
   EXPECT_TRUE(contains(refused("x,X_m,y\n1,2,3\n"), "seen.csv:1: has two columns \"x\""));
   EXPECT_TRUE(contains(refused("x,y,start_x\n1,2,3\n"), "start_x and start_y come together"));

@@ -304,25 +304,34 @@ TEST(PopulationReports, DiagramsOfAnEarlierReportAreRemoved) {
     }
     return all;
   };
+  const auto write = [&](const PopulationReport& report) {
+    const std::filesystem::path target = folder / "out";
+    OutputFolder whole(target, population_folder(target), true);
+    write_population_report(report, whole.temporary());
+    whole.commit();
+  };
   const PopulationReport one = report_of({blocks("talus", 9)});
   PopulationReport two = report_of({blocks("talus", 9), blocks("scree", 5)});
   // Files of the user's own stay, also one called as a diagram that clast did not write.
   write_text_file(folder / "out" / "size_1.svg", "mine");
   write_text_file(folder / "out" / "notes.svg", "mine");
-  write_population_report(one, folder / "out");
+  write(one);
+  EXPECT_EQ(read_text_file(folder / "out" / "size_1.svg"), "mine");
+  EXPECT_TRUE(contains(refusal([&] { write(two); }), "size_1.svg: is no file of the classific"));
   EXPECT_EQ(read_text_file(folder / "out" / "size_1.svg"), "mine");
   const std::set<std::string> of_one = names();
-  write_population_report(two, folder / "out");
+  std::filesystem::remove(folder / "out" / "size_1.svg");
+  write(two);
   EXPECT_FALSE(names().count("size.svg") || names().count("zingg.svg"));
   EXPECT_TRUE(names().count("size_1.svg") && names().count("sizes.svg"));
   two.options.schemes = {"zingg"};
   for (ReportedPopulation& reported : two.populations) {
     reported.summary = summarised(reported.population, two.options);
   }
-  write_population_report(two, folder / "out");
+  write(two);
   EXPECT_FALSE(names().count("shares_shape.svg"));
   EXPECT_TRUE(names().count("shares_zingg.svg"));
-  write_population_report(one, folder / "out");
+  write(one);
   std::set<std::string> expected = of_one;
   expected.erase("size_1.svg");
   EXPECT_EQ(names(), expected);

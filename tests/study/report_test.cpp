@@ -52,6 +52,16 @@ TEST(HtmlReport, NamesEveryBlockWithItsCharactersEscaped) {
   EXPECT_TRUE(contains(html, "# a &lt; b &amp; c"));
 }
 
+TEST(HtmlReport, ListsTheStiffnessOfEveryBlock) {
+  const Comparison comparison = compared(hand_made_results());
+  const std::string section = provenance_section(comparison);
+  for (const char* part : {"k_n, N/m", "k_r, N m/rad", "time step, s", "1e+08", "3e+08 to 4e+08",
+                           "1e-05", "2e-05", "0.012", "0.016"}) {
+    EXPECT_TRUE(contains(section, part)) << part;
+  }
+  EXPECT_TRUE(contains(head_section(comparison), "k_n 1e+08 to 4e+08 N/m, step 1e-05 to 2e-05 s"));
+}
+
 TEST(HtmlReport, SaysWhatWasRun) {
   const std::string html = report_of(compared(hand_made_results()));
   for (const std::string& part : {std::string(64, 'a'), std::string(64, 'b'), std::string(64, 'c'),

@@ -3,8 +3,10 @@
 #include "core/hdf5_file.hpp"
 #include "core/text_file.hpp"
 #include "tests/study/sample_results.hpp"
+#include "tests/support/flipped_bits.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/without_checksums.hpp"
 
 namespace clast {
 namespace {
@@ -25,8 +27,8 @@ TEST(Results, WhatIsNotAResultsFileIsRefused) {
   EXPECT_TRUE(contains(refused("text.h5"), "text.h5: is not an HDF5 file"));
   Hdf5File::create(folder / "blocks.h5", "clast block library", 1);
   EXPECT_TRUE(contains(refused("blocks.h5"), "blocks.h5: is a \"clast block library\" file"));
-  Hdf5File::create(folder / "newer.h5", "clast results", 4);
-  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 4"));
+  Hdf5File::create(folder / "newer.h5", "clast results", 5);
+  EXPECT_TRUE(contains(refused("newer.h5"), "newer.h5: has schema version 5"));
   Hdf5File::create(folder / "older.h5", "clast results", 1);
   EXPECT_TRUE(contains(refused("older.h5"), "has schema version 1 of an older clast"));
   Hdf5File::create(folder / "bare.h5", "clast results", 2);
@@ -39,7 +41,7 @@ TEST(Results, StraightBarriersOfSchema2AreRead) {
     ResultsWriter writer = ResultsWriter::create(folder / "old.h5", sample_header());
     add_run(writer, 0);
     writer.finish();
-    Hdf5File file = Hdf5File::open(folder / "old.h5", "clast results", 3, true);
+    Hdf5File file = Hdf5File::open(folder / "old.h5", "clast results", 4, true);
     Hdf5Group barriers = file.root().group("barriers");
     barriers.remove("point_count");
     barriers.remove("points_m");
@@ -64,7 +66,7 @@ TEST(Results, DamageIsNamed) {
   const auto after = [&](const auto& change) {
     fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
     {
-      Hdf5File file = Hdf5File::open(bad, "clast results", 3, true);
+      Hdf5File file = Hdf5File::open(bad, "clast results", 4, true);
       Hdf5Group root = file.root();
       change(root);
       file.flush();
@@ -109,6 +111,55 @@ TEST(Results, DamageIsNamed) {
                        "bad.h5: /shapes/1: face_vertices names a vertex that is not there"));
   EXPECT_TRUE(contains(replaced("blocks", "mass_kg", std::vector<double>{1.0}),
                        "bad.h5: /blocks/mass_kg has 1 values where 2 belong"));
+}
+
+// Joining one part that is whole reads all of it, trajectories too, and writes the same bytes.
+TEST(Results, NoFlippedBitIsReadAsAnotherNumber) {
+  const ScratchFolder folder;
+  CampaignResults header = sample_header();
+  header.planned_runs = 4;
+  ResultsWriter writer = ResultsWriter::create(folder / "r.h5", header);
+  for (const std::uint32_t run : {0u, 1u, 2u, 3u}) add_run(writer, run);
+  writer.finish();
+  expect_no_flip_unnoticed(folder / "r.h5", 900, [&](const fs::path& file) {
+    merge_results({file}, folder / "again.h5");
+    return read_text_file(folder / "again.h5");
+  });
+}
+
+TEST(Results, FilesOfVersionsWithoutChecksumsAreRead) {
+  const ScratchFolder folder;
+  CampaignResults header = sample_header();
+  header.planned_runs = 4;
+  ResultsWriter writer = ResultsWriter::create(folder / "r.h5", header);
+  for (const std::uint32_t run : {0u, 1u, 2u, 3u}) add_run(writer, run);
+  writer.finish();
+  const std::string whole = read_text_file(folder / "r.h5");
+  remove_checksums(folder / "r.h5");
+  EXPECT_NE(read_text_file(folder / "r.h5"), whole);
+  expect_runs(folder / "r.h5", {0, 1, 2, 3});
+  merge_results({folder / "r.h5"}, folder / "again.h5");
+  EXPECT_EQ(read_text_file(folder / "again.h5"), whole);
+}
+
+TEST(Results, BlocksThatCantBeAreRefused) {
+  const ScratchFolder folder;
+  const auto after = [&](const auto& change) {
+    CampaignResults header = sample_header();
+    change(header.blocks[1]);
+    ResultsWriter writer = ResultsWriter::create(folder / "r.h5", header);
+    add_run(writer, 1);
+    writer.finish();
+    return refusal([&] { read_results(folder / "r.h5"); });
+  };
+  EXPECT_EQ(after([](BlockSummary&) {}), "");
+  const auto refused = [&](const auto& change, const std::string& name) {
+    EXPECT_TRUE(contains(after(change), "/blocks/" + name + " is impossible for block B2"));
+  };
+  refused([](BlockSummary& block) { block.mass = 0.0; }, "mass_kg");
+  refused([](BlockSummary& block) { block.volume = -0.2; }, "volume_m3");
+  refused([](BlockSummary& block) { block.axes.S = 0.95; }, "L_m");
+  refused([](BlockSummary& block) { block.moments[0] = 2e-307; }, "principal_moments_kg_m2");
 }
 
 TEST(Results, TruncatedFileIsRefusedAtAnyLength) {

@@ -55,6 +55,12 @@ inline void expect_equal(const RunRecord& a, const RunRecord& b) {
   EXPECT_EQ(a.contacts.max_energy, b.contacts.max_energy);
   EXPECT_EQ(a.contacts.max_spin, b.contacts.max_spin);
   expect_equal(a.start, b.start);
+  EXPECT_EQ(a.stiffness.normal, b.stiffness.normal);
+  EXPECT_EQ(a.stiffness.tangential, b.stiffness.tangential);
+  EXPECT_EQ(a.stiffness.rolling, b.stiffness.rolling);
+  EXPECT_EQ(a.stiffness.time_step, b.stiffness.time_step);
+  EXPECT_EQ(a.rest_depth, b.rest_depth);
+  EXPECT_EQ(a.impact_depth, b.impact_depth);
   const ReleaseResult &x = a.result, &y = b.result;
   EXPECT_EQ(x.stop_reason, y.stop_reason);
   EXPECT_EQ(x.message, y.message);

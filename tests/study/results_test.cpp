@@ -5,10 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "core/hdf5_file.hpp"
 #include "core/text_file.hpp"
+#include "study/block_stiffness.hpp"
 #include "study/results_journal.hpp"
 #include "tests/study/sample_results.hpp"
 #include "tests/support/refusal.hpp"
@@ -56,10 +58,6 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.ground[0].rolling_friction, 0.35);
   EXPECT_EQ(results.ground[1].energy_restitution, 0.04);
   EXPECT_EQ(results.ground[1].friction, 0.3);
-  EXPECT_EQ(results.stiffness.normal, 1e8);
-  EXPECT_EQ(results.stiffness.tangential, 2e8);
-  EXPECT_EQ(results.stiffness.rolling, 3e7);
-  EXPECT_EQ(results.stiffness.time_step, 2e-5);
   EXPECT_EQ(results.weights, ContactWeights::kOverlap);
   EXPECT_EQ(name_of(results.law), "spring-dashpot");
   EXPECT_EQ(results.warnings, header.warnings);
@@ -91,6 +89,43 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.ground_sets[1].zones[0].friction, 0.6);
   EXPECT_EQ(results.ground_sets[1].zones[1].rolling_friction, 0.1);
   EXPECT_EQ(results.ground_sets[0].zones[1].energy_restitution, 0.04);
+}
+
+// Files of schema 3 hold one stiffness and step for all runs, and no depths.
+TEST(Results, OneStiffnessForAllRunsIsReadAsEveryRuns) {
+  const ScratchFolder folder;
+  const fs::path target = folder / "r.h5";
+  {
+    ResultsWriter writer = ResultsWriter::create(target, sample_header());
+    for (const std::uint32_t run : {0u, 1u}) add_run(writer, run);
+    writer.finish();
+  }
+  {
+    Hdf5File file = Hdf5File::open(target, "clast results", 4, true);
+    Hdf5Group root = file.root(), runs = root.group("runs"), contact = root.group("contact");
+    root.set_attribute<std::int64_t>("schema_version", 3);
+    double value = 1e8;
+    for (const char* name : {"stiffness_n_m", "tangential_stiffness_n_m",
+                             "rolling_stiffness_n_m_rad", "time_step_s"}) {
+      runs.remove(name);
+      contact.set_attribute<double>(name, value);
+      value *= 2.0;
+    }
+    for (const char* name : {"rest_depth_m", "impact_depth_m"}) runs.remove(name);
+    file.flush();
+  }
+  const CampaignResults results = read_results(target);
+  ASSERT_EQ(results.runs.size(), 2u);
+  for (const RunRecord& run : results.runs) {
+    EXPECT_EQ(run.stiffness.normal, 1e8);
+    EXPECT_EQ(run.stiffness.tangential, 2e8);
+    EXPECT_EQ(run.stiffness.rolling, 4e8);
+    EXPECT_EQ(run.stiffness.time_step, 8e8);
+    EXPECT_TRUE(std::isnan(run.rest_depth) && std::isnan(run.impact_depth));
+  }
+  const std::vector<BlockStiffness> blocks = stiffness_by_block(results.blocks, results.runs);
+  EXPECT_EQ(stiffness_cells(blocks[0]),
+            (std::vector<std::string>{"1e+08", "2e+08", "4e+08", "8e+08", "-", "-"}));
 }
 
 TEST(Results, CampaignWithoutBarriersDownslopeAndTrajectoriesIsStored) {
@@ -255,7 +290,8 @@ TEST(Results, FilesThatAreNoResultsAreNotReplaced) {
   const ScratchFolder folder;
   const fs::path target = folder / "campaign.toml", whole = folder / "r.h5";
   write_text_file(target, "[blocks]\n");
-  const std::string problem = "campaign.toml: is there already and no results file, so it is not";
+  const std::string problem =
+      "campaign.toml: is there already and holds \"text\", no \"clast results\", so it is not";
   EXPECT_TRUE(contains(refusal([&] { ResultsWriter::create(target, sample_header()); }), problem));
   EXPECT_TRUE(contains(refusal([&] { ResultsWriter::resume(target, sample_header()); }), problem));
   {

@@ -43,7 +43,6 @@ inline CampaignResults sample_header() {
   header.zone_names = {"blue", "gray"};
   header.ground = {{0.01, 0.7, 0.35}, {0.04, 0.3, 0.0}};
   header.ground_sets = {{"", 0, header.ground}, {"hard", 3, {{0.02, 0.6, 0.3}, {0.05, 0.2, 0.1}}}};
-  header.stiffness = {1e8, 2e8, 3e7, 2e-5};
   header.law = SpringDashpotLaw{};
   header.weights = ContactWeights::kOverlap;
   header.warnings = {"mind the gap"};
@@ -84,13 +83,29 @@ inline StoredRun sample_run(std::uint32_t number) {
   result.stop_reason = static_cast<StopReason>(number % 4);
   result.message = result.stop_reason == StopReason::kError ? "the sky fell (Gallien, -335)" : "";
   result.final_state = random_state(random);
-  for (double* value :
-       {&result.duration, &result.path_length, &result.max_speed, &result.max_penetration,
-        &result.settled_penetration, &result.energy.initial, &result.energy.final,
-        &result.energy.normal, &result.energy.friction, &result.energy.rolling,
-        &result.energy.reassigned, &result.energy.error, &run.record.contacts.contact_time,
-        &run.record.contacts.mean_points, &run.record.contacts.longest_flight,
-        &run.record.contacts.max_energy, &run.record.contacts.max_spin}) {
+  for (double* value : {&result.duration,
+                        &result.path_length,
+                        &result.max_speed,
+                        &result.max_penetration,
+                        &result.settled_penetration,
+                        &result.energy.initial,
+                        &result.energy.final,
+                        &result.energy.normal,
+                        &result.energy.friction,
+                        &result.energy.rolling,
+                        &result.energy.reassigned,
+                        &result.energy.error,
+                        &run.record.contacts.contact_time,
+                        &run.record.contacts.mean_points,
+                        &run.record.contacts.longest_flight,
+                        &run.record.contacts.max_energy,
+                        &run.record.contacts.max_spin,
+                        &run.record.stiffness.normal,
+                        &run.record.stiffness.tangential,
+                        &run.record.stiffness.rolling,
+                        &run.record.stiffness.time_step,
+                        &run.record.rest_depth,
+                        &run.record.impact_depth}) {
     *value = random.normal();
   }
   result.below_ground = number % 3 == 0;

@@ -208,11 +208,11 @@ TEST_F(CloudGround, OptionsOfCloudsAreRefusedWhenTheyAreNoneOrElsewhere) {
   const auto path = cloud("0 0 0\n");
   const auto refused_with = [&](const TerrainOptions& options) { return refusal(options); };
   EXPECT_TRUE(contains(refused_with({.surface = {path}, .percentile = 101.0}),
-                       "percentile = 101.000000; must be from 0 to 100"));
+                       "percentile = 101: must be 0 (the lowest point), or from 1e-06 to 100"));
   EXPECT_TRUE(contains(refused_with({.surface = {path}, .outliers = 0.0}),
-                       "outliers = 0.000000 m; must be more than 0"));
+                       "outliers = 0: must be from 1e-06 to 100000 m"));
   EXPECT_TRUE(contains(refused_with({.surface = {path}, .fill = -1.0}),
-                       "fill = -1.000000 m; must be 0 or more"));
+                       "fill = -1: must be 0 (none is filled), or from 1e-06 to 1e+06 m"));
   write_mesh(folder_ / "tin.ply", squares(3, 1.0, [](double, double) { return 0.0; }));
   EXPECT_TRUE(contains(refused_with({.surface = {folder_ / "tin.ply"}, .percentile = 0.0}),
                        "tin.ply: percentile and outliers are for clouds; leave them out"));

@@ -6,6 +6,8 @@
 #include "core/hdf5_file.hpp"
 #include "core/text_file.hpp"
 #include "terrain/terrain_file.hpp"
+#include "tests/support/flipped_bits.hpp"
+#include "tests/support/without_checksums.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
 namespace clast {
@@ -112,6 +114,33 @@ TEST_F(TerrainFile, DamageIsRefused) {
                        "holds no triangles"));
   write_text_file(folder_ / "u.h5", "not HDF5");
   EXPECT_TRUE(contains(refusal<Error>([&] { read_terrain_file(folder_ / "u.h5"); }), "u.h5"));
+}
+
+TEST_F(TerrainFile, NoFlippedBitIsReadAsAnotherNumber) {
+  write_terrain(folder_ / "t.h5", sample());
+  expect_no_flip_unnoticed(folder_ / "t.h5", 500, [&](const std::filesystem::path& file) {
+    write_terrain(folder_ / "again.h5", read_terrain_file(file));
+    return read_text_file(folder_ / "again.h5");
+  });
+}
+
+TEST_F(TerrainFile, OfVersionsWithoutChecksumsIsRead) {
+  write_terrain(folder_ / "t.h5", sample());
+  const std::string whole = read_text_file(folder_ / "t.h5");
+  remove_checksums(folder_ / "t.h5");
+  EXPECT_NE(read_text_file(folder_ / "t.h5"), whole);
+  write_terrain(folder_ / "again.h5", read_terrain_file(folder_ / "t.h5"));
+  EXPECT_EQ(read_text_file(folder_ / "again.h5"), whole);
+}
+
+TEST_F(TerrainFile, IsNotWrittenOverResultsOrALibrary) {
+  for (const char* format : {"clast results", "clast block library"}) {
+    Hdf5File::create(folder_ / "other.h5", format, 1);
+    const std::string before = read_text_file(folder_ / "other.h5");
+    EXPECT_TRUE(contains(refusal<Error>([&] { write_terrain(folder_ / "other.h5", sample()); }),
+                         std::string("other.h5: is there already and holds \"") + format + "\""));
+    EXPECT_EQ(read_text_file(folder_ / "other.h5"), before);
+  }
 }
 
 TEST_F(TerrainFile, MeshExportsAreOnTheMap) {

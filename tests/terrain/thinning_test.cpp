@@ -193,7 +193,7 @@ TEST_F(Thinning, TheSameBitsEveryTime) {
 TEST_F(Thinning, OptionsThatMakeNoSenseAreRefused) {
   write_mesh(folder_ / "ground.ply", squares(4, 1.0, hills));
   EXPECT_EQ(refusal(TerrainOptions{.surface = {folder_ / "ground.ply"}, .tolerance = 0.0}),
-            "tolerance = 0.000000 m; must be more than 0");
+            "tolerance = 0: must be from 1e-09 to 1000 m");
   write_terrain(folder_ / "ground.h5", read(squares(4, 1.0, hills)));
   EXPECT_TRUE(
       contains(refusal(TerrainOptions{.surface = {folder_ / "ground.h5"}, .tolerance = 0.1}),

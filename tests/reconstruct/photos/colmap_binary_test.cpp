@@ -3,62 +3,13 @@
 
 #include <cstring>
 
+#include "tests/reconstruct/photos/model_texts.hpp"
 #include "tests/reconstruct/photos/two_views.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
 namespace {
-
-template <class T>
-void put(std::string& bytes, T value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
-
-struct ColmapBinary {
-  std::string cameras, images, points;
-
-  explicit ColmapBinary(const TwoViews& views) {
-    put<std::uint64_t>(cameras, 1);
-    put<std::uint32_t>(cameras, 3);
-    put<std::int32_t>(cameras, 2);  // SIMPLE_RADIAL
-    put<std::uint64_t>(cameras, 1600);
-    put<std::uint64_t>(cameras, 1200);
-    for (const double value : {1500.0, 800.0, 600.0, -0.04}) put(cameras, value);
-    put<std::uint64_t>(images, 2);
-    for (int i = 0; i < 2; ++i) {
-      const Quat q(views.rotation[i]);
-      const Vec3 t = -(views.rotation[i] * views.centre[i]);
-      put<std::uint32_t>(images, static_cast<std::uint32_t>(7 - i));
-      for (const double value : {q.w(), q.x(), q.y(), q.z(), t.x(), t.y(), t.z()}) {
-        put(images, value);
-      }
-      put<std::uint32_t>(images, 3);
-      images += (i == 0 ? std::string("a.jpg") : std::string("b.jpg")) + '\0';
-      put<std::uint64_t>(images, 1);
-      put(images, 10.0);
-      put(images, 20.0);
-      put<std::int64_t>(images, 4);
-    }
-    put<std::uint64_t>(points, 1);
-    put<std::uint64_t>(points, 4);
-    for (const double value : {0.1, 0.2, 0.3}) put(points, value);
-    points += "rgb";
-    put(points, 0.5);
-    put<std::uint64_t>(points, 2);
-    for (const std::uint32_t photo : {7u, 6u}) {
-      put(points, photo);
-      put<std::uint32_t>(points, 0);
-    }
-  }
-  void write_to(const ScratchFolder& folder) const {
-    write_text_file(folder / "cameras.bin", cameras);
-    write_text_file(folder / "images.bin", images);
-    write_text_file(folder / "points3D.bin", points);
-  }
-};
 
 TEST(ColmapBinaryFiles, AreRead) {
   const TwoViews views;

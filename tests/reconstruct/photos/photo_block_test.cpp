@@ -25,9 +25,9 @@ TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
   for (const int axis : {0, 2}) EXPECT_LT(std::abs(rock_block.extents[axis]), 0.005) << axis;
   const Underside& underside = *rock_block.block.underside;
   EXPECT_LE(underside.lower_volume, rock_block.true_volume);
-  EXPECT_GE(underside.upper_volume, rock_block.true_volume);
+  EXPECT_GE(underside.upper_volume.value(), rock_block.true_volume);
   // 1.21 times the volume without what the photos looked through.
-  EXPECT_LE(underside.upper_volume, 1.16 * rock_block.true_volume);
+  EXPECT_LE(underside.upper_volume.value(), 1.16 * rock_block.true_volume);
 }
 
 TEST(PhotoBlock, WithoutAScaleItIsRefusedUnlessThatIsAllowed) {

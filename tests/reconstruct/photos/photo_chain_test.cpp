@@ -26,7 +26,7 @@ TEST(PhotoChain, TheRenderedRockIsPlacedScaledAndMeasured) {
   for (const int axis : {0, 2}) EXPECT_LT(std::abs(rock.extents[axis]), 0.005) << axis;
   const Underside& underside = *rock.block.underside;
   EXPECT_LE(underside.lower_volume, rock.true_volume);
-  EXPECT_GE(underside.upper_volume, rock.true_volume);
+  EXPECT_GE(underside.upper_volume.value(), rock.true_volume);
 }
 
 TEST(PhotoChain, TheRealBouldersPhotosGiveAClosedBlockWithoutAScale) {

@@ -1,0 +1,17 @@
+#pragma once
+/// What a file is, so that no output takes the place of something else.
+#include <filesystem>
+#include <string>
+
+namespace clast {
+
+/// What the file is by its content: the format of an HDF5 file that clast wrote ("clast terrain"),
+/// else "HDF5", "PNG", "SVG", "HTML", "TIFF", "SQLite" (GeoPackages), "glTF", "PLY", "STL", "VTK",
+/// "text" or "binary". Empty when there is no such file, or nothing in it.
+std::string kind_of_file(const std::filesystem::path& path);
+
+/// What a file of this name is when clast writes it, by the extension and in the words of
+/// `kind_of_file`. HDF5 files are named by their format alone.
+std::string kind_by_name(const std::filesystem::path& path);
+
+}  // namespace clast

@@ -1,0 +1,91 @@
+#include "core/file_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <thread>
+
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenTries{20};
+
+int opened(const fs::path& file, int flags) {
+  int descriptor = -1;
+  do {
+    descriptor = ::open(file.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0666);
+  } while (descriptor < 0 && errno == EINTR);
+  return descriptor;
+}
+
+/// Whether the open file is still the one with that name. Opened anew, since network file systems
+/// answer that from the server, and what they know of names from memory.
+bool is_still(const fs::path& file, int descriptor) {
+  const int now = opened(file, O_RDWR);
+  if (now < 0) return false;
+  struct stat mine {
+  }, named{};
+  const bool same = ::fstat(descriptor, &mine) == 0 && ::fstat(now, &named) == 0 &&
+                    mine.st_dev == named.st_dev && mine.st_ino == named.st_ino;
+  ::close(now);
+  return same;
+}
+
+}  // namespace
+
+fs::path FileLock::lock_file(const fs::path& target) {
+  const fs::path linked = linked_target(target);
+  return linked.parent_path() / ("." + linked.filename().string() + ".lock");
+}
+
+FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
+    : file_(lock_file(target)) {
+  std::error_code code;
+  if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), code);
+  const auto begin = std::chrono::steady_clock::now();
+  bool said = false;
+  while (true) {
+    descriptor_ = opened(file_, O_RDWR | O_CREAT);
+    if (descriptor_ < 0) {
+      throw InputError(file_.string() + ": can't be made (" + std::strerror(errno) + "), so " +
+                       target.string() +
+                       " can't be locked and written; check the permissions of the folder");
+    }
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+      if (is_still(file_, descriptor_)) return;
+    } else if (errno != EWOULDBLOCK && errno != EINTR) {
+      const std::string reason = std::strerror(errno);
+      ::close(descriptor_);
+      throw InputError(file_.string() + ": can't be locked (" + reason + "), so " +
+                       target.string() + " is not written; name a place on another disk");
+    }
+    ::close(descriptor_);
+    if (std::chrono::steady_clock::now() - begin > options.longest_wait) {
+      throw InputError(target.string() + ": another program has been writing to it for " +
+                       std::to_string(options.longest_wait.count() / 1000) +
+                       " s; wait for it, or end it, and try again");
+    }
+    if (!said && options.waiting) options.waiting();
+    said = true;
+    std::this_thread::sleep_for(kBetweenTries);
+  }
+}
+
+FileLock::~FileLock() {
+  std::error_code ignored;
+  fs::remove(file_, ignored);
+  ::close(descriptor_);
+}
+
+}  // namespace clast

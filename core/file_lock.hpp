@@ -1,0 +1,42 @@
+#pragma once
+/// One process at a time for what is read, changed and written back.
+#include <chrono>
+#include <filesystem>
+#include <functional>
+
+namespace clast {
+
+struct FileLockOptions {
+  std::chrono::milliseconds longest_wait = std::chrono::minutes(5);
+  /// Called once, when another process has the lock.
+  std::function<void()> waiting = {};
+};
+
+/// Holds, until it ends, the lock on `target`: an exclusive flock(2) on ".NAME.lock" beside it. The
+/// target itself can't carry it, since it is replaced by a rename. The kernel gives the lock back
+/// when a process ends in whatever way.
+///
+/// The lock file is removed by whoever holds the lock, so that none is left but by a kill, where it
+/// does no harm. A process that had it open meanwhile finds that the file with that name is another
+/// one, and asks for the lock on that one. On network file systems this holds as far as flock does
+/// (NFS on Linux: between machines too). Links are followed, so that a library has one lock by
+/// whatever name. Threads of one process lock each other out as processes do.
+class FileLock {
+ public:
+  /// Makes missing parent folders.
+  /// @throws InputError  not had within `longest_wait`; or the lock file can't be made, where the
+  ///                     target could not be written either
+  explicit FileLock(const std::filesystem::path& target, const FileLockOptions& options = {});
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+  /// Where the lock of a file is.
+  static std::filesystem::path lock_file(const std::filesystem::path& target);
+
+ private:
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+};
+
+}  // namespace clast

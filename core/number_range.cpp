@@ -1,0 +1,18 @@
+#include "core/number_range.hpp"
+
+#include "core/number_text.hpp"
+
+namespace clast {
+
+bool NumberRange::holds(double value) const {
+  return (value >= low && value <= high) || (zero && value == 0.0);
+}
+
+std::string NumberRange::words() const {
+  std::string text;
+  if (zero) text = *zero ? "0 (" + std::string(zero) + "), or " : "0, or ";
+  text += "from " + with_digits(low, 6) + " to " + with_digits(high, 6);
+  return *unit ? text + " " + unit : text;
+}
+
+}  // namespace clast

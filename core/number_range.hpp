@@ -1,0 +1,20 @@
+#pragma once
+/// What a number from a file or an option must be to make sense.
+#include <string>
+
+namespace clast {
+
+/// Both ends belong to the range. Values between 0 and `low` are refused also where 0 itself is
+/// allowed: 1e-300 is a slip of the keyboard, not a small number.
+struct NumberRange {
+  double low;
+  double high;
+  const char* unit = "";       ///< empty: a pure number
+  const char* zero = nullptr;  ///< what 0 means where it is allowed below `low`; "" says no more
+
+  bool holds(double value) const;  ///< false of NaN too
+  /// "from 0.01 to 1000 m/s^2", "0 (none), or from 1e-06 to 100 m".
+  std::string words() const;
+};
+
+}  // namespace clast

@@ -1,0 +1,129 @@
+#include "core/number_table.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "core/delimited_text.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/text_file.hpp"
+
+namespace clast {
+namespace {
+
+bool holds_a_number(std::string_view line) {
+  constexpr std::string_view kSeparators = " \t,;";
+  while (true) {
+    const std::size_t begin = line.find_first_not_of(kSeparators);
+    if (begin == std::string_view::npos) return false;
+    line.remove_prefix(begin);
+    const std::size_t length = std::min(line.find_first_of(kSeparators), line.size());
+    if (number_in(line.substr(0, length))) return true;
+    line.remove_prefix(length);
+  }
+}
+
+/// Of the first line with a number: a heading in words may have commas of its own. Numbers hold no
+/// blanks, so blanks and tabs separate alike unless the first row names columns between tabs.
+char separator_of_numbers(std::string_view text) {
+  bool heading_has_tabs = false;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    line = line.substr(0, line.find('#'));
+    at = end + 1;
+    if (!holds_a_number(line)) {
+      heading_has_tabs = heading_has_tabs || line.find('\t') != std::string_view::npos;
+      continue;
+    }
+    const char separator = separator_of(line);
+    return separator == '\t' && !heading_has_tabs ? ' ' : separator;
+  }
+  return ' ';
+}
+
+/// "X_m" is the column x.
+std::string column_name(std::string_view field) {
+  std::string name;
+  for (const char c : field) {
+    name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  if (name.ends_with("_m")) name.resize(name.size() - 2);
+  return name;
+}
+
+/// Columns of `names` in a heading; none where it does not have each of them.
+std::optional<std::vector<std::size_t>> named_columns(
+    const Record& heading, const std::vector<std::vector<std::string>>& names) {
+  std::vector<std::size_t> columns;
+  for (const std::vector<std::string>& alike : names) {
+    const auto field =
+        std::find_if(heading.fields.begin(), heading.fields.end(), [&](std::string_view text) {
+          return std::find(alike.begin(), alike.end(), column_name(text)) != alike.end();
+        });
+    if (field == heading.fields.end()) return std::nullopt;
+    columns.push_back(static_cast<std::size_t>(field - heading.fields.begin()));
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<NumberRow> read_number_table(const std::filesystem::path& file,
+                                         const NumberTable& table) {
+  const std::string name = file.string();
+  const TableText content = table_text(read_text_file(file), name);
+  DelimitedText text(content.text, name,
+                     {.separator = separator_of_numbers(content.text),
+                      .remarks_in_rows = true,
+                      .free_heading = true});
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < table.names.size(); ++i) columns.push_back(i);
+  std::size_t fields = columns.size();
+  std::vector<NumberRow> rows;
+  Record record;
+  for (std::size_t row = 0; text.next(record); ++row) {
+    const auto refuse = [&](const std::string& problem) {
+      throw InputError(name + ":" + std::to_string(record.line) + ": " + problem +
+                       "; a line must be " + table.meaning);
+    };
+    const auto number = [&](std::string_view field) {
+      return number_in_field(field, text.separator());
+    };
+    if (row == 0 && std::none_of(record.fields.begin(), record.fields.end(),
+                                 [&](std::string_view field) { return number(field); })) {
+      if (const auto named = named_columns(record, table.names)) {
+        columns = *named;
+        fields = record.fields.size();
+      }
+      continue;
+    }
+    if (record.fields.size() != fields) {
+      refuse(std::to_string(record.fields.size()) +
+             (record.fields.size() == 1 ? " number" : " numbers") +
+             (text.separator() == ',' ? "; " + std::string(kDecimalCommaAdvice) : ""));
+    }
+    NumberRow& read = rows.emplace_back(NumberRow{record.line, {}});
+    for (const std::size_t column : columns) {
+      const std::string_view field = record.fields[column];
+      const std::optional<double> value = number(field);
+      if (!value) {
+        refuse("\"" + std::string(field.substr(0, 40)) + "\" is not a number" +
+               (is_doubtful_number(field, text.separator())
+                    ? "; " + std::string(kDecimalCommaAdvice)
+                    : ""));
+      }
+      if (!table.range.holds(*value)) {
+        refuse(std::string(field) + " is not a number " + table.range.words());
+      }
+      read.values.push_back(*value);
+    }
+  }
+  if (rows.empty()) {
+    throw InputError(name + ": holds no line with numbers; each line must be " + table.meaning);
+  }
+  return rows;
+}
+
+}  // namespace clast

@@ -1,0 +1,24 @@
+#pragma once
+/// What the numbers of a block can be: for options, campaign files and command lines. From a grain
+/// of sand to a slice of a mountain; a number outside is a slip or in other units.
+#include "core/number_range.hpp"
+
+namespace clast {
+
+inline constexpr NumberRange kBlockLength{1e-4, 1e3, "m"};
+inline constexpr NumberRange kBlockVolume{1e-12, 1e9, "m^3"};
+inline constexpr NumberRange kBlockMass{1e-9, 1e13, "kg"};
+/// Pumice floats, iron meteorites have 7900 kg/m^3; other bodies are allowed for.
+inline constexpr NumberRange kBlockDensity{1.0, 1e5, "kg/m^3"};
+inline constexpr NumberRange kMinkowskiRadius{1e-9, 1e3, "m", "sharp edges"};
+inline constexpr NumberRange kRadiusShare{1e-6, 0.25, "of S", "sharp edges"};
+inline constexpr NumberRange kMassAccuracy{1e-6, 1e-2};
+inline constexpr NumberRange kScanTolerance{1e-6, 1.0, "of L"};
+/// What taped axes are known to.
+inline constexpr NumberRange kAxisError{1e-9, 1e3, "m", "exact"};
+/// Metres in one unit of a scan or table.
+inline constexpr NumberRange kLengthUnit{1e-12, 1e6, "m"};
+/// On all lengths of a scan.
+inline constexpr NumberRange kScaleFactor{1e-9, 1e9};
+
+}  // namespace clast

@@ -1,0 +1,94 @@
+#include "library/detail/block_checks.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "library/detail/hdf5_records.hpp"
+#include "massprops/sphero.hpp"
+
+namespace clast::detail {
+
+namespace {
+
+/// Relative; far above the rounding of any of these numbers and far below what anyone measures.
+constexpr double kRounding = 1e-6;
+
+std::string number(double value) { return with_digits(value, 9); }
+
+void require_equal(double stored, double expected, double tolerance, const std::string& what,
+                   const std::string& where) {
+  require(std::abs(stored - expected) <= tolerance * std::abs(expected), where,
+          what + " is " + number(stored) + " where " + number(expected) + " follows from the rest");
+}
+
+void check_moments(const Block& block, const std::string& where) {
+  const Vec3& moments = block.principal.moments;
+  const double slack = (kRounding + 2.0 * block.mass.relative_error) * moments[2];
+  require(moments[0] > 0.0 && moments[0] <= moments[1] && moments[1] <= moments[2], where,
+          "principal_moments are not positive and in rising order");
+  require(moments[0] + moments[1] + slack >= moments[2], where,
+          "principal_moments are those of no solid: the largest is more than the others together");
+  // Between nearly equal moments the axes follow a convention.
+  const Mat3 turn = block.principal.rotation.toRotationMatrix();
+  const Mat3 along = turn.transpose() * block.mass.inertia * turn;
+  const Mat3 off = along - Mat3(moments.asDiagonal());
+  require(off.cwiseAbs().maxCoeff() <= 10.0 * slack + kRounding * moments[2], where,
+          "inertia is not that of principal_moments and source_from_body");
+}
+
+void check_box(const Block& block, const std::string& where) {
+  const OrientedBox& box = block.box;
+  require((box.axes.transpose() * box.axes - Mat3::Identity()).cwiseAbs().maxCoeff() < kRounding,
+          where, "box_axes are no directions at right angles");
+  require(
+      box.lengths[0] >= box.lengths[1] && box.lengths[1] >= box.lengths[2] && box.lengths[2] > 0.0,
+      where, "box_lengths are not positive and in falling order");
+  Vec3 reach = Vec3::Zero();
+  for (const Vec3& vertex : block.body.vertices) {
+    reach = reach.cwiseMax((box.axes.transpose() * (vertex - box.centre)).cwiseAbs());
+  }
+  const Vec3 sides = 2.0 * (reach + Vec3::Constant(block.body.radius));
+  const double slack = kRounding * (box.lengths[0] + kRounding * box.centre.norm());
+  require((sides - box.lengths).cwiseAbs().maxCoeff() <= slack, where,
+          "the box is not around the core: its sides are " + number(box.lengths[0]) + ", " +
+              number(box.lengths[1]) + ", " + number(box.lengths[2]) +
+              " m, the core with its radius takes " + number(sides[0]) + ", " + number(sides[1]) +
+              ", " + number(sides[2]) + " m");
+}
+
+/// Of a convex core, by the closed form; none of others, whose integration takes long.
+std::optional<MassProperties> exact_properties(const Block& block) {
+  if (block.mass.relative_error > 0.0) return std::nullopt;
+  try {
+    return convex_sphero_mass_properties(block.body, block.density);
+  } catch (const GeometryError&) {  // not convex
+    return std::nullopt;
+  }
+}
+
+void check_volume(const Block& block, const std::string& where) {
+  require(block.mass.volume <= (1.0 + kRounding) * block.box.volume(), where,
+          "volume_m3 is " + number(block.mass.volume) + ", more than the box holds, " +
+              number(block.box.volume()));
+  const std::optional<MassProperties> exact = exact_properties(block);
+  if (!exact) return;
+  require_equal(block.mass.volume, exact->volume, kRounding, "volume_m3", where);
+  require_equal(block.mass.inertia.trace(), exact->inertia.trace(), kRounding,
+                "the trace of inertia", where);
+  const double slack = kRounding * (block.box.lengths[0] + kRounding * exact->centre.norm());
+  require((block.mass.centre - exact->centre).norm() <= slack, where,
+          "centre is not that of the core");
+}
+
+}  // namespace
+
+void check_agreement(const Block& block, const std::string& where) {
+  require_equal(block.mass.mass, block.density * block.mass.volume, kRounding, "mass_kg", where);
+  check_moments(block, where);
+  check_box(block, where);
+  check_volume(block, where);
+}
+
+}  // namespace clast::detail

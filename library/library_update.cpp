@@ -1,0 +1,22 @@
+#include "library/library_update.hpp"
+
+#include "core/file_lock.hpp"
+#include "core/output_file.hpp"
+
+namespace clast {
+
+BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdate& options,
+                            const std::function<void(BlockLibrary&)>& change) {
+  const FileLock lock(path, {.waiting = options.waiting});
+  const bool there = !options.make || std::filesystem::exists(path);
+  BlockLibrary library = there ? BlockLibrary::read(path) : BlockLibrary();
+  change(library);
+  library.write(path);
+  return library;
+}
+
+void check_library_place(const std::filesystem::path& path) {
+  check_output(path, {.kind = kLibraryFormat});
+}
+
+}  // namespace clast

@@ -1,0 +1,29 @@
+#pragma once
+/// Changing a library file that others may be changing too.
+#include <filesystem>
+#include <functional>
+
+#include "library/block_library.hpp"
+
+namespace clast {
+
+struct LibraryUpdate {
+  /// Begins with an empty library where there is none.
+  bool make = false;
+  /// Called once when another process is writing to the library.
+  std::function<void()> waiting = {};
+};
+
+/// Locks the library (core/file_lock.hpp), reads it, lets `change` change it, writes it whole and
+/// lets go. What others wrote meanwhile is in what `change` is given, so nothing of it is lost.
+/// @return what was written
+/// @throws InputError  as `BlockLibrary::read`, `BlockLibrary::write` and `FileLock`, and whatever
+///                     `change` throws: the file is then as it was
+BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdate& options,
+                            const std::function<void(BlockLibrary&)>& change);
+
+/// That `update_library` could write there, before the work that it is for.
+/// @throws InputError  it could not, or what is there is no library
+void check_library_place(const std::filesystem::path& path);
+
+}  // namespace clast

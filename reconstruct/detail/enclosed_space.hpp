@@ -1,0 +1,26 @@
+#pragma once
+/// The space between a film and planes behind it.
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reconstruct/underside.hpp"
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+/// What may lie behind a film, seen from a place within the body.
+struct EnclosedSpace {
+  double volume = 0.0;       ///< between film and planes, m^3
+  std::vector<Vec3> places;  ///< on the planes, behind the film, its corners among them
+};
+
+/// @param closed  the film's triangles are from `first` on
+/// @param centre  a place within all half-spaces n . p <= d from which the film is seen
+/// @returns none where a way through the film leads farther than `farthest` times as far as to it
+std::optional<EnclosedSpace> enclosed_space(const TriangleMesh& closed, std::size_t first,
+                                            const Vec3& centre, std::span<const Plane> planes,
+                                            double farthest);
+
+}  // namespace clast::detail

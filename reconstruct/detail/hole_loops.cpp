@@ -1,0 +1,232 @@
+#include "reconstruct/detail/hole_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/types.hpp"
+#include "reconstruct/detail/soup.hpp"
+#include "shapes/detail/half_edges.hpp"
+#include "shapes/mesh_topology.hpp"
+
+namespace clast::detail {
+
+namespace {
+
+using Triangle = TriangleMesh::Triangle;
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+/// Fans of one sheet may overlap by this much around a vertex of a rough surface, rad.
+constexpr double kOverlap = 0.35;
+
+Vec3 doubled_area(const TriangleMesh& mesh, const Triangle& t) {
+  return (mesh.vertices[t[1]] - mesh.vertices[t[0]])
+      .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
+}
+
+/// A border side, as the triangle beside it runs, and the fans of that triangle at both its ends.
+struct BorderSide {
+  std::uint32_t from, to;
+  std::uint32_t fan_from, fan_to;
+};
+
+std::vector<BorderSide> border_sides(const TriangleMesh& mesh, std::span<const HalfEdge> sorted,
+                                     const std::vector<std::uint32_t>& fans) {
+  const auto fan_at = [&](std::uint32_t triangle, std::uint32_t vertex) {
+    const Triangle& t = mesh.triangles[triangle];
+    return fans[3 * triangle + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u)];
+  };
+  std::vector<BorderSide> sides;
+  for_each_edge(sorted, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() != 1) return;
+    const HalfEdge& side = edge[0];
+    sides.push_back({side.from(), side.to(), fan_at(side.triangle, side.from()),
+                     fan_at(side.triangle, side.to())});
+  });
+  return sides;
+}
+
+/// An open fan at a vertex: counted from `starts` against the clock up to `ends`, both numbers of
+/// border sides, the first of which leaves the vertex and the second comes to it.
+struct OpenFan {
+  std::uint32_t fan = 0;
+  std::uint32_t starts = kNone, ends = kNone;
+  Vec3 normal = Vec3::Zero();  ///< doubled area of its triangles
+  double from = 0.0, extent = 0.0;
+};
+
+/// The fans at one vertex in the order in which they stand around it; empty when they overlap.
+std::vector<OpenFan> in_order(const TriangleMesh& mesh, std::uint32_t vertex,
+                              std::vector<OpenFan> fans, const std::vector<BorderSide>& sides,
+                              const std::vector<std::vector<std::uint32_t>>& triangles_of) {
+  Vec3 normal = Vec3::Zero();
+  for (const OpenFan& fan : fans) normal += fan.normal;
+  if (!(normal.norm() > 0.0)) return {};
+  normal.normalize();
+  const Vec3& middle = mesh.vertices[vertex];
+  Vec3 x = mesh.vertices[sides[fans[0].starts].to] - middle;
+  x -= x.dot(normal) * normal;
+  if (!(x.norm() > 0.0)) return {};
+  x.normalize();
+  const Vec3 y = normal.cross(x);
+  const auto angle_to = [&](std::uint32_t v) {
+    const Vec3 to = mesh.vertices[v] - middle;
+    return std::atan2(to.dot(y), to.dot(x));
+  };
+  for (std::size_t i = 0; i < fans.size(); ++i) {
+    fans[i].from = angle_to(sides[fans[i].starts].to);
+    if (fans[i].from < 0.0) fans[i].from += 2.0 * kPi;
+    for (const std::uint32_t t : triangles_of[i]) {
+      const Triangle& corners = mesh.triangles[t];
+      const int k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+      double turn = angle_to(corners[(k + 2) % 3]) - angle_to(corners[(k + 1) % 3]);
+      if (turn < -kPi) turn += 2.0 * kPi;
+      if (turn > kPi) turn -= 2.0 * kPi;
+      fans[i].extent += turn;
+    }
+    if (fans[i].extent <= 0.0) return {};
+  }
+  std::sort(fans.begin(), fans.end(),
+            [](const OpenFan& a, const OpenFan& b) { return a.from < b.from; });
+  for (std::size_t i = 0; i < fans.size(); ++i) {
+    const double next = i + 1 < fans.size() ? fans[i + 1].from : fans[0].from + 2.0 * kPi;
+    if (fans[i].from + fans[i].extent > next + kOverlap) return {};
+  }
+  return fans;
+}
+
+/// For every border side that leaves its first vertex the side that a border goes on with: the one
+/// at the end of the fan before it, seen around the vertex.
+std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector<BorderSide>& sides,
+                                     const std::vector<std::uint32_t>& fans) {
+  std::vector<std::uint32_t> follower(sides.size(), kNone);
+  // Sides by vertex and fan: those that leave it, and those that come to it.
+  std::vector<OpenFan> open;
+  std::vector<std::array<std::uint32_t, 3>> ends;  // vertex, fan, side; comes: side + count
+  const auto count = static_cast<std::uint32_t>(sides.size());
+  for (std::uint32_t s = 0; s < count; ++s) {
+    ends.push_back({sides[s].from, sides[s].fan_from, s});
+    ends.push_back({sides[s].to, sides[s].fan_to, s + count});
+  }
+  std::sort(ends.begin(), ends.end());
+  // Corners of fans at vertices that have more than one.
+  std::vector<std::vector<std::uint32_t>> triangles_of_fan;
+  std::vector<std::uint32_t> number(fans.size(), kNone);
+  for (std::size_t begin = 0; begin < ends.size();) {
+    std::size_t end = begin;
+    while (end < ends.size() && ends[end][0] == ends[begin][0]) ++end;
+    if (end - begin > 2) {
+      for (std::size_t i = begin; i < end; ++i) number[ends[i][1]] = 0;
+    }
+    begin = end;
+  }
+  for (std::uint32_t& n : number) {
+    if (n == kNone) continue;
+    n = static_cast<std::uint32_t>(triangles_of_fan.size());
+    triangles_of_fan.emplace_back();
+  }
+  for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+    if (number[fans[corner]] != kNone) triangles_of_fan[number[fans[corner]]].push_back(corner / 3);
+  }
+  for (std::size_t begin = 0; begin < ends.size();) {
+    std::size_t end = begin;
+    std::vector<OpenFan> here;
+    for (; end < ends.size() && ends[end][0] == ends[begin][0]; ++end) {
+      if (here.empty() || here.back().fan != ends[end][1]) here.push_back({ends[end][1]});
+      const std::uint32_t side = ends[end][2];
+      (side < count ? here.back().starts : here.back().ends) = side < count ? side : side - count;
+    }
+    begin = end;
+    const std::uint32_t vertex = ends[end - 1][0];
+    std::erase_if(here, [](const OpenFan& f) { return f.starts == kNone || f.ends == kNone; });
+    for (const OpenFan& fan : here) follower[fan.starts] = fan.ends;
+    if (here.size() < 2) continue;
+    std::vector<std::vector<std::uint32_t>> triangles;
+    for (OpenFan& fan : here) {
+      triangles.push_back(triangles_of_fan[number[fan.fan]]);
+      for (const std::uint32_t t : triangles.back()) {
+        fan.normal += doubled_area(mesh, mesh.triangles[t]);
+      }
+    }
+    const std::vector<OpenFan> around = in_order(mesh, vertex, here, sides, triangles);
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      follower[around[(i + 1) % around.size()].starts] = around[i].ends;
+    }
+  }
+  return follower;
+}
+
+}  // namespace
+
+std::size_t turn_hanging_scraps(TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> component = triangle_components(mesh);
+  const std::uint32_t count =
+      component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
+  if (count < 2) return 0;
+  std::vector<double> area(count, 0.0);
+  std::vector<Vec3> normal(mesh.triangles.size());
+  std::vector<std::vector<std::uint32_t>> of_component(count), at_vertex(mesh.vertices.size());
+  for (std::uint32_t t = 0; t < component.size(); ++t) {
+    normal[t] = doubled_area(mesh, mesh.triangles[t]);
+    area[component[t]] += normal[t].norm();
+    of_component[component[t]].push_back(t);
+    for (const std::uint32_t v : mesh.triangles[t]) at_vertex[v].push_back(t);
+  }
+  const auto largest =
+      static_cast<std::uint32_t>(std::max_element(area.begin(), area.end()) - area.begin());
+  std::vector<bool> open(count, false), settled(count, false), waiting(count, false);
+  for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
+    if (sides.size() == 1) open[component[sides[0].triangle]] = true;
+  });
+  std::vector<std::uint32_t> queue = {largest};
+  waiting[largest] = true;
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const std::uint32_t here = queue[i];
+    double agreement = 0.0;
+    std::vector<std::uint32_t> next;
+    for (const std::uint32_t t : of_component[here]) {
+      for (const std::uint32_t v : mesh.triangles[t]) {
+        for (const std::uint32_t other : at_vertex[v]) {
+          const std::uint32_t there = component[other];
+          if (there == here) continue;
+          if (settled[there]) agreement += normal[t].dot(normal[other]);
+          if (!waiting[there]) next.push_back(there);
+        }
+      }
+    }
+    settled[here] = true;
+    for (const std::uint32_t there : next) {
+      if (waiting[there]) continue;
+      waiting[there] = true;
+      queue.push_back(there);
+    }
+    if (agreement >= 0.0 || !open[here]) continue;
+    for (const std::uint32_t t : of_component[here]) {
+      std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+      normal[t] = -normal[t];
+      ++turned;
+    }
+  }
+  return turned;
+}
+
+std::vector<std::vector<std::uint32_t>> hole_loops(const TriangleMesh& mesh) {
+  const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
+  const std::vector<std::uint32_t> fans = corner_fans(mesh, sorted);
+  const std::vector<BorderSide> sides = border_sides(mesh, sorted, fans);
+  const std::vector<std::uint32_t> follower = followers(mesh, sides, fans);
+  std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<bool> used(sides.size(), false);
+  for (std::uint32_t first = 0; first < sides.size(); ++first) {
+    if (used[first]) continue;
+    loops.emplace_back();
+    for (std::uint32_t side = first; side != kNone && !used[side]; side = follower[side]) {
+      used[side] = true;
+      loops.back().push_back(sides[side].to);  // against the triangle, from `to` to `from`
+    }
+  }
+  return loops;
+}
+
+}  // namespace clast::detail

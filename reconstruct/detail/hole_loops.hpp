@@ -1,0 +1,25 @@
+#pragma once
+/// The borders of the holes of a torn sheet, also where scraps of it hang together at corners only.
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+/// Turns scraps that hang on the rest at single vertices and face the other way there than most of
+/// what they hang on. Returns the number of triangles that were turned.
+/// @param mesh  no edge of more than two triangles, neighbours over edges agree
+std::size_t turn_hanging_scraps(TriangleMesh& mesh);
+
+/// The border of each hole, in the direction that a filling triangle needs.
+///
+/// Where the fans of a vertex stand beside one another around it, as what is left of a torn sheet
+/// does, a border runs across the gap from one fan to the next. So a loop goes round triangles that
+/// are missing beside each other, and may pass a vertex more than once. Where fans overlap, two
+/// sheets touch: there a border stays with its fan, as if the vertex was split.
+/// @param mesh  no edge of more than two triangles, neighbours over edges agree
+std::vector<std::vector<std::uint32_t>> hole_loops(const TriangleMesh& mesh);
+
+}  // namespace clast::detail

@@ -1,0 +1,51 @@
+#pragma once
+/// Triangles across a small loop, between its own corners.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "shapes/triangle_mesh.hpp"
+
+namespace clast::detail {
+
+/// How a loop was filled, and how differently it could have been.
+struct LoopFilling {
+  std::vector<TriangleMesh::Triangle> triangles;
+  double area = 0.0;  ///< m^2
+  /// How much less and more the mesh would enclose with the triangulations that lie lowest and
+  /// highest, or under the planes that its neighbours lie in, m^3; both at least 0.
+  double volume_below = 0.0, volume_above = 0.0;
+};
+
+/// Vertices of an edge, the smaller number first.
+using EdgeKey = std::array<std::uint32_t, 2>;
+
+inline EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
+  return a < b ? EdgeKey{a, b} : EdgeKey{b, a};
+}
+
+/// Of all triangulations of `loop` that make no edge of `edges` again the one that bends least: the
+/// sum of bend times length over its edges and those of the loop, with the triangles beyond them.
+/// No vertex is added, none moves. Cubic in the length of the loop.
+/// @param loop     may pass a vertex more than once
+/// @param normals  of the triangle beyond side i, from corner i to corner i + 1; unit
+/// @param edges    all edges of the mesh
+/// @returns none where every triangulation makes an edge again
+/// @cite liepa2003
+std::optional<LoopFilling> filled_loop(const TriangleMesh& mesh,
+                                       std::span<const std::uint32_t> loop,
+                                       std::span<const Vec3> normals,
+                                       const std::set<EdgeKey>& edges);
+
+/// Volumes (m^3) under and over a flat filling of a loop, of the cones up to where the planes
+/// beyond its sides pass its middle: a convex surface stays within the upper one. The mean over the
+/// sides of those that fall, and of those that rise; no cone is higher than the loop is wide.
+struct TangentCones {
+  double below = 0.0, above = 0.0;
+};
+TangentCones tangent_cones(std::span<const Vec3> border, std::span<const Vec3> normals);
+
+}  // namespace clast::detail

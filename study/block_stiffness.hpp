@@ -1,0 +1,45 @@
+#pragma once
+/// How stiff the contacts of each block are, over its runs.
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "study/results.hpp"
+
+namespace clast {
+
+/// Smallest and largest of some values; `low` above `high` where there is none.
+struct ValueRange {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double value);  ///< not a number is none
+  bool empty() const { return low > high; }
+};
+
+/// One quantity of `BlockStiffness`.
+struct StiffnessValue {
+  std::string name;     ///< as the column of /runs: "stiffness_n_m"
+  std::string heading;  ///< "k_n, N/m"
+  ValueRange range;     ///< over the runs of the block
+};
+
+/// What the runs of a block have. They differ where its ground differs from member to member of an
+/// ensemble, and where the fall from one release point could end faster than "auto" allows for.
+struct BlockStiffness {
+  std::string block;
+  std::size_t runs = 0;
+  std::vector<StiffnessValue> values;  ///< k_n, k_t, k_r, time step, rest depth, impact depth
+};
+
+/// Every block, in order; one without runs has empty ranges.
+std::vector<BlockStiffness> stiffness_by_block(std::span<const BlockSummary> blocks,
+                                               std::span<const RunRecord> runs);
+/// Of the runs of all of them, as if they were one block's.
+BlockStiffness over_all(std::span<const BlockStiffness> blocks);
+
+/// The quantities as text, in order: "9.52e+07", "2.1e+06 to 3.4e+06", or "-" for none.
+std::vector<std::string> stiffness_cells(const BlockStiffness& block);
+
+}  // namespace clast

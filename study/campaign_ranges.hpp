@@ -1,0 +1,39 @@
+#pragma once
+/// What the numbers of a campaign can be, apart from those of its ground and its blocks. Wide
+/// enough for pebbles in a laboratory, other planets and slides of mountains; what lies outside is
+/// a slip of the keyboard, or in other units.
+#include "library/block_ranges.hpp"
+#include "terrain/terrain_ranges.hpp"
+
+namespace clast {
+
+// [ground.NAME]
+inline constexpr NumberRange kEnergyRestitution{1e-6, 1.0};
+/// A coefficient: 100 is the tangent of 89.4 degrees.
+inline constexpr NumberRange kFriction{1e-6, 100.0, "", ""};
+
+// [blocks] draw shares, and laws of uncertain numbers
+inline constexpr NumberRange kClassShare{1e-6, 1.0, "", ""};
+/// Of the natural logarithm: at 5 every third draw is 150 times more or less than the median.
+inline constexpr NumberRange kLogSigma{1e-9, 5.0};
+
+// [release]
+inline constexpr NumberRange kDropHeight{1e-6, 1e4, "m", "on the ground"};
+
+// [contact]
+inline constexpr NumberRange kStiffness{1e-3, 1e15, "N/m"};
+inline constexpr NumberRange kRollingStiffness{1e-9, 1e15, "N m/rad"};
+inline constexpr NumberRange kTimeStep{1e-9, 1.0, "s"};
+
+// [run]
+inline constexpr NumberRange kRunTime{1e-3, 1e5, "s"};
+inline constexpr NumberRange kRestEnergy{1e-12, 1e3, "J/kg"};
+inline constexpr NumberRange kRestDuration{1e-6, 1e4, "s"};
+inline constexpr NumberRange kGravity{1e-2, 1e3, "m/s^2"};
+/// As short as a time step, so that no more can be seen, while storage goes with its inverse.
+inline constexpr NumberRange kTrajectoryInterval{1e-4, 1e5, "s", "none is stored"};
+/// The vector `downslope`: its components and its length.
+inline constexpr NumberRange kDirectionComponent{-1e6, 1e6};
+inline constexpr NumberRange kDirectionLength{1e-6, 1e6};
+
+}  // namespace clast

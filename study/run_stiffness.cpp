@@ -1,0 +1,86 @@
+#include "study/run_stiffness.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace clast {
+namespace {
+
+/// So many blocks are named in warnings of one campaign; drawn ones can be thousands.
+constexpr std::size_t kMostNamed = 20;
+
+/// All energy of a start, and the fall to the lowest ground, in the speed.
+double fastest_speed(const RunRecord& run, const RigidBody& body, double lowest, double gravity) {
+  const double fall = std::max(0.0, run.start.position.z() - lowest);
+  return std::sqrt(run.start.velocity.squaredNorm() +
+                   body.moments.maxCoeff() / body.mass * run.start.angular_velocity.squaredNorm() +
+                   2.0 * gravity * fall);
+}
+
+/// The worst that the runs of a block meet.
+struct Worst {
+  double fastest = 0.0;
+  ContactGround ground;
+
+  void include(double speed, const ContactGround& other) {
+    fastest = std::max(fastest, speed);
+    ground.rest_share = std::min(ground.rest_share, other.rest_share);
+    ground.rate = std::max(ground.rate, other.rate);
+  }
+};
+
+}  // namespace
+
+std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
+  const StiffnessOptions& options = prepared.campaign.stiffness;
+  const double gravity = prepared.campaign.gravity;
+  const double lowest = prepared.surface->extent().low.z();
+  std::vector<ContactGround> grounds;
+  for (const GroundSet& set : prepared.header.ground_sets) {
+    grounds.push_back(contact_ground(set.zones, options.law));
+  }
+  std::vector<ContactBody> bodies;
+  for (const RigidBody& body : prepared.bodies) bodies.push_back(contact_body(body));
+  const auto choose = [&](std::size_t block, const ContactGround& ground, double fastest) {
+    try {
+      return choose_stiffness(std::span(&bodies[block], 1), ground, fastest, gravity, options);
+    } catch (const SimulationError& error) {
+      throw SimulationError("block " + prepared.header.blocks[block].id + ": " + error.what());
+    }
+  };
+
+  std::vector<Worst> worst(bodies.size());
+  for (RunRecord& run : prepared.runs) {
+    const double fastest = fastest_speed(run, prepared.bodies[run.block], lowest, gravity);
+    const StiffnessChoice choice = choose(run.block, grounds[run.ground_set], fastest);
+    run.stiffness = choice.stiffness;
+    run.rest_depth = choice.settled_depth;
+    run.impact_depth = choice.impact_depth;
+    release_settings(prepared.campaign, run).check();
+    worst[run.block].include(fastest, grounds[run.ground_set]);
+  }
+
+  std::vector<std::string> warnings;
+  std::size_t named = 0, others = 0;
+  for (std::size_t block = 0; block < bodies.size(); ++block) {
+    const StiffnessChoice choice = choose(block, worst[block].ground, worst[block].fastest);
+    if (choice.warnings.empty()) continue;
+    if (named == kMostNamed) {
+      ++others;
+      continue;
+    }
+    ++named;
+    for (const std::string& warning : choice.warnings) {
+      warnings.push_back("block " + prepared.header.blocks[block].id + ": " + warning);
+    }
+  }
+  if (others > 0) {
+    warnings.push_back("the stiffness of " + std::to_string(others) +
+                       " more blocks leads to warnings like these");
+  }
+  return warnings;
+}
+
+}  // namespace clast

@@ -1,0 +1,18 @@
+#pragma once
+/// Stiffness and time step of every planned run.
+#include <string>
+#include <vector>
+
+#include "study/campaign_runner.hpp"
+
+namespace clast {
+
+/// Chooses them for each run from what it has itself: its block, the ground set that it meets, and
+/// the fastest speed that its own start allows. No other block, release or member of the ensemble
+/// changes what a run gets.
+/// @return what the user should know, by block
+/// @throws SimulationError  a time step of the user's that is too long for a block: its name
+/// @throws InputError       settings that no run can have: field and value
+std::vector<std::string> settle_stiffness(PreparedCampaign& prepared);
+
+}  // namespace clast

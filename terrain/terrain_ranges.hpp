@@ -1,0 +1,21 @@
+#pragma once
+/// What the numbers of a ground can be: for `TerrainOptions`, campaign files and command lines.
+#include "core/number_range.hpp"
+
+namespace clast {
+
+/// x, y or z on a map: the earth is 4e7 m around.
+inline constexpr NumberRange kMapCoordinate{-1e8, 1e8, "m"};
+
+inline constexpr NumberRange kCellSize{1e-4, 1e5, "m"};
+inline constexpr NumberRange kPercentile{1e-6, 100.0, "", "the lowest point"};
+inline constexpr NumberRange kOutlierDistance{1e-6, 1e5, "m"};
+inline constexpr NumberRange kHoleWidth{1e-6, 1e6, "m", "none is filled"};
+inline constexpr NumberRange kCrackWidth{1e-9, 1e3, "m", "none is closed"};
+inline constexpr NumberRange kSpikeSteepness{1e-3, 1e3, "", "none is levelled"};
+inline constexpr NumberRange kSurfaceTolerance{1e-9, 1e3, "m"};
+inline constexpr NumberRange kBorderDistance{1e-3, 1e6, "m"};
+inline constexpr NumberRange kGroundRadius{1e-6, 100.0, "m", ""};
+inline constexpr int kMostSmoothing = 1000;  ///< rounds
+
+}  // namespace clast

@@ -1,0 +1,37 @@
+#pragma once
+/// Every reader with a sound file of each format that it takes (of meshes see
+/// tests/reconstruct/fuzz_test.cpp).
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/support/fuzzing.hpp"
+
+namespace clast {
+
+/// A reader by name, made when it is tried.
+struct NamedReader {
+  std::string name;
+  std::function<FuzzedReader()> make;
+};
+
+std::vector<NamedReader> cloud_and_shape_readers();
+std::vector<NamedReader> table_and_campaign_readers();
+std::vector<NamedReader> hdf5_readers();
+std::vector<NamedReader> terrain_readers();
+std::vector<NamedReader> photo_readers();
+
+/// A reader of one file.
+inline NamedReader reader_of(const std::string& file, const std::function<std::string()>& bytes,
+                             const std::function<void(const std::filesystem::path&)>& read,
+                             const std::string& made_of_all = {}) {
+  return {file, [=]() -> FuzzedReader {
+            return {file,
+                    file,
+                    {{file, bytes()}},
+                    [=](const auto& folder) { read(folder / file); },
+                    made_of_all};
+          }};
+}
+
+}  // namespace clast

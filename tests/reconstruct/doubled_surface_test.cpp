@@ -1,0 +1,135 @@
+/// A block's surface that is there twice, a little apart.
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "massprops/solid.hpp"
+#include "reconstruct/field_scan.hpp"
+#include "tests/shapes/shape_samples.hpp"
+#include "tests/support/cut_blocks.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/rock_mesh.hpp"
+
+namespace clast {
+namespace {
+
+using Triangle = TriangleMesh::Triangle;
+
+double volume(const TriangleMesh& mesh) { return solid_mass_properties(mesh, 1.0).volume; }
+
+const TriangleMesh& rock() {
+  static const TriangleMesh mesh = rock_mesh(10, {0.5, 0.4, 0.3}, 5);
+  return mesh;
+}
+
+TriangleMesh turned_over(TriangleMesh mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+std::string all_notes(const FieldBlock& block) {
+  std::string text;
+  for (const std::string& note : block.scan.notes) text += note + "\n";
+  return text;
+}
+
+TEST(DoubledSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
+  for (const double scale : {0.95, 0.97, 0.99, 1.01, 1.03, 1.05}) {
+    for (const bool inward : {false, true}) {
+      SCOPED_TRACE(std::to_string(scale) + (inward ? " inward" : ""));
+      const TriangleMesh copy = scaled(rock(), scale);
+      const FieldBlock block =
+          field_blocks(merged(rock(), inward ? turned_over(copy) : copy), "doubled")[0];
+      const RepairReport& report = block.scan.report;
+      ASSERT_EQ(report.doubled.size(), 1u);
+      EXPECT_EQ(report.inner_shells, 0u);
+      EXPECT_TRUE(report.doubled[0].closed);
+      EXPECT_EQ(report.doubled[0].kept_for, KeptFor::kSize);
+      const double larger = volume(rock()) * std::max(1.0, scale * scale * scale);
+      const double smaller = volume(rock()) * std::min(1.0, scale * scale * scale);
+      EXPECT_NEAR(volume(block.scan.mesh) / larger, 1.0, 1e-9);
+      EXPECT_NEAR(report.volume_below / (larger - smaller), 1.0, 1e-6);
+      EXPECT_NEAR(report.doubled[0].scale, scale < 1.0 ? scale : 1.0 / scale, 0.003);
+      EXPECT_LT(report.doubled[0].offset, 0.0);
+      EXPECT_TRUE(contains(all_notes(block), "a second copy of the block's whole surface"));
+      EXPECT_TRUE(contains(all_notes(block), "no bubble"));
+      EXPECT_TRUE(contains(all_notes(block), "with the other one it would be"));
+    }
+  }
+}
+
+TEST(DoubledSurface, AShiftedCopyIsDropped) {
+  Random random(2);
+  for (const double share : {0.01, 0.03, 0.05}) {
+    TriangleMesh copy = rock();
+    const Vec3 shift = share * bounds(rock()).diagonal() * random.direction();
+    for (Vec3& v : copy.vertices) v += shift;
+    const FieldBlock block = field_blocks(merged(rock(), copy), "shifted")[0];
+    ASSERT_EQ(block.scan.report.doubled.size(), 1u);
+    EXPECT_NEAR(block.scan.report.doubled[0].scale, 1.0, 0.003);
+    EXPECT_NEAR(volume(block.scan.mesh) / volume(rock()), 1.0, 1e-9);
+  }
+}
+
+TEST(DoubledSurface, TheFinerOfTwoIsKeptAndThatIsSaid) {
+  const TriangleMesh fine = rock_mesh(14, {0.5, 0.4, 0.3}, 5);
+  for (const double scale : {0.97, 1.03}) {
+    const FieldBlock block = field_blocks(merged(scaled(rock(), scale), fine), "two scans")[0];
+    EXPECT_NEAR(volume(block.scan.mesh) / volume(fine), 1.0, 1e-9);
+    ASSERT_EQ(block.scan.report.doubled.size(), 1u);
+    EXPECT_EQ(block.scan.report.doubled[0].kept_for, KeptFor::kFiner);
+    EXPECT_TRUE(contains(all_notes(block), "The one that was kept has more triangles"));
+  }
+}
+
+TEST(DoubledSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
+  for (const double scale : {0.95, 0.98, 1.02, 1.05}) {
+    for (const bool inward : {false, true}) {
+      SCOPED_TRACE(std::to_string(scale) + (inward ? " inward" : ""));
+      TriangleMesh part = scaled(rock(), scale);
+      std::erase_if(part.triangles,
+                    [&](const Triangle& t) { return part.vertices[t[0]].z() < 0.05; });
+      const FieldBlock block =
+          field_blocks(merged(rock(), inward ? turned_over(part) : part), "part")[0];
+      EXPECT_NEAR(volume(block.scan.mesh) / volume(rock()), 1.0, 1e-9);
+      EXPECT_FALSE(block.underside);
+      const RepairReport& report = block.scan.report;
+      ASSERT_EQ(report.doubled.size(), 1u);
+      EXPECT_FALSE(report.doubled[0].closed);
+      EXPECT_EQ(report.doubled[0].kept_for, KeptFor::kClosed);
+      EXPECT_EQ(report.doubled[0].offset > 0.0, scale > 1.0);
+      // Seen from the middle, the layer between the two is (s^3 - 1) / 3 of what lies below it;
+      // the mean distance times the area is that to the second order.
+      EXPECT_GT(std::abs(report.doubled[0].volume_change), 0.0);
+      EXPECT_LT(std::abs(report.doubled[0].volume_change),
+                std::abs(scale * scale * scale - 1.0) * volume(rock()));
+      EXPECT_TRUE(contains(all_notes(block), "a second copy of "));
+    }
+  }
+}
+
+/// Two open scans of one block on its ground: one goes, the side that nobody saw is bracketed.
+TEST(DoubledSurface, OpenCopiesLeaveTheBracketOfTheUnseenSide) {
+  const CutBlock cut = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 2), 2, 5)[0];
+  const FieldBlock alone = field_blocks(cut.open, "one")[0];
+  const FieldBlock both = field_blocks(merged(cut.open, scaled(cut.open, 0.98)), "two")[0];
+  ASSERT_TRUE(both.underside);
+  EXPECT_NEAR(both.underside->best_volume / alone.underside->best_volume, 1.0, 1e-6);
+  EXPECT_EQ(both.scan.report.doubled.size(), 1u);
+}
+
+/// A lens-shaped bubble close under the skin faces both ways.
+TEST(DoubledSurface, ABubbleStaysABubble) {
+  const TriangleMesh ball = unit_sphere(16);
+  for (const double depth : {0.1, 0.2, 0.9}) {
+    TriangleMesh lens = unit_sphere(12);
+    for (Vec3& v : lens.vertices) {
+      v = Vec3(0.3 * v.x(), 0.3 * v.y(), 0.04 * v.z() + 1.0 - depth - 0.05);
+    }
+    const FieldBlock block = field_blocks(merged(ball, turned_over(lens)), "bubble")[0];
+    EXPECT_EQ(block.scan.report.inner_shells, 1u);
+    EXPECT_TRUE(block.scan.report.doubled.empty());
+  }
+}
+
+}  // namespace
+}  // namespace clast
