@@ -102,27 +102,38 @@ bool is_class_within(const std::string& name, const Vec3& sides, double share) {
   return false;
 }
 
+/// A body may have two boxes of nearly the same volume with other sides; either is right. Of the
+/// box found, the sides that the true body has along its axes; none where that is not among the
+/// smallest.
+std::optional<Vec3> true_sides_along(const OrientedBox& found, const Body& body, double share) {
+  const OrientedBox same = box_along(body.mesh.vertices, found.axes);
+  const double smallest = smallest_box(body.mesh.vertices).volume();
+  if (same.volume() > (1.0 + share) * smallest) return std::nullopt;
+  return same.lengths;
+}
+
 /// What is wrong with what became of a cloud; none: within its bars.
 std::optional<std::string> fault_of(const Body& body, Kind kind, std::uint64_t seed) {
-  const Vec3 sides = smallest_box(body.mesh.vertices).lengths;
+  const Vec3 smallest = smallest_box(body.mesh.vertices).lengths;
   const double truth = solid_mass_properties(body.mesh, 1.0).volume;
   Random random(seed);
   kind.sampling.along = random.direction();
-  kind.sampling.noise *= sides[0];
+  kind.sampling.noise *= smallest[0];
   try {
     const std::vector<Vec3> points = sampled_cloud(body.mesh, kind.sampling, seed);
     const FieldBlock block = field_blocks(points, body.name)[0];
     const double found = solid_mass_properties(block.scan.mesh, 1.0).volume;
-    const Vec3 own = smallest_box(block.scan.mesh.vertices).lengths;
-    const Vec3 off = own.cwiseQuotient(sides) - Vec3::Ones();
+    const OrientedBox box = smallest_box(block.scan.mesh.vertices);
+    const Vec3 sides = true_sides_along(box, body, kind.bars.side).value_or(smallest);
+    const Vec3 off = box.lengths.cwiseQuotient(sides) - Vec3::Ones();
     const std::string figures =
         "volume " + with_digits(100.0 * (found / truth - 1.0), 3) + " %, L, I, S " +
         with_digits(100.0 * off[0], 3) + ", " + with_digits(100.0 * off[1], 3) + ", " +
-        with_digits(100.0 * off[2], 3) + " %, " + class_of(own) + " for " + class_of(sides);
+        with_digits(100.0 * off[2], 3) + " %, " + class_of(box.lengths) + " for " + class_of(sides);
     if (block.underside) return "a side called unseen; " + figures;
     if (std::abs(found / truth - 1.0) > kind.bars.volume ||
         off.cwiseAbs().maxCoeff() > kind.bars.side ||
-        !is_class_within(class_of(own), sides, kind.bars.side)) {
+        !is_class_within(class_of(box.lengths), sides, kind.bars.side)) {
       return figures;
     }
   } catch (const Error& error) {
