@@ -93,7 +93,7 @@ CLI::Validator up_axis() { return CLI::IsMember({"y", "z"}); }
 CLI::Validator within(const NumberRange& range) {
   return {[range](const std::string& text) {
             if (range.holds(number_from(text))) return std::string();
-            return "\"" + text + "\" is not a number; it must be " + range.words();
+            return "\"" + text + "\" is no number " + range.words();
           },
           ""};
 }

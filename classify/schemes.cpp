@@ -168,10 +168,9 @@ const Scheme& scheme_named(const std::string& name) {
 }  // namespace
 
 void SchemeOptions::check() const {
-  constexpr NumberRange kLimit{1.0001, 1e3};
-  if (!kLimit.holds(erdogan_limit)) {
+  if (!kErdoganLimit.holds(erdogan_limit)) {
     throw InputError("erdogan_limit is " + with_digits(erdogan_limit, 6) +
-                     "; it is a limit of L/I and I/S and must be " + kLimit.words());
+                     "; it is a limit of L/I and I/S and must be " + kErdoganLimit.words());
   }
 }
 

@@ -4,8 +4,12 @@
 #include <vector>
 
 #include "classify/form.hpp"
+#include "core/number_range.hpp"
 
 namespace clast {
+
+/// What `SchemeOptions::erdogan_limit` may be.
+inline constexpr NumberRange kErdoganLimit{1.0001, 1e3};
 
 /// What the authors of the schemes left open.
 struct SchemeOptions {

@@ -34,8 +34,8 @@ struct Repaired {
 
 /// Welds, drops what has no area, is doubled or stands off, orients, cuts touching sheets apart,
 /// closes torn places between the vertices that are there, puts spikes back, fills holes (Liepa
-/// 2003), replaces crossing triangles, turns outward, drops islands, double sheets and second copies
-/// of the surface, and verifies. Where crossings can't be replaced, the surface with its
+/// 2003), replaces crossing triangles, turns outward, drops islands, double sheets and second
+/// copies of the surface, and verifies. Where crossings can't be replaced, the surface with its
 /// holes filled is wrapped (Portaneri et al. 2022) and scaled back to its volume. A sound mesh
 /// comes back as it is. Order and limits: docs/theory.md, "Repair".
 /// @throws GeometryError  which defect remains, where, and what a person can do

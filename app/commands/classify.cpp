@@ -245,6 +245,7 @@ void add_classify(CLI::App& app) {
   command
       ->add_option("--erdogan-limit", args->limits.erdogan_limit,
                    "Ratio of axes from which one counts as longer, for the scheme erdogan")
+      ->check(within(kErdoganLimit))
       ->type_name("RATIO")
       ->capture_default_str();
   command

@@ -75,7 +75,8 @@ TEST(CommandLine, MisuseExitsWithTwoAndNamesTheMistake) {
   expect_refused(folder, {"reconstruct", "a.obj", "--density", "0"}, 2, "--density");
   expect_refused(folder, {"reconstruct", "a.obj", "--density", "nan"}, 2, "nan");
   expect_refused(folder, {"reconstruct", "a.obj", "--vertices", "3"}, 2, "--vertices");
-  expect_refused(folder, {"reconstruct", "a.obj", "--radius-share", "0.3"}, 2, "0 to 0.25");
+  expect_refused(folder, {"reconstruct", "a.obj", "--radius-share", "0.3"}, 2,
+                 "0 (sharp edges), or from 1e-06 to 0.25 of S");
   expect_refused(folder, {"reconstruct", "a.obj", "--tolerance", "0"}, 2, "--tolerance");
   expect_refused(folder, {"reconstruct", "a.obj", "b.obj", "--mass", "5"}, 2, "--mass");
   expect_refused(folder, {"export", "a.h5", "--format", "dwg"}, 2, "dwg");

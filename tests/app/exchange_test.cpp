@@ -260,9 +260,9 @@ TEST_F(Exchange, SegmentsThatChangeNothingAreReported) {
                 .exit_code,
             0);
   const auto exported = [&](const std::string& id, const std::string& segments) {
-    const ProgramRun run =
-        run_clast({"export", "b.h5", id, "--format", "ply", "-o", "out", "--segments", segments},
-                  folder.path());
+    const ProgramRun run = run_clast(
+        {"export", "b.h5", id, "--format", "ply", "-o", "out", "--replace", "--segments", segments},
+        folder.path());
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return std::pair(run.err, read_mesh(folder / "out" / (id + ".ply")));
   };
@@ -281,7 +281,9 @@ TEST_F(Exchange, SegmentsThatChangeNothingAreReported) {
   EXPECT_EQ(convex_said, "");
   EXPECT_GT(fine.triangles.size(), 4 * exported("convex", "4").second.triangles.size());
   // Without the option nobody asked for a number.
-  EXPECT_EQ(run_clast({"export", "b.h5", "--format", "ply", "-o", "out"}, folder.path()).err, "");
+  EXPECT_EQ(
+      run_clast({"export", "b.h5", "--format", "ply", "-o", "out", "--replace"}, folder.path()).err,
+      "");
   // Where no skin is written it would change nothing at all.
   for (const std::vector<std::string>& other : {std::vector<std::string>{"--format", "shp"},
                                                 {"--format", "ply", "--what", "core"},
