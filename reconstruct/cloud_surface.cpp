@@ -189,7 +189,6 @@ void CloudSurfaceOptions::check() const {
     throw InputError(std::string(name) + " = " + with_digits(value, 4) + " is out of range");
   };
   require(cell > 0.0 && cell <= 0.1, "cell", cell);
-  require(neighbours >= 3 && neighbours <= 200, "neighbours", neighbours);
   require(trim > 0.0, "trim", trim);
 }
 

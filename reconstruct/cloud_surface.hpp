@@ -12,7 +12,6 @@ struct CloudSurfaceOptions {
   /// Points that lie closer together than half of this share of the diagonal are averaged in cubes
   /// of this side.
   double cell = 0.008;
-  int neighbours = 18;  ///< of averaged points, for normals; others are tried where it fails
   /// Where a hole ends: the radius of a ball that touches the surface and no point, in spacings of
   /// the points around it.
   double trim = 1.5;

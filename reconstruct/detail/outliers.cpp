@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "reconstruct/detail/cloud.hpp"
 
@@ -19,6 +20,7 @@ constexpr std::size_t kNeighbours = 12;
 /// Around an outlier the surface shows as points that lie closer together: among so many nearest
 /// ones, those whose spacing is so many times smaller than its own.
 constexpr int kAround = 40;
+constexpr int kSuspectNeighbours = 8;  ///< among which one shows that a point needs a closer look
 constexpr double kIsolated = 1.6;
 /// It lies off the planes of the so many nearest of these
 constexpr int kWitnesses = 3;
@@ -26,9 +28,9 @@ constexpr int kWitnesses = 3;
 /// their spacings.
 constexpr double kAlone = 1.2;
 constexpr double kOffSpacings = 1.5, kOffDeviations = 3.0;
-/// Strewn through space, they lie so many times farther apart than most points, and off the plane
-/// through them by this share of their spread in it.
-constexpr double kStrewn = 8.0, kThick = 0.4;
+/// Scattered through space, they lie so many times farther apart than most points, and off the
+/// plane through them by this share of their spread in it.
+constexpr double kScattered = 8.0, kThick = 0.4;
 /// Outliers that lie together hide each other; the next round finds what the one before bared.
 constexpr int kRounds = 10;
 
@@ -69,20 +71,25 @@ std::vector<double> local_spacings(std::span<const Vec3> points) {
 
 namespace {
 
-/// One round over the points.
+/// The points that are left, and how far apart they lie.
 class Isolation {
  public:
-  explicit Isolation(std::span<const Vec3> points)
-      : points_(points), tree_(points), spacings_(local_spacings(points)) {
-    std::vector<double> sorted = spacings_;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    usual_ = *middle;
+  Isolation(std::vector<Vec3> points, std::vector<double> spacings, double usual)
+      : points_(std::move(points)), tree_(points_), spacings_(std::move(spacings)), usual_(usual) {}
+
+  /// May the point be an outlier, now or when others are gone? Nearly all of a surface may not.
+  bool is_suspect(std::uint32_t point) const {
+    if (spacings_[point] > kIsolated * usual_) return true;
+    const auto near = tree_.nearest(points_[point], kSuspectNeighbours);
+    return std::any_of(near.begin(), near.end(), [&](const NearestPoints::Near& n) {
+      return spacings_[point] > kIsolated * spacings_[n.point];
+    });
   }
 
   bool is_outlier(std::uint32_t point) const {
     const std::vector<NearestPoints::Near> around = tree_.nearest(points_[point], kAround);
-    return is_strewn(point, around) || is_off(point, around);
+    const double spacing = kSpacingOfSixth * around[kSixth].distance;  // others may be gone
+    return is_scattered(point, spacing, around) || is_off(point, spacing, around);
   }
 
  private:
@@ -94,17 +101,18 @@ class Isolation {
     return plane_of(others);
   }
 
-  bool is_strewn(std::uint32_t point, std::span<const NearestPoints::Near> around) const {
-    if (spacings_[point] < kStrewn * usual_ || around.size() < kNeighbours) return false;
+  bool is_scattered(std::uint32_t point, double spacing,
+                    std::span<const NearestPoints::Near> around) const {
+    if (spacing < kScattered * usual_) return false;
     const PlaneOf plane = plane_without(point, around.first(kNeighbours));
     return plane.across > kThick * plane.along;
   }
 
-  bool is_off(std::uint32_t point, std::span<const NearestPoints::Near> around) const {
+  bool is_off(std::uint32_t point, double own, std::span<const NearestPoints::Near> around) const {
     int witnesses = 0, off = 0;
     for (const NearestPoints::Near& near : around) {
       const double spacing = spacings_[near.point];
-      if (!(spacings_[point] > kIsolated * spacing)) continue;
+      if (near.point == point || !(own > kIsolated * spacing)) continue;
       const PlaneOf plane = plane_without(point, tree_.nearest(points_[near.point], kNeighbours));
       off += around[1].distance > kAlone * spacing &&
              plane.off(points_[point]) > kOffSpacings * spacing + kOffDeviations * plane.across;
@@ -113,24 +121,39 @@ class Isolation {
     return off == kWitnesses;
   }
 
-  std::span<const Vec3> points_;
+  std::vector<Vec3> points_;
   NearestPoints tree_;
   std::vector<double> spacings_;
-  double usual_ = 0.0;  ///< spacing, m
+  double usual_;  ///< spacing, m
 };
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 }  // namespace
 
 std::vector<std::uint32_t> without_isolated(std::span<const Vec3> points) {
   std::vector<std::uint32_t> kept(points.size());
   std::iota(kept.begin(), kept.end(), 0u);
+  if (points.size() <= kNeighbours) return kept;
+  const std::vector<double> spacings = local_spacings(points);
+  const double usual = median(spacings);
+  std::vector<bool> suspect(points.size(), true);
   for (int round = 0; round < kRounds && kept.size() > kNeighbours; ++round) {
     std::vector<Vec3> left;
-    for (const std::uint32_t i : kept) left.push_back(points[i]);
-    const Isolation isolation(left);
+    std::vector<double> left_spacings;
+    for (const std::uint32_t i : kept) {
+      left.push_back(points[i]);
+      left_spacings.push_back(spacings[i]);
+    }
+    const Isolation isolation(std::move(left), std::move(left_spacings), usual);
     std::vector<std::uint32_t> next;
-    for (std::uint32_t i = 0; i < left.size(); ++i) {
-      if (!isolation.is_outlier(i)) next.push_back(kept[i]);
+    for (std::uint32_t i = 0; i < kept.size(); ++i) {
+      if (round == 0) suspect[kept[i]] = isolation.is_suspect(i);
+      if (!suspect[kept[i]] || !isolation.is_outlier(i)) next.push_back(kept[i]);
     }
     if (next.size() == kept.size()) break;
     kept = std::move(next);

@@ -175,7 +175,6 @@ TEST(CloudSurface, TooFewPointsAndOptionsOutOfRangeAreRefused) {
                        "10 points are too few for a block; at least 500 are needed"));
   const std::vector<Vec3> none;
   EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.cell = 0.0}); }), "cell"));
-  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.neighbours = 1}); }), "neighbours"));
   EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.trim = 0.0}); }), "trim"));
 }
 
