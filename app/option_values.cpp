@@ -65,11 +65,12 @@ MeasuredLength measured_length(const std::string& text) {
     if (!std::isfinite(number)) refuse("holds what is no number");
   }
   const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
-  if (!kBlockLength.holds(numbers[6])) refuse("gives a length that is not " + kBlockLength.words());
+  if (!kBlockLength.holds(numbers[6]))
+    refuse("gives a length outside the range " + kBlockLength.words());
   if (a == b) refuse("gives the same point twice");
   const double unit = numbers[6] / (b - a).norm();
   if (!kLengthUnit.holds(unit)) {
-    refuse("makes a unit of the scan " + with_digits(unit, 6) + " m long, which is not " +
+    refuse("makes a unit of the scan " + with_digits(unit, 6) + " m long, and it must be " +
            kLengthUnit.words());
   }
   return {{a, b}, unit};
@@ -93,7 +94,7 @@ CLI::Validator up_axis() { return CLI::IsMember({"y", "z"}); }
 CLI::Validator within(const NumberRange& range) {
   return {[range](const std::string& text) {
             if (range.holds(number_from(text))) return std::string();
-            return "\"" + text + "\" is no number " + range.words();
+            return "\"" + text + "\" is not a number " + range.words();
           },
           ""};
 }

@@ -72,7 +72,7 @@ struct Body {
 
 [[noreturn]] void refuse_no_surface(std::size_t points) {
   throw GeometryError("no surface was found through the " + std::to_string(points) +
-                      " points; are they of one block, and on its surface?");
+                      " points; check that all lie on the surface of one block");
 }
 
 /// The surface shows which normals are wrong, and these where the surface was.
@@ -166,12 +166,12 @@ Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbou
     if (least <= kGood) break;
   }
   if (missed.share > kMostMissed) {
-    throw GeometryError("the surface passes " + std::to_string(missed.count) + " of the " +
-                        std::to_string(points.size()) + " points by, " +
-                        with_digits(100.0 * missed.share, 2) + " % of what they cover, near " +
+    throw GeometryError("the surface misses " + std::to_string(missed.count) + " of the " +
+                        std::to_string(points.size()) + " points, " +
+                        with_digits(100.0 * missed.share, 2) + " % of the area they cover, near " +
                         place(missed.place) +
-                        ": they lie too far apart there for how thin the block is; scan it more "
-                        "densely there, or delete points that do not belong to it");
+                        ": they are too far apart there for the thickness of the block; scan it "
+                        "more densely there, or delete points that do not belong to it");
   }
   return best;
 }

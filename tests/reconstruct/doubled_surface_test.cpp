@@ -51,7 +51,7 @@ TEST(DoubledSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
       EXPECT_NEAR(report.doubled[0].scale, scale < 1.0 ? scale : 1.0 / scale, 0.003);
       EXPECT_LT(report.doubled[0].offset, 0.0);
       EXPECT_TRUE(contains(all_notes(block), "a second copy of the block's whole surface"));
-      EXPECT_TRUE(contains(all_notes(block), "no bubble"));
+      EXPECT_TRUE(contains(all_notes(block), "not a bubble"));
       EXPECT_TRUE(contains(all_notes(block), "with the other one it would be"));
     }
   }
@@ -77,7 +77,7 @@ TEST(DoubledSurface, TheFinerOfTwoIsKeptAndThatIsSaid) {
     EXPECT_NEAR(volume(block.scan.mesh) / volume(fine), 1.0, 1e-9);
     ASSERT_EQ(block.scan.report.doubled.size(), 1u);
     EXPECT_EQ(block.scan.report.doubled[0].kept_for, KeptFor::kFiner);
-    EXPECT_TRUE(contains(all_notes(block), "The one that was kept has more triangles"));
+    EXPECT_TRUE(contains(all_notes(block), "The kept copy has more triangles"));
   }
 }
 

@@ -270,7 +270,7 @@ TEST(FieldScan, AScanThatWasClosedBeforeSaysThatItsBoundsKnowLittle) {
   EXPECT_LT(block.scan.report.invented_share, 0.01);
   EXPECT_TRUE(std::any_of(
       block.scan.notes.begin(), block.scan.notes.end(),
-      [](const std::string& note) { return contains(note, "the file does not tell"); }));
+      [](const std::string& note) { return contains(note, "the file does not show"); }));
 }
 
 TEST(FieldScan, CoordinatesBeyondAllReasonAreRefused) {
