@@ -65,8 +65,7 @@ MeasuredLength measured_length(const std::string& text) {
     if (!std::isfinite(number)) refuse("holds what is no number");
   }
   const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
-  if (!kBlockLength.holds(numbers[6]))
-    refuse("gives a length outside the range " + kBlockLength.words());
+  if (!kBlockLength.holds(numbers[6])) refuse("gives a length that is not " + kBlockLength.words());
   if (a == b) refuse("gives the same point twice");
   const double unit = numbers[6] / (b - a).norm();
   if (!kLengthUnit.holds(unit)) {

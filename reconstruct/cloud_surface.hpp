@@ -7,14 +7,14 @@
 
 namespace clast {
 
-/// How a surface is put through points.
+/// How a surface is reconstructed from points.
 struct CloudSurfaceOptions {
   /// Points that lie closer together than half of this share of the diagonal are averaged in cubes
   /// of this side.
   double cell = 0.008;
   int neighbours = 18;  ///< of averaged points, for normals; others are tried where it fails
-  /// Where a hole ends: the radius of a ball that touches the surface and no point, in spacings of
-  /// the points around it.
+  /// Where a hole ends: the radius of an empty ball that touches the surface, in spacings of the
+  /// points around it.
   double trim = 1.5;
   std::size_t fewest = 500;  ///< fewer points make no block
 
@@ -23,7 +23,7 @@ struct CloudSurfaceOptions {
 
 /// A surface through points, and what was done to get it.
 struct CloudSurface {
-  /// An oriented 2-manifold in one piece, outward; closed where points are all around. m
+  /// An oriented 2-manifold of one component, outward; closed where points are all around. m
   TriangleMesh mesh;
   std::size_t outliers = 0;  ///< points left out because they lie off the surface
   /// Places where points are missing, each with less than 0.5 % of the area: filled.
@@ -35,8 +35,8 @@ struct CloudSurface {
 /// Turns normals outward from neighbour to neighbour [hoppe1992], solves for the indicator of
 /// inside and outside [kazhdan2006], smooths the noise away with moving least squares [levin2004],
 /// and takes the Delaunay triangles between inside and outside [amenta1999]: every vertex is a
-/// point. A part of the surface farther from the points than their spacing explains was not seen,
-/// and is left open.
+/// point. A part of the surface that is farther from the points than their spacing explains was not
+/// seen and is left open.
 /// @param points  of one block, in any unit of length
 /// @throws InputError     too few points
 /// @throws GeometryError  the points lie in a plane or on a line, or no surface was found

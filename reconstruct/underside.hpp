@@ -49,16 +49,16 @@ struct SideBounds {
 /// A scan closed two ways, and what it may be beyond that. Both meshes are closed and outward, with
 /// the same triangles; the filling of the largest hole is moved down in `best`.
 struct Underside {
-  TriangleMesh lower;  ///< filled straight across the rims (soap films)
+  TriangleMesh lower;  ///< filled straight across the rims (membranes)
   TriangleMesh best;
   /// Of `lower`, less what its filling may be dented as the seen surface is, m^3.
   double lower_volume = 0.0;
   double best_volume = 0.0;
-  /// None: so large a part of the block is not seen that nothing bounds it. Nothing is known of the
-  /// sides of its box then.
+  /// None: too large a part of the block was not seen to bound it. Nothing is known of the sides of
+  /// its box then.
   std::optional<double> upper_volume;
   std::optional<SideBounds> sides;
-  std::string assumption;          ///< what the upper volume rests on, in words
+  std::string assumption;          ///< behind the upper volume, in words
   std::size_t open_sides = 1;      ///< holes that are bracketed, together
   double invented_share = 0.0;     ///< filling's share of the area of `best`
   std::size_t first_invented = 0;  ///< triangles from this one on are filling, in both

@@ -46,7 +46,7 @@ std::vector<BorderSide> border_sides(const TriangleMesh& mesh, std::span<const H
   return sides;
 }
 
-/// An open fan at a vertex: counted from `starts` against the clock up to `ends`, both numbers of
+/// An open fan at a vertex: counter-clockwise from `starts` to `ends`, both numbers of
 /// border sides, the first of which leaves the vertex and the second comes to it.
 struct OpenFan {
   std::uint32_t fan = 0;

@@ -11,7 +11,7 @@ namespace clast::detail {
 
 namespace {
 
-/// The sixth nearest of points strewn at random over a plane lies 1.38/sqrt(density) away.
+/// The sixth nearest of points scattered at random over a plane lies 1.38/sqrt(density) away.
 constexpr int kSixth = 6;
 constexpr double kSpacingOfSixth = 0.7236;  // sqrt(pi / 6)
 /// Points near a place that its plane goes through.
@@ -26,10 +26,10 @@ constexpr int kWitnesses = 3;
 /// their spacings.
 constexpr double kAlone = 1.2;
 constexpr double kOffSpacings = 1.5, kOffDeviations = 3.0;
-/// Strewn through space, they lie so many times farther apart than most points, and off the plane
+/// Scattered in space, they lie so many times farther apart than most points, and off the plane
 /// through them by this share of their spread in it.
 constexpr double kStrewn = 8.0, kThick = 0.4;
-/// Outliers that lie together hide each other; the next round finds what the one before bared.
+/// Outliers that lie together hide each other; each round finds those that the one before exposed.
 constexpr int kRounds = 10;
 
 /// The plane through points, and how they lie about it: standard deviations across and along, m.
