@@ -95,7 +95,7 @@ std::vector<OpenFan> in_order(const TriangleMesh& mesh, std::uint32_t vertex,
   return fans;
 }
 
-/// For every border side that leaves its first vertex the side that a border goes on with: the one
+/// For every border side that leaves its first vertex the side at which a border continues: the one
 /// at the end of the fan before it, seen around the vertex.
 std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector<BorderSide>& sides,
                                      const std::vector<std::uint32_t>& fans) {

@@ -280,7 +280,7 @@ TEST_F(Exchange, SegmentsThatChangeNothingAreReported) {
   const auto [convex_said, fine] = exported("convex", "16");
   EXPECT_EQ(convex_said, "");
   EXPECT_GT(fine.triangles.size(), 4 * exported("convex", "4").second.triangles.size());
-  // Without the option nobody asked for a number.
+  // Without the option no number was requested.
   EXPECT_EQ(
       run_clast({"export", "b.h5", "--format", "ply", "-o", "out", "--replace"}, folder.path()).err,
       "");

@@ -107,7 +107,7 @@ TEST(DoubledSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
   }
 }
 
-/// Two open scans of one block on its ground: one goes, the side that nobody saw is bracketed.
+/// Two open scans of one block on its ground: one is dropped, the unseen side is bracketed.
 TEST(DoubledSurface, OpenCopiesLeaveTheBracketOfTheUnseenSide) {
   const CutBlock cut = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 2), 2, 5)[0];
   const FieldBlock alone = field_blocks(cut.open, "one")[0];
