@@ -69,7 +69,7 @@ MeasuredLength measured_length(const std::string& text) {
   if (a == b) refuse("gives the same point twice");
   const double unit = numbers[6] / (b - a).norm();
   if (!kLengthUnit.holds(unit)) {
-    refuse("makes a unit of the scan " + with_digits(unit, 6) + " m long, which is not " +
+    refuse("makes a unit of the scan " + with_digits(unit, 6) + " m long, and it must be " +
            kLengthUnit.words());
   }
   return {{a, b}, unit};
@@ -93,7 +93,7 @@ CLI::Validator up_axis() { return CLI::IsMember({"y", "z"}); }
 CLI::Validator within(const NumberRange& range) {
   return {[range](const std::string& text) {
             if (range.holds(number_from(text))) return std::string();
-            return "\"" + text + "\" is no number " + range.words();
+            return "\"" + text + "\" is not a number " + range.words();
           },
           ""};
 }

@@ -200,7 +200,7 @@ class Batch {
     const std::string next = scan.id + "_" + std::to_string(outcome.blocks.size() + 1);
     if (!library_.has(next)) return;
     std::cerr << "clast: " << printable(args_.library) << " still holds block " << printable(next)
-              << " of an earlier split; if it is no more, use clast library remove\n";
+              << " of an earlier split; if it is obsolete, use clast library remove\n";
   }
 
   /// Adds what was made since the last time to the library as it is now, which other processes may
@@ -240,7 +240,7 @@ class Batch {
     try {
       save();
     } catch (const Error& error) {
-      std::cerr << "clast: " << printable(error.what()) << "; this is tried again at the end\n";
+      std::cerr << "clast: " << printable(error.what()) << "; writing is tried again at the end\n";
     }
     written_ = std::chrono::steady_clock::now();
   }
@@ -320,7 +320,7 @@ class Batch {
   std::vector<ScanFile> scans_;
   std::string request_;
   Progress progress_;
-  BlockLibrary library_;  ///< as last read or written, and what was made since
+  BlockLibrary library_;  ///< as last read or written, plus what was made since
   std::vector<Unsaved> unsaved_;
   std::optional<ScanReport> report_;
   std::mutex mutex_;  ///< of all below, the library and the progress

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 /// Corners that no camera of a page could tell from rounder ones.
 constexpr int kSkinSegments = 2;
 
-/// How every summary of every version begins.
+/// The beginning of the summary of every version.
 constexpr const char* kSummary = "block,outcome,scan,";
 
 std::string scale_in_words(const ScanToBlockOptions& options) {
@@ -48,7 +48,7 @@ std::string with_bounds(double value, double low, const std::optional<double>& h
 /// Bounds of the axes and every class they allow.
 std::string range_facts(const Block& block, const std::string& unit) {
   const UnseenRange range = unseen_range(block);
-  const std::string not_known = "not known: too much of the block is not seen";
+  const std::string not_known = "not known: too much of the block was not seen";
   if (!range.axes) return fact("bounds of L, I, S; possible shapes", not_known);
   const auto& [low, high] = *range.axes;
   const auto between = [](double from, double to) {
@@ -205,8 +205,8 @@ ScanReport::ScanReport(fs::path folder, bool replace)
   std::error_code code;
   if (fs::is_regular_file(summary, code) && !read_text_file(summary).starts_with(kSummary)) {
     throw InputError(summary.string() +
-                     ": is there already and no summary of such pages, so it is not replaced; name "
-                     "another folder");
+                     ": already exists and is not a summary of such pages, so it is not replaced; "
+                     "name another folder");
   }
   check_output(summary, {.kind = "text", .replace = replace});
   check_output(folder_ / "index.html", {.kind = "HTML", .replace = replace});

@@ -28,7 +28,7 @@ std::string block_page(const Block& block, const PagedScan& scan,
 /// FOLDER/index.html, FOLDER/summary.csv and FOLDER/blocks/ID.html.
 class ScanReport {
  public:
-  /// @param replace  the summary of an earlier batch that is there
+  /// @param replace  replace an existing summary of an earlier batch
   /// @throws InputError  the folder can't be made or written to, or holds such a summary and
   ///                     `replace` is false, or a summary.csv or index.html of another kind
   ScanReport(std::filesystem::path folder, bool replace);

@@ -55,7 +55,7 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
   return hull;
 }
 
-/// What the side that nobody saw leaves open.
+/// Adds the bounds that the unseen side leaves.
 void add_unseen(Block& block, const Underside& side) {
   const auto axes = [](const Vec3& sides) { return Axes{sides[0], sides[1], sides[2]}; };
   UnseenPart unseen;
@@ -69,13 +69,13 @@ void add_unseen(Block& block, const Underside& side) {
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
 
-/// Fillings of gaps that leave less than this share of the volume open are not worth a range.
+/// Fillings of gaps that leave less than this share of the volume uncertain get no range.
 constexpr double kWorthARange = 0.02;
 /// A cone on a whole side is three times as high as a slab of the same volume.
 constexpr double kPointed = 3.0;
 
-/// What the fillings of gaps leave open, where that is much: of a coarse scan a missing triangle
-/// is.
+/// Adds the bounds that fillings of gaps leave, where these are wide: one missing triangle of a
+/// coarse scan is enough.
 void add_filled(Block& block, const Scan& scan) {
   const RepairReport& report = scan.report;
   const double volume = solid_mass_properties(scan.mesh, 1.0).volume;
@@ -92,7 +92,7 @@ void add_filled(Block& block, const Scan& scan) {
   unseen.invented_share = report.invented_share;
   unseen.axes = AxesRange{scaled_axes(1.0 - kPointed * report.volume_below / volume),
                           scaled_axes(1.0 + kPointed * report.volume_above / volume)};
-  unseen.assumption = "behind a filled gap the surface goes on as it does around it";
+  unseen.assumption = "behind a filled gap the surface continues as it does around it";
   block.unseen = unseen;
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }

@@ -117,7 +117,7 @@ std::vector<std::string> possible_classes(const std::string& scheme, const Axes&
                                           const Axes& upper, const SchemeOptions& options) {
   std::vector<Ratios> places =
       places_of_all_pieces(reachable_ratios(lower, upper), scheme_limits(scheme, options));
-  // A hair of a range may leave nothing of the polygon once it is rounded.
+  // A very narrow range may leave nothing of the polygon after rounding.
   const double size = lower.L + upper.L;
   places.emplace_back((lower.I + upper.I) / size, (lower.S + upper.S) / size);
   std::vector<std::string> found;

@@ -60,7 +60,7 @@ void check_is_text(std::string_view text, const std::string& file) {
 }  // namespace
 
 TableText table_text(std::string content, const std::string& file) {
-  check_is_text(content, file);  // before bytes that are no text are taken for letters
+  check_is_text(content, file);  // before bytes that are not text are read as letters
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (is_utf8(content)) {
     if (content.starts_with(kByteOrderMark)) content.erase(0, kByteOrderMark.size());
@@ -76,14 +76,14 @@ char separator_of(std::string_view line) {
     if (c == '"') quoted = !quoted;
     if (!quoted) bare += c;
   }
-  for (const char c : {';', '\t'}) {  // these leave the comma free to be a decimal sign
+  for (const char c : {';', '\t'}) {  // with these the comma may be a decimal sign
     if (bare.find(c) != std::string::npos) return c;
   }
   return bare.find(',') == std::string::npos || has_decimal_commas(trimmed(bare)) ? ' ' : ',';
 }
 
 std::optional<double> number_in_field(std::string_view field, char separator) {
-  constexpr std::size_t kMostDigits = 64;  // no number anyone writes is longer
+  constexpr std::size_t kMostDigits = 64;  // longer than any number in use
   if (field.find(',') == std::string_view::npos) return number_in(field);
   if (separator == ',' || field.size() > kMostDigits) return std::nullopt;
   std::string text(field);
@@ -193,8 +193,7 @@ bool DelimitedText::next(Record& record) {
     skip_blanks();
     if (place_ >= text_.size() || text_[place_] != '#') read_fields(record);
     const bool quoted = text_.substr(begin, place_ - begin).find('"') != std::string_view::npos;
-    place_ =
-        std::min(text_.find_first_of("\r\n", place_), text_.size());  // a remark is passed over
+    place_ = std::min(text_.find_first_of("\r\n", place_), text_.size());  // a remark is skipped
     end_line();
     if (quoted || std::any_of(record.fields.begin(), record.fields.end(),
                               [](std::string_view field) { return !field.empty(); })) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Text tables as records of fields, whatever program wrote them. Every table that clast reads is
-/// read by this.
+/// Text tables as records of fields, whichever program wrote them. Every table that clast reads is
+/// read with this.
 #include <cstddef>
 #include <deque>
 #include <optional>
@@ -33,11 +33,11 @@ TableText table_text(std::string content, const std::string& file);
 char separator_of(std::string_view line);
 
 /// The number in a field of a table with this separator; a decimal comma is read where commas do
-/// not separate.
+/// not separate columns.
 std::optional<double> number_in_field(std::string_view field, char separator);
 
 /// Whether a field of a table whose columns are separated by commas holds a number with a decimal
-/// comma, in quotes: of "1,234" nobody knows whether it is 1.234 or 1234.
+/// comma, in quotes: "1,234" could be 1.234 or 1234.
 bool is_doubtful_number(std::string_view field, char separator);
 
 /// What to do where commas separate columns and decimals: the end of a message.
@@ -48,11 +48,11 @@ inline constexpr const char* kDecimalCommaAdvice =
 /// How a table differs from the usual.
 struct TableRules {
   std::optional<char> separator = {};  ///< none: as the first row has it
-  bool remarks_in_rows = false;  ///< a # ends its row wherever it stands, not only at its begin
+  bool remarks_in_rows = false;  ///< a # ends its row wherever it stands, not only at its start
   bool free_heading = false;     ///< the first row may have any number of fields
 };
 
-/// Walks over the rows of a text. Rows without anything and rows that begin with # are passed over.
+/// Iterates over the rows of a text. Empty rows and rows that begin with # are skipped.
 class DelimitedText {
  public:
   /// Finds the separator on the first row: a line "sep=;" as Excel writes it, else `separator_of`.
@@ -87,7 +87,7 @@ class DelimitedText {
   char separator_ = ',';
   std::size_t fields_ = 0;            ///< of each row; 0 until the first that counts
   std::size_t counted_line_ = 0;      ///< of the row that set `fields_`
-  std::deque<std::string> unquoted_;  ///< fields of the present row whose text had to be changed
+  std::deque<std::string> unquoted_;  ///< fields of the current row whose text had to be changed
 };
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// What a file is, so that no output takes the place of something else.
+/// The kind of a file, so that no output replaces something else.
 #include <filesystem>
 #include <string>
 

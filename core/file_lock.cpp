@@ -68,13 +68,13 @@ FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
       const std::string reason = std::strerror(errno);
       ::close(descriptor_);
       throw InputError(file_.string() + ": can't be locked (" + reason + "), so " +
-                       target.string() + " is not written; name a place on another disk");
+                       target.string() + " is not written; name a target on another disk");
     }
     ::close(descriptor_);
     if (std::chrono::steady_clock::now() - begin > options.longest_wait) {
       throw InputError(target.string() + ": another program has been writing to it for " +
                        std::to_string(options.longest_wait.count() / 1000) +
-                       " s; wait for it, or end it, and try again");
+                       " s; wait until it ends, or end it, and try again");
     }
     if (!said && options.waiting) options.waiting();
     said = true;

@@ -1,5 +1,5 @@
 #pragma once
-/// One process at a time for what is read, changed and written back.
+/// Mutual exclusion of processes that read, change and write back a file.
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -12,11 +12,11 @@ struct FileLockOptions {
   std::function<void()> waiting = {};
 };
 
-/// Holds, until it ends, the lock on `target`: an exclusive flock(2) on ".NAME.lock" beside it. The
-/// target itself can't carry it, since it is replaced by a rename. The kernel gives the lock back
-/// when a process ends in whatever way.
+/// Holds the lock on `target` for its lifetime: an exclusive flock(2) on ".NAME.lock" beside it.
+/// The target itself can't carry it, since it is replaced by a rename. The kernel releases the lock
+/// when a process ends, however it ends.
 ///
-/// The lock file is removed by whoever holds the lock, so that none is left but by a kill, where it
+/// The lock file is removed by the holder of the lock, so that one is left only by a kill, and then
 /// does no harm. A process that had it open meanwhile finds that the file with that name is another
 /// one, and asks for the lock on that one. On network file systems this holds as far as flock does
 /// (NFS on Linux: between machines too). Links are followed, so that a library has one lock by
@@ -24,7 +24,8 @@ struct FileLockOptions {
 class FileLock {
  public:
   /// Makes missing parent folders.
-  /// @throws InputError  not had within `longest_wait`; or the lock file can't be made, where the
+  /// @throws InputError  not obtained within `longest_wait`; or the lock file can't be made, where
+  /// the
   ///                     target could not be written either
   explicit FileLock(const std::filesystem::path& target, const FileLockOptions& options = {});
   ~FileLock();

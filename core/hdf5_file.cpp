@@ -103,7 +103,7 @@ struct Hdf5Group::Handle {
     if (!attributes) fail(name, "has attributes that can't be read; the file is damaged");
     if (stored_sum(object) == (*attributes ^ values)) return;
     fail(name,
-         "does not agree with its checksum; the file is damaged: take it from a backup, or make it "
+         "does not agree with its checksum; the file is damaged: restore a backup, or make it "
          "again");
   }
   /// Adds to the checksum of an object that was written to.

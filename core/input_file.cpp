@@ -16,7 +16,7 @@ void check_input_file(const fs::path& path) {
     throw InputError(path.string() + ": can't be read (" + code.message() + "); check the path");
   }
   if (fs::is_directory(status)) {
-    throw InputError(path.string() + ": is a folder, a file is needed");
+    throw InputError(path.string() + ": is a folder; name a file");
   }
   if (!fs::is_regular_file(status)) {
     throw InputError(path.string() +

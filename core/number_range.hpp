@@ -1,11 +1,11 @@
 #pragma once
-/// What a number from a file or an option must be to make sense.
+/// The allowed range of a number from a file or an option.
 #include <string>
 
 namespace clast {
 
 /// Both ends belong to the range. Values between 0 and `low` are refused also where 0 itself is
-/// allowed: 1e-300 is a slip of the keyboard, not a small number.
+/// allowed: 1e-300 is a typing error, not a small number.
 struct NumberRange {
   double low;
   double high;

@@ -22,7 +22,7 @@ struct NumberTable {
   std::string meaning;  ///< completes "a line must be ...": "three numbers, x y z"
 };
 
-/// Reads a table by `DelimitedText`; what follows a # is passed over. The first row may be a
+/// Reads a table by `DelimitedText`; what follows a # is skipped. The first row may be a
 /// heading: where it names all columns ("X", "y_m"), these columns are read and others are not,
 /// else a row has as many numbers as there are columns.
 /// @throws InputError  no file, no text or no row; a row of another number of fields, or a field

@@ -20,19 +20,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// That what is there may be written over.
+/// Checks that an existing file may be replaced.
 void check_rules(const fs::path& target, const OutputRules& rules) {
   if (rules.kind.empty() && rules.replace) return;
   const std::string there = kind_of_file(target);
   if (there.empty()) return;
-  const std::string begin = target.string() + ": is there already";
+  const std::string begin = target.string() + ": already exists";
   if (!rules.kind.empty() && there != rules.kind) {
-    throw InputError(begin + " and holds \"" + there + "\", no \"" + rules.kind +
+    throw InputError(begin + " and holds \"" + there + "\", not \"" + rules.kind +
                      "\", so it is not replaced; give another name, or delete it first");
   }
   if (!rules.replace) {
     throw InputError(begin +
-                     ", and replace is not set; set it to write over it, or give another "
+                     ", and replace is not set; set it to replace the file, or give another "
                      "name");
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Output files that appear whole or not at all, and never in the place of something else.
+/// Output files that appear whole or not at all, and never replace something else.
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
@@ -7,10 +7,10 @@
 
 namespace clast {
 
-/// What an output may take the place of.
+/// What an output may replace.
 struct OutputRules {
   /// As `kind_of_file` has it: a target of any other kind is refused. Empty: any kind will do, for
-  /// what is nobody's but ours. An empty file, as a shell or a queue makes beforehand, is of every
+  /// files that only clast uses. An empty file, as a shell or a queue makes beforehand, is of every
   /// kind.
   std::string kind = {};
   /// Takes the place of a file of its own kind. False: nothing that is there is written over.
@@ -43,12 +43,12 @@ class OutputFile {
   bool committed_ = false;
 };
 
-/// That the target could be written, before the work that it is for. Missing parent folders are
+/// Checks that the target could be written, before the work starts. Missing parent folders are
 /// made.
 /// @throws InputError  as `OutputFile`
 void check_output(const std::filesystem::path& target, const OutputRules& rules);
 
-/// That files of so many bytes could be put beside the target: together by the free space of the
+/// Checks that files of so many bytes fit beside the target: together by the free space of the
 /// disk, each by the largest file that the shell allows.
 /// @throws InputError  they could not; gives what is needed and what there is
 void check_room(const std::filesystem::path& target, std::initializer_list<std::uint64_t> files);

@@ -51,12 +51,12 @@ void check_place(const fs::path& target, const FolderKind& kind, bool replace) {
   }
   if (first.empty()) return;
   if (!is_marked(target, kind)) {
-    throw InputError(target.string() + ": holds " + first + ", but not by a " + kind.name +
+    throw InputError(target.string() + ": holds " + first + ", but is not a " + kind.name +
                      " of clast, so it is not replaced; name another folder");
   }
   if (!replace) {
     throw InputError(target.string() + ": holds a " + kind.name +
-                     " already, and replace is not set; set it to put a new one in its place, or "
+                     " already, and replace is not set; set it to replace that one, or "
                      "name another folder");
   }
 }
@@ -73,8 +73,8 @@ fs::path resolved(const fs::path& target) {
   throw InputError(target.string() + ": can't be replaced (" + code.message() + ")");
 }
 
-/// Puts one folder in the place of another, which may be missing: both at once where the file
-/// system can do that, and then the former is where the new one was.
+/// Replaces a folder, which may be missing, by another: in one step where the file system can
+/// exchange names, and then the former folder is where the new one was.
 void exchange_folders(const fs::path& made, const fs::path& target, const fs::path& former) {
   if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) return;
   std::error_code code, back;
@@ -87,7 +87,7 @@ void exchange_folders(const fs::path& made, const fs::path& target, const fs::pa
   refuse_exchange(target, code);
 }
 
-/// Takes the kind's files out of a folder and puts others in; the rest is not touched.
+/// Replaces the files of a kind in a folder; the rest is not touched.
 void exchange_files(const fs::path& made, const fs::path& target, const fs::path& former,
                     const FolderKind& kind) {
   std::vector<std::pair<fs::path, fs::path>> moved;
@@ -129,7 +129,7 @@ OutputFolder::OutputFolder(const fs::path& target, FolderKind kind, bool replace
   }
   if (code || target_ == beside) {
     throw InputError(beside.string() + ": can't write into this folder, where " +
-                     target_.filename().string() + " is made before it takes its place (" +
+                     target_.filename().string() + " is made before it is renamed (" +
                      code.message() + "); check its permissions or name another folder");
   }
   if (fs::exists(target_, code)) {
@@ -145,15 +145,15 @@ OutputFolder::~OutputFolder() {
 
 void OutputFolder::commit() {
   std::error_code code;
-  bool shared = false;  // with files that are not the kind's, or with a shell that is in the folder
+  bool shared = false;  // with files of another kind, or it is a working directory
   if (fs::exists(target_, code)) {
     shared = fs::equivalent(target_, fs::current_path(), code);
     for (const fs::path& file : files_in(target_)) {
       if (kind_.owns(file)) continue;
       shared = true;
       if (!fs::exists(temporary_ / file, code)) continue;
-      throw InputError((target_ / file).string() + ": is no file of the " + kind_.name +
-                       " that is there, and would be written over; move it away");
+      throw InputError((target_ / file).string() + ": does not belong to the existing " +
+                       kind_.name + ", and would be overwritten; move it elsewhere");
     }
   }
   fs::path former = temporary_;

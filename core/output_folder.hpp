@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// How a folder of one kind is known.
+/// How a folder of one kind is recognised.
 struct FolderKind {
   std::string name;       ///< for messages: "comparison"
   std::string mark_file;  ///< that every such folder has: "provenance.json"

@@ -61,7 +61,7 @@ ContactGround contact_ground(std::span<const GroundParameters> zones, const Cont
   std::visit(
       [&]<class Law>(const Law&) {
         for (const GroundParameters& zone : zones) {
-          // What the law makes of a stiffness of 1 N/m and a frequency of 1 rad/s.
+          // The law's result for a stiffness of 1 N/m and a frequency of 1 rad/s.
           const Law unit = Law::of(1.0, zone);
           ground.rest_share = std::min(ground.rest_share, unit.rest_stiffness());
           ground.rate = std::max(ground.rate, unit.stepping_rate(1.0));

@@ -19,7 +19,7 @@ struct StiffnessOptions {
   ContactLaw law;                    ///< tells the rest depth and the fastest rate of a contact
 };
 
-/// What a body asks of its contacts, worked out once: the mobility takes all its points.
+/// What a body requires of its contacts, computed once: the mobility needs all its points.
 struct ContactBody {
   double mass = 0.0;             ///< kg
   double smallest_side = 0.0;    ///< S, m
@@ -28,7 +28,7 @@ struct ContactBody {
 };
 ContactBody contact_body(const RigidBody& body);
 
-/// What ground zones ask under a law, the worst of them.
+/// What the most demanding ground zone requires under a law.
 struct ContactGround {
   double rest_share = 1.0;  ///< of k_n that carries a body at rest: e_n^2, or 1 by law
   double rate = 1.0;        ///< fastest rate of a contact over its spring's frequency

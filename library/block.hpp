@@ -42,11 +42,11 @@ struct AxesRange {
 struct UnseenPart {
   double lower_volume = 0.0;  ///< m^3
   double best_volume = 0.0;   ///< m^3, of the closed scan the block was made from
-  /// m^3; none where so much is not seen that nothing bounds the block from above.
+  /// m^3; none where too much was not seen to bound the block from above.
   std::optional<double> upper_volume;
   double invented_share = 0.0;    ///< of the closed scan's area
   std::optional<AxesRange> axes;  ///< where there is an upper volume
-  std::string assumption;         ///< what the bounds rest on; empty in older files
+  std::string assumption;         ///< behind the bounds; empty in older files
 };
 
 /// A block. Everything geometric is in the frame of the stored mesh (the source's, scaled to metres

@@ -8,7 +8,7 @@
 
 namespace clast {
 
-/// What a library file says that it is.
+/// The format name in a library file.
 inline constexpr const char* kLibraryFormat = "clast block library";
 
 /// @throws InputError  `id` can't name a block: empty, with a slash or a control character, or only

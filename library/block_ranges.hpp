@@ -1,6 +1,6 @@
 #pragma once
-/// What the numbers of a block can be: for options, campaign files and command lines. From a grain
-/// of sand to a slice of a mountain; a number outside is a slip or in other units.
+/// Allowed ranges of a block's numbers: for options, campaign files and command lines. From a grain
+/// of sand to part of a mountain; a number outside is a typing error or in other units.
 #include "core/number_range.hpp"
 
 namespace clast {
@@ -14,7 +14,7 @@ inline constexpr NumberRange kMinkowskiRadius{1e-9, 1e3, "m", "sharp edges"};
 inline constexpr NumberRange kRadiusShare{1e-6, 0.25, "of S", "sharp edges"};
 inline constexpr NumberRange kMassAccuracy{1e-6, 1e-2};
 inline constexpr NumberRange kScanTolerance{1e-6, 1.0, "of L"};
-/// What taped axes are known to.
+/// The measuring error of taped axes.
 inline constexpr NumberRange kAxisError{1e-9, 1e3, "m", "exact"};
 /// Metres in one unit of a scan or table.
 inline constexpr NumberRange kLengthUnit{1e-12, 1e6, "m"};

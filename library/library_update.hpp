@@ -15,14 +15,14 @@ struct LibraryUpdate {
 };
 
 /// Locks the library (core/file_lock.hpp), reads it, lets `change` change it, writes it whole and
-/// lets go. What others wrote meanwhile is in what `change` is given, so nothing of it is lost.
+/// releases the lock. `change` receives what others wrote meanwhile, so none of it is lost.
 /// @return what was written
 /// @throws InputError  as `BlockLibrary::read`, `BlockLibrary::write` and `FileLock`, and whatever
 ///                     `change` throws: the file is then as it was
 BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdate& options,
                             const std::function<void(BlockLibrary&)>& change);
 
-/// That `update_library` could write there, before the work that it is for.
+/// Checks that `update_library` could write there, before the work whose result it will store.
 /// @throws InputError  it could not, or what is there is no library
 void check_library_place(const std::filesystem::path& path);
 

@@ -62,19 +62,19 @@ std::string described_unseen(const Block& block) {
       with_digits(100.0 * unseen.invented_share, 2) + " % of the surface is not seen but filled in";
   const std::optional<double>& upper = unseen.upper_volume;
   if (upper && *upper - unseen.lower_volume < kHardlyOpen * unseen.best_volume) {
-    return "the scan was open, but hardly: " + filled + ", which leaves volume" +
-           (metric ? " and mass" : "") + " open by less than " +
+    return "the scan was only slightly open: " + filled + ", which leaves volume" +
+           (metric ? " and mass" : "") + " uncertain by less than " +
            with_digits(100.0 * kHardlyOpen, 1) + " %";
   }
   const std::string text =
       "the scan was open: " + filled + "; " +
-      (upper ? "" : "that is too much of the block to bound it from above: ") + "volume " +
+      (upper ? "" : "too much of the block for an upper bound: ") + "volume " +
       range_text(unseen.lower_volume, upper, metric ? "m3" : "cubic model units") + " (best " +
       with_digits(unseen.best_volume, 4) + ")";
   const UnseenRange range = unseen_range(block);
   const std::string mass =
       metric ? ", mass " + range_text(range.lower_mass, range.upper_mass, "kg") : "";
-  return text + mass + (upper ? "" : "; no upper bound can be given, scan more of it");
+  return text + mass + (upper ? "" : "; no upper bound can be given: scan more of the block");
 }
 
 }  // namespace clast

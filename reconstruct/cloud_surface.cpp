@@ -28,10 +28,10 @@ namespace {
 constexpr double kClean = 0.05;  ///< noise over the distance of points that does not matter
 /// Neighbours for a normal, of averaged points and of others: what to try first.
 constexpr std::array<int, 3> kManyFirst = {18, 10, 30}, kFewFirst = {10, 18, 30};
-/// Edges that touch, and points passed by, of a surface through points that are oriented well.
+/// Share of touching edges and of missed points for a surface through well-oriented points.
 constexpr double kGood = 5e-4;
-/// A point is passed by where the surface is so many spacings away; of more of the area than this
-/// share, the surface found is not that of the block.
+/// A point is missed where the surface is so many spacings away; where missed points stand for more
+/// than this share of the area, the surface found is not that of the block.
 constexpr double kMissed = 1.5, kMostMissed = 0.01;
 constexpr int kRounds = 3;         ///< of surface and normals
 constexpr double kSpacings = 2.0;  ///< a cell holds about four points at least
@@ -72,10 +72,11 @@ struct Body {
 
 [[noreturn]] void refuse_no_surface(std::size_t points) {
   throw GeometryError("no surface was found through the " + std::to_string(points) +
-                      " points; are they of one block, and on its surface?");
+                      " points; check that all lie on the surface of one block");
 }
 
-/// The surface shows which normals are wrong, and these where the surface was.
+/// Alternates between both: the surface shows which normals are wrong, and corrected normals
+/// improve the surface.
 void find_surface(Body& body) {
   for (int round = 0; round < kRounds; ++round) {
     const detail::Indicator indicator(body.points, body.normals);
@@ -100,7 +101,7 @@ void remove_off_surface(Body& body) {
   body = std::move(kept);
 }
 
-/// Takes noise out that shows between neighbours. It leaves what is as rough as that, too.
+/// Removes noise that is visible between neighbours, and with it real roughness of that size.
 void smooth(Body& body) {
   const detail::LocalSurface local(body.points, body.normals);
   const double noise = local.noise();
@@ -110,13 +111,13 @@ void smooth(Body& body) {
 }
 
 /// Edges where the surface touches itself, as a share of all. Where some normals face in, the
-/// surface goes on inside the body, and touches itself all over.
+/// surface continues inside the body, and touches itself in many places.
 double touching_share(const TriangleMesh& surface) {
   const MeshReport report = inspect(surface);
   return static_cast<double>(report.non_manifold_edges) / static_cast<double>(report.edges);
 }
 
-/// Points that the surface passes by.
+/// Points that the surface misses.
 struct Missed {
   std::size_t count = 0;
   double share = 0.0;  ///< of the area that all points stand for
@@ -166,12 +167,12 @@ Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbou
     if (least <= kGood) break;
   }
   if (missed.share > kMostMissed) {
-    throw GeometryError("the surface passes " + std::to_string(missed.count) + " of the " +
-                        std::to_string(points.size()) + " points by, " +
-                        with_digits(100.0 * missed.share, 2) + " % of what they cover, near " +
+    throw GeometryError("the surface misses " + std::to_string(missed.count) + " of the " +
+                        std::to_string(points.size()) + " points, " +
+                        with_digits(100.0 * missed.share, 2) + " % of the area they cover, near " +
                         place(missed.place) +
-                        ": they lie too far apart there for how thin the block is; scan it more "
-                        "densely there, or delete points that do not belong to it");
+                        ": they are too far apart there for the thickness of the block; scan it "
+                        "more densely there, or delete points that do not belong to it");
   }
   return best;
 }

@@ -136,9 +136,9 @@ class Separation {
   static FieldBlock with_doubt(FieldBlock block) {
     if (hardly_open(block)) {
       block.scan.notes.push_back(
-          "hardly any surface was missing, so the bounds are narrow; whether the scanning "
-          "software had closed a side before that nobody saw, such as the bottom, the file does "
-          "not tell: check the volume by weighing (--mass with --density)");
+          "hardly any surface was missing, so the bounds are narrow; the file does not show "
+          "whether the scanning software had already closed an unseen side, such as the bottom: "
+          "check the volume by weighing (--mass with --density)");
     }
     return block;
   }
@@ -324,7 +324,7 @@ class Separation {
       CloudSurface surface = cloud_surface(points, options_.surface);
       if (surface.outliers > 0) {
         notes.push_back(std::to_string(surface.outliers) +
-                        " more points left out, which lie off the surface of those around them");
+                        " more points left out as outliers off the surface of their neighbours");
       }
       if (surface.gaps > 0) {
         notes.push_back(std::to_string(surface.gaps) + (surface.gaps == 1 ? " gap" : " gaps") +

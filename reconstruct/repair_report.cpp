@@ -65,22 +65,22 @@ class Sentences {
                                    : "a second copy of " + percent(std::min(1.0, copy.area_share)) +
                                          " of the block's surface, ";
     text += with_digits(100.0 * copy.scale, 4) + " % of its size, " + metres(copy.distance) +
-            " off it and on average " + metres(std::abs(copy.offset)) +
+            " away from it and on average " + metres(std::abs(copy.offset)) +
             (copy.offset < 0.0 ? " inside" : " outside") +
-            ", was dropped: no bubble but the same rock, scanned or stored twice and not brought "
-            "together. ";
+            ", was dropped: not a bubble but the same rock, scanned or stored twice and not "
+            "registered. ";
     switch (copy.kept_for) {
       case KeptFor::kClosed:
-        text += "The one that was kept is closed";
+        text += "The kept copy is closed";
         break;
       case KeptFor::kWhole:
-        text += "The one that was kept is of the whole block";
+        text += "The kept copy covers the whole block";
         break;
       case KeptFor::kFiner:
-        text += "The one that was kept has more triangles";
+        text += "The kept copy has more triangles";
         break;
       case KeptFor::kSize:
-        text += "Neither is more complete or finer, so the larger was kept";
+        text += "Neither is more complete or finer, so the larger one was kept";
         break;
     }
     const double volume = copy.kept_volume, change = copy.volume_change;
@@ -173,7 +173,7 @@ class Sentences {
       std::string open;
       if (report_.volume_below + report_.volume_above > 0.0) {
         open = "; the volume may be up to " + with_digits(report_.volume_below, 2) +
-               " m3 smaller or " + with_digits(report_.volume_above, 2) + " m3 larger for it";
+               " m3 smaller or " + with_digits(report_.volume_above, 2) + " m3 larger";
       }
       notes.push_back(percent(report_.invented_share) +
                       " of the surface is invented: no scan saw what fills the holes" + open);

@@ -47,7 +47,7 @@ struct FilledHole {
   double area_share = 0.0;  ///< of the mended surface
   Vec3 centre = Vec3::Zero();
   bool fan = false;  ///< closed by triangles between its border vertices alone
-  /// How much less or more the block may hold here than the filling says, m^3.
+  /// How much smaller or larger the volume may be here than with the filling, m^3.
   double volume_below = 0.0, volume_above = 0.0;
 };
 
@@ -60,14 +60,14 @@ enum class KeptFor {
 };
 
 /// A second copy of the block's surface, or of a part of it, that was dropped: two scans, or a scan
-/// stored twice, that were not brought together.
+/// stored twice, that were not registered.
 struct DoubledSurface {
   bool closed = false;         ///< it bounds a block by itself
   double area_share = 0.0;     ///< of the area of the surface that was kept
   double offset = 0.0;         ///< mean distance from that, positive outside of it, m
   double distance = 0.0;       ///< root mean square distance from it, m
   double scale = 1.0;          ///< its size against it, as they fit best
-  double volume_change = 0.0;  ///< what the block would hold more with this one, m^3
+  double volume_change = 0.0;  ///< additional volume of the block with this one, m^3
   double kept_volume = 0.0;    ///< of the block with the one that was kept; 0: that is open, m^3
   KeptFor kept_for = KeptFor::kSize;
 };
@@ -77,13 +77,13 @@ struct DoubledSurface {
 constexpr double kLargeHole = 0.1;
 
 struct RepairReport {
-  MeshReport as_read;                   ///< after welding, before anything else was mended
+  MeshReport as_read;                   ///< after welding, before any other repair
   std::vector<Defect> defects;          ///< none: the surface was sound
   std::vector<FilledHole> holes;        ///< largest area first
   std::vector<DoubledSurface> doubled;  ///< copies with 5 % of the block's area and more
-  double invented_share = 0.0;          ///< fillings over the whole mended surface
-  /// How much less or more than the mended surface the block may hold, as far as fillings and
-  /// doubled surfaces leave that open, m^3.
+  double invented_share = 0.0;          ///< fillings over the whole repaired surface
+  /// How much less or more than the volume of the repaired surface the block may have, as far as
+  /// fillings and doubled surfaces leave that uncertain, m^3.
   double volume_below = 0.0, volume_above = 0.0;
   std::size_t inner_shells = 0;     ///< bubbles inside, dropped unless they were to be kept
   double inner_shell_volume = 0.0;  ///< of all of them, m^3

@@ -49,16 +49,16 @@ struct SideBounds {
 /// A scan closed two ways, and what it may be beyond that. Both meshes are closed and outward, with
 /// the same triangles; the filling of the largest hole is moved down in `best`.
 struct Underside {
-  TriangleMesh lower;  ///< filled straight across the rims (soap films)
+  TriangleMesh lower;  ///< filled straight across the rims (membranes)
   TriangleMesh best;
   /// Of `lower`, less what its filling may be dented as the seen surface is, m^3.
   double lower_volume = 0.0;
   double best_volume = 0.0;
-  /// None: so large a part of the block is not seen that nothing bounds it. Nothing is known of the
-  /// sides of its box then.
+  /// None: too large a part of the block was not seen to bound it. Nothing is known of the sides of
+  /// its box then.
   std::optional<double> upper_volume;
   std::optional<SideBounds> sides;
-  std::string assumption;          ///< what the upper volume rests on, in words
+  std::string assumption;          ///< behind the upper volume, in words
   std::size_t open_sides = 1;      ///< holes that are bracketed, together
   double invented_share = 0.0;     ///< filling's share of the area of `best`
   std::size_t first_invented = 0;  ///< triangles from this one on are filling, in both
@@ -73,12 +73,13 @@ struct Underside {
 /// Closes the largest hole of a scan as an underside, and the others flat, and brackets them
 /// together; those below 0.3 % of the surface are closed flat and count as seen.
 ///
-/// Of a convex body every tangent plane of the seen surface holds all of it, also what nobody saw:
-/// the upper volume fills the space between the films and these planes, moved out by what the seen
-/// surface stands out over its own tangent planes, down to the ground where one is known. Where it
-/// is known what was looked through, the upper volume is no larger than all that was not. Where
-/// that leaves more than half as much again as was seen (as much again above a ground), there is no
-/// upper volume. See docs/theory.md for the best guess, and for what was measured.
+/// Of a convex body every tangent plane of the seen surface has all of it on one side, also the
+/// unseen part: the upper volume fills the space between the films and these planes, moved out by
+/// what the seen surface stands out over its own tangent planes, down to the ground where one is
+/// known. Where it is known what was looked through, the upper volume is no larger than all that
+/// was not. Where that leaves more than half as much again as was seen (as much again above a
+/// ground), there is no upper volume. See docs/theory.md for the best guess, and for what was
+/// measured.
 ///
 /// @param open  oriented 2-manifold in one piece; small holes may be left
 /// @returns none where no hole is large enough: the scan is closed, or nearly

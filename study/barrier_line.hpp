@@ -1,5 +1,5 @@
 #pragma once
-/// The lines of barriers on the map: which can be counted at, and where a closed one is inside.
+/// The lines of barriers on the map: where crossings can be counted, and what a ring encloses.
 #include <span>
 
 #include "core/types.hpp"

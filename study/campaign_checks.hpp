@@ -17,7 +17,7 @@ std::string set_name(const ReleasePlan& release);
 void check_falls(const PreparedCampaign& prepared);
 
 /// What its user should know before anything runs: doubtful inputs in words, none where all is
-/// usual. Stiffness and time step must have been chosen; what is doubtful about them is not here.
+/// usual. Stiffness and time step must have been chosen; doubts about these are not reported here.
 /// @throws InputError  a run would take so many steps that it never ends
 std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared);
 

@@ -1,7 +1,7 @@
 #pragma once
-/// What the numbers of a campaign can be, apart from those of its ground and its blocks. Wide
-/// enough for pebbles in a laboratory, other planets and slides of mountains; what lies outside is
-/// a slip of the keyboard, or in other units.
+/// Allowed ranges of a campaign's numbers, apart from those of its ground and its blocks. Wide
+/// enough for pebbles in a laboratory, other planets and large rock avalanches; a number outside is
+/// a typing error, or in other units.
 #include "library/block_ranges.hpp"
 #include "terrain/terrain_ranges.hpp"
 

@@ -258,8 +258,8 @@ void write_results_file(const fs::path& target, const CampaignResults& header, s
 
 namespace {
 
-/// That the target can be written and that there is room for as many runs in the journal, beside a
-/// file that holds no run yet. That file is written, which finds whatever else may be wrong.
+/// Checks that the target can be written and that there is room for as many runs in the journal,
+/// beside a file that holds no run yet. That file is written, which finds any other problem.
 void check_room_for(const fs::path& target, const CampaignResults& header, std::size_t runs) {
   const OutputFile trial(target, {.kind = kFormat});
   {

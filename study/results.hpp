@@ -131,7 +131,7 @@ Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run)
 void merge_results(const std::vector<std::filesystem::path>& parts,
                    const std::filesystem::path& target);
 
-/// That results could be written to `target`, before the runs.
+/// Checks that results could be written to `target`, before the runs.
 /// @throws InputError  a folder, a device, a link in a circle, write-protected, in a folder that
 ///                     can't be written to, or a file that is not empty and holds no results
 void check_results_place(const std::filesystem::path& target);

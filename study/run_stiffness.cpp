@@ -78,7 +78,7 @@ std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
   }
   if (others > 0) {
     warnings.push_back("the stiffness of " + std::to_string(others) +
-                       " more blocks leads to warnings like these");
+                       " more blocks leads to similar warnings");
   }
   return warnings;
 }

@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// Chooses them for each run from what it has itself: its block, the ground set that it meets, and
+/// Chooses them for each run from its own data: its block, the ground set that it meets, and
 /// the fastest speed that its own start allows. No other block, release or member of the ensemble
 /// changes what a run gets.
 /// @return what the user should know, by block

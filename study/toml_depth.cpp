@@ -11,8 +11,8 @@ namespace {
 // A campaign needs six.
 constexpr std::size_t kDeepest = 32;
 
-/// Behind the string that begins at `at`; at the end of the line where it is never closed, which
-/// the parser refuses.
+/// The position after the string that begins at `at`; the end of the line where it is never closed,
+/// which the parser refuses.
 std::size_t behind_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool escapes = quote == '"';
@@ -56,7 +56,7 @@ void check_toml_depth(std::string_view text, const std::string& name) {
           name + ":" + std::to_string(lines + 1) +
           (dots >= kDeepest ? ": a key of more than " : ": lists or tables in more than ") +
           std::to_string(kDeepest) + (dots >= kDeepest ? " parts" : " others") +
-          "; nothing that is read here lies so deep");
+          "; no valid key is nested so deep, remove it");
     }
     ++at;
   }

@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// What a terrain file says that it is.
+/// The format name in a terrain file.
 inline constexpr const char* kTerrainFormat = "clast terrain";
 
 /// Replaces a terrain file that is there.

@@ -1,5 +1,6 @@
 #pragma once
-/// What the numbers of a ground can be: for `TerrainOptions`, campaign files and command lines.
+/// Allowed ranges of the numbers of a ground: for `TerrainOptions`, campaign files and command
+/// lines.
 #include "core/number_range.hpp"
 
 namespace clast {

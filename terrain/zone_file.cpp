@@ -47,8 +47,8 @@ void check_zone_name(const std::string& name) {
   });
   if (!name.empty() && !bad) return;
   throw InputError("zone \"" + printable(name) +
-                   "\": a zone has a name of one line without \"=\" or control characters; rename "
-                   "it where it is written");
+                   "\": a zone name must be one line without \"=\" or control characters; rename "
+                   "it in the file it comes from");
 }
 
 std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones) {

@@ -134,7 +134,7 @@ void check_options_apply(const ClassifyArgs& args, const CLI::App& command) {
     return std::count(schemes.begin(), schemes.end(), scheme) > 0;
   };
   need("--output", !args.output.empty(), "names no folder");
-  need("--replace", given("--output"), "is for the folder of --output");
+  need("--replace", given("--output"), "applies to the folder of --output; add --output");
   for (const auto& [option, value] :
        {std::pair{"--columns", &args.first.columns}, std::pair{"--units", &args.first.units},
         std::pair{"--against-columns", &args.against.columns},
@@ -288,8 +288,7 @@ void add_classify(CLI::App& app) {
       ->add_option("-o,--output", args->output,
                    "Folder for report.html, tables (csv) and diagrams (svg)")
       ->type_name("DIR");
-  command->add_flag("--replace", args->replace,
-                    "Put the new report in the place of one that is in the folder");
+  command->add_flag("--replace", args->replace, "Replace a report that is in the folder");
   command->add_flag("--json", args->json, "Print as JSON");
   command->footer(
       "Shares come with the 95 % interval of Wilson: what a sample of this size says "

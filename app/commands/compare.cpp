@@ -72,8 +72,7 @@ void add_compare(CLI::App& app) {
   command->add_option("-o,--output", args->folder, "Folder, made when missing")
       ->type_name("DIR")
       ->capture_default_str();
-  command->add_flag("--replace", args->replace,
-                    "Put the new comparison in the place of one that is in the folder");
+  command->add_flag("--replace", args->replace, "Replace a comparison that is in the folder");
   command
       ->add_option("--by", args->by,
                    "Group by the values of a column of runs.csv too, for example release_set, "

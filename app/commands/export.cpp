@@ -86,8 +86,8 @@ std::filesystem::path mesh_file(const ExportArgs& args, const Block& block,
   return std::filesystem::path(args.folder) / (block.id + suffix + "." + format);
 }
 
-/// That nothing is in the place of a file to be written, such as the scan that the block was made
-/// from.
+/// Checks that no file to be written would replace another, such as the scan that the block was
+/// made from.
 void check_places(const ExportArgs& args, const std::vector<const Block*>& blocks,
                   const std::vector<std::string>& formats) {
   for (const Block* block : blocks) {
@@ -101,7 +101,7 @@ void check_places(const ExportArgs& args, const std::vector<const Block*>& block
   }
 }
 
-/// An option that changes nothing was meant for something.
+/// Reports that more `--segments` than have an effect were asked for.
 void report_segments(const Block& block, const ExportArgs& args) {
   const std::optional<double> length = wrap_length(block.body, args.segments);
   const int most = most_wrap_segments(block.body);
@@ -109,8 +109,8 @@ void report_segments(const Block& block, const ExportArgs& args) {
   std::cerr << "block " << printable(block.id)
             << " is concave: its skin is wrapped in triangles of " << with_digits(*length, 3)
             << (is_unscaled(block) ? " units" : " m")
-            << ", the shortest there are (1/150 of its diagonal), so --segments " << args.segments
-            << " gives what " << most << " gives\n";
+            << ", the shortest allowed (1/150 of its diagonal), so --segments " << args.segments
+            << " gives the same skin as " << most << "\n";
 }
 
 void export_blocks(const ExportArgs& args) {
@@ -128,8 +128,8 @@ void export_blocks(const ExportArgs& args) {
   const bool skin = !only_shp && (args.what == "skin" || args.what == "both");
   if (args.segments_given && !skin) {
     throw CLI::ValidationError("--segments",
-                               "is for the rounded skin in a mesh file, and none is written; add "
-                               "for example --format ply --what skin");
+                               "applies to the rounded skin in a mesh file, and none is written; "
+                               "add for example --format ply --what skin");
   }
   if (args.frame == "principal" && args.up == "y") {
     throw CLI::ValidationError("--up", "y turns the source frame; the principal frame has no up");
@@ -147,7 +147,7 @@ void export_blocks(const ExportArgs& args) {
   for (const Block* block : blocks) {
     if (is_unscaled(*block)) {
       std::cerr << "block " << printable(block->id)
-                << " is unscaled, so what is written of it is not in "
+                << " is unscaled, so its exported coordinates are not in "
                 << "metres: " << unscaled_reason() << "\n";
     }
     std::vector<std::pair<std::string, TriangleMesh>> meshes;
@@ -173,8 +173,8 @@ void export_blocks(const ExportArgs& args) {
         if (!origin.isZero(0.0)) {
           std::cerr << printable(file.string())
                     << ": its floats can't hold coordinates this far out, so " << place(origin)
-                    << " was taken off (" << printable(file.filename().string())
-                    << ".origin.txt says so); obj, ply and vtp keep them\n";
+                    << " was subtracted (see " << printable(file.filename().string())
+                    << ".origin.txt); obj, ply and vtp keep them\n";
         }
       }
     }
@@ -194,7 +194,7 @@ void add_export(CLI::App& app) {
       ->add_option("-o,--output", args->folder, "Folder, made when missing; a file for each block")
       ->type_name("DIR")
       ->capture_default_str();
-  command->add_flag("--replace", args->replace, "Write over files that are there");
+  command->add_flag("--replace", args->replace, "Replace existing files");
   command
       ->add_option("--format", args->formats,
                    "Comma-separated: shp (Rockable, ExaDEM), obj, stl, ply, glb, vtp")
@@ -211,8 +211,8 @@ void add_export(CLI::App& app) {
       command
           ->add_option(
               "--segments", args->segments,
-              "Pieces of a quarter turn in the skin, 1 to 64; its volume is short by a share "
-              "of their square. The skin of a concave block has no triangles shorter than "
+              "Segments of a quarter turn in the skin, 1 to 64; its volume is too small by a "
+              "share that falls with their square. A concave block's skin has no triangles below "
               "1/150 of its diagonal")
           ->check(whole_number(1, 64))
           ->type_name("N")

@@ -74,7 +74,7 @@ std::vector<std::array<std::string, 2>> unseen_lines(const Block& block) {
                                           : "at most " + rounded(range.upper_density)});
   }
   if (!range.axes) {
-    lines.push_back({"L, I, S, classes", "not known: too much of the block is not seen"});
+    lines.push_back({"L, I, S, classes", "not known: too much of the block was not seen"});
   } else {
     const auto& [low, high] = *range.axes;
     lines.push_back({"L " + unit, between(low.L, high.L, 4)});

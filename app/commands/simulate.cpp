@@ -114,7 +114,7 @@ std::string releases_text(const PreparedCampaign& prepared) {
 /// More blocks than this are not printed one by one.
 constexpr std::size_t kMostPrinted = 20;
 
-/// What the runs of each block have, and those of all where there are many.
+/// Stiffness and time step of the runs of each block, and over all blocks where there are many.
 TextTable stiffness_table(const PreparedCampaign& prepared) {
   const std::vector<BlockStiffness> blocks =
       stiffness_by_block(prepared.header.blocks, prepared.runs);

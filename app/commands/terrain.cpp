@@ -164,7 +164,7 @@ bool is_same_file(const std::filesystem::path& output, const std::filesystem::pa
          std::filesystem::equivalent(output, input, none);
 }
 
-/// Refuses outputs in the place of what is to be kept, before the work.
+/// Refuses outputs that would replace files that must be kept, before the work starts.
 void check_places(const TerrainArgs& args) {
   check_output(args.output, {.kind = kTerrainFormat, .replace = args.replace});
   for (const std::string& output : {args.exported, args.picture}) {
@@ -378,7 +378,7 @@ void add_terrain(CLI::App& app) {
       ->type_name("M")
       ->capture_default_str();
   command->add_flag("--replace", args->replace,
-                    "Write over a terrain file, an export or a picture that is there");
+                    "Replace an existing terrain file, export or picture");
   command->add_flag("--json", args->json, "Print the report as JSON");
   command->footer(
       "Examples:\n"

@@ -2,8 +2,8 @@
 /// Checksums of what an HDF5 file holds. Every group and dataset has an attribute `checksum`, the
 /// exclusive or of one number for each other attribute and, of a dataset, one for its values, so
 /// that setting one attribute costs one number. HDF5 itself checks its own structures and, by
-/// Fletcher32, compressed chunks, but neither values stored plain, nor texts beside the headers,
-/// nor the index of chunks, by which a chunk can be lost and read as zeros.
+/// Fletcher32, compressed chunks, but neither values stored uncompressed, nor texts outside the
+/// headers, nor the index of chunks, where a chunk can get lost and be read as zeros.
 #include <hdf5.h>
 
 #include <cstdint>

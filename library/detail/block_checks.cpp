@@ -12,7 +12,7 @@ namespace clast::detail {
 
 namespace {
 
-/// Relative; far above the rounding of any of these numbers and far below what anyone measures.
+/// Relative; far above the rounding of these numbers and far below any measurement error.
 constexpr double kRounding = 1e-6;
 
 std::string number(double value) { return with_digits(value, 9); }
@@ -20,31 +20,32 @@ std::string number(double value) { return with_digits(value, 9); }
 void require_equal(double stored, double expected, double tolerance, const std::string& what,
                    const std::string& where) {
   require(std::abs(stored - expected) <= tolerance * std::abs(expected), where,
-          what + " is " + number(stored) + " where " + number(expected) + " follows from the rest");
+          what + " is " + number(stored) + ", but " + number(expected) + " follows from the rest");
 }
 
 void check_moments(const Block& block, const std::string& where) {
   const Vec3& moments = block.principal.moments;
   const double slack = (kRounding + 2.0 * block.mass.relative_error) * moments[2];
   require(moments[0] > 0.0 && moments[0] <= moments[1] && moments[1] <= moments[2], where,
-          "principal_moments are not positive and in rising order");
-  require(moments[0] + moments[1] + slack >= moments[2], where,
-          "principal_moments are those of no solid: the largest is more than the others together");
+          "principal_moments are not positive and ascending");
+  require(
+      moments[0] + moments[1] + slack >= moments[2], where,
+      "principal_moments are impossible for a solid: the largest exceeds the sum of the others");
   // Between nearly equal moments the axes follow a convention.
   const Mat3 turn = block.principal.rotation.toRotationMatrix();
   const Mat3 along = turn.transpose() * block.mass.inertia * turn;
   const Mat3 off = along - Mat3(moments.asDiagonal());
   require(off.cwiseAbs().maxCoeff() <= 10.0 * slack + kRounding * moments[2], where,
-          "inertia is not that of principal_moments and source_from_body");
+          "inertia does not agree with principal_moments and source_from_body");
 }
 
 void check_box(const Block& block, const std::string& where) {
   const OrientedBox& box = block.box;
   require((box.axes.transpose() * box.axes - Mat3::Identity()).cwiseAbs().maxCoeff() < kRounding,
-          where, "box_axes are no directions at right angles");
+          where, "box_axes are not unit vectors at right angles");
   require(
       box.lengths[0] >= box.lengths[1] && box.lengths[1] >= box.lengths[2] && box.lengths[2] > 0.0,
-      where, "box_lengths are not positive and in falling order");
+      where, "box_lengths are not positive and descending");
   Vec3 reach = Vec3::Zero();
   for (const Vec3& vertex : block.body.vertices) {
     reach = reach.cwiseMax((box.axes.transpose() * (vertex - box.centre)).cwiseAbs());
@@ -54,11 +55,11 @@ void check_box(const Block& block, const std::string& where) {
   require((sides - box.lengths).cwiseAbs().maxCoeff() <= slack, where,
           "the box is not around the core: its sides are " + number(box.lengths[0]) + ", " +
               number(box.lengths[1]) + ", " + number(box.lengths[2]) +
-              " m, the core with its radius takes " + number(sides[0]) + ", " + number(sides[1]) +
-              ", " + number(sides[2]) + " m");
+              " m, those of the core with its radius " + number(sides[0]) + ", " +
+              number(sides[1]) + ", " + number(sides[2]) + " m");
 }
 
-/// Of a convex core, by the closed form; none of others, whose integration takes long.
+/// Of a convex core, by the closed form; none for others, whose integration takes long.
 std::optional<MassProperties> exact_properties(const Block& block) {
   if (block.mass.relative_error > 0.0) return std::nullopt;
   try {
@@ -70,7 +71,7 @@ std::optional<MassProperties> exact_properties(const Block& block) {
 
 void check_volume(const Block& block, const std::string& where) {
   require(block.mass.volume <= (1.0 + kRounding) * block.box.volume(), where,
-          "volume_m3 is " + number(block.mass.volume) + ", more than the box holds, " +
+          "volume_m3 is " + number(block.mass.volume) + ", more than the box's, " +
               number(block.box.volume()));
   const std::optional<MassProperties> exact = exact_properties(block);
   if (!exact) return;

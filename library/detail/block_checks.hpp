@@ -1,5 +1,5 @@
 #pragma once
-/// What the numbers of a block say of each other.
+/// Whether the numbers of a block are consistent.
 #include <string>
 
 #include "library/block.hpp"
@@ -10,7 +10,7 @@ namespace clast::detail {
 /// those of its inertia, whose box is not the one around its core, or, where a closed form gives
 /// them, whose volume and moments are not those of its core. Numbers of every version of clast
 /// agree to rounding, and where they were integrated, to their stated error.
-/// @param where  what the message begins with: "blocks.h5: block B017"
+/// @param where  the start of the message: "blocks.h5: block B017"
 /// @throws InputError  with both numbers
 void check_agreement(const Block& block, const std::string& where);
 

@@ -19,7 +19,7 @@ constexpr std::size_t kMinima = 12;  ///< ... and so many least boxes are looked
 constexpr int kDirections = 24;      ///< a minimum is looked around by turns about so many axes
 constexpr int kAngles = 8;           ///< ... by so many angles
 constexpr double kLargestAngle = 0.25, kShrink = 0.62;  // rad; each angle against the last
-/// Hulls with more corners are thinned; what is lost of an extent is below 1e-3 of it.
+/// Hulls with more corners are simplified; what is lost of an extent is below 1e-3 of it.
 constexpr std::size_t kMostCorners = 1500;
 constexpr int kLooks = 3000;
 /// Boxes larger than the largest by this much count: axes that are looked at are a hair off those

@@ -1,5 +1,5 @@
 #pragma once
-/// What an unseen part leaves open of the sides of the smallest box.
+/// Bounds of the sides of the smallest box of a body with an unseen part.
 #include <span>
 
 #include "reconstruct/underside.hpp"

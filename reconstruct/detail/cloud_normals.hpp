@@ -8,8 +8,8 @@
 
 namespace clast::detail {
 
-/// Turns the normals from neighbour to neighbour along the tree that bends least, from the point
-/// farthest from the middle, whose normal faces away from it.
+/// Orients the normals from neighbour to neighbour along the spanning tree with the least change of
+/// direction, starting at the point farthest from the centre, whose normal faces away from it.
 /// @param normals  unit, of either sign, one for each point
 /// @cite hoppe1992
 void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points);

@@ -1,5 +1,5 @@
 #pragma once
-/// Planes that a body stays behind if its flanks go on as they were seen.
+/// Planes that a body stays behind if its flanks continue as they were seen.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -17,8 +17,8 @@ struct FlankPlanes {
 
 /// Tangent planes of patches of the seen surface, each moved out until all that was seen lies
 /// behind it, and by the slack. A convex body lies behind them, whatever its unseen part is like.
-/// The slack is what parts of the seen surface stand out over the tangent planes of others on
-/// average: zero for a convex body.
+/// The slack is the mean height of parts of the seen surface above the tangent planes of others:
+/// zero for a convex body.
 /// @param closed  outward
 /// @param seen    triangles before this one were seen
 /// @param rims    vertices of the rims: a plane that only they hold out is left out

@@ -46,7 +46,7 @@ std::vector<BorderSide> border_sides(const TriangleMesh& mesh, std::span<const H
   return sides;
 }
 
-/// An open fan at a vertex: counted from `starts` against the clock up to `ends`, both numbers of
+/// An open fan at a vertex: counter-clockwise from `starts` to `ends`, both numbers of
 /// border sides, the first of which leaves the vertex and the second comes to it.
 struct OpenFan {
   std::uint32_t fan = 0;
@@ -95,7 +95,7 @@ std::vector<OpenFan> in_order(const TriangleMesh& mesh, std::uint32_t vertex,
   return fans;
 }
 
-/// For every border side that leaves its first vertex the side that a border goes on with: the one
+/// For every border side that leaves its first vertex the side at which a border continues: the one
 /// at the end of the fan before it, seen around the vertex.
 std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector<BorderSide>& sides,
                                      const std::vector<std::uint32_t>& fans) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The borders of the holes of a torn sheet, also where scraps of it hang together at corners only.
+/// The borders of the holes of a torn sheet, also where parts of it are connected only at corners.
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace clast::detail {
 
-/// Turns scraps that hang on the rest at single vertices and face the other way there than most of
-/// what they hang on. Returns the number of triangles that were turned.
+/// Flips fragments that are attached at single vertices and face the opposite way to most of the
+/// surface they are attached to. Returns the number of triangles that were flipped.
 /// @param mesh  no edge of more than two triangles, neighbours over edges agree
 std::size_t turn_hanging_scraps(TriangleMesh& mesh);
 
 /// The border of each hole, in the direction that a filling triangle needs.
 ///
 /// Where the fans of a vertex stand beside one another around it, as what is left of a torn sheet
-/// does, a border runs across the gap from one fan to the next. So a loop goes round triangles that
+/// does, a border runs across the gap from one fan to the next. So a loop encloses triangles that
 /// are missing beside each other, and may pass a vertex more than once. Where fans overlap, two
 /// sheets touch: there a border stays with its fan, as if the vertex was split.
 /// @param mesh  no edge of more than two triangles, neighbours over edges agree

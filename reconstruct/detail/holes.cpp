@@ -40,8 +40,8 @@ constexpr std::size_t kMostForAllTriangulations = 400;
 /// one of 5 % leaves 0.7 %.
 constexpr double kUnseenShare = 0.05, kSmallestUnseenShare = 0.01;
 constexpr double kUnseenWidth = 3.0;  ///< in mean sides of the border
-/// A filling stands off a soap film by this share of the hole's width at most: a cap of a ball with
-/// a tenth of its surface does by a third, one with a seventh by this.
+/// A filling deviates from a membrane by this share of the hole's width at most: a cap of a ball
+/// with a tenth of its surface does by a third, one with a seventh by this.
 constexpr double kMostBulge = 0.5;
 
 /// The fan over `loop` from its corner `apex`.
@@ -96,7 +96,7 @@ double area_of(const CgalMesh& mesh, const std::vector<Face>& faces) {
   return area;
 }
 
-/// Moves the vertices to a surface that goes on smoothly at the border, but no farther from a film
+/// Moves the vertices to a surface that is smooth at the border, but no farther from a membrane
 /// over it than half its width. Returns six times the volume under the film.
 double bulge(CgalMesh& mesh, const std::vector<Face>& patch, const std::vector<Vertex>& added,
              const FilledHole& hole) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The surface near a place, as the points around it say.
+/// The surface near a place, estimated from the points around it.
 #include <span>
 #include <vector>
 
@@ -19,12 +19,12 @@ class LocalSurface {
   /// Standard deviation of the points about small quadrics: the median over up to 2,000 points, m.
   double noise() const;
 
-  /// Points that lie farther off what their neighbours fit than `spacings` (m) and the scatter of
-  /// these allow, and a little apart from them: outliers close to the surface.
+  /// Points that lie farther off the surface fitted to their neighbours than `spacings` (m) and the
+  /// scatter of these allow, and a little apart from them: outliers close to the surface.
   std::vector<bool> off_surface(std::span<const double> spacings) const;
 
   /// Every point moved along its normal onto the plane or quadric through its neighbourhood, which
-  /// is as large as `noise` (m) lets one fit: edges stay, since there none does.
+  /// is as large as `noise` (m) lets one fit: edges stay, since no plane or quadric fits there.
   std::vector<Vec3> smoothed(double noise) const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace clast::detail {
 
-/// How a loop was filled, and how differently it could have been.
+/// How a loop was filled, and how much other fillings would differ.
 struct LoopFilling {
   std::vector<TriangleMesh::Triangle> triangles;
   double area = 0.0;  ///< m^2
@@ -27,13 +27,13 @@ inline EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
   return a < b ? EdgeKey{a, b} : EdgeKey{b, a};
 }
 
-/// Of all triangulations of `loop` that make no edge of `edges` again the one that bends least: the
-/// sum of bend times length over its edges and those of the loop, with the triangles beyond them.
-/// No vertex is added, none moves. Cubic in the length of the loop.
+/// Of all triangulations of `loop` that repeat no edge of `edges`, the one with the least bending:
+/// the sum of dihedral angle times length over its edges and those of the loop, with the triangles
+/// beyond them. No vertex is added or moved. Cubic in the length of the loop.
 /// @param loop     may pass a vertex more than once
 /// @param normals  of the triangle beyond side i, from corner i to corner i + 1; unit
 /// @param edges    all edges of the mesh
-/// @returns none where every triangulation makes an edge again
+/// @returns none where every triangulation repeats an edge
 /// @cite liepa2003
 std::optional<LoopFilling> filled_loop(const TriangleMesh& mesh,
                                        std::span<const std::uint32_t> loop,

@@ -42,7 +42,7 @@ CgalPoint asked_at(const Cell& cell) {
   return std::isfinite(CGAL::squared_distance(centre, a)) ? centre : CGAL::centroid(a, b, c, d);
 }
 
-/// All cells of one side that hang together with `first`; they are `kReached` after.
+/// All cells of one side that are connected with `first`; they are `kReached` after.
 std::vector<Cell> hanging_together(const Cell& first, Side side) {
   std::vector<Cell> cells = {first};
   first->info() = Side::kReached;
@@ -61,7 +61,7 @@ void set(const std::vector<Cell>& cells, Side side) {
   for (const Cell& cell : cells) cell->info() = side;
 }
 
-/// Leaves the largest piece inside, by volume, and fills what is enclosed.
+/// Keeps the largest component inside, by volume, and fills what is enclosed.
 void keep_one_solid(Delaunay& delaunay) {
   const std::vector<Cell> around =
       hanging_together(delaunay.infinite_vertex()->cell(), Side::kOutside);

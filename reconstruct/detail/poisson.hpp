@@ -1,5 +1,5 @@
 #pragma once
-/// The surface between inside and outside that oriented points show.
+/// The surface between inside and outside that oriented points define.
 #include <memory>
 #include <span>
 
@@ -9,7 +9,7 @@ namespace clast::detail {
 
 /// A function that is negative inside and positive outside the body whose surface oriented points
 /// lie on, solved for over all of them [kazhdan2006]: single points off the surface, gaps and
-/// changes of density do not decide.
+/// changes of density have little effect.
 /// @cite kazhdan2006
 class Indicator {
  public:
@@ -26,11 +26,11 @@ class Indicator {
   double facing_ = 1.0;  ///< -1 where most normals face inward
 };
 
-/// The closed surface through the points that parts the Delaunay tetrahedra inside from those
-/// outside, asked at their circumcentres: the restricted Delaunay triangulation, which of a sample
-/// dense enough is a manifold. The surface has no vertex but the points, so it never leaves their
-/// hull; points off it are no vertices. It crosses itself nowhere, is in one piece without
-/// cavities, and closed also where no points are: there its triangles are large.
+/// The closed surface through the points that separates the Delaunay tetrahedra inside from those
+/// outside, by the indicator at their circumcentres: the restricted Delaunay triangulation, which
+/// of a sample dense enough is a manifold. The surface has no vertex but the points, so it never
+/// leaves their hull; points off it are no vertices. It crosses itself nowhere, is in one piece
+/// without cavities, and closed also where no points are: there its triangles are large.
 /// @returns outward; vertices are all points in order, also those not used; empty when nothing is
 ///          inside
 /// @pre indicator.found()

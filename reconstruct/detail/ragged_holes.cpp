@@ -16,7 +16,7 @@ namespace {
 
 /// The search of a filling is cubic in the corners.
 constexpr std::size_t kMostCorners = 150;
-/// Pieces with less of the area that touch the rest nowhere are closed by nothing here.
+/// Components with less of the area that touch the rest nowhere are not closed here.
 constexpr double kLoosePiece = 0.05;
 
 /// Of each vertex: does the piece that it is of, connected over vertices, have enough area?

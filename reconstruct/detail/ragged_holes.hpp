@@ -13,12 +13,12 @@ namespace clast::detail {
 /// lost its middle has just this.
 inline constexpr double kWidthOfMissingTriangles = 1.0;
 
-/// Closes every hole that is no wider than `kWidthOfMissingTriangles`, by the triangulation that
-/// bends least; scraps that hang in it at corners become part of the surface again. No vertex is
-/// added, none moves. Loose pieces with less than 5 % of the area stay as they are.
+/// Closes every hole that is no wider than `kWidthOfMissingTriangles`, by the triangulation with
+/// the least bending; fragments attached at corners become part of the surface again. No vertex is
+/// added or moved. Loose components with less than 5 % of the area stay as they are.
 ///
-/// Where triangles were deleted at random, as up to half of them may be, this finds the surface
-/// again to the last vertex.
+/// Where triangles were deleted at random, up to half of them, this restores the surface to the
+/// last vertex.
 /// @param mesh  no edge of more than two triangles, neighbours over edges agree
 /// @returns the fillings, shares of the area left at 0
 std::vector<FilledHole> close_ragged_holes(TriangleMesh& mesh);

@@ -11,17 +11,17 @@ namespace clast::detail {
 
 namespace {
 
-/// Of n points strewn at random over a surface the largest ball without any has a radius of about
+/// For n points scattered at random over a surface the largest empty ball has a radius of about
 /// sqrt(ln n / pi) spacings: 1.6 of 3,000, 1.9 of 100,000.
 constexpr double kLargestBall = 2.5;
-/// The thinnest points around a patch, in so many rings: this quantile of their spacings. A stray
-/// point or two in the middle of a hole explain nothing.
+/// The sparsest points around a patch, in so many rings: this quantile of their spacings. A stray
+/// point or two in the middle of a hole do not make it a sparse area.
 constexpr int kRings = 2;
 constexpr double kThinnest = 0.85;
 /// Holes with less than this share of the area are gaps between points and count as seen.
 constexpr double kGapShare = 0.005;
 
-/// The ball without points over a triangle, as if its longest edge were all three.
+/// The empty ball over a triangle, as if all its edges had the length of the longest.
 double ball_over(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
   double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -35,7 +35,7 @@ double spacing_at(std::span<const double> spacings, const TriangleMesh::Triangle
   return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
-/// Triangles with large balls that hang together.
+/// Connected triangles with large balls.
 struct Patch {
   double area = 0.0;
   double largest = 0.0;        ///< ball, m

@@ -15,10 +15,11 @@ struct SeenSurface {
   Vec3 gap_place = Vec3::Zero();  ///< in the largest gap, m
 };
 
-/// Over a triangle stands a ball that holds no point. Between points strewn at random the largest
-/// is about two spacings in radius; a patch of triangles with larger ones is a hole. Where the
-/// density falls the balls grow with the spacing: a patch is none if its largest ball is explained
-/// by the thinnest points around it. A hole goes on to where the balls are no larger than usual.
+/// Each triangle has an empty ball, which contains no point. Between points scattered at random the
+/// largest is about two spacings in radius; a patch of triangles with larger ones is a hole. Where
+/// the density falls the balls grow with the spacing: a patch is no hole if its largest ball is
+/// explained by the sparsest points around it. A hole extends to where the balls are no larger than
+/// usual.
 /// @param closed    its vertices are the points
 /// @param spacings  of the points, as `local_spacings` gives them, m
 /// @param rim       radius of the ball at which a hole ends, in spacings

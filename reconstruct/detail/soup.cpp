@@ -51,7 +51,7 @@ std::vector<std::uint32_t> manifold_patches(const TriangleMesh& mesh,
   return patch;
 }
 
-/// Takes out the triangles at edges of two along which both run the same way, where they are few.
+/// Removes the triangles at edges where both neighbours run the same way, where they are few.
 Mended take_out_disagreeing(TriangleMesh& mesh) {
   std::vector<bool> drop(mesh.triangles.size(), false);
   Mended result;

@@ -67,10 +67,10 @@ struct SoupMends {
   Orientation orientation;  ///< counts both rounds
 };
 
-/// Where sides can't agree and few triangles face another way than a neighbour, those are taken
-/// out: of two sheets that touched along an edge, each lost one there. After this every edge has
-/// one triangle or two, and neighbours face the same way; where they can't, `orientation` says so
-/// and the mesh is left half done.
+/// Where sides can't agree and few triangles face another way than a neighbour, those are
+/// removed: of two sheets that touched along an edge, each lost one there. After this every edge
+/// has one triangle or two, and neighbours face the same way; where they can't, `orientation` says
+/// so and the mesh is left half done.
 /// @param largest_fin  share of the area that a fin may have
 SoupMends mend_soup(TriangleMesh& mesh, double largest_fin);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Is a piece of surface a second copy of the block's: the same rock, scanned or stored twice and
-/// placed a little apart?
+/// Whether a component is a second copy of the block's surface: the same rock, scanned or stored
+/// twice and placed a little apart.
 #include <optional>
 #include <vector>
 
@@ -11,11 +11,11 @@
 
 namespace clast::detail {
 
-/// How a copy lies to the surface that it is one of.
+/// The position of a copy relative to the surface that it copies.
 struct SurfaceCopy {
   double offset = 0.0;    ///< mean distance, positive outside the surface, m
   double distance = 0.0;  ///< root mean square distance, m
-  double scale = 1.0;     ///< of the copy against the surface
+  double scale = 1.0;     ///< of the copy relative to the surface
 };
 
 /// Moves, turns and scales the piece until it lies on the surface as well as it can (point to plane

@@ -1,5 +1,5 @@
 #pragma once
-/// How large and how small a body may be of which parts were not seen.
+/// How large and how small a body with unseen parts may be.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace clast::detail {
 
-/// Bounds of a body whose seen flanks go on as they are, m^3 and m.
+/// Bounds of a body whose seen flanks continue as they are, m^3 and m.
 struct UnseenBounds {
   double lower_volume = 0.0;           ///< with a film that is dented as the seen surface is
   std::optional<double> upper_volume;  ///< none: too large a part is unseen

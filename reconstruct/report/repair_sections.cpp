@@ -96,9 +96,10 @@ std::string underside_section(const Underside& side, const std::string& unit) {
     const double change = volume / side.best_volume - 1.0;
     table.row({name, how, with_digits(volume, 4), (change > 0.0 ? "+" : "") + percent(change)});
   };
-  row("lower", "filled straight across the rim, dented as what was seen is", side.lower_volume);
+  row("lower", "filled straight across the rim, with hollows as deep as the seen ones",
+      side.lower_volume);
   row("best", "likeliest depth below the rim; the block is made of this", side.best_volume);
-  std::string text = "The scan was open where nobody saw the block: a rim of " +
+  std::string text = "The scan was open on the unseen side: a rim of " +
                      std::to_string(side.rim_edges) + " edges, " + with_digits(side.rim_length, 3) +
                      " " + unit + " round";
   if (side.open_sides > 1) {
@@ -111,11 +112,11 @@ std::string underside_section(const Underside& side, const std::string& unit) {
     row("upper", "flanks continued as they were seen", *side.upper_volume);
     const double width = (*side.upper_volume - side.lower_volume) / side.best_volume;
     text += "The true volume is expected between the lower and the upper one, which are " +
-            percent(width) + " of the best apart, if " + side.assumption + ".";
+            percent(width) + " of the best volume apart, if " + side.assumption + ".";
   } else {
     text +=
-        "So much of the block is not seen that no upper bound of its volume, lengths and classes "
-        "can be given; scan more of it.";
+        "Too much of the block was not seen to give an upper bound of its volume, lengths and "
+        "classes; scan more of it.";
   }
   std::string html = paragraph(text);
   if (side.gap > 0.0) {

@@ -73,7 +73,7 @@ std::string quoted(std::string_view word) {
   return "\"" + printable(word.substr(0, kQuoted)) + "\"";
 }
 
-/// How the words of a line are told apart: as the fields of any table, but blanks separate too.
+/// How the words of a line are separated: as the fields of any table, but blanks separate too.
 struct Separation {
   std::string_view separators;
   char separator = ',';  ///< of `number_in_field`

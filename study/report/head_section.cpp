@@ -72,7 +72,7 @@ std::string head_section(const Comparison& comparison) {
                  const BlockStiffness all =
                      over_all(stiffness_by_block(results.blocks, results.runs));
                  return "k_n " + stiffness_cells(all)[0] + " N/m, step " + stiffness_cells(all)[3] +
-                        " s; by block at the end of this page";
+                        " s; listed by block at the end of this page";
                }));
   html += fact("Downslope (x, y)",
                fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +

@@ -269,8 +269,8 @@ TEST_F(Exchange, SegmentsThatChangeNothingAreReported) {
   const auto [said, many] = exported("concave", "16");
   EXPECT_TRUE(contains(said,
                        "block concave is concave: its skin is wrapped in triangles of 0.02 m, "
-                       "the shortest there are (1/150 of its diagonal), so --segments 16 "
-                       "gives what 2 gives"));
+                       "the shortest allowed (1/150 of its diagonal), so --segments 16 "
+                       "gives the same skin as 2"));
   const auto [silent, few] = exported("concave", "2");
   EXPECT_EQ(silent, "");
   EXPECT_EQ(few.vertices, many.vertices) << "what was said is so";
@@ -280,7 +280,7 @@ TEST_F(Exchange, SegmentsThatChangeNothingAreReported) {
   const auto [convex_said, fine] = exported("convex", "16");
   EXPECT_EQ(convex_said, "");
   EXPECT_GT(fine.triangles.size(), 4 * exported("convex", "4").second.triangles.size());
-  // Without the option nobody asked for a number.
+  // Without the option no number was requested.
   EXPECT_EQ(
       run_clast({"export", "b.h5", "--format", "ply", "-o", "out", "--replace"}, folder.path()).err,
       "");
@@ -290,7 +290,7 @@ TEST_F(Exchange, SegmentsThatChangeNothingAreReported) {
                                                 {"--format", "ply", "--what", "surface"}}) {
     std::vector<std::string> all = {"export", "b.h5", "-o", "none", "--segments", "8"};
     all.insert(all.end(), other.begin(), other.end());
-    expect_refused(folder, all, 2, "--segments: is for the rounded skin");
+    expect_refused(folder, all, 2, "--segments: applies to the rounded skin");
   }
 }
 

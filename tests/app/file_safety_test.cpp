@@ -54,7 +54,7 @@ TEST_F(FileSafety, OneHdf5FileNeverTakesThePlaceOfAnother) {
     for (const std::string file : {"results.h5", "blocks.h5"}) {
       std::vector<std::string> words = {"terrain", "slope.obj", "-o", file};
       if (*replace) words.push_back(replace);
-      expect_kept(file, words, file + ": is there already and holds \"clast ");
+      expect_kept(file, words, file + ": already exists and holds \"clast ");
     }
     for (const std::string file : {"results.h5", "terrain.h5"}) {
       std::vector<std::string> words = {"reconstruct", "slope.obj", "-o", file};
@@ -67,9 +67,9 @@ TEST_F(FileSafety, OneHdf5FileNeverTakesThePlaceOfAnother) {
   }
   for (const std::string file : {"terrain.h5", "blocks.h5", "campaign.toml"}) {
     expect_kept(file, {"simulate", "campaign.toml", "-o", file},
-                file + ": is there already and holds");
+                file + ": already exists and holds");
     expect_kept(file, {"simulate", "--merge", "results.h5", "-o", file},
-                file + ": is there already and holds");
+                file + ": already exists and holds");
   }
 }
 
@@ -77,25 +77,25 @@ TEST_F(FileSafety, FinishedTerrainsAndTheirPicturesNeedReplace) {
   const std::vector<std::string> command = {"terrain",   "slope.obj", "-o",       "t.h5",
                                             "--picture", "slope.png", "--export", "s.ply"};
   make(command);
-  expect_kept("t.h5", {"terrain", "flat.obj", "-o", "t.h5"}, "t.h5: is there already, and replace");
+  expect_kept("t.h5", {"terrain", "flat.obj", "-o", "t.h5"}, "t.h5: already exists, and replace");
   expect_kept("slope.png", {"terrain", "flat.obj", "-o", "u.h5", "--picture", "slope.png"},
-              "slope.png: is there already, and replace is not set");
+              "slope.png: already exists, and replace is not set");
   expect_kept("s.ply", {"terrain", "flat.obj", "-o", "u.h5", "--export", "s.ply"},
-              "s.ply: is there");
+              "s.ply: already exists");
   std::vector<std::string> again = command;
   again.push_back("--replace");
   make(again);
   write_text_file(folder / "notes.png", "no picture");
   expect_kept("notes.png",
               {"terrain", "flat.obj", "-o", "u.h5", "--picture", "notes.png", "--replace"},
-              "notes.png: is there already and holds \"text\", no \"PNG\"");
+              "notes.png: already exists and holds \"text\", not \"PNG\"");
 }
 
 TEST_F(FileSafety, ExportsNeverReplaceTheScansTheyCameFrom) {
   write_obj(folder / "rock.obj", noisy_ellipsoid(4, {0.5, 0.4, 0.3}));
   make({"reconstruct", "rock.obj", "-o", "rock.h5"});
   const std::vector<std::string> command = {"export", "rock.h5", "--format", "shp,obj", "-o", "."};
-  expect_kept("rock.obj", command, "rock.obj: is there already, and replace is not set");
+  expect_kept("rock.obj", command, "rock.obj: already exists, and replace is not set");
   EXPECT_FALSE(fs::exists(folder / "rock.shp"));
   std::vector<std::string> replaced = command;
   replaced.push_back("--replace");
@@ -123,9 +123,9 @@ TEST_F(FileSafety, ReportsAppearWholeAndNeedReplace) {
   expect_refused(folder, {"classify", "talus.csv", "-o", "classes"}, 1,
                  "classes: holds a classification already");
   expect_refused(folder, {"classify", "talus.csv", "-o", "out", "--replace"}, 1,
-                 "out: holds report.html, but not by a classification of clast");
+                 "out: holds report.html, but is not a classification of clast");
   expect_refused(folder, {"compare", "r.h5", "-o", "classes", "--replace"}, 1,
-                 "classes: holds report.html, but not by a comparison of clast");
+                 "classes: holds report.html, but is not a comparison of clast");
   make({"classify", "talus.csv", "-o", "classes", "--replace"});
   expect_refused(folder, {"classify", "talus.csv", "--replace"}, 2, "--replace");
 }
@@ -135,7 +135,7 @@ TEST_F(FileSafety, PagesOfScansNeedReplaceOrResume) {
   const std::vector<std::string> command = {"reconstruct", "a.obj", "-o", "a.h5", "--report", "p"};
   make(command);
   expect_kept("p/index.html", {"reconstruct", "a.obj", "-o", "b.h5", "--report", "p"},
-              "p/summary.csv: is there already, and replace is not set");
+              "p/summary.csv: already exists, and replace is not set");
   std::vector<std::string> words = command;
   words.push_back("--resume");
   make(words);
@@ -144,7 +144,7 @@ TEST_F(FileSafety, PagesOfScansNeedReplaceOrResume) {
   fs::create_directory(folder / "q");
   write_text_file(folder / "q" / "summary.csv", "block,volume\n");
   expect_kept("q/summary.csv", {"reconstruct", "a.obj", "-o", "b.h5", "--report", "q", "--replace"},
-              "q/summary.csv: is there already and no summary of such pages");
+              "q/summary.csv: already exists and is not a summary of such pages");
 }
 
 TEST_F(FileSafety, FourScansIntoOneLibraryAtOnceAreFourBlocks) {

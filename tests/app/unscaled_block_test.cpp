@@ -113,7 +113,8 @@ TEST_F(UnscaledBlock, DoesNotFallWithoutASize) {
 
 TEST_F(UnscaledBlock, IsExportedWithANote) {
   const ProgramRun model = run({"export", "blocks.h5", "model", "--format", "shp,stl"});
-  EXPECT_TRUE(contains(model.err, "block model is unscaled, so what is written of it is not in"));
+  EXPECT_TRUE(
+      contains(model.err, "block model is unscaled, so its exported coordinates are not in"));
   EXPECT_TRUE(run({"export", "blocks.h5", "cube"}).err.empty());
 }
 

@@ -101,10 +101,10 @@ TEST(OutputFile, OnlyItsOwnKindIsReplacedAndOnlyWhenAsked) {
   EXPECT_EQ(refused("empty.png", {.kind = "PNG", .replace = false}), "");
   EXPECT_EQ(refused("new.png", {.kind = "PNG", .replace = false}), "");
   EXPECT_TRUE(contains(refused("a.png", {.kind = "PNG", .replace = false}),
-                       "a.png: is there already, and replace is not set"));
+                       "a.png: already exists, and replace is not set"));
   for (const bool replace : {false, true}) {
     EXPECT_TRUE(contains(refused("notes.png", {.kind = "PNG", .replace = replace}),
-                         "notes.png: is there already and holds \"text\", no \"PNG\", so it is not "
+                         "notes.png: already exists and holds \"text\", not \"PNG\", so it is not "
                          "replaced; give another name, or delete it first"));
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 3);

@@ -75,7 +75,7 @@ TEST(OutputFolder, WhatIsNotItsOwnIsLeftAlone) {
   const ScratchFolder folder;
   write_text_file(folder / "out" / "runs.csv", "of the user");
   EXPECT_TRUE(contains(refusal([&] { write(folder / "out", "new", true); }),
-                       "out: holds runs.csv, but not by a report of clast"));
+                       "out: holds runs.csv, but is not a report of clast"));
   EXPECT_EQ(read_text_file(folder / "out" / "runs.csv"), "of the user");
   write_text_file(folder / "file", "taken");
   EXPECT_TRUE(contains(refusal([&] { write(folder / "file", "new", true); }), "file: is a file"));
@@ -84,7 +84,8 @@ TEST(OutputFolder, WhatIsNotItsOwnIsLeftAlone) {
   write_text_file(folder / "own" / "extra.csv", "of the user");
   OutputFolder more(folder / "own", report(), true);
   write_text_file(more.temporary() / "extra.csv", "new");
-  EXPECT_TRUE(contains(refusal([&] { more.commit(); }), "extra.csv: is no file of the report"));
+  EXPECT_TRUE(contains(refusal([&] { more.commit(); }),
+                       "extra.csv: does not belong to the existing report"));
   EXPECT_EQ(read_text_file(folder / "own" / "runs.csv"), "old");
 }
 

@@ -285,20 +285,22 @@ TEST(BlockLibrary, NumbersThatDoNotFitTheOthersAreRefused) {
   };
   expect([](Block& block) { block.mass.mass *= 1.00001; }, "mass_kg is ");
   expect([](Block& block) { block.density *= 2.0; }, "mass_kg is ");
-  expect([](Block& block) { block.principal.moments[0] = 2e-307; }, "principal_moments are those");
-  expect([](Block& block) { block.principal.moments[2] = 3.1; }, "principal_moments are those");
+  expect([](Block& block) { block.principal.moments[0] = 2e-307; },
+         "principal_moments are impossible");
+  expect([](Block& block) { block.principal.moments[2] = 3.1; },
+         "principal_moments are impossible");
   expect([](Block& block) { block.principal.moments[0] = 2.2; }, "principal_moments are not posi");
-  expect([](Block& block) { block.mass.inertia(1, 1) *= 1.001; }, "inertia is not that");
+  expect([](Block& block) { block.mass.inertia(1, 1) *= 1.001; }, "inertia does not agree");
   expect([](Block& block) { block.box.lengths[0] *= 1.0001; }, "the box is not around the core");
   expect([](Block& block) { block.box.centre.y() += 1e-4; }, "the box is not around the core");
-  expect([](Block& block) { block.box.axes(0, 1) = 0.01; }, "box_axes are no directions");
+  expect([](Block& block) { block.box.axes(0, 1) = 0.01; }, "box_axes are not unit vectors");
   expect([](Block& block) { block.body.vertices[3].z() -= 1e-4; }, "the box is not around");
   expect(
       [](Block& block) {
         block.mass.volume = 6.1;
         block.mass.mass = 6.1 * block.density;
       },
-      "volume_m3 is 6.1, more than the box holds, 6");
+      "volume_m3 is 6.1, more than the box's, 6");
   // Volume and inertia of a convex core have a closed form, and are recomputed.
   expect(
       [](Block& block) {
@@ -382,7 +384,7 @@ TEST(BlockLibrary, IsNotWrittenOverAnythingElse) {
   for (const char* name : {"notes.h5", "t.h5"}) {
     const std::string before = read_text_file(folder / name);
     EXPECT_TRUE(contains(refusal([&] { BlockLibrary().write(folder / name); }),
-                         std::string(name) + ": is there already and holds"));
+                         std::string(name) + ": already exists and holds"));
     EXPECT_EQ(read_text_file(folder / name), before);
   }
 }

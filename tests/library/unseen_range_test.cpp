@@ -98,9 +98,9 @@ TEST(UnseenRange, WithoutUpperVolumeNothingIsBoundFromAbove) {
 
 TEST(UnseenRange, SaysThatNoUpperBoundCanBeGiven) {
   EXPECT_EQ(described_unseen(hardly_seen()),
-            "the scan was open: 17 % of the surface is not seen but filled in; that is too much of "
-            "the block to bound it from above: volume at least 0.9 m3 (best 1), mass at least 2250 "
-            "kg; no upper bound can be given, scan more of it");
+            "the scan was open: 17 % of the surface is not seen but filled in; too much of the "
+            "block for an upper bound: volume at least 0.9 m3 (best 1), mass at least 2250 "
+            "kg; no upper bound can be given: scan more of the block");
 }
 
 TEST(UnseenRange, IsToldInWords) {
@@ -121,8 +121,8 @@ TEST(UnseenRange, ThatMattersToNobodyIsToldAsSuch) {
   block.unseen->lower_volume = block.unseen->best_volume;
   block.unseen->upper_volume = block.unseen->best_volume;
   EXPECT_EQ(described_unseen(block),
-            "the scan was open, but hardly: 0.05 % of the surface is not seen but filled in, which "
-            "leaves volume and mass open by less than 0.1 %");
+            "the scan was only slightly open: 0.05 % of the surface is not seen but filled in, "
+            "which leaves volume and mass uncertain by less than 0.1 %");
 }
 
 }  // namespace

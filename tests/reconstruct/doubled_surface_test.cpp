@@ -51,7 +51,7 @@ TEST(DoubledSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
       EXPECT_NEAR(report.doubled[0].scale, scale < 1.0 ? scale : 1.0 / scale, 0.003);
       EXPECT_LT(report.doubled[0].offset, 0.0);
       EXPECT_TRUE(contains(all_notes(block), "a second copy of the block's whole surface"));
-      EXPECT_TRUE(contains(all_notes(block), "no bubble"));
+      EXPECT_TRUE(contains(all_notes(block), "not a bubble"));
       EXPECT_TRUE(contains(all_notes(block), "with the other one it would be"));
     }
   }
@@ -77,7 +77,7 @@ TEST(DoubledSurface, TheFinerOfTwoIsKeptAndThatIsSaid) {
     EXPECT_NEAR(volume(block.scan.mesh) / volume(fine), 1.0, 1e-9);
     ASSERT_EQ(block.scan.report.doubled.size(), 1u);
     EXPECT_EQ(block.scan.report.doubled[0].kept_for, KeptFor::kFiner);
-    EXPECT_TRUE(contains(all_notes(block), "The one that was kept has more triangles"));
+    EXPECT_TRUE(contains(all_notes(block), "The kept copy has more triangles"));
   }
 }
 
@@ -107,7 +107,7 @@ TEST(DoubledSurface, ACopyOfAPartIsDroppedAndWhatItWouldChangeIsSaid) {
   }
 }
 
-/// Two open scans of one block on its ground: one goes, the side that nobody saw is bracketed.
+/// Two open scans of one block on its ground: one is dropped, the unseen side is bracketed.
 TEST(DoubledSurface, OpenCopiesLeaveTheBracketOfTheUnseenSide) {
   const CutBlock cut = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 2), 2, 5)[0];
   const FieldBlock alone = field_blocks(cut.open, "one")[0];

@@ -265,12 +265,12 @@ TEST(FieldScan, AScanThatWasClosedBeforeSaysThatItsBoundsKnowLittle) {
     return t[0] == 40 || t[1] == 40 || t[2] == 40;
   });
   const FieldBlock block = field_blocks(mesh, "rock")[0];
-  EXPECT_FALSE(block.underside.has_value());  // a gap, and no side that nobody saw
+  EXPECT_FALSE(block.underside.has_value());  // a gap, and no unseen side
   EXPECT_GT(block.scan.report.invented_share, 0.0);
   EXPECT_LT(block.scan.report.invented_share, 0.01);
   EXPECT_TRUE(std::any_of(
       block.scan.notes.begin(), block.scan.notes.end(),
-      [](const std::string& note) { return contains(note, "the file does not tell"); }));
+      [](const std::string& note) { return contains(note, "the file does not show"); }));
 }
 
 TEST(FieldScan, CoordinatesBeyondAllReasonAreRefused) {

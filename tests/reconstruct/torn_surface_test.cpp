@@ -83,7 +83,7 @@ TEST(HoleLoops, TrianglesMissingAroundAVertexAreHolesOfTheirOwn) {
   EXPECT_NEAR(volume(torn), volume(sphere), 1e-12);
 }
 
-/// A scrap that hangs in a hole at one corner, whichever way it faces, is part of the surface.
+/// A fragment attached in a hole at one corner, whichever way it faces, is part of the surface.
 TEST(HoleLoops, AScrapThatHangsAtACornerIsKeptAndTurned) {
   const TriangleMesh sphere = unit_sphere(6);
   const std::uint32_t vertex = sphere.triangles[100][0];
@@ -199,7 +199,7 @@ TEST(TornSurface, MissingVerticesAreFilledAsTheirSurroundingsSay) {
   }
 }
 
-/// A side that nobody saw stays one in a torn scan, with its bracket.
+/// An unseen side stays one in a torn scan, with its bracket.
 TEST(TornSurface, ATornBlockOnTheGroundKeepsItsUnseenSide) {
   std::size_t checked = 0;
   for (const CutBlock& cut : cut_blocks(rock_mesh(14, {0.5, 0.4, 0.3}, 2), 4, 5)) {

@@ -71,7 +71,7 @@ TEST(Underside, UpperBoundOfACutPyramidIsTheWholePyramid) {
   EXPECT_NEAR(side.best_volume, side.lower_volume + 0.6 * tip, 3e-5 * tip);
 }
 
-// How far upright walls go down nothing tells; the likeliest is a share of the height seen.
+// Nothing shows how far upright walls go down; the likeliest is a share of the height seen.
 TEST(Underside, UprightWallsHaveNoUpperBound) {
   const Underside side = *closed_underside(open_frustum(0.5, 0.5, 0.6));
   EXPECT_NEAR(side.lower_volume, 0.5 * 0.5 * 0.6, 1e-9);

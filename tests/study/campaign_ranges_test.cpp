@@ -170,7 +170,7 @@ TEST_F(CampaignFile, AZoneHasANameThatCanBeWritten) {
     std::string text = with("[ground.blue]", "[ground." + std::string(name) + "]");
     const std::string message = refusal(text);
     EXPECT_TRUE(message.starts_with("campaign.toml:1")) << message;
-    EXPECT_TRUE(contains(message, "a zone has a name of one line without \"=\"")) << message;
+    EXPECT_TRUE(contains(message, "a zone name must be one line without \"=\"")) << message;
     EXPECT_EQ(message.find('\x1b'), std::string::npos);
   }
 }
@@ -191,7 +191,7 @@ TEST_F(CampaignFile, NestingHasALimitWithItsLine) {
           std::string("s = \"\"\"[[[\n\\\"\"\"\"\"\"\nt = '''[[\n''''\nu = 'c:\\'\n")}) {
       const std::string message = refusal(before + deep);
       const auto lines = std::count(before.begin(), before.end(), '\n') + 1;
-      EXPECT_TRUE(contains(message, "nothing that is read here lies so deep"))
+      EXPECT_TRUE(contains(message, "no valid key is nested so deep"))
           << before << deep.substr(0, 20);
       EXPECT_TRUE(message.starts_with("campaign.toml:" + std::to_string(lines)) ||
                   message.starts_with("campaign.toml:" + std::to_string(lines + 1)))

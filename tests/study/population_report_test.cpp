@@ -317,7 +317,8 @@ TEST(PopulationReports, DiagramsOfAnEarlierReportAreRemoved) {
   write_text_file(folder / "out" / "notes.svg", "mine");
   write(one);
   EXPECT_EQ(read_text_file(folder / "out" / "size_1.svg"), "mine");
-  EXPECT_TRUE(contains(refusal([&] { write(two); }), "size_1.svg: is no file of the classific"));
+  EXPECT_TRUE(contains(refusal([&] { write(two); }),
+                       "size_1.svg: does not belong to the existing classific"));
   EXPECT_EQ(read_text_file(folder / "out" / "size_1.svg"), "mine");
   const std::set<std::string> of_one = names();
   std::filesystem::remove(folder / "out" / "size_1.svg");

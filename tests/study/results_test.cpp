@@ -291,7 +291,7 @@ TEST(Results, FilesThatAreNoResultsAreNotReplaced) {
   const fs::path target = folder / "campaign.toml", whole = folder / "r.h5";
   write_text_file(target, "[blocks]\n");
   const std::string problem =
-      "campaign.toml: is there already and holds \"text\", no \"clast results\", so it is not";
+      "campaign.toml: already exists and holds \"text\", not \"clast results\", so it is not";
   EXPECT_TRUE(contains(refusal([&] { ResultsWriter::create(target, sample_header()); }), problem));
   EXPECT_TRUE(contains(refusal([&] { ResultsWriter::resume(target, sample_header()); }), problem));
   {

@@ -20,7 +20,7 @@ TriangleMesh without_clumps(TriangleMesh mesh, std::size_t count, double radius,
 /// What lies beyond a plane across `direction` is lost: `share` of the extent along it. Triangles
 /// are cut, so that the rim lies in the plane.
 TriangleMesh cut_off(const TriangleMesh& mesh, const Vec3& direction, double share);
-/// Triangles whose normals lie within `angle` of `direction` are lost: a side that nobody faced.
+/// Triangles whose normals lie within `angle` of `direction` are lost: a side that no scan faced.
 TriangleMesh without_side(TriangleMesh mesh, const Vec3& direction, double angle);
 
 // What is there twice, or should not be there.

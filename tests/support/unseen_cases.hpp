@@ -79,8 +79,8 @@ inline std::vector<NamedBody> made_bodies(int count, std::uint64_t seed) {
   return bodies;
 }
 
-/// Every closed mesh of the test data as a block of about a metre, thinned to `vertices` where it
-/// has more than twice as many.
+/// Every closed mesh of the test data as a block of about a metre, simplified to `vertices` where
+/// it has more than twice as many.
 inline std::vector<NamedBody> real_bodies(std::size_t vertices) {
   std::vector<NamedBody> bodies;
   for (const char* file :

@@ -138,7 +138,7 @@ TEST_F(TerrainFile, IsNotWrittenOverResultsOrALibrary) {
     Hdf5File::create(folder_ / "other.h5", format, 1);
     const std::string before = read_text_file(folder_ / "other.h5");
     EXPECT_TRUE(contains(refusal<Error>([&] { write_terrain(folder_ / "other.h5", sample()); }),
-                         std::string("other.h5: is there already and holds \"") + format + "\""));
+                         std::string("other.h5: already exists and holds \"") + format + "\""));
     EXPECT_EQ(read_text_file(folder_ / "other.h5"), before);
   }
 }

@@ -25,7 +25,7 @@ struct Body {
   Truth truth;
 };
 
-/// Every closed mesh of the test data, thinned where it is finer than that, and rocks of the
+/// Every closed mesh of the test data, simplified where it is finer than that, and rocks of the
 /// project's own: compact, platy, needles, cubes, concave ones.
 /// @throws InputError  the test data is missing, or a mesh does not have its reference volume
 std::vector<Body> make_bodies();

@@ -42,7 +42,7 @@ Tolerance at_least_usual(Tolerance tolerance, double factor) {
   return tolerance;
 }
 
-/// Every vertex was moved: nobody can know where it was, so twice the effect is allowed.
+/// Every vertex was moved: where it was can't be known, so twice the effect is allowed.
 DamagedScan of_moved(const Body& body, const TriangleMesh& moved) {
   return of(body, moved, at_least_usual(effect(body.truth, truth_of(moved)), 2.0));
 }
