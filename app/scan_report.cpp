@@ -197,6 +197,7 @@ std::string block_page(const Block& block, const PagedScan& scan,
 
 ScanReport::ScanReport(fs::path folder, bool replace)
     : folder_(std::move(folder)),
+      replace_(replace),
       blocks_({"block", "picture", "scan", "L m", "I m", "S m", "volume m3", "volume from",
                "volume to", "filled in %", "mass kg", "s_c", "off scan, % of L", "notes"},
               3),
@@ -221,6 +222,7 @@ fs::path ScanReport::page_of(const Block& block) const {
 }
 
 void ScanReport::add(const Block& block, const std::string& page) {
+  check_output(page_of(block), {.kind = "HTML", .replace = replace_});
   write_text_file(page_of(block), page);
   ++made_;
   add_row(block, "made");

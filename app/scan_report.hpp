@@ -47,6 +47,7 @@ class ScanReport {
   void add_row(const Block& block, const std::string& outcome);
 
   std::filesystem::path folder_;
+  bool replace_;  ///< pages of an earlier batch
   HtmlTable blocks_;
   HtmlTable failures_;
   CsvText csv_;

@@ -55,13 +55,19 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
   return hull;
 }
 
+/// A volume has no lower bound below this share of the best one.
+constexpr double kLeastLeft = 0.01;
+
 /// Adds the bounds that the unseen side leaves.
-void add_unseen(Block& block, const Underside& side) {
+void add_unseen(Block& block, const Underside& side, const RepairReport& report) {
   const auto axes = [](const Vec3& sides) { return Axes{sides[0], sides[1], sides[2]}; };
   UnseenPart unseen;
-  unseen.lower_volume = side.lower_volume;
+  // What filled gaps and copies of the surface leave uncertain comes on top.
+  unseen.lower_volume =
+      std::max(side.lower_volume - report.volume_below, kLeastLeft * side.best_volume);
   unseen.best_volume = side.best_volume;
   unseen.upper_volume = side.upper_volume;
+  if (unseen.upper_volume) *unseen.upper_volume += report.volume_above;
   unseen.invented_share = side.invented_share;
   unseen.assumption = side.assumption;
   if (side.sides) unseen.axes = AxesRange{axes(side.sides->lower), axes(side.sides->upper)};
@@ -80,19 +86,24 @@ void add_filled(Block& block, const Scan& scan) {
   const RepairReport& report = scan.report;
   const double volume = solid_mass_properties(scan.mesh, 1.0).volume;
   const double width = report.volume_below + report.volume_above;
-  if (report.invented_share == 0.0 || width < kWorthARange * volume) return;
+  const bool is_copy = !report.doubled.empty();
+  if ((report.invented_share == 0.0 && !is_copy) || width < kWorthARange * volume) return;
   const Vec3 sides = smallest_box(scan.mesh.vertices).lengths;
   const auto scaled_axes = [&](double factor) {
     return Axes{factor * sides[0], factor * sides[1], factor * sides[2]};
   };
   UnseenPart unseen;
-  unseen.lower_volume = volume - report.volume_below;
+  unseen.lower_volume = std::max(volume - report.volume_below, kLeastLeft * volume);
   unseen.best_volume = volume;
   unseen.upper_volume = volume + report.volume_above;
   unseen.invented_share = report.invented_share;
-  unseen.axes = AxesRange{scaled_axes(1.0 - kPointed * report.volume_below / volume),
-                          scaled_axes(1.0 + kPointed * report.volume_above / volume)};
-  unseen.assumption = "behind a filled gap the surface continues as it does around it";
+  const double shorter = 1.0 - kPointed * report.volume_below / volume;
+  if (shorter > 0.0) {
+    unseen.axes =
+        AxesRange{scaled_axes(shorter), scaled_axes(1.0 + kPointed * report.volume_above / volume)};
+  }
+  unseen.assumption = is_copy ? "one of the copies of the surface is the rock"
+                              : "behind a filled gap the surface continues as it does around it";
   block.unseen = unseen;
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
@@ -130,7 +141,7 @@ Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
   if (options.block.convex) return block;
   if (found.underside) {
-    add_unseen(block, *found.underside);
+    add_unseen(block, *found.underside, scan.report);
   } else {
     add_filled(block, scan);
   }

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
+#include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/utf8.hpp"
 #include "library/body_record.hpp"
@@ -245,6 +246,29 @@ const Block& BlockLibrary::block(const std::string& id) const {
 
 Block& BlockLibrary::block(const std::string& id) { return blocks_[found(blocks_, id)]; }
 
+namespace {
+
+/// A library with bounds that no body has could not be read again.
+void check_unseen(const Block& block) {
+  if (!block.unseen) return;
+  const UnseenPart& unseen = *block.unseen;
+  const auto require = [&](bool fine) {
+    if (fine) return;
+    throw InputError("block " + block.id + ": the bounds of its unseen part, volume from " +
+                     with_digits(unseen.lower_volume, 4) + " m^3 about " +
+                     with_digits(unseen.best_volume, 4) +
+                     " m^3, are those of no body; scan more of the block");
+  };
+  require(unseen.lower_volume > 0.0 && unseen.best_volume >= unseen.lower_volume);
+  require(!unseen.upper_volume || *unseen.upper_volume >= unseen.best_volume);
+  if (!unseen.axes) return;
+  const Axes &low = unseen.axes->lower, &high = unseen.axes->upper;
+  require(std::min({low.L, low.I, low.S}) > 0.0);
+  require(low.L <= high.L && low.I <= high.I && low.S <= high.S);
+}
+
+}  // namespace
+
 void BlockLibrary::add(Block block, bool replace) {
   for (std::string* text : {&block.id, &block.source.file, &block.source.options, &block.field.site,
                             &block.field.note}) {
@@ -252,6 +276,7 @@ void BlockLibrary::add(Block block, bool replace) {
   }
   for (std::string& warning : block.warnings) warning = as_utf8(warning);
   check_block_id(block.id);
+  check_unseen(block);
   if (!has(block.id)) {
     blocks_.insert(position(blocks_, block.id), std::move(block));
   } else if (replace) {

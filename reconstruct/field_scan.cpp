@@ -95,9 +95,14 @@ class Separation {
                        std::to_string(kFewestPoints) + " at least");
     }
     std::vector<Vec3> points;
-    for (const std::uint32_t i : detail::without_isolated(raw)) points.push_back(raw[i]);
+    const std::vector<Vec3> once = detail::without_repeats(raw);
+    for (const std::uint32_t i : detail::without_isolated(once)) points.push_back(once[i]);
     notes_.push_back("made from " + std::to_string(raw.size()) + " points, " +
-                     std::to_string(raw.size() - points.size()) + " of them outliers");
+                     std::to_string(once.size() - points.size()) + " of them outliers");
+    if (once.size() < raw.size()) {
+      notes_.push_back(std::to_string(raw.size() - once.size()) +
+                       " points repeat another one and were left out");
+    }
     detail::NearAndFar sets = detail::near_and_far(points);
     refuse_separate_sets(sets);
     std::optional<Ground> ground;
@@ -245,8 +250,8 @@ class Separation {
       doubled.distance *= unit;
       doubled.volume_change *= unit * unit * unit;
       doubled.kept_volume *= unit * unit * unit;
-      mended_.volume_below += std::max(0.0, -doubled.volume_change);
-      mended_.volume_above += std::max(0.0, doubled.volume_change);
+      mended_.volume_below = std::max(mended_.volume_below, -doubled.volume_change);
+      mended_.volume_above = std::max(mended_.volume_above, doubled.volume_change);
       mended_.doubled.push_back(doubled);
       mended_.defects.push_back({DefectKind::kDoubleSheet, 1, pieces[i].area / pieces[0].area, 0.0,
                                  pieces[i].mesh.vertices[0]});

@@ -307,8 +307,9 @@ class Route {
 
   void note_copy(const DoubledSurface& copy) {
     report_.doubled.push_back(copy);
-    report_.volume_below += std::max(0.0, -copy.volume_change);
-    report_.volume_above += std::max(0.0, copy.volume_change);
+    // One of the copies is the rock: the farthest from the one kept bounds it.
+    report_.volume_below = std::max(report_.volume_below, -copy.volume_change);
+    report_.volume_above = std::max(report_.volume_above, copy.volume_change);
   }
 
   struct Dropped {

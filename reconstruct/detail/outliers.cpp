@@ -59,6 +59,25 @@ PlaneOf plane_of(std::span<const Vec3> points) {
 
 }  // namespace
 
+std::vector<Vec3> without_repeats(std::span<const Vec3> points) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto less = [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3 &p = points[a], &q = points[b];
+    return p == q ? a < b : std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  };
+  std::sort(order.begin(), order.end(), less);
+  std::vector<bool> is_first(points.size(), true);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (points[order[i]] == points[order[i - 1]]) is_first[order[i]] = false;
+  }
+  std::vector<Vec3> once;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_first[i]) once.push_back(points[i]);
+  }
+  return once;
+}
+
 std::vector<double> local_spacings(std::span<const Vec3> points) {
   const NearestPoints tree(points);
   std::vector<double> spacings;

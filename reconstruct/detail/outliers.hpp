@@ -8,6 +8,10 @@
 
 namespace clast::detail {
 
+/// Every place once, in the order given: scanners and merged files repeat points to the bit, and of
+/// such the spacing would be none.
+std::vector<Vec3> without_repeats(std::span<const Vec3> points);
+
 /// How far apart the points lie around each of them: 1/sqrt(density) of points scattered over a
 /// surface, from the distance of the sixth nearest, m. It follows the density from place to place.
 /// @pre more than six points

@@ -65,13 +65,13 @@ void set(const std::vector<Cell>& cells, Side side) {
 void keep_one_solid(Delaunay& delaunay) {
   const std::vector<Cell> around =
       hanging_together(delaunay.infinite_vertex()->cell(), Side::kOutside);
-  for (const Cell& cell : delaunay.finite_cell_handles()) {
+  for (const Cell cell : delaunay.finite_cell_handles()) {
     if (cell->info() == Side::kOutside) cell->info() = Side::kInside;
   }
   set(around, Side::kOutside);
   double largest = 0.0;
   std::vector<Cell> kept;
-  for (const Cell& cell : delaunay.finite_cell_handles()) {
+  for (const Cell cell : delaunay.finite_cell_handles()) {
     if (cell->info() != Side::kInside) continue;
     std::vector<Cell> piece = hanging_together(cell, Side::kInside);
     double volume = 0.0;
@@ -80,14 +80,14 @@ void keep_one_solid(Delaunay& delaunay) {
     largest = volume;
     kept = std::move(piece);
   }
-  for (const Cell& cell : delaunay.all_cell_handles()) cell->info() = Side::kOutside;
+  for (const Cell cell : delaunay.all_cell_handles()) cell->info() = Side::kOutside;
   set(kept, Side::kInside);
 }
 
 /// Facets with a cell inside and one outside, facing outward; vertices are numbers of points.
 std::vector<TriangleMesh::Triangle> border(const Delaunay& delaunay) {
   std::vector<TriangleMesh::Triangle> triangles;
-  for (const Cell& cell : delaunay.finite_cell_handles()) {
+  for (const Cell cell : delaunay.finite_cell_handles()) {
     if (cell->info() != Side::kInside) continue;
     for (int i = 0; i < 4; ++i) {
       if (cell->neighbor(i)->info() == Side::kInside) continue;
@@ -175,7 +175,7 @@ TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indi
     const CgalPoint p = asked_at(cell);
     return indicator.at(origin + Vec3(p.x(), p.y(), p.z())) < 0.0;
   };
-  for (const Cell& cell : delaunay.all_cell_handles()) {
+  for (const Cell cell : delaunay.all_cell_handles()) {
     const bool inside = !delaunay.is_infinite(cell) && is_inside(cell);
     cell->info() = inside ? Side::kInside : Side::kOutside;
   }

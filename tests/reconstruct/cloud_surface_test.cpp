@@ -131,6 +131,14 @@ TEST(Outliers, OfACompleteCloudNoPointIsGivenUp) {
   EXPECT_GE(detail::without_isolated(step).size(), step.size() - 20);
 }
 
+TEST(Outliers, PointsThatAreRepeatedCountOnce) {
+  const std::vector<Vec3> once = sampled_cloud(unit_sphere(20), {.points = 2000}, 7);
+  std::vector<Vec3> many;
+  for (const Vec3& p : once) many.insert(many.end(), 8, p);
+  EXPECT_EQ(detail::without_repeats(many), once);
+  EXPECT_EQ(detail::without_repeats(once), once);
+}
+
 TEST(Outliers, NearlyAllThatLieOffTheSurfaceAreFound) {
   const std::vector<Vec3> points =
       sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
