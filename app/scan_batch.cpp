@@ -100,9 +100,7 @@ class Batch {
       throw CLI::ValidationError("--mass", "is the mass of one block, but " +
                                                std::to_string(scans_.size()) + " scans are given");
     }
-    const bool there =
-        std::filesystem::exists(args.library) && std::filesystem::file_size(args.library) > 0;
-    if (there) library_ = BlockLibrary::read(args.library);
+    if (std::filesystem::exists(args.library)) library_ = BlockLibrary::read(args.library);
     // A place that can't be written is refused before the work and not after it.
     check_library_place(args.library);
     if (!args.report.empty()) report_.emplace(args.report, args.replace || args.resume);

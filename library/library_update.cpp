@@ -8,9 +8,7 @@ namespace clast {
 BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdate& options,
                             const std::function<void(BlockLibrary&)>& change) {
   const FileLock lock(path, {.waiting = options.waiting});
-  // An empty file is taken as none.
-  const bool there =
-      !options.make || (std::filesystem::exists(path) && std::filesystem::file_size(path) > 0);
+  const bool there = !options.make || std::filesystem::exists(path);
   BlockLibrary library = there ? BlockLibrary::read(path) : BlockLibrary();
   change(library);
   library.write(path);

@@ -164,7 +164,7 @@ TEST(Tables, ClassifyWeighsSizesAndComparesPopulations) {
   EXPECT_EQ(json["box"], "as measured");
   EXPECT_EQ(json["size"]["by_number"]["d50_m"], 0.9);
 
-  expect_refused(folder, {"classify", "talus.csv", "--erdogan-limit", "0.9"}, 2, "erdogan_limit");
+  expect_refused(folder, {"classify", "talus.csv", "--erdogan-limit", "0.9"}, 2, "--erdogan-limit");
   expect_refused(folder, {"classify", "talus.csv", "--axis-error", "-1"}, 2, "--axis-error");
   expect_refused(folder, {"classify", "talus.csv", "--against", "none.csv"}, 1, "none.csv");
 }

@@ -309,8 +309,7 @@ TEST(BlockLibrary, NumbersThatDoNotFitTheOthersAreRefused) {
         block.mass.mass = block.mass.volume * block.density;
       },
       "volume_m3 is ");
-  expect([](Block& block) { block.mass.relative_error = 0.0; },
-         "the trace of inertia is 5.5 where");
+  expect([](Block& block) { block.mass.relative_error = 0.0; }, "the trace of inertia is 5.5, but");
 }
 
 TEST(BlockLibrary, NoFlippedBitIsReadAsAnotherNumber) {

@@ -180,8 +180,8 @@ TEST(CompleteCloud, OfStonesComesOutClosedWithItsSizeAndClass) {
     }
   }
   ASSERT_EQ(some.size(), 7u);
-  // Known: L of Ryugu, whose ridge is narrower than the points are apart (1.9 % short, three of five
-  // clouds), and of stone 18 where the density falls to a third at its tip (1.9 %).
+  // Known: L of Ryugu, whose ridge is narrower than the points are apart (1.9 % short, three of
+  // five clouds), and of stone 18 where the density falls to a third at its tip (1.9 %).
   check_all(some, {8000}, 4);
 }
 #endif
