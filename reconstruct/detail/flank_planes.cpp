@@ -15,7 +15,7 @@ namespace {
 /// flank leans and not how a bump on it does. See docs/theory.md for what other sizes give.
 constexpr double kPatchRadius = 0.10;
 /// The planes lie outside of what was seen by so many times what stands out over tangent planes.
-constexpr double kSlack = 2.0;
+constexpr double kSlack = 1.5;
 /// What stands out by more than this share of the root of the seen area, at a rim, tells nothing of
 /// what lies behind.
 constexpr double kHeldByRim = 0.01;
