@@ -16,8 +16,8 @@ namespace {
 constexpr double kPatchRadius = 0.10;
 /// The planes lie outside of what was seen by so many times what stands out over tangent planes.
 constexpr double kSlack = 1.5;
-/// What stands out by more than this share of the root of the seen area, at a rim, tells nothing of
-/// what lies behind.
+/// What stands out by more than this share of the root of the seen area, at a rim, says nothing
+/// about what lies behind.
 constexpr double kHeldByRim = 0.01;
 /// A patch whose triangles face apart has no normal: the share of its area that is left of it.
 constexpr double kLeastNormal = 0.7;
