@@ -55,55 +55,16 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
   return hull;
 }
 
-/// A volume has no lower bound below this share of the best one.
-constexpr double kLeastLeft = 0.01;
-
-/// Adds the bounds that the unseen side leaves.
-void add_unseen(Block& block, const Underside& side, const RepairReport& report) {
+/// Adds what the scan leaves open.
+void add_unseen(Block& block, const BlockBounds& bounds) {
   const auto axes = [](const Vec3& sides) { return Axes{sides[0], sides[1], sides[2]}; };
   UnseenPart unseen;
-  // What filled gaps and copies of the surface leave uncertain comes on top.
-  unseen.lower_volume =
-      std::max(side.lower_volume - report.volume_below, kLeastLeft * side.best_volume);
-  unseen.best_volume = side.best_volume;
-  unseen.upper_volume = side.upper_volume;
-  if (unseen.upper_volume) *unseen.upper_volume += report.volume_above;
-  unseen.invented_share = side.invented_share;
-  unseen.assumption = side.assumption;
-  if (side.sides) unseen.axes = AxesRange{axes(side.sides->lower), axes(side.sides->upper)};
-  block.unseen = unseen;
-  block.warnings.insert(block.warnings.begin(), described_unseen(block));
-}
-
-/// Fillings of gaps that leave less than this share of the volume uncertain get no range.
-constexpr double kWorthARange = 0.02;
-/// A cone on a whole side is three times as high as a slab of the same volume.
-constexpr double kPointed = 3.0;
-
-/// Adds the bounds that fillings of gaps leave, where these are wide: one missing triangle of a
-/// coarse scan is enough.
-void add_filled(Block& block, const Scan& scan) {
-  const RepairReport& report = scan.report;
-  const double volume = solid_mass_properties(scan.mesh, 1.0).volume;
-  const double width = report.volume_below + report.volume_above;
-  const bool is_copy = !report.doubled.empty();
-  if ((report.invented_share == 0.0 && !is_copy) || width < kWorthARange * volume) return;
-  const Vec3 sides = smallest_box(scan.mesh.vertices).lengths;
-  const auto scaled_axes = [&](double factor) {
-    return Axes{factor * sides[0], factor * sides[1], factor * sides[2]};
-  };
-  UnseenPart unseen;
-  unseen.lower_volume = std::max(volume - report.volume_below, kLeastLeft * volume);
-  unseen.best_volume = volume;
-  unseen.upper_volume = volume + report.volume_above;
-  unseen.invented_share = report.invented_share;
-  const double shorter = 1.0 - kPointed * report.volume_below / volume;
-  if (shorter > 0.0) {
-    unseen.axes =
-        AxesRange{scaled_axes(shorter), scaled_axes(1.0 + kPointed * report.volume_above / volume)};
-  }
-  unseen.assumption = is_copy ? "one of the copies of the surface is the rock"
-                              : "behind a filled gap the surface continues as it does around it";
+  unseen.lower_volume = bounds.lower_volume;
+  unseen.best_volume = bounds.best_volume;
+  unseen.upper_volume = bounds.upper_volume;
+  unseen.invented_share = bounds.invented_share;
+  unseen.assumption = bounds.assumption;
+  if (bounds.sides) unseen.axes = AxesRange{axes(bounds.sides->lower), axes(bounds.sides->upper)};
   block.unseen = unseen;
   block.warnings.insert(block.warnings.begin(), described_unseen(block));
 }
@@ -139,12 +100,7 @@ Block block_from(FieldBlock& found, const std::string& id, BlockSource source,
   const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
   if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
-  if (options.block.convex) return block;
-  if (found.underside) {
-    add_unseen(block, *found.underside, scan.report);
-  } else {
-    add_filled(block, scan);
-  }
+  if (found.bounds && !options.block.convex) add_unseen(block, *found.bounds);
   return block;
 }
 
@@ -282,7 +238,7 @@ std::vector<Block> blocks_from_scan(const std::filesystem::path& path, const std
   } else if (options.block.core) {
     ScanOptions reading = options.scan;
     reading.repair.invent = false;  // every vertex of a core is meant
-    found.blocks.push_back({read_scan(path, reading), {}});
+    found.blocks.push_back({read_scan(path, reading), {}, {}});
     if (witness || options.scale_points) found.raw = read_mesh(path);
   } else {
     found = read_field_scan(path, reading_field);

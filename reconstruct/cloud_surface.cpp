@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/random.hpp"
 #include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/detail/cloud_margin.hpp"
 #include "reconstruct/detail/cloud_normals.hpp"
 #include "reconstruct/detail/local_surface.hpp"
 #include "reconstruct/detail/outliers.hpp"
@@ -37,6 +41,12 @@ constexpr int kRounds = 3;         ///< of surface and normals
 constexpr double kSpacings = 2.0;  ///< a cell holds about four points at least
 /// Points that lie closer about a plane than this share of their diagonal bound no body.
 constexpr double kFlat = 1e-3;
+
+/// The volume is uncertain by so many times what halves of the points lack, by so many times what
+/// the halves differ by, and by this share of the noise on all of the area.
+constexpr double kSafety = 2.5, kScatters = 2.0, kNoiseShare = 0.25;
+constexpr double kExtremes = 1.5;  ///< standard deviations of the noise
+constexpr std::uint64_t kSeed = 1;
 
 /// Standard deviation of the points about the plane, and about the line, that fits them best, m.
 std::array<double, 2> thicknesses(std::span<const Vec3> points) {
@@ -66,8 +76,10 @@ void refuse_flat(std::span<const Vec3> points, double diagonal) {
 struct Body {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
-  TriangleMesh surface;  ///< its vertices are the points
-  std::size_t off = 0;   ///< points left out, which lay off the surface
+  TriangleMesh surface;                          ///< its vertices are the points
+  std::size_t off = 0;                           ///< points left out, which lay off the surface
+  double noise = 0.0;                            ///< standard deviation that was smoothed away, m
+  std::unique_ptr<detail::Indicator> indicator;  ///< that gave the surface
 };
 
 [[noreturn]] void refuse_no_surface(std::size_t points) {
@@ -77,11 +89,12 @@ struct Body {
 
 /// Alternates between both: the surface shows which normals are wrong, and corrected normals
 /// improve the surface.
-void find_surface(Body& body) {
+/// @param spacings  of points without noise, to take in thin parts; else empty
+void find_surface(Body& body, std::span<const double> spacings = {}) {
   for (int round = 0; round < kRounds; ++round) {
-    const detail::Indicator indicator(body.points, body.normals);
-    if (!indicator.found()) refuse_no_surface(body.points.size());
-    body.surface = detail::surface_between(body.points, indicator);
+    body.indicator = std::make_unique<detail::Indicator>(body.points, body.normals);
+    if (!body.indicator->found()) refuse_no_surface(body.points.size());
+    body.surface = detail::surface_between(body.points, *body.indicator, spacings);
     if (body.surface.triangles.empty()) refuse_no_surface(body.points.size());
     if (detail::correct_normals(body.normals, body.surface) == 0) return;
   }
@@ -108,6 +121,7 @@ void smooth(Body& body) {
   if (noise < kClean * detail::spacing(body.points)) return;
   std::vector<Vec3> points = local.smoothed(noise);
   body.points = std::move(points);
+  body.noise = noise;
 }
 
 /// Edges where the surface touches itself, as a share of all. Where some normals face in, the
@@ -152,12 +166,12 @@ Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbou
   Missed missed;
   double least = std::numeric_limits<double>::infinity();
   for (const int count : neighbours) {
-    Body body{points, detail::plane_normals(points, count), {}, 0};
+    Body body{points, detail::plane_normals(points, count), {}, 0, 0.0, {}};
     detail::turn_outward(body.normals, body.points);
     find_surface(body);
     remove_off_surface(body);
     smooth(body);
-    find_surface(body);
+    find_surface(body, detail::local_spacings(body.points));
     const Missed left = missed_points(body.surface, points);
     const double defects = touching_share(body.surface) + left.share;
     if (defects >= least) continue;
@@ -175,6 +189,27 @@ Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbou
                         "more densely there, or delete points that do not belong to it");
   }
   return best;
+}
+
+/// Adds to a margin how far the volume is uncertain. What triangles cut off between points, on
+/// edges as on rounds, is to first order inversely proportional to the number of points: surfaces
+/// through halves of them, drawn at random, lack as much again [richardson1911].
+void add_volumes(SurfaceMargin& margin, const Body& body) {
+  Random random(kSeed);
+  std::array<std::vector<Vec3>, 2> halves;
+  for (const Vec3& p : body.points) halves[random.below(2)].push_back(p);
+  const double whole = detail::signed_volume(body.surface);
+  std::array<double, 2> less{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const TriangleMesh surface =
+        detail::surface_between(halves[k], *body.indicator, detail::local_spacings(halves[k]));
+    less[k] = whole - detail::signed_volume(surface);
+  }
+  const double mean = 0.5 * (less[0] + less[1]), apart = 0.5 * std::abs(less[0] - less[1]);
+  const double rough = kNoiseShare * body.noise * surface_area(body.surface);
+  margin.extremes = kExtremes * body.noise;
+  margin.volume_above = kSafety * std::max(0.0, mean) + kScatters * apart + rough;
+  margin.volume_below = kSafety * std::max(0.0, -mean) + kScatters * apart + rough;
 }
 
 TriangleMesh largest_piece(const TriangleMesh& mesh) {
@@ -216,7 +251,9 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   if (open.triangles.empty()) {
     throw GeometryError("the surface found does not follow the points; are they on one surface?");
   }
-  return {std::move(open), body.off, seen.gaps, seen.gap_share, seen.gap_place};
+  SurfaceMargin margin = detail::cloud_margin(body.surface, {body.normals, spacings, body.noise});
+  add_volumes(margin, body);
+  return {std::move(open), std::move(margin), body.off, seen.gaps, seen.gap_share, seen.gap_place};
 }
 
 }  // namespace clast

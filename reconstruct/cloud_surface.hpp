@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include "reconstruct/surface_margin.hpp"
 #include "shapes/triangle_mesh.hpp"
 
 namespace clast {
@@ -24,6 +25,7 @@ struct CloudSurfaceOptions {
 struct CloudSurface {
   /// An oriented 2-manifold in one piece, outward; closed where points are all around. m
   TriangleMesh mesh;
+  SurfaceMargin margin;      ///< what the points leave open of the part that was seen
   std::size_t outliers = 0;  ///< points left out because they lie off the surface
   /// Places where points are missing, each with less than 0.5 % of the area: filled.
   std::size_t gaps = 0;

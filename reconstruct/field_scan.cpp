@@ -17,6 +17,7 @@
 #include "reconstruct/detail/separate_sets.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
+#include "reconstruct/detail/stated_bounds.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
 #include "reconstruct/detail/surface_copy.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
@@ -55,6 +56,7 @@ class Separation {
       : name_(std::move(name)), options_(options) {}
 
   std::vector<FieldBlock> of_mesh(const TriangleMesh& raw) {
+    raw_ = &raw;
     std::optional<TriangleMesh> sheet = open_sheet(raw);
     if (!sheet) return {cleaned(raw)};
     std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
@@ -108,8 +110,8 @@ class Separation {
     std::optional<Ground> ground;
     if (options_.find_ground) ground = found_ground(points);
     if (!ground) {
-      TriangleMesh surface = surface_of(without_far(std::move(sets)), notes_);
-      return {closed_block(std::move(surface), {}, Vec3::Zero())};
+      CloudSurface surface = surface_of(without_far(std::move(sets)), notes_);
+      return {closed_block(std::move(surface.mesh), {}, Vec3::Zero(), &surface.margin)};
     }
     const StandingBlocks standing = standing_on(points, *ground);
     std::vector<FieldBlock> blocks;
@@ -117,9 +119,9 @@ class Separation {
       std::vector<Vec3> own;
       for (const std::uint32_t i : block->points) own.push_back(points[i]);
       std::vector<std::string> notes;
-      TriangleMesh surface = surface_of(own, notes);
-      blocks.push_back(
-          closed_block(std::move(surface), below(*block, own, *ground), block->centre));
+      CloudSurface surface = surface_of(own, notes);
+      blocks.push_back(closed_block(std::move(surface.mesh), below(*block, own, *ground),
+                                    block->centre, &surface.margin));
       std::vector<std::string>& all = blocks.back().scan.notes;
       all.insert(all.end(), notes.begin(), notes.end());
     }
@@ -150,7 +152,29 @@ class Separation {
 
   /// By repair alone.
   FieldBlock cleaned(const TriangleMesh& raw) const {
-    return with_doubt({cleaned_scan(raw, name_, options_.scan), {}});
+    FieldBlock block{cleaned_scan(raw, name_, options_.scan), {}, {}};
+    if (was_changed(block.scan.report)) {
+      const detail::ScannedSurface scanned(raw);
+      const TriangleMesh closed = in_file_units(block.scan.mesh);
+      block.bounds =
+          detail::closed_bounds({closed, options_.scan.unit, &scanned, nullptr}, block.scan.report);
+    }
+    return with_doubt(std::move(block));
+  }
+
+  /// Is a part of the surface not as it was read? A wrap is off it everywhere, and says so.
+  static bool was_changed(const RepairReport& report) {
+    return !report.wrap_bias && (report.invented_share > 0.0 || !report.doubled.empty() ||
+                                 report.find(DefectKind::kSpike) != nullptr ||
+                                 report.find(DefectKind::kCrossing) != nullptr);
+  }
+
+  /// From metres, upright.
+  TriangleMesh in_file_units(TriangleMesh mesh) const {
+    for (Vec3& v : mesh.vertices) {
+      v = (options_.scan.up == "y" ? Vec3(v.x(), v.z(), -v.y()) : v) / options_.scan.unit;
+    }
+    return mesh;
   }
 
   bool all_within_reach(const std::vector<Vec3>& points) const {
@@ -324,7 +348,7 @@ class Separation {
   }
 
   /// Also notes what the surface leaves out and fills.
-  TriangleMesh surface_of(const std::vector<Vec3>& points, std::vector<std::string>& notes) const {
+  CloudSurface surface_of(const std::vector<Vec3>& points, std::vector<std::string>& notes) const {
     try {
       CloudSurface surface = cloud_surface(points, options_.surface);
       if (surface.outliers > 0) {
@@ -336,7 +360,7 @@ class Separation {
                         " between the points filled, " + with_digits(100.0 * surface.gap_share, 2) +
                         " % of the surface, the largest near " + place(surface.gap_place));
       }
-      return std::move(surface.mesh);
+      return surface;
     } catch (const GeometryError& error) {
       throw GeometryError(name_ + ": " + error.what());
     } catch (const InputError& error) {
@@ -374,8 +398,9 @@ class Separation {
   }
 
   /// Closes, cleans, and turns to metres with z up.
-  FieldBlock closed_block(TriangleMesh open, const std::optional<Plane>& ground,
-                          const Vec3& centre) const {
+  /// @param margin  of a cloud; null: of a mesh
+  FieldBlock closed_block(TriangleMesh open, const std::optional<Plane>& ground, const Vec3& centre,
+                          const SurfaceMargin* margin = nullptr) const {
     RepairReport mended = mended_;
     if (turn_outward(open)) {
       std::swap(mended.volume_below, mended.volume_above);
@@ -388,16 +413,29 @@ class Separation {
       const std::vector<FilledHole> filled = detail::fill_holes(open, false);
       take_fillings(mended, filled, surface_area(open));
     }
+    std::optional<detail::ScannedSurface> scanned;
+    if (margin != nullptr) {
+      scanned.emplace(std::span<const Vec3>(open.vertices));
+    } else if (was_changed(mended)) {
+      scanned.emplace(*raw_);
+    }
+    UndersideOptions closing{
+        .ground = ground, .smallest_share = kSmallestHole, .through = options_.through};
+    if (scanned) closing.was_seen = [&](const Vec3& place) { return scanned->holds(place); };
+    closing.margin = margin;
     std::optional<Underside> side;
     try {
-      side = closed_underside(
-          open, {.ground = ground, .smallest_share = kSmallestHole, .through = options_.through});
+      side = closed_underside(open, closing);
     } catch (const GeometryError& error) {
       throw GeometryError(name_ + ": " + error.what());
     }
     ScanOptions options = options_.scan;
-    FieldBlock block{cleaned_scan(side ? side->best : std::move(open), name_, options), {}};
+    FieldBlock block{cleaned_scan(side ? side->best : open, name_, options), {}, {}};
     block.scan.report = joined(std::move(mended), std::move(block.scan.report));
+    if (!side) {
+      block.bounds = detail::closed_bounds(
+          {open, options.unit, scanned ? &*scanned : nullptr, margin}, block.scan.report);
+    }
     block.scan.notes = repair_notes(block.scan.report);
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), notes_.begin(), notes_.end());
@@ -422,6 +460,7 @@ class Separation {
     if (side) {
       notes.insert(notes.end(), side->notes.begin(), side->notes.end());
       block.underside = moved(std::move(*side), [&](const Vec3& p) { return turn * to_metres(p); });
+      block.bounds = detail::underside_bounds(*block.underside, block.scan.report);
     }
     return with_doubt(std::move(block));
   }
@@ -470,7 +509,8 @@ class Separation {
   std::string name_;
   const FieldScanOptions& options_;
   std::vector<std::string> notes_;
-  RepairReport mended_;  ///< before the surface was closed; empty for a cloud
+  const TriangleMesh* raw_ = nullptr;  ///< null: a cloud
+  RepairReport mended_;                ///< before the surface was closed; empty for a cloud
 };
 
 bool is_cloud(const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/pose.hpp"
+#include "reconstruct/block_bounds.hpp"
 #include "reconstruct/cloud_surface.hpp"
 #include "reconstruct/ground.hpp"
 #include "reconstruct/scan.hpp"
@@ -30,6 +31,7 @@ struct FieldScanOptions {
 struct FieldBlock {
   Scan scan;                           ///< closed, in metres, z up
   std::optional<Underside> underside;  ///< of a scan that was open; in the frame of `scan`
+  std::optional<BlockBounds> bounds;   ///< none: nothing to speak of is left open
   /// To the frame of `scan` from the file's coordinates in metres, z up.
   Pose block_from_file = {Vec3::Zero(), Quat::Identity()};
 };

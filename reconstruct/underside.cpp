@@ -178,18 +178,27 @@ class Closing {
     const std::vector<double> heights = rim_heights(rims[0]);
     const double bottom =
         lowest_bottom(heights, heights[(heights.size() - 1) / 2], sections.highest());
-    bound(rims, bottom, sections.highest());
+    bound(bottom, sections.highest());
     guess(heights, sections, bottom, film);
     const double filling = area_from(result_.best, result_.first_invented);
     result_.invented_share = filling / surface_area(result_.best);
   }
 
-  void bound(const std::vector<Rim>& rims, double bottom, double highest) {
-    std::vector<std::uint32_t> around;
-    for (std::size_t i = 0; i < result_.open_sides; ++i) {
-      around.insert(around.end(), rims[i].loop.begin(), rims[i].loop.end());
+  /// Which triangles of `lower` were not scanned.
+  std::vector<bool> films() const {
+    std::vector<bool> film(result_.lower.triangles.size(), false);
+    for (std::size_t t = 0; t < film.size(); ++t) {
+      film[t] = t >= result_.first_invented;
+      if (film[t] || !options_.was_seen) continue;
+      const auto& [a, b, c] = result_.lower.triangles[t];
+      const std::vector<Vec3>& at = result_.lower.vertices;
+      film[t] = !options_.was_seen((at[a] + at[b] + at[c]) / 3.0);
     }
-    detail::UnseenParts parts{.first = result_.first_invented, .rims = around, .floor = {}};
+    return film;
+  }
+
+  void bound(double bottom, double highest) {
+    detail::UnseenParts parts{films(), {}, options_.margin};
     result_.assumption = "the unseen part lies within the planes of the flanks that were seen";
     if (faces_ground()) {
       parts.floor = Plane{options_.ground->normal, bottom};

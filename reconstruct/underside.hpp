@@ -2,11 +2,14 @@
 /// The side of a block that nobody saw: how large and how small the block may be, and the best
 /// guess.
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "reconstruct/block_bounds.hpp"
 #include "reconstruct/seen_through.hpp"
+#include "reconstruct/surface_margin.hpp"
 #include "shapes/triangle_mesh.hpp"
 
 namespace clast {
@@ -37,13 +40,13 @@ struct UndersideOptions {
   /// Space that was looked through, in the frame of the scan: above the ground that is given, no
   /// rock is there.
   const SeenThrough* through = nullptr;
+  /// Tells of a place on the open surface whether it was scanned; what was not is a filling of
+  /// small holes. None: all of it was.
+  std::function<bool(const Vec3&)> was_seen = {};
+  /// How well the open surface is known; null: it is exact.
+  const SurfaceMargin* margin = nullptr;
 
   void check() const;  ///< throws InputError naming the field and its value
-};
-
-/// Bounds of the sides of the smallest box, each by itself: L, I, S in m.
-struct SideBounds {
-  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
 };
 
 /// A scan closed two ways, and what it may be beyond that. Both meshes are closed and outward, with

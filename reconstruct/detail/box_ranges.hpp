@@ -2,7 +2,7 @@
 /// Bounds of the sides of the smallest box of a body with an unseen part.
 #include <span>
 
-#include "reconstruct/underside.hpp"
+#include "reconstruct/block_bounds.hpp"
 
 namespace clast::detail {
 

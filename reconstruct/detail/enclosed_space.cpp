@@ -31,7 +31,7 @@ class Space {
       const double along = planes_[i].normal.dot(way);
       if (along * place.factor > room_[i]) place = {way, room_[i] / along, i};
     }
-    bounded_ = bounded_ && place.factor <= farthest_;
+    bounded_ = bounded_ && place.factor * way.norm() <= farthest_;
     return place;
   }
 
@@ -87,14 +87,14 @@ class Space {
 
 }  // namespace
 
-std::optional<EnclosedSpace> enclosed_space(const TriangleMesh& closed, std::size_t first,
-                                            const Vec3& centre, std::span<const Plane> planes,
-                                            double farthest) {
+std::optional<EnclosedSpace> enclosed_space(const TriangleMesh& film, const Vec3& centre,
+                                            std::span<const Plane> planes, double farthest) {
   Space space(centre, planes, farthest);
-  for (std::size_t t = first; t < closed.triangles.size() && space.bounded(); ++t) {
+  for (const TriangleMesh::Triangle& t : film.triangles) {
+    if (!space.bounded()) break;
     std::array<Carried, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = space.carried(closed.vertices[closed.triangles[t][k]] - centre);
+      corners[k] = space.carried(film.vertices[t[k]] - centre);
     }
     space.add(corners[0], corners[1], corners[2], kDepth);
   }

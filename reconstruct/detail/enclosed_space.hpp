@@ -16,11 +16,11 @@ struct EnclosedSpace {
   std::vector<Vec3> places;  ///< on the planes, behind the film, its corners among them
 };
 
-/// @param closed  the film's triangles are from `first` on
-/// @param centre  a place within all half-spaces n . p <= d from which the film is seen
-/// @returns none where a way through the film leads farther than `farthest` times as far as to it
-std::optional<EnclosedSpace> enclosed_space(const TriangleMesh& closed, std::size_t first,
-                                            const Vec3& centre, std::span<const Plane> planes,
-                                            double farthest);
+/// @param film      faces out of the body
+/// @param centre    a place within all half-spaces n . p <= d, before the film
+/// @param farthest  m
+/// @returns none where a way through the film leads farther than `farthest`
+std::optional<EnclosedSpace> enclosed_space(const TriangleMesh& film, const Vec3& centre,
+                                            std::span<const Plane> planes, double farthest);
 
 }  // namespace clast::detail

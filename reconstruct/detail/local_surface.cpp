@@ -123,6 +123,22 @@ std::vector<bool> LocalSurface::off_surface(std::span<const double> spacings) co
   return off;
 }
 
+std::vector<LocalSurface::Standing> LocalSurface::standings() const {
+  std::vector<Standing> result(points_.size());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    std::vector<NearestPoints::Near> near = tree_.nearest(points_[i], kNoiseNeighbours);
+    std::erase_if(near, [&](const NearestPoints::Near& n) { return n.point == i; });
+    const Patch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
+    if (patch.rows.size() < kFewest) {  // nothing is known of a plane
+      result[i].deviation = near.back().distance;
+      continue;
+    }
+    const Fit fit = fit_of<3>(patch);
+    result[i] = {-fit.height, fit.deviation};
+  }
+  return result;
+}
+
 std::vector<Vec3> LocalSurface::smoothed(double noise) const {
   std::vector<Vec3> result(points_.begin(), points_.end());
   for (std::size_t i = 0; i < points_.size(); ++i) {

@@ -23,6 +23,13 @@ class LocalSurface {
   /// scatter of these allow, and a little apart from them: outliers close to the surface.
   std::vector<bool> off_surface(std::span<const double> spacings) const;
 
+  /// A point against its neighbours that face the same way.
+  struct Standing {
+    double height = 0.0;     ///< over the plane fitted to them, m
+    double deviation = 0.0;  ///< of them about that plane, m
+  };
+  std::vector<Standing> standings() const;
+
   /// Every point moved along its normal onto the plane or quadric through its neighbourhood, which
   /// is as large as `noise` (m) lets one fit: edges stay, since no plane or quadric fits there.
   std::vector<Vec3> smoothed(double noise) const;

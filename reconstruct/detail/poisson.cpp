@@ -105,6 +105,43 @@ std::vector<TriangleMesh::Triangle> border(const Delaunay& delaunay) {
   return triangles;
 }
 
+/// Cells between points of a part too thin for the indicator have circumradii of up to so many
+/// spacings.
+constexpr double kThin = 1.5;
+
+/// The indicator ends before the tips and ridges that are thinner than the points lie apart, and
+/// leaves their points outside: from the body on, takes in the small cells at these points.
+void take_in_thin_parts(Delaunay& delaunay, std::span<const double> spacings) {
+  std::vector<bool> held(spacings.size(), false);
+  std::vector<Cell> front;
+  for (const Cell cell : delaunay.finite_cell_handles()) {
+    if (cell->info() != Side::kInside) continue;
+    front.push_back(cell);
+    for (int k = 0; k < 4; ++k) held[cell->vertex(k)->info()] = true;
+  }
+  const auto is_thin_part = [&](const Cell& cell) {
+    double spacing = 0.0;
+    for (int k = 0; k < 4; ++k) {
+      const std::uint32_t v = cell->vertex(k)->info();
+      if (!held[v]) spacing = std::max(spacing, spacings[v]);
+    }
+    return spacing > 0.0 &&
+           CGAL::squared_radius(cell->vertex(0)->point(), cell->vertex(1)->point(),
+                                cell->vertex(2)->point(),
+                                cell->vertex(3)->point()) <= kThin * kThin * spacing * spacing;
+  };
+  for (std::size_t next = 0; next < front.size(); ++next) {
+    const Cell cell = front[next];  // a copy: the list grows
+    for (int i = 0; i < 4; ++i) {
+      const Cell beside = cell->neighbor(i);
+      if (delaunay.is_infinite(beside) || beside->info() == Side::kInside) continue;
+      if (!is_thin_part(beside)) continue;
+      beside->info() = Side::kInside;
+      front.push_back(beside);
+    }
+  }
+}
+
 constexpr std::size_t kSlopeSamples = 500;
 /// The slope is taken over this share of the diagonal to both sides.
 constexpr double kSlopeStep = 0.005;
@@ -162,7 +199,8 @@ double Indicator::at(const Vec3& place) const {
   return facing_ * impl_->function(CgalPoint(p.x(), p.y(), p.z()));
 }
 
-TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator) {
+TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator,
+                             std::span<const double> spacings) {
   if (points.empty()) return {};
   const Vec3 origin = points[0];
   std::vector<std::pair<CgalPoint, std::uint32_t>> numbered;
@@ -180,6 +218,10 @@ TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indi
     cell->info() = inside ? Side::kInside : Side::kOutside;
   }
   keep_one_solid(delaunay);
+  if (!spacings.empty()) {
+    take_in_thin_parts(delaunay, spacings);
+    keep_one_solid(delaunay);
+  }
   return {std::vector<Vec3>(points.begin(), points.end()), border(delaunay)};
 }
 

@@ -31,10 +31,13 @@ class Indicator {
 /// of a sample dense enough is a manifold. The surface has no vertex but the points, so it never
 /// leaves their hull; points off it are no vertices. It crosses itself nowhere, is in one piece
 /// without cavities, and closed also where no points are: there its triangles are large.
+/// @param spacings  of the points, m: parts thinner than that are taken in, as far as points lie on
+///                  them, and noise with them; empty: they are not
 /// @returns outward; vertices are all points in order, also those not used; empty when nothing is
 ///          inside
 /// @pre indicator.found()
 /// @cite amenta1999
-TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator);
+TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator,
+                             std::span<const double> spacings = {});
 
 }  // namespace clast::detail

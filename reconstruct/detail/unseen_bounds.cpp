@@ -1,10 +1,13 @@
 #include "reconstruct/detail/unseen_bounds.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "reconstruct/detail/box_ranges.hpp"
 #include "reconstruct/detail/enclosed_space.hpp"
 #include "reconstruct/detail/flank_planes.hpp"
+#include "shapes/mesh_topology.hpp"
 
 namespace clast::detail {
 
@@ -14,11 +17,16 @@ namespace {
 /// the flanks alone bound it, half of it where a floor does. Beyond, planes of the flanks meet so
 /// far from what was seen that a small error of theirs moves the bound by tenths of the volume.
 constexpr double kMostByFlanks = 1.5, kMostOnFloor = 2.0;
+/// Films with more than this share of the closed surface hide more than a quarter of a ball's
+/// surface, and of blocks in general enough for a part that no flank announces.
+constexpr double kLargestFilms = 0.2;
 constexpr double kLeastLeft = 0.5;  ///< of the volume, by a film that is dented
 /// The planes are moved out by so much more of their slack where sides are bounded: a corner that
 /// stands out is seen in them and hardly in the volume.
 constexpr double kSideSlack = 0.5;
-constexpr double kFarthest = 10.0;  ///< from the middle, against the film there
+constexpr double kFarthest = 10.0;  ///< of what is behind a film, against the film from the middle
+constexpr double kSmallFilm = 0.2;  ///< width against the root of the body's area
+constexpr double kBefore = 0.25;    ///< a film is looked through from so many roots of its area
 
 struct Middle {
   Vec3 place = Vec3::Zero();
@@ -39,43 +47,174 @@ Middle middle_of(const TriangleMesh& closed) {
   return middle;
 }
 
-double film_area(const TriangleMesh& mesh, std::size_t first) {
-  double doubled = 0.0;
-  for (std::size_t t = first; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
-    doubled += (q - p).cross(r - p).norm();
+/// The same surface with the films behind what was seen.
+struct Parted {
+  TriangleMesh closed;
+  std::size_t first = 0;            ///< triangles from this one on are films
+  std::vector<std::uint32_t> rims;  ///< vertices of films and of what was seen
+};
+
+Parted parted(const TriangleMesh& closed, const std::vector<bool>& film) {
+  Parted parts{{closed.vertices, {}}, 0, {}};
+  std::vector<bool> seen(closed.vertices.size(), false), on_rim(closed.vertices.size(), false);
+  for (std::size_t t = 0; t < film.size(); ++t) {
+    if (film[t]) continue;
+    parts.closed.triangles.push_back(closed.triangles[t]);
+    for (const std::uint32_t v : closed.triangles[t]) seen[v] = true;
   }
-  return 0.5 * doubled;
+  parts.first = parts.closed.triangles.size();
+  for (std::size_t t = 0; t < film.size(); ++t) {
+    if (!film[t]) continue;
+    parts.closed.triangles.push_back(closed.triangles[t]);
+    for (const std::uint32_t v : closed.triangles[t]) {
+      if (!seen[v] || on_rim[v]) continue;
+      on_rim[v] = true;
+      parts.rims.push_back(v);
+    }
+  }
+  return parts;
+}
+
+/// One connected film.
+struct Film {
+  TriangleMesh mesh;  ///< with all vertices of the surface
+  Vec3 vector_area = Vec3::Zero(), centre = Vec3::Zero();
+  double area = 0.0;
+};
+
+std::vector<Film> films_of(const Parted& parts) {
+  TriangleMesh all{parts.closed.vertices, {}};
+  all.triangles.assign(parts.closed.triangles.begin() + static_cast<std::ptrdiff_t>(parts.first),
+                       parts.closed.triangles.end());
+  const std::vector<std::uint32_t> film_of = triangle_components(all);
+  std::vector<Film> films;
+  for (std::size_t t = 0; t < all.triangles.size(); ++t) {
+    if (film_of[t] >= films.size()) films.resize(film_of[t] + 1);
+    Film& film = films[film_of[t]];
+    const auto& [a, b, c] = all.triangles[t];
+    const Vec3 &p = all.vertices[a], &q = all.vertices[b], &r = all.vertices[c];
+    const Vec3 area = 0.5 * (q - p).cross(r - p);
+    film.mesh.triangles.push_back(all.triangles[t]);
+    film.vector_area += area;
+    film.area += area.norm();
+    film.centre += area.norm() * (p + q + r) / 3.0;
+  }
+  for (Film& film : films) {
+    film.mesh.vertices = all.vertices;
+    if (film.area > 0.0) film.centre /= film.area;
+  }
+  return films;
+}
+
+/// What may lie behind all films together.
+class Behind {
+ public:
+  Behind(const std::vector<Film>& films, const Vec3& middle) : films_(films), middle_(middle) {}
+
+  std::optional<EnclosedSpace> within(const std::vector<Plane>& planes) const {
+    EnclosedSpace all;
+    for (const Film& film : films_) {
+      const double farthest = kFarthest * (film.centre - middle_).norm();
+      const auto space = enclosed_space(film.mesh, place_before(film, planes), planes, farthest);
+      if (!space) return std::nullopt;
+      all.volume += space->volume;
+      all.places.insert(all.places.end(), space->places.begin(), space->places.end());
+    }
+    return all;
+  }
+
+ private:
+  /// From close before a film more of what lies beyond its rim is seen through it: of a concave
+  /// body that may widen behind the film.
+  Vec3 place_before(const Film& film, const std::vector<Plane>& planes) const {
+    if (!(film.vector_area.norm() > 0.0)) return middle_;
+    const Vec3 place = film.centre - kBefore * std::sqrt(film.area) * film.vector_area.normalized();
+    const bool within = std::all_of(planes.begin(), planes.end(),
+                                    [&](const Plane& plane) { return plane.height(place) < 0.0; });
+    return within ? place : middle_;
+  }
+
+  const std::vector<Film>& films_;
+  Vec3 middle_;
+};
+
+/// Behind a small film a tip may stand that no flank announces, as much farther out than the planes
+/// of the flanks as the film is wide; the less so, the larger the film is.
+/// @param places  behind the films
+/// @param size    root of the area of the body, m
+void add_tips(std::vector<Vec3>& places, const std::vector<Film>& films, double size) {
+  const std::size_t count = places.size();
+  for (const Film& film : films) {
+    const double width = std::sqrt(film.area);
+    if (!(film.vector_area.norm() > 0.0) || width >= kSmallFilm * size) continue;
+    const Vec3 out = film.vector_area.normalized();
+    double reach = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 from = places[i] - film.centre;
+      if (from.norm() < 3.0 * width) reach = std::max(reach, out.dot(from));
+    }
+    places.push_back(film.centre + (reach + width * (1.0 - width / (kSmallFilm * size))) * out);
+  }
+}
+
+std::vector<Vec3> seen_points(const Parted& parts) {
+  std::vector<Vec3> seen;
+  for (std::size_t t = 0; t < parts.first; ++t) {
+    for (const std::uint32_t v : parts.closed.triangles[t]) {
+      seen.push_back(parts.closed.vertices[v]);
+    }
+  }
+  return seen;
 }
 
 }  // namespace
 
 UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts) {
+  const Parted surface = parted(closed, parts.film);
   const Middle middle = middle_of(closed);
-  const FlankPlanes flanks = flank_planes(closed, parts.first, parts.rims);
-  UnseenBounds bounds;
-  bounds.lower_volume = std::max(middle.volume - flanks.slack * film_area(closed, parts.first),
-                                 kLeastLeft * middle.volume);
-  const auto behind = [&](double further) {
-    std::vector<Plane> planes = flanks.planes;
-    for (Plane& plane : planes) plane.distance += further;
-    if (parts.floor) planes.push_back({-parts.floor->normal, -parts.floor->distance});
-    return enclosed_space(closed, parts.first, middle.place, planes, kFarthest);
-  };
-  const std::optional<EnclosedSpace> space = behind(0.0);
-  const double most = parts.floor ? kMostOnFloor : kMostByFlanks;
-  if (!space || middle.volume + space->volume > most * middle.volume) return bounds;
-  bounds.upper_volume = middle.volume + space->volume;
-  const std::optional<EnclosedSpace> wider = behind(kSideSlack * flanks.slack);
-  if (!wider) return bounds;
-  std::vector<Vec3> seen;
-  for (std::size_t t = 0; t < parts.first; ++t) {
-    for (const std::uint32_t v : closed.triangles[t]) seen.push_back(closed.vertices[v]);
+  UnseenBounds bounds{middle.volume, middle.volume, middle.volume, {}};
+  std::vector<Vec3> beyond;
+  if (surface.first < closed.triangles.size()) {
+    const FlankPlanes flanks = flank_planes(surface.closed, surface.first, surface.rims);
+    const std::vector<Film> films = films_of(surface);
+    for (const Film& film : films) bounds.lower_volume -= flanks.slack * film.area;
+    const Behind behind(films, middle.place);
+    const auto space_within = [&](double further) {
+      std::vector<Plane> planes = flanks.planes;
+      for (Plane& plane : planes) plane.distance += further;
+      if (parts.floor) planes.push_back({-parts.floor->normal, -parts.floor->distance});
+      return behind.within(planes);
+    };
+    double hidden = 0.0;
+    for (const Film& film : films) hidden += film.area;
+    const bool too_large = !parts.floor && hidden > kLargestFilms * surface_area(closed);
+    const std::optional<EnclosedSpace> space = space_within(0.0);
+    const std::optional<EnclosedSpace> wider = space_within(kSideSlack * flanks.slack);
+    const double most = parts.floor ? kMostOnFloor : kMostByFlanks;
+    if (!too_large && space && wider && middle.volume + space->volume <= most * middle.volume) {
+      *bounds.upper_volume += space->volume;
+      beyond = wider->places;
+      add_tips(beyond, films, std::sqrt(surface_area(closed)));
+    } else {
+      bounds.upper_volume.reset();
+    }
   }
-  std::vector<Vec3> possible = seen;
-  possible.insert(possible.end(), wider->places.begin(), wider->places.end());
+  if (parts.margin != nullptr) {
+    bounds.lower_volume -= parts.margin->volume_below;
+    if (bounds.upper_volume) *bounds.upper_volume += parts.margin->volume_above;
+  }
+  bounds.lower_volume = std::max(bounds.lower_volume, kLeastLeft * middle.volume);
+  if (!bounds.upper_volume) return bounds;
+  const std::vector<Vec3> seen =
+      parts.margin != nullptr ? parts.margin->inner : seen_points(surface);
+  std::vector<Vec3> possible = parts.margin != nullptr ? parts.margin->outer : seen;
+  possible.insert(possible.end(), beyond.begin(), beyond.end());
   bounds.sides = box_ranges(seen, possible);
+  if (parts.margin != nullptr) {
+    const Vec3 both_ends = Vec3::Constant(2.0 * parts.margin->extremes);
+    bounds.sides->lower = (bounds.sides->lower - both_ends).cwiseMax(0.0);
+    bounds.sides->upper += both_ends;
+  }
   return bounds;
 }
 

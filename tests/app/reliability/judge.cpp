@@ -92,7 +92,7 @@ class Comparison {
 
   Verdict verdict() const {
     Verdict verdict;
-    verdict.range_misses = range_misses_;
+    verdict.missed = missed_;
     if (given_.volume_range && std::isfinite(given_.volume_range->high)) {
       verdict.width =
           (given_.volume_range->high - given_.volume_range->low) / expected_.truth.volume;
@@ -105,20 +105,23 @@ class Comparison {
   }
 
  private:
-  void add_wrong(const std::string& what) { wrong_ += (wrong_.empty() ? "" : "; ") + what; }
+  static void add(std::string& list, const std::string& what) {
+    list += (list.empty() ? "" : "; ") + what;
+  }
 
   bool compare(const std::string& name, double value, double truth, double tolerance,
                const std::optional<Range>& range) {
     const bool missed = range && !holds(*range, truth);
-    range_misses_ |= missed;
+    const std::string beyond =
+        missed ? ", true " + with_digits(truth, 4) + " not in " + text_of(*range) : "";
+    if (missed) add(missed_, name + beyond);
     const double error = value / truth - 1.0;
     if (std::abs(error) <= tolerance) return true;
     if (range && !missed) {
       by_range_ = true;
       return false;
     }
-    add_wrong(name + " " + percent(error) +
-              (range ? ", true " + with_digits(truth, 4) + " not in " + text_of(*range) : ""));
+    add(wrong_, name + " " + percent(error) + beyond);
     return false;
   }
 
@@ -129,13 +132,15 @@ class Comparison {
     const bool listed = possible != given_.possible_classes.end() &&
                         std::find(possible->second.begin(), possible->second.end(), truth) !=
                             possible->second.end();
-    range_misses_ |= possible != given_.possible_classes.end() && !listed && own != truth;
+    if (possible != given_.possible_classes.end() && !listed && own != truth) {
+      add(missed_, scheme + " " + truth + " not among the possible classes");
+    }
     if (own == truth || (axes_right && own == shape_class(scheme, given_.axes))) return;
     if (listed) {
       by_range_ = true;
       return;
     }
-    add_wrong(scheme + " " + own + " instead of " + truth);
+    add(wrong_, scheme + " " + own + " instead of " + truth);
   }
 
   void require_words() {
@@ -145,13 +150,13 @@ class Comparison {
         if (warning.find(word) != std::string::npos) return;
       }
     }
-    add_wrong("no warning says \"" + expected_.said.front() + "\"");
+    add(wrong_, "no warning says \"" + expected_.said.front() + "\"");
   }
 
   const Given& given_;
   const Expected& expected_;
-  std::string wrong_;
-  bool by_range_ = false, range_misses_ = false;
+  std::string wrong_, missed_;
+  bool by_range_ = false;
 };
 
 }  // namespace
@@ -174,8 +179,8 @@ Given given_by(const ProgramRun& run) {
 }
 
 Verdict judge(const Given& given, const std::vector<Expected>& expected) {
-  if (!given.failure.empty()) return {Outcome::kWrong, given.failure, {}, false};
-  if (!given.refusal.empty()) return {Outcome::kRefused, given.refusal, {}, false};
+  if (!given.failure.empty()) return {Outcome::kWrong, given.failure, {}, {}};
+  if (!given.refusal.empty()) return {Outcome::kRefused, given.refusal, {}, {}};
   std::vector<Verdict> verdicts;
   for (const Expected& answer : expected) verdicts.push_back(Comparison(given, answer).verdict());
   return *std::min_element(verdicts.begin(), verdicts.end(),

@@ -54,7 +54,7 @@ struct Verdict {
   std::string why;              ///< of a wrong one: what is off and by how much; of a refusal: what
                                 ///< was said
   std::optional<double> width;  ///< of a stated range of the volume over the true volume
-  bool range_misses = false;  ///< a stated range does not hold the truth, be the value right or not
+  std::string missed;  ///< stated ranges that do not hold the truth, be the value right or not
 };
 
 /// Right: volume, L, I and S are each within the tolerance of the truth, and the classes are those

@@ -76,7 +76,7 @@ TEST(ReliabilityJudge, ARangeThatHoldsTheTruthIsHonest) {
   const Json honest = bracketed(off, 0.19, 0.23, {1.0, 0.7, 0.49}, {1.0, 0.7, 0.55});
   const Verdict verdict = judge(given(honest), {kRock});
   EXPECT_EQ(verdict.outcome, Outcome::kBracketed) << verdict.why;
-  EXPECT_FALSE(verdict.range_misses);
+  EXPECT_EQ(verdict.missed, "");
   EXPECT_NEAR(verdict.width.value(), 0.2, 1e-12);
 }
 
@@ -100,7 +100,7 @@ TEST(ReliabilityJudge, ARangeThatMissesIsCountedBesideAValueThatIsRight) {
       bracketed(block(0.2015, {1.0, 0.7, 0.5}), 0.201, 0.23, {1.0, 0.7, 0.5}, {1.0, 0.7, 0.5});
   const Verdict verdict = judge(given(right), {kRock});
   EXPECT_EQ(verdict.outcome, Outcome::kRight);
-  EXPECT_TRUE(verdict.range_misses);
+  EXPECT_NE(verdict.missed, "");
 }
 
 TEST(ReliabilityJudge, AnUpperBoundThatIsSaidToBeUnknownHoldsAnything) {

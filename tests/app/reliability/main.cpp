@@ -25,7 +25,7 @@ struct Options {
   std::string only;
   std::string keep;
   unsigned threads = 0;
-  bool list = false, levels = false, refusals = false;
+  bool list = false, levels = false, refusals = false, misses = false;
 };
 
 std::filesystem::path write_scan(const std::filesystem::path& folder, const TriangleMesh& surface) {
@@ -86,6 +86,14 @@ std::size_t print_list(const std::string& title, Outcome outcome,
   return count;
 }
 
+void print_misses(const std::vector<Judged>& judged) {
+  std::cout << "\nRanges that miss:\n\n";
+  for (const Judged& one : judged) {
+    if (!one.verdict.missed.empty())
+      std::cout << "- " << one.name << ": " << one.verdict.missed << "\n";
+  }
+}
+
 int run(const Options& options) {
   const std::vector<Body> bodies = make_bodies();
   const std::vector<Case> cases = chosen(make_cases(bodies), options);
@@ -109,6 +117,7 @@ int run(const Options& options) {
   });
   std::cout << markdown_table(judged, options.levels);
   if (options.refusals) print_list("Refused", Outcome::kRefused, judged);
+  if (options.misses) print_misses(judged);
   const std::size_t wrong = print_list("Silently wrong", Outcome::kWrong, judged);
   return wrong <= options.known && !cases.empty() ? 0 : 1;
 }
@@ -129,6 +138,7 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "Cases at the same time; 0: one per core");
   app.add_flag("--levels", options.levels, "A row for each amount of each kind");
   app.add_flag("--refusals", options.refusals, "List what was refused, with the reasons");
+  app.add_flag("--misses", options.misses, "List the ranges that do not hold the truth");
   app.add_flag("--list", options.list, "Print the names of the cases and end");
   CLI11_PARSE(app, argc, argv);
   try {

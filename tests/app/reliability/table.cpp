@@ -16,7 +16,7 @@ struct Row {
   void add(const Verdict& verdict) {
     ++cases;
     ++outcomes[static_cast<std::size_t>(verdict.outcome)];
-    misses += verdict.range_misses;
+    misses += verdict.missed.empty() ? 0 : 1;
     if (verdict.outcome != Outcome::kBracketed || !verdict.width) return;
     ++bounded;
     width += *verdict.width;
