@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <iostream>
 
 #include "core/error.hpp"
@@ -122,6 +123,25 @@ TEST(Repair, FinsAreDroppedAndNothingElse) {
   EXPECT_EQ(result.mesh.vertices, rock().vertices);
   EXPECT_EQ(result.mesh.triangles, rock().triangles);
   EXPECT_EQ(count(result, DefectKind::kFin), 40u);
+}
+
+// At a border such a fin looks like the surface going on, and the hole would be filled up to it.
+TEST(Repair, FinsAtBordersAreDropped) {
+  TriangleMesh dirty = beheaded(rock(), 0.55);
+  const Triangle inner = dirty.triangles[500];
+  std::vector<std::array<std::uint32_t, 2>> edges = {{inner[0], inner[1]}};
+  const std::vector<std::vector<std::uint32_t>> borders = boundary_loops(dirty);
+  ASSERT_EQ(borders.size(), 1u);
+  ASSERT_GT(borders[0].size(), 10u);
+  for (const std::size_t i : {0u, 4u, 8u}) edges.push_back({borders[0][i], borders[0][i + 1]});
+  for (const auto& [a, b] : edges) {
+    dirty.vertices.push_back(1.15 * dirty.vertices[a]);
+    dirty.triangles.push_back({a, b, static_cast<std::uint32_t>(dirty.vertices.size() - 1)});
+  }
+  const Repaired result = repaired(dirty);
+  expect_sound(result.mesh);
+  EXPECT_EQ(count(result, DefectKind::kFin), edges.size());
+  EXPECT_LT(vertex_hausdorff(result.mesh, rock()), 0.02 * bounds(rock()).diagonal());
 }
 
 TEST(Repair, ASheetScannedTwiceIsDroppedLooseOrWeldedAtItsRim) {
