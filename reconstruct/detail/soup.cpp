@@ -214,6 +214,26 @@ Mended drop_fins(TriangleMesh& mesh, double largest_share) {
   return result;
 }
 
+Mended drop_fins_at_borders(TriangleMesh& mesh) {
+  std::vector<std::uint32_t> triangles_at(mesh.vertices.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) ++triangles_at[v];
+  }
+  const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
+  std::vector<int> shared(mesh.triangles.size(), 0);
+  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
+    if (sides.size() < 2) return;
+    for (const HalfEdge& side : sides) ++shared[side.triangle];
+  });
+  std::vector<bool> drop(mesh.triangles.size());
+  for (std::size_t t = 0; t < drop.size(); ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    drop[t] = shared[t] == 1 && std::any_of(corners.begin(), corners.end(),
+                                            [&](std::uint32_t v) { return triangles_at[v] == 1; });
+  }
+  return taken_out(mesh, drop);
+}
+
 void turn_over(TriangleMesh& mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
 }
@@ -271,6 +291,11 @@ SoupMends mend_soup(TriangleMesh& mesh, double largest_fin) {
   mends.folded = drop_opposite_pairs(mesh);
   if (mesh.triangles.empty()) return mends;
   if (inspect(mesh).non_manifold_edges > 0) mends.fins = drop_fins(mesh, largest_fin);
+  if (mends.fins.count > 0) {
+    const Mended more = drop_fins_at_borders(mesh);
+    mends.fins.count += more.count;
+    mends.fins.area += more.area;
+  }
   const TriangleMesh as_faced = mesh;
   mends.orientation = orient_consistently(mesh);
   if (!mends.orientation.orientable) {

@@ -48,6 +48,10 @@ inline constexpr double kFinArea = 0.05;
 /// @param largest_share  of the area that such a piece may have
 Mended drop_fins(TriangleMesh& mesh, double largest_share);
 
+/// Drops triangles that meet the rest on one edge alone and have a tip of their own. In a scan that
+/// has fins elsewhere they are fins that stand on a border. Counts triangles.
+Mended drop_fins_at_borders(TriangleMesh& mesh);
+
 struct Orientation {
   std::size_t turned = 0;  ///< triangles that were flipped
   bool orientable = true;

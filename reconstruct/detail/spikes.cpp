@@ -1,131 +1,242 @@
 #include "reconstruct/detail/spikes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "core/types.hpp"
 #include "shapes/detail/half_edges.hpp"
 
 namespace clast::detail {
 
 namespace {
 
-constexpr double kNeighbourRadii = 1.5;
-/// A spike is taller than so many median edges of the mesh: than the first in any case, than the
-/// second where the surface around it is sound.
-constexpr double kTallEdges = 2.5, kLeastEdges = 1.2;
-/// Sound: each neighbour is no farther than this share of their mean radius from the centroid of
-/// its own other neighbours. The tip of a ridge or of a coarse polyhedron stands among others like
-/// it.
-constexpr double kSoundNeighbourRadii = 0.5;
+using Triangle = TriangleMesh::Triangle;
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+/// How clear it must be that a vertex is a spike, by how tall that is.
+struct Evidence {
+  double edges;     ///< height over a typical edge of the mesh, at least
+  double radii;     ///< height over the mean distance of the neighbours from their centroid
+  double angle;     ///< by which the surface around it bends towards it, rad
+  double flatness;  ///< by which it bends towards the foot instead, as a share of that, at most
+};
+
+constexpr double kLowest = 0.75;  ///< least height of a spike, in typical edges
+/// Any of these shows a spike, the taller the more easily. Around the tip of a ridge or of a coarse
+/// polyhedron the surface goes on to the tip and bends more towards the foot. On rough rocks there
+/// are vertices that meet the last but for the height.
+constexpr Evidence kShown[] = {
+    {2.5, 1.5, 0.0, 1.2}, {1.2, 1.5, 0.0, 0.8}, {kLowest, 0.9, 0.25 * kPi, 0.5}};
 /// Passes: a vertex beside a spike looks sound only when that is gone.
 constexpr int kPasses = 3;
 
-/// Neighbours of every vertex, behind one another; none for vertices at a border or at an edge of
-/// more than two triangles.
-struct Neighbours {
-  std::vector<std::uint32_t> start, list;
-};
+/// Doubled area, towards the side from which the corners turn counter-clockwise.
+Vec3 doubled_area(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
-Neighbours inner_neighbours(const TriangleMesh& mesh, std::span<const HalfEdge> sorted) {
-  std::vector<std::uint32_t> degree(mesh.vertices.size(), 0);
-  std::vector<bool> outer(mesh.vertices.size(), false);
-  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-    for (const std::uint32_t v : {sides[0].low, sides[0].high}) {
-      ++degree[v];
-      if (sides.size() != 2) outer[v] = true;
-    }
-  });
-  Neighbours result;
-  result.start.assign(mesh.vertices.size() + 1, 0);
-  for (std::size_t v = 0; v < degree.size(); ++v) {
-    result.start[v + 1] = result.start[v] + (outer[v] ? 0 : degree[v]);
-  }
-  result.list.resize(result.start.back());
-  std::vector<std::uint32_t> filled(result.start.begin(), result.start.end() - 1);
-  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-    if (!outer[sides[0].low]) result.list[filled[sides[0].low]++] = sides[0].high;
-    if (!outer[sides[0].high]) result.list[filled[sides[0].high]++] = sides[0].low;
-  });
-  return result;
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-double median_edge(const TriangleMesh& mesh, std::span<const HalfEdge> sorted) {
-  std::vector<double> lengths;
-  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-    lengths.push_back((mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).norm());
-  });
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// The neighbours of a vertex, one of them left out.
-struct Ring {
-  Vec3 centroid = Vec3::Zero();
-  double radius = 0.0;  ///< mean distance from the centroid, m
-  std::size_t count = 0;
+/// The median of the lengths, each as often as the square of it: holes are filled with triangles
+/// that are many and small.
+double typical(std::vector<double> lengths) {
+  std::sort(lengths.begin(), lengths.end());
+  double whole = 0.0, half = 0.0;
+  for (const double length : lengths) whole += length * length;
+  for (const double length : lengths) {
+    half += length * length;
+    if (2.0 * half >= whole) return length;
+  }
+  return 0.0;
+}
+
+/// Where a vertex would lie without its spike, and how far that is.
+struct Foot {
+  Vec3 place = Vec3::Zero();
+  double height = 0.0;
+  double radii = 0.0;  ///< height over the mean distance of the neighbours from their centroid
 };
 
-Ring ring_of(const TriangleMesh& mesh, const Neighbours& around, std::uint32_t vertex,
-             std::uint32_t left_out) {
-  Ring ring;
-  const auto each = [&](const auto& visit) {
-    for (std::uint32_t k = around.start[vertex]; k < around.start[vertex + 1]; ++k) {
-      if (around.list[k] != left_out) visit(mesh.vertices[around.list[k]]);
+/// A mesh and what lies around each of its vertices.
+class Surroundings {
+ public:
+  explicit Surroundings(const TriangleMesh& mesh)
+      : mesh_(mesh),
+        across_(3 * mesh.triangles.size(), kNone),
+        at_border_(mesh.vertices.size(), false),
+        start_(mesh.vertices.size() + 1, 0) {
+    std::vector<double> lengths;
+    const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
+    for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
+      lengths.push_back((mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).norm());
+      if (sides.size() != 2) {
+        at_border_[sides[0].low] = at_border_[sides[0].high] = true;
+        return;
+      }
+      for (const std::size_t i : {0u, 1u}) {
+        const Triangle& other = mesh.triangles[sides[1 - i].triangle];
+        across_[corner_opposite(sides[i])] = other[corner_opposite(sides[1 - i]) % 3];
+      }
+    });
+    edge_ = typical(std::move(lengths));
+    for (const Triangle& t : mesh.triangles) {
+      for (const std::uint32_t v : t) ++start_[v + 1];
     }
-  };
-  each([&](const Vec3& place) {
-    ring.centroid += place;
-    ++ring.count;
-  });
-  if (ring.count == 0) return ring;
-  ring.centroid /= static_cast<double>(ring.count);
-  each([&](const Vec3& place) { ring.radius += (place - ring.centroid).norm(); });
-  ring.radius /= static_cast<double>(ring.count);
-  return ring;
-}
-
-/// True when all that is known of the surface around the vertex is smooth without it.
-bool sound_around(const TriangleMesh& mesh, const Neighbours& around, std::uint32_t vertex) {
-  for (std::uint32_t k = around.start[vertex]; k < around.start[vertex + 1]; ++k) {
-    const std::uint32_t neighbour = around.list[k];
-    const Ring ring = ring_of(mesh, around, neighbour, vertex);
-    if (ring.count >= 2 &&
-        (mesh.vertices[neighbour] - ring.centroid).norm() > kSoundNeighbourRadii * ring.radius) {
-      return false;
-    }
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) start_[v + 1] += start_[v];
+    corners_.resize(start_.back());
+    std::vector<std::uint32_t> filled(start_.begin(), start_.end() - 1);
+    for (std::uint32_t c = 0; c < across_.size(); ++c) corners_[filled[vertex(c)]++] = c;
   }
-  return true;
-}
+
+  bool at_border(std::uint32_t v) const { return at_border_[v]; }
+
+  /// The centroid of the neighbours.
+  /// @param v  not at a border
+  Vec3 centroid(std::uint32_t v) const {
+    Vec3 sum = Vec3::Zero();
+    for_each_corner(v, [&](std::uint32_t c) { sum += place(next(c)); });
+    return sum / static_cast<double>(degree(v));
+  }
+
+  /// None for a vertex that doesn't stand out.
+  std::optional<Foot> foot_of(std::uint32_t v) const {
+    const std::optional<Foot> foot = at_border_[v] ? foot_at_border(v) : foot_inside(v);
+    if (!foot || foot->height <= kLowest * edge_) return std::nullopt;
+    const std::optional<double> own = bend(v, mesh_.vertices[v]);
+    if (!own) return std::nullopt;
+    const double flat = *bend(v, foot->place);
+    const bool shown =
+        std::any_of(std::begin(kShown), std::end(kShown), [&](const Evidence& least) {
+          return foot->height > least.edges * edge_ && foot->radii > least.radii &&
+                 *own > least.angle && flat < least.flatness * *own;
+        });
+    return shown ? foot : std::nullopt;
+  }
+
+ private:
+  std::uint32_t degree(std::uint32_t v) const { return start_[v + 1] - start_[v]; }
+
+  static std::uint32_t next(std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
+
+  std::uint32_t vertex(std::uint32_t c) const { return mesh_.triangles[c / 3][c % 3]; }
+
+  const Vec3& place(std::uint32_t c) const { return mesh_.vertices[vertex(c)]; }
+
+  std::uint32_t corner_opposite(const HalfEdge& side) const {
+    const Triangle& t = mesh_.triangles[side.triangle];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      if (t[k] != side.low && t[k] != side.high) return 3 * side.triangle + k;
+    }
+    return 3 * side.triangle;
+  }
+
+  template <class Use>
+  void for_each_corner(std::uint32_t v, const Use& use) const {
+    for (std::uint32_t k = start_[v]; k < start_[v + 1]; ++k) use(corners_[k]);
+  }
+
+  /// Normal, as long as the doubled area, of the triangle across from a corner.
+  Vec3 beyond(std::uint32_t c) const {
+    return doubled_area(place(next(next(c))), place(next(c)), mesh_.vertices[across_[c]]);
+  }
+
+  /// The centroid of the neighbours.
+  std::optional<Foot> foot_inside(std::uint32_t v) const {
+    if (degree(v) < 3) return std::nullopt;
+    const Vec3 middle = centroid(v);
+    double radius = 0.0;
+    for_each_corner(v, [&](std::uint32_t c) { radius += (place(next(c)) - middle).norm(); });
+    radius /= static_cast<double>(degree(v));
+    const double height = (mesh_.vertices[v] - middle).norm();
+    return Foot{middle, height, height / radius};
+  }
+
+  /// The projection to the plane of the surface beyond the triangles at the vertex.
+  std::optional<Foot> foot_at_border(std::uint32_t v) const {
+    Vec3 normal = Vec3::Zero(), middle = Vec3::Zero();
+    std::vector<Vec3> near;
+    for_each_corner(v, [&](std::uint32_t c) {
+      if (across_[c] == kNone) return;
+      normal += beyond(c);
+      for (const std::uint32_t end : {next(c), next(next(c))}) {
+        near.push_back(place(end));
+        middle += near.back();
+      }
+    });
+    if (!(normal.norm() > 0.0)) return std::nullopt;
+    normal.normalize();
+    middle /= static_cast<double>(near.size());
+    double radius = 0.0;
+    for (const Vec3& p : near) radius += (p - middle).norm() / static_cast<double>(near.size());
+    const double height = (mesh_.vertices[v] - middle).dot(normal);
+    return Foot{mesh_.vertices[v] - height * normal, std::abs(height), std::abs(height) / radius};
+  }
+
+  /// The median angle by which the surface beyond the triangles at `v` bends towards them, if that
+  /// vertex lies at `at`; none where there is nothing beyond.
+  std::optional<double> bend(std::uint32_t v, const Vec3& at) const {
+    std::vector<double> angles;
+    for_each_corner(v, [&](std::uint32_t c) {
+      if (across_[c] == kNone) return;
+      angles.push_back(
+          angle_between(doubled_area(at, place(next(c)), place(next(next(c)))), beyond(c)));
+    });
+    if (angles.empty()) return std::nullopt;
+    return median(std::move(angles));
+  }
+
+  const TriangleMesh& mesh_;
+  /// Of each corner (number 3 t + k: vertex k of triangle t) the vertex of the triangle across the
+  /// opposite side that isn't on it.
+  std::vector<std::uint32_t> across_;
+  std::vector<bool> at_border_;
+  std::vector<std::uint32_t> start_, corners_;  ///< corners at each vertex, behind one another
+  double edge_ = 0.0;                           ///< half of the surface has longer ones
+};
 
 }  // namespace
 
 Spikes flatten_spikes(TriangleMesh& mesh) {
   Spikes result;
-  if (mesh.triangles.empty()) return result;
-  const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
-  if (sorted.empty()) return result;
-  const Neighbours around = inner_neighbours(mesh, sorted);
-  const double median = median_edge(mesh, sorted);
+  const Surroundings around(mesh);
   std::vector<bool> moved(mesh.vertices.size(), false);
   for (int pass = 0; pass < kPasses; ++pass) {
-    bool any = false;
+    std::vector<std::pair<double, std::uint32_t>> found;
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-      const Ring ring = ring_of(mesh, around, v, v);
-      if (ring.count < 3) continue;
-      const double height = (mesh.vertices[v] - ring.centroid).norm();
-      if (height <= kLeastEdges * median || height <= kNeighbourRadii * ring.radius) continue;
-      if (height <= kTallEdges * median && !sound_around(mesh, around, v)) continue;
-      if (height > result.highest) {
-        result.highest = height;
+      if (const auto foot = around.foot_of(v)) found.emplace_back(-foot->height, v);
+    }
+    if (found.empty()) break;
+    std::sort(found.begin(), found.end());  // the tallest first
+    for (const auto& [depth, v] : found) {
+      const std::optional<Foot> foot = around.foot_of(v);
+      if (!foot) continue;
+      if (foot->height > result.highest) {
+        result.highest = foot->height;
         result.place = mesh.vertices[v];
       }
-      mesh.vertices[v] = ring.centroid;
-      any = moved[v] = true;
+      mesh.vertices[v] = foot->place;
+      moved[v] = true;
     }
-    if (!any) break;
   }
-  result.count = static_cast<std::size_t>(std::count(moved.begin(), moved.end(), true));
+  // What was put between neighbours that stood out themselves.
+  for (std::uint32_t v = 0; v < moved.size(); ++v) {
+    if (!moved[v]) continue;
+    ++result.count;
+    if (!around.at_border(v)) mesh.vertices[v] = around.centroid(v);
+  }
   return result;
 }
 

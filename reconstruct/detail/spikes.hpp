@@ -8,14 +8,16 @@ namespace clast::detail {
 
 struct Spikes {
   std::size_t count = 0;
-  double highest = 0.0;  ///< distance of the farthest from its neighbours' centroid
+  double highest = 0.0;  ///< distance of the farthest from its foot
   Vec3 place = Vec3::Zero();
 };
 
-/// Moves every vertex that is farther from the centroid of its neighbours than 1.5 times their mean
-/// distance from it to that centroid, in a few passes, where it also stands taller than 2.5 median
-/// edges of the mesh, or than 1.2 where the surface around it is smooth without it. That leaves the
-/// corners of coarse models and the tips of ridges alone. Vertices at a border stay.
+/// Moves every vertex that stands out to its foot, in a few passes, the tallest first: inside the
+/// surface to the centroid of its neighbours, at a border to the plane of the surface beyond its
+/// triangles. It stands out if it is tall, and if the surface beyond its triangles bends much less
+/// towards the foot than towards the vertex. Corners of coarse models and tips of ridges stay: the
+/// surface around them goes on to the tip.
+/// @param mesh  neighbours over edges face the same way
 Spikes flatten_spikes(TriangleMesh& mesh);
 
 }  // namespace clast::detail

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <iostream>
 
 #include "core/error.hpp"
+#include "core/types.hpp"
 #include "shapes/mesh_topology.hpp"
 #include "shapes/self_intersection.hpp"
 #include "tests/reconstruct/damage_study.hpp"
@@ -124,6 +128,25 @@ TEST(Repair, FinsAreDroppedAndNothingElse) {
   EXPECT_EQ(count(result, DefectKind::kFin), 40u);
 }
 
+// At a border such a fin looks like the surface going on, and the hole would be filled up to it.
+TEST(Repair, FinsAtBordersAreDropped) {
+  TriangleMesh dirty = beheaded(rock(), 0.55);
+  const Triangle inner = dirty.triangles[500];
+  std::vector<std::array<std::uint32_t, 2>> edges = {{inner[0], inner[1]}};
+  const std::vector<std::vector<std::uint32_t>> borders = boundary_loops(dirty);
+  ASSERT_EQ(borders.size(), 1u);
+  ASSERT_GT(borders[0].size(), 10u);
+  for (const std::size_t i : {0u, 4u, 8u}) edges.push_back({borders[0][i], borders[0][i + 1]});
+  for (const auto& [a, b] : edges) {
+    dirty.vertices.push_back(1.15 * dirty.vertices[a]);
+    dirty.triangles.push_back({a, b, static_cast<std::uint32_t>(dirty.vertices.size() - 1)});
+  }
+  const Repaired result = repaired(dirty);
+  expect_sound(result.mesh);
+  EXPECT_EQ(count(result, DefectKind::kFin), edges.size());
+  EXPECT_LT(vertex_hausdorff(result.mesh, rock()), 0.02 * bounds(rock()).diagonal());
+}
+
 TEST(Repair, ASheetScannedTwiceIsDroppedLooseOrWeldedAtItsRim) {
   for (const bool welded_rim : {false, true}) {
     SCOPED_TRACE(welded_rim);
@@ -191,6 +214,63 @@ TEST(Repair, SpikesOfCoarseScansArePutBack) {
   EXPECT_EQ(count(result, DefectKind::kSpike), 4u);
   EXPECT_LT(vertex_hausdorff(result.mesh, sound), 0.015 * diagonal);
   EXPECT_EQ(count(repaired(sound), DefectKind::kSpike), 0u);
+}
+
+// Neither of them has smooth surroundings, and the filling of a hole would go on to a spike at it.
+TEST(Repair, SpikesBesideOneAnotherAndAtHolesArePutBack) {
+  const double diagonal = bounds(rock()).diagonal();
+  TriangleMesh dirty = beheaded(rock(), 0.55);
+  const std::vector<std::vector<std::uint32_t>> borders = boundary_loops(dirty);
+  ASSERT_EQ(borders.size(), 1u);
+  const Triangle& pair = dirty.triangles[500];
+  const std::uint32_t at_hole = borders[0][0];
+  for (const std::uint32_t v : {pair[0], pair[1], at_hole}) {
+    dirty.vertices[v] += 0.06 * diagonal * dirty.vertices[v].normalized();
+  }
+  const Repaired result = repaired(dirty);
+  expect_sound(result.mesh);
+  EXPECT_EQ(count(result, DefectKind::kSpike), 3u);
+  EXPECT_LT(vertex_hausdorff(result.mesh, rock()), 0.02 * diagonal);
+}
+
+// Hardly as tall as the edges around it are long.
+TEST(Repair, LowSpikesArePutBack) {
+  TriangleMesh dirty = rock();
+  for (const std::uint32_t v : {100u, 900u, 1700u}) {
+    const Triangle& t = *std::find_if(rock().triangles.begin(), rock().triangles.end(),
+                                      [&](const Triangle& own) { return own[0] == v; });
+    const double edge = (rock().vertices[t[1]] - rock().vertices[t[0]]).norm();
+    dirty.vertices[v] += 1.2 * edge * dirty.vertices[v].normalized();
+  }
+  const Repaired result = repaired(dirty);
+  EXPECT_EQ(count(result, DefectKind::kSpike), 3u);
+  EXPECT_LT(vertex_hausdorff(result.mesh, rock()), 0.01 * bounds(rock()).diagonal());
+}
+
+// An obelisk: its tip is five times as high as the edges of its sides are long.
+TEST(Repair, SharpTipsAreNoSpikes) {
+  constexpr std::uint32_t kRows = 20, kSides = 8;
+  TriangleMesh obelisk;
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    for (std::uint32_t side = 0; side < kSides; ++side) {
+      const double angle = 2.0 * kPi * side / kSides;
+      obelisk.vertices.emplace_back(0.13 * std::cos(angle), 0.13 * std::sin(angle), 0.1 * row);
+    }
+  }
+  const std::uint32_t bottom = kRows * kSides, tip = bottom + 1;
+  obelisk.vertices.emplace_back(0.0, 0.0, 0.0);
+  obelisk.vertices.emplace_back(0.0, 0.0, 0.1 * (kRows - 1) + 0.5);
+  for (std::uint32_t side = 0; side < kSides; ++side) {
+    const std::uint32_t next = (side + 1) % kSides, top = (kRows - 1) * kSides;
+    obelisk.triangles.push_back({next, side, bottom});
+    obelisk.triangles.push_back({top + side, top + next, tip});
+    for (std::uint32_t row = 0; row + 1 < kRows; ++row) {
+      const std::uint32_t low = row * kSides, high = low + kSides;
+      obelisk.triangles.push_back({low + side, low + next, high + next});
+      obelisk.triangles.push_back({low + side, high + next, high + side});
+    }
+  }
+  EXPECT_EQ(repaired(obelisk).mesh.vertices, obelisk.vertices);
 }
 
 TEST(Repair, TheCornersOfCoarseModelsAreNoSpikes) {
