@@ -145,6 +145,12 @@ void OutputFile::commit() {
   committed_ = true;
 }
 
+void write_output(const fs::path& target, std::string_view content, const OutputRules& rules) {
+  OutputFile file(target, rules);
+  file.write(content);
+  file.commit();
+}
+
 OutputRules check_output(const fs::path& target, const OutputRules& rules) {
   const OutputFile trial(target, rules);
   OutputRules checked = rules;

@@ -59,6 +59,11 @@ class OutputFile {
   bool committed_ = false;
 };
 
+/// Writes a whole file through an `OutputFile`.
+/// @throws InputError  as its members
+void write_output(const std::filesystem::path& target, std::string_view content,
+                  const OutputRules& rules);
+
 /// Checks that the target could be written, before the work starts. Missing parent folders are
 /// made.
 /// @return the rules, `checked`, to write the file with

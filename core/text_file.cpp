@@ -30,9 +30,7 @@ std::string read_text_file(const std::filesystem::path& path) {
 }
 
 void write_text_file(const std::filesystem::path& path, std::string_view content) {
-  OutputFile file(path);
-  file.write(content);
-  file.commit();
+  write_output(path, content, {});
 }
 
 std::string extension_of(const std::filesystem::path& path) {

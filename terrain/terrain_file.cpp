@@ -75,8 +75,9 @@ void check(const Terrain& terrain, const std::string& file) {
 
 }  // namespace
 
-void write_terrain(const std::filesystem::path& path, const Terrain& terrain) {
-  OutputFile output(path, {.kind = kTerrainFormat});
+void write_terrain(const std::filesystem::path& path, const Terrain& terrain,
+                   const OutputRules& rules) {
+  OutputFile output(path, rules);
   {
     Hdf5File file = Hdf5File::create(output.temporary(), kTerrainFormat, kSchema);
     Hdf5Group root = file.root();

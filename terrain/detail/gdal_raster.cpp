@@ -172,9 +172,9 @@ Raster read_raster(const std::filesystem::path& path) {
 }
 
 void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
-                   const std::string& crs) {
+                   const std::string& crs, const OutputRules& rules) {
   const GdalSession session;
-  OutputFile file(path);
+  OutputFile file(path, rules);
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   if (!driver) throw InputError(path.string() + ": this GDAL can't write GeoTIFF");
   char compress[] = "COMPRESS=DEFLATE";
