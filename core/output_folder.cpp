@@ -29,9 +29,10 @@ std::vector<fs::path> files_in(const fs::path& folder) {
       files.push_back(at->path().lexically_relative(folder));
     }
   }
-  if (code)
+  if (code) {
     throw InputError(folder.string() + ": can't be read (" + code.message() +
                      "); check the permissions of what is in it, or name another folder");
+  }
   return files;
 }
 

@@ -22,15 +22,25 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
+bool contains_advice(const std::string& reason) {
+  return reason.find("export it") != std::string::npos;
+}
+
 TriangleMesh read_by_format(const std::filesystem::path& path, const std::string& extension,
                             const std::string& content) {
-  std::optional<TriangleMesh> mesh;
-  if (extension == ".stl") mesh = detail::read_stl(content);
-  if (extension == ".obj") mesh = detail::read_obj(content);
-  if (extension == ".ply") mesh = detail::read_ply(content);
-  if (extension == ".off") mesh = detail::read_off(content);
-  if (extension == ".tab") mesh = detail::read_tab(content);
-  return mesh ? std::move(*mesh) : detail::read_with_assimp(path);
+  try {
+    std::optional<TriangleMesh> mesh;
+    if (extension == ".stl") mesh = detail::read_stl(content);
+    if (extension == ".obj") mesh = detail::read_obj(content);
+    if (extension == ".ply") mesh = detail::read_ply(content);
+    if (extension == ".off") mesh = detail::read_off(content);
+    if (extension == ".tab") mesh = detail::read_tab(content);
+    return mesh ? std::move(*mesh) : detail::read_with_assimp(path);
+  } catch (const InputError& error) {
+    const std::string reason = error.what();
+    if (contains_advice(reason)) throw;
+    throw InputError(reason + "; copy it again, or export it anew from the program that wrote it");
+  }
 }
 
 void check_usable(const TriangleMesh& mesh, bool points_will_do) {
@@ -42,7 +52,9 @@ void check_usable(const TriangleMesh& mesh, bool points_will_do) {
   }
   if (!mesh.triangles.empty()) return;
   if (points_will_do && !mesh.vertices.empty()) return;
-  if (mesh.vertices.empty()) throw InputError("holds no vertices and no triangles");
+  if (mesh.vertices.empty()) {
+    throw InputError("holds no vertices and no triangles; export it again");
+  }
   throw InputError("is a point cloud with " + std::to_string(mesh.vertices.size()) +
                    " points and no faces; make a closed surface of it first, for example by "
                    "Poisson reconstruction in CloudCompare or MeshLab");
@@ -122,7 +134,9 @@ TriangleMesh read_any(const std::filesystem::path& path, bool points_will_do) {
     throw InputError(path.string() + ": meshes are read from " + listed(known) +
                      " files; convert this one first");
   }
-  if (content.empty()) throw InputError(path.string() + ": the file is empty");
+  if (content.empty()) {
+    throw InputError(path.string() + ": the file is empty; copy or export it again");
+  }
   try {
     TriangleMesh mesh = read_by_format(path, extension, content);
     // Cameras write a point that has no place as one that is not finite.

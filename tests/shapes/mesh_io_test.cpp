@@ -405,7 +405,8 @@ TEST_F(MeshFiles, CountsThatTheFileCannotHoldAreRefusedWithoutTheMemory) {
 }
 
 TEST_F(MeshFiles, CutShortIsRefused) {
-  EXPECT_REFUSED("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "cut short");
+  EXPECT_REFUSED("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n",
+                 "it was cut short; copy it again, or export it anew from the program");
   EXPECT_REFUSED("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n", "cut short");
   const std::string ply = binary_ply(false);
   EXPECT_REFUSED("a.ply", ply.substr(0, ply.size() - 3), "cut short");
