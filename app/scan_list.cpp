@@ -74,7 +74,10 @@ std::vector<fs::path> scans_in(const fs::path& folder) {
       found.push_back(entry->path());
     }
   }
-  if (code) throw InputError(folder.string() + ": can't be searched (" + code.message() + ")");
+  if (code) {
+    throw InputError(folder.string() + ": can't be searched (" + code.message() +
+                     "); allow reading it, or move it elsewhere");
+  }
   if (found.empty()) found = photo_folders_in(folder);
   if (found.empty()) {
     std::string known;

@@ -209,8 +209,8 @@ ScanReport::ScanReport(fs::path folder, bool replace)
                      ": already exists and is not a summary of such pages, so it is not replaced; "
                      "name another folder");
   }
-  check_output(summary, {.kind = "text", .replace = replace});
-  check_output(folder_ / "index.html", {.kind = "HTML", .replace = replace});
+  summary_rules_ = check_output(summary, {.kind = "text", .replace = replace});
+  index_rules_ = check_output(folder_ / "index.html", {.kind = "HTML", .replace = replace});
   csv_.header(
       "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
       "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"
@@ -222,8 +222,7 @@ fs::path ScanReport::page_of(const Block& block) const {
 }
 
 void ScanReport::add(const Block& block, const std::string& page) {
-  check_output(page_of(block), {.kind = "HTML", .replace = replace_});
-  write_text_file(page_of(block), page);
+  write_output(page_of(block), page, {.kind = "HTML", .replace = replace_});
   ++made_;
   add_row(block, "made");
 }
@@ -313,8 +312,8 @@ void ScanReport::finish() {
   }
   body += "<footer>clast " + escaped(version()) +
           "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
-  write_text_file(folder_ / "summary.csv", csv_.take());
-  write_text_file(folder_ / "index.html", scan_page("Blocks from scans", body));
+  write_output(folder_ / "summary.csv", csv_.take(), summary_rules_);
+  write_output(folder_ / "index.html", scan_page("Blocks from scans", body), index_rules_);
 }
 
 }  // namespace clast

@@ -7,6 +7,7 @@
 #include "app/scan_to_block.hpp"
 #include "core/csv_text.hpp"
 #include "core/html_page.hpp"
+#include "core/output_file.hpp"
 
 namespace clast {
 
@@ -48,6 +49,7 @@ class ScanReport {
 
   std::filesystem::path folder_;
   bool replace_;  ///< pages of an earlier batch
+  OutputRules summary_rules_, index_rules_;
   HtmlTable blocks_;
   HtmlTable failures_;
   CsvText csv_;

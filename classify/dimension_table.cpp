@@ -334,7 +334,9 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
   const TableText content = table_text(read_text_file(path), file);
   DelimitedText text(content.text, file);
   Record record;
-  if (!text.next(record)) throw InputError(file + ": the table is empty");
+  if (!text.next(record)) {
+    throw InputError(file + ": the table is empty; it must have a line for each block");
+  }
   const Header header(record, text.separator(), file);
 
   DimensionTable table;

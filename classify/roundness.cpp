@@ -85,7 +85,8 @@ double mean_edge_length(const TriangleMesh& mesh) {
 Roundness roundness(const TriangleMesh& mesh) {
   const MeshReport report = inspect(mesh);
   if (!report.closed() || !report.oriented()) {
-    throw GeometryError("roundness: the surface is not closed: " + report.summary());
+    throw GeometryError("roundness: the surface is not closed: " + report.summary() +
+                        "; repair it first");
   }
   Roundness result;
   result.edge_length = mean_edge_length(mesh);

@@ -49,6 +49,7 @@ std::string kind_of_text(const std::string& beginning) {
   if (holds("<svg")) return "SVG";
   if (holds("<VTKFile")) return "VTK";
   if (beginning.starts_with("solid") && holds("facet")) return "STL";
+  if (holds("coordinates here") && holds("\norigin ")) return "origin of coordinates";
   return "text";
 }
 

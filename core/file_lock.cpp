@@ -21,6 +21,10 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenTries{20};
 
+fs::path parent_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
 int opened(const fs::path& file, int flags) {
   int descriptor = -1;
   do {
@@ -29,10 +33,37 @@ int opened(const fs::path& file, int flags) {
   return descriptor;
 }
 
+/// Opens the lock file, made where there is none. One that another user's program left may only be
+/// read, which is enough to lock it. -1 with `errno` where that is not permitted either.
+int opened_or_made(const fs::path& file) {
+  while (true) {
+    const int descriptor = opened(file, O_RDWR | O_CREAT);
+    if (descriptor >= 0 || errno != EACCES) return descriptor;
+    const int readable = opened(file, O_RDONLY);
+    if (readable >= 0) return readable;
+    if (errno == ENOENT && ::faccessat(AT_FDCWD, parent_of(file).c_str(), W_OK, AT_EACCESS) == 0) {
+      continue;  // its holder has just removed it
+    }
+    errno = EACCES;
+    return -1;
+  }
+}
+
+[[noreturn]] void refuse_lock(const fs::path& file, const fs::path& target, int reason) {
+  std::error_code code;
+  const bool there = fs::exists(fs::symlink_status(file, code));
+  throw InputError(file.string() + ": can't be " + (there ? "opened" : "made") + " (" +
+                   std::strerror(reason) + "), so " + target.string() +
+                   " can't be locked and written; " +
+                   (there ? "if no other program is writing to it, delete this lock file, or have "
+                            "its owner delete it"
+                          : "check the permissions of the folder"));
+}
+
 /// Whether the open file is still the one with that name. Opened anew, since network file systems
 /// answer that from the server, and what they know of names from memory.
 bool is_still(const fs::path& file, int descriptor) {
-  const int now = opened(file, O_RDWR);
+  const int now = opened(file, O_RDONLY);
   if (now < 0) return false;
   struct stat mine {
   }, named{};
@@ -56,19 +87,17 @@ FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
   const auto begin = std::chrono::steady_clock::now();
   bool said = false;
   while (true) {
-    descriptor_ = opened(file_, O_RDWR | O_CREAT);
-    if (descriptor_ < 0) {
-      throw InputError(file_.string() + ": can't be made (" + std::strerror(errno) + "), so " +
-                       target.string() +
-                       " can't be locked and written; check the permissions of the folder");
-    }
+    descriptor_ = opened_or_made(file_);
+    if (descriptor_ < 0) refuse_lock(file_, target, errno);
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
       if (is_still(file_, descriptor_)) return;
     } else if (errno != EWOULDBLOCK && errno != EINTR) {
       const std::string reason = std::strerror(errno);
       ::close(descriptor_);
       throw InputError(file_.string() + ": can't be locked (" + reason + "), so " +
-                       target.string() + " is not written; name a target on another disk");
+                       target.string() +
+                       " is not written; if no other program is writing to it, delete "
+                       "this lock file, or else name a target on another disk");
     }
     ::close(descriptor_);
     if (std::chrono::steady_clock::now() - begin > options.longest_wait) {

@@ -18,15 +18,16 @@ struct FileLockOptions {
 ///
 /// The lock file is removed by the holder of the lock, so that one is left only by a kill, and then
 /// does no harm. A process that had it open meanwhile finds that the file with that name is another
-/// one, and asks for the lock on that one. On network file systems this holds as far as flock does
+/// one, and asks for the lock on that one. One left by another user is opened for reading only,
+/// which is enough. On network file systems this holds as far as flock does
 /// (NFS on Linux: between machines too). Links are followed, so that a library has one lock by
 /// whatever name. Threads of one process lock each other out as processes do.
 class FileLock {
  public:
   /// Makes missing parent folders.
   /// @throws InputError  not obtained within `longest_wait`; or the lock file can't be made, where
-  /// the
-  ///                     target could not be written either
+  ///                     the target could not be written either; or one is left that may not be
+  ///                     read
   explicit FileLock(const std::filesystem::path& target, const FileLockOptions& options = {});
   ~FileLock();
   FileLock(const FileLock&) = delete;

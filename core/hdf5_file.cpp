@@ -34,6 +34,8 @@ constexpr unsigned kGzipLevel = 4;
 /// damaged, and is refused before memory is asked for.
 constexpr std::size_t kLargestRatio = 1040;
 
+constexpr const char* kDamaged = "; the file is damaged: restore a backup, or make it again";
+
 /// Creation properties of a dataset; no times, so that equal content gives equal bytes.
 Id dataset_properties() {
   Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
@@ -75,10 +77,13 @@ struct Hdf5Group::Handle {
     throw InputError(where(name) + " " + what);
   }
   [[noreturn]] void fail_damaged(const std::string& name) const {
-    fail(name, "can't be read; the file is damaged" + reason());
+    fail(name, "can't be read" + reason() + kDamaged);
+  }
+  [[noreturn]] void fail_missing(const std::string& name) const {
+    fail(name, std::string("is missing") + kDamaged);
   }
   [[noreturn]] void fail_write(const std::string& name) const {
-    fail(name, "can't be written; is the disk full?" + reason());
+    fail(name, "can't be written" + reason() + "; is the disk full? Free some space");
   }
 
   /// What can't be read is not missing: an optional part must not be lost that way.
@@ -100,11 +105,9 @@ struct Hdf5Group::Handle {
   void verify(hid_t object, const std::string& name, std::uint64_t values) const {
     if (!checked) return;
     const std::optional<std::uint64_t> attributes = attributes_sum(object);
-    if (!attributes) fail(name, "has attributes that can't be read; the file is damaged");
+    if (!attributes) fail(name, std::string("has attributes that can't be read") + kDamaged);
     if (stored_sum(object) == (*attributes ^ values)) return;
-    fail(name,
-         "does not agree with its checksum; the file is damaged: restore a backup, or make it "
-         "again");
+    fail(name, std::string("does not agree with its checksum") + kDamaged);
   }
   /// Adds to the checksum of an object that was written to.
   void note_change(hid_t object, const std::string& name, std::uint64_t change) const {
@@ -112,9 +115,9 @@ struct Hdf5Group::Handle {
   }
 
   Id dataset(const std::string& name) const {
-    if (!has(name)) fail(name, "is missing; the file is damaged or not of this kind");
+    if (!has(name)) fail_missing(name);
     Id dataset(H5Dopen2(get(), name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!dataset.valid()) fail(name, "is not a readable dataset; the file is damaged" + reason());
+    if (!dataset.valid()) fail(name, "is not a readable dataset" + reason() + kDamaged);
     return dataset;
   }
 
@@ -132,7 +135,7 @@ struct Hdf5Group::Handle {
   std::size_t check_type(const Id& dataset, const std::string& name) const {
     const Id type(H5Dget_type(dataset), H5Tclose);
     if (!type.valid()) fail_damaged(name);
-    if (!fits<T>(type)) fail(name, std::string("does not hold ") + name_of_type<T>());
+    if (!fits<T>(type)) fail(name, std::string("does not hold ") + name_of_type<T>() + kDamaged);
     return std::max<std::size_t>(1, H5Tget_size(type));
   }
 };
@@ -155,9 +158,9 @@ std::vector<std::string> Hdf5Group::names() const {
 }
 
 Hdf5Group Hdf5Group::group(const std::string& name) const {
-  if (!has(name)) handle_->fail(name, "is missing; the file is damaged or not of this kind");
+  if (!has(name)) handle_->fail_missing(name);
   Id id(H5Gopen2(handle_->get(), name.c_str(), H5P_DEFAULT), H5Gclose);
-  if (!id.valid()) handle_->fail(name, "is not a readable group; the file is damaged" + reason());
+  if (!id.valid()) handle_->fail(name, "is not a readable group" + reason() + kDamaged);
   handle_->verify(id, name, 0);
   return Hdf5Group(std::make_shared<Handle>(handle_->child(std::move(id), name)));
 }
@@ -219,7 +222,7 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
   hsize_t count = 1;
   for (const hsize_t size : handle_->extent(dataset, name)) {
     if (count > 0 && size > most / count)
-      handle_->fail(name, "has an impossible size; the file is damaged");
+      handle_->fail(name, std::string("has an impossible size") + kDamaged);
     count *= size;
   }
   const auto verified = [&](const auto& bytes) {
@@ -251,7 +254,8 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
       return values;
     }
   } catch (const std::bad_alloc&) {
-    handle_->fail(name, "does not fit into memory (" + std::to_string(count) + " values)");
+    handle_->fail(name, "does not fit into memory (" + std::to_string(count) +
+                            " values); use a machine with more");
   }
 }
 
@@ -282,14 +286,14 @@ void Hdf5Group::set_attribute(const std::string& name, const T& value) {
 template <class T>
 T Hdf5Group::attribute(const std::string& name) const {
   if (!has_attribute(name)) {
-    handle_->fail("@" + name, "is missing; the file is damaged or not of this kind");
+    handle_->fail_missing("@" + name);
   }
   const Id attribute(H5Aopen(handle_->get(), name.c_str(), H5P_DEFAULT), H5Aclose);
   const Id type(H5Aget_type(attribute), H5Tclose);
   const Id space(H5Aget_space(attribute), H5Sclose);
   if (!type.valid() || !space.valid()) handle_->fail_damaged("@" + name);
   if (!fits<T>(type) || H5Sget_simple_extent_npoints(space) != 1) {
-    handle_->fail("@" + name, std::string("is not one of ") + name_of_type<T>());
+    handle_->fail("@" + name, std::string("is not one of ") + name_of_type<T>() + kDamaged);
   }
   if constexpr (std::is_same_v<T, std::string>) {
     const std::size_t width = H5Tget_size(type);
@@ -356,10 +360,9 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   Id id(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access_properties()),
         H5Fclose);
   if (!id.valid()) {
-    throw InputError(path.string() +
-                     ": can't be opened; it is cut short, damaged, not permitted "
-                     "or open in another program" +
-                     reason());
+    throw InputError(path.string() + ": can't be opened" + reason() +
+                     "; it is cut short or damaged, not permitted, or open in another program: "
+                     "close that, allow reading it, or make it again");
   }
   Hdf5File file(
       std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), path.string(), ""}));
@@ -380,7 +383,7 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   }
   if (schema < 1) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
-                     ", which never existed; the file is damaged");
+                     ", which never existed" + kDamaged);
   }
   return file;
 }
@@ -401,8 +404,7 @@ std::string Hdf5File::format_of(const fs::path& path) {
 
 Hdf5Group Hdf5File::root() const {
   Id id(H5Gopen2(handle_->get(), "/", H5P_DEFAULT), H5Gclose);
-  if (!id.valid())
-    throw InputError(handle_->file + ": has no root group; it is damaged" + reason());
+  if (!id.valid()) throw InputError(handle_->file + ": has no root group" + reason() + kDamaged);
   return Hdf5Group(std::make_shared<Hdf5Group::Handle>(
       Hdf5Group::Handle{std::move(id), handle_->file, "", handle_->checked}));
 }

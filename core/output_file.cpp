@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <numeric>
 #include <string>
@@ -20,20 +22,39 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Checks that an existing file may be replaced.
-void check_rules(const fs::path& target, const OutputRules& rules) {
-  if (rules.kind.empty() && rules.replace) return;
+/// Why the rules keep the file that is there; empty when it may be replaced.
+std::string why_kept(const fs::path& target, const OutputRules& rules) {
+  if (rules.kind.empty() && rules.replace) return "";
   const std::string there = kind_of_file(target);
-  if (there.empty()) return;
+  if (there.empty()) return "";
   const std::string begin = target.string() + ": already exists";
   if (!rules.kind.empty() && there != rules.kind) {
-    throw InputError(begin + " and holds \"" + there + "\", not \"" + rules.kind +
-                     "\", so it is not replaced; give another name, or delete it first");
+    return begin + " and holds \"" + there + "\", not \"" + rules.kind +
+           "\", so it is not replaced; give another name, or delete it first";
   }
-  if (!rules.replace) {
-    throw InputError(begin +
-                     ", and replace is not set; set it to replace the file, or give another "
-                     "name");
+  if (rules.replace) return "";
+  return begin + ", and replace is not set; set it to replace the file, or give another name";
+}
+
+/// An empty file beside the target that no other program uses, in containers with the same process
+/// numbers neither.
+fs::path made_beside(const fs::path& target, const fs::path& folder) {
+  const std::string begin = "." + target.stem().string() + ".part" + std::to_string(::getpid());
+  for (int number = 1;; ++number) {
+    const fs::path file = folder / (begin + (number > 1 ? "-" + std::to_string(number) : "") +
+                                    target.extension().string());
+    const int made = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (made >= 0) {
+      ::close(made);
+      return file;
+    }
+    if (errno == EEXIST || errno == EINTR) continue;
+    if (errno == ENAMETOOLONG) {
+      throw InputError(target.string() +
+                       ": the name is too long for this disk; give a shorter one");
+    }
+    throw InputError(folder.string() + ": can't write into this folder (" + std::strerror(errno) +
+                     "); check its permissions or name another one");
   }
 }
 
@@ -52,7 +73,8 @@ fs::path linked_target(const fs::path& target) {
   return at;
 }
 
-OutputFile::OutputFile(fs::path target, const OutputRules& rules) : target_(std::move(target)) {
+OutputFile::OutputFile(fs::path target, const OutputRules& rules)
+    : target_(std::move(target)), rules_(rules) {
   if (target_.empty()) throw InputError("the name of the file to write is empty; name one");
   std::error_code code;
   // The rename would put a file in place of a link and leave what it points to as it was.
@@ -70,19 +92,17 @@ OutputFile::OutputFile(fs::path target, const OutputRules& rules) : target_(std:
     throw InputError(target_.string() +
                      ": is write-protected; allow writing to it or name another file");
   }
-  check_rules(target_, rules);
+  absent_ = !fs::exists(target_, code);
+  if (const std::string why = why_kept(target_, rules_); !why.empty() && !rules_.checked) {
+    throw InputError(why);
+  }
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   fs::create_directories(folder, code);
-  if (code) throw InputError(folder.string() + ": can't make this folder (" + code.message() + ")");
-  temporary_ = folder / ("." + target_.stem().string() + ".part" + std::to_string(::getpid()) +
-                         target_.extension().string());
-  if (!std::ofstream(temporary_, std::ios::binary)) {
-    if (errno == ENAMETOOLONG) {
-      throw InputError(target_.string() +
-                       ": the name is too long for this disk; give a shorter one");
-    }
-    throw InputError(folder.string() + ": can't write into this folder; check its permissions");
+  if (code) {
+    throw InputError(folder.string() + ": can't make this folder (" + code.message() +
+                     "); check the permissions of the one it is in, or name another place");
   }
+  temporary_ = made_beside(target_, folder);
 }
 
 OutputFile::~OutputFile() {
@@ -91,17 +111,89 @@ OutputFile::~OutputFile() {
   fs::remove(temporary_, ignored);
 }
 
+void OutputFile::write(std::string_view content) {
+  std::ofstream stream(temporary_, std::ios::binary);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (!stream) {
+    throw InputError(target_.string() +
+                     ": writing failed; is the disk full? Free some space or name another place");
+  }
+}
+
 void OutputFile::commit() {
   std::error_code code;
   const fs::perms mode = fs::status(target_, code).permissions();
   if (!code && mode != fs::perms::unknown) fs::permissions(temporary_, mode, code);
-  fs::rename(temporary_, target_, code);
-  if (code) throw InputError(target_.string() + ": can't be replaced (" + code.message() + ")");
+  if (absent_ && !rules_.replace) {
+    code = rename_to_free(temporary_, target_);
+  } else if (!why_kept(target_, rules_).empty()) {
+    code = std::make_error_code(std::errc::file_exists);
+  } else {
+    fs::rename(temporary_, target_, code);
+  }
+  if (code == std::errc::file_exists) {
+    kept_ = keep_beside(temporary_, target_);
+    committed_ = true;
+    throw InputError(taken_meanwhile(target_, kept_));
+  }
+  if (code) {
+    throw InputError(target_.string() + ": can't be " + (absent_ ? "made" : "replaced") + " (" +
+                     code.message() +
+                     "); check the permissions of its folder or name another place");
+  }
   committed_ = true;
 }
 
-void check_output(const fs::path& target, const OutputRules& rules) {
+void write_output(const fs::path& target, std::string_view content, const OutputRules& rules) {
+  OutputFile file(target, rules);
+  file.write(content);
+  file.commit();
+}
+
+OutputRules check_output(const fs::path& target, const OutputRules& rules) {
   const OutputFile trial(target, rules);
+  OutputRules checked = rules;
+  checked.checked = true;
+  return checked;
+}
+
+std::error_code rename_to_free(const fs::path& from, const fs::path& to) {
+  const auto last_error = [] { return std::error_code(errno, std::generic_category()); };
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
+  if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) return last_error();
+  // Network file systems don't have that, but a second name for a file; of a folder nobody has.
+  std::error_code code;
+  if (::link(from.c_str(), to.c_str()) == 0) {
+    fs::remove(from, code);
+    return {};
+  }
+  if (errno == EEXIST) return last_error();
+  if (fs::exists(fs::symlink_status(to, code))) return std::make_error_code(std::errc::file_exists);
+  fs::rename(from, to, code);
+  return code;
+}
+
+fs::path keep_beside(const fs::path& from, const fs::path& target) {
+  for (int number = 2;; ++number) {
+    const fs::path kept =
+        target.parent_path() /
+        (target.stem().string() + "." + std::to_string(number) + target.extension().string());
+    const std::error_code code = rename_to_free(from, kept);
+    if (!code) return kept;
+    if (code == std::errc::file_exists) continue;
+    throw InputError(target.string() +
+                     ": another program wrote it meanwhile, so it is left as it "
+                     "is, and the result of this run can't be kept as " +
+                     kept.string() + " (" + code.message() + "); run again with another name");
+  }
+}
+
+std::string taken_meanwhile(const fs::path& target, const fs::path& kept) {
+  return target.string() +
+         ": another program wrote it meanwhile, so it is left as it is; the result "
+         "of this run is in " +
+         kept.string();
 }
 
 void check_room(const fs::path& target, std::initializer_list<std::uint64_t> files) {

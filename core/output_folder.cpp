@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -28,7 +29,10 @@ std::vector<fs::path> files_in(const fs::path& folder) {
       files.push_back(at->path().lexically_relative(folder));
     }
   }
-  if (code) throw InputError(folder.string() + ": can't be read (" + code.message() + ")");
+  if (code) {
+    throw InputError(folder.string() + ": can't be read (" + code.message() +
+                     "); check the permissions of what is in it, or name another folder");
+  }
   return files;
 }
 
@@ -39,26 +43,23 @@ bool is_marked(const fs::path& folder, const FolderKind& kind) {
          read_text_file(file).find(kind.mark) != std::string::npos;
 }
 
-void check_place(const fs::path& target, const FolderKind& kind, bool replace) {
+/// Why what is there is kept; empty when the folder may be written.
+std::string why_kept(const fs::path& target, const FolderKind& kind, bool replace) {
   std::error_code code;
-  if (!fs::exists(target, code)) return;
+  if (!fs::exists(target, code)) return "";
   if (!fs::is_directory(target, code)) {
-    throw InputError(target.string() + ": is a file; name a folder for the tables and the report");
+    return target.string() + ": is a file; name a folder for the tables and the report";
   }
-  std::string first;
-  for (const fs::path& file : files_in(target)) {
-    if (kind.owns(file) && first.empty()) first = file.string();
-  }
-  if (first.empty()) return;
+  const std::vector<fs::path> files = files_in(target);
+  const auto first = std::find_if(files.begin(), files.end(), kind.owns);
+  if (first == files.end()) return "";
   if (!is_marked(target, kind)) {
-    throw InputError(target.string() + ": holds " + first + ", but is not a " + kind.name +
-                     " of clast, so it is not replaced; name another folder");
+    return target.string() + ": holds " + first->string() + ", but is not a " + kind.name +
+           " of clast, so it is not replaced; name another folder";
   }
-  if (!replace) {
-    throw InputError(target.string() + ": holds a " + kind.name +
-                     " already, and replace is not set; set it to replace that one, or "
-                     "name another folder");
-  }
+  if (replace) return "";
+  return target.string() + ": holds a " + kind.name +
+         " already, and replace is not set; set it to replace that one, or name another folder";
 }
 
 /// The folder itself, by an absolute name that ends with its own.
@@ -70,31 +71,35 @@ fs::path resolved(const fs::path& target) {
 }
 
 [[noreturn]] void refuse_exchange(const fs::path& target, const std::error_code& code) {
-  throw InputError(target.string() + ": can't be replaced (" + code.message() + ")");
+  throw InputError(
+      target.string() + ": can't be replaced (" + code.message() +
+      "), so it is as it was; check the permissions of the folder and of the one it is "
+      "in, or name another");
 }
 
-/// Replaces a folder, which may be missing, by another: in one step where the file system can
-/// exchange names, and then the former folder is where the new one was.
-void exchange_folders(const fs::path& made, const fs::path& target, const fs::path& former) {
+/// Exchanges two folders: in one step where the file system can.
+/// @param between  the name that one has meanwhile where it can't
+void exchange_folders(const fs::path& made, const fs::path& target, const fs::path& between) {
   if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) return;
   std::error_code code, back;
-  const bool there = fs::exists(target, code);
-  if (there) fs::rename(target, former, code);
+  fs::rename(target, between, code);
   if (code) refuse_exchange(target, code);
   fs::rename(made, target, code);
-  if (!code) return;
-  if (there) fs::rename(former, target, back);
-  refuse_exchange(target, code);
+  if (code) {
+    fs::rename(between, target, back);
+    refuse_exchange(target, code);
+  }
+  fs::rename(between, made, back);
 }
 
-/// Replaces the files of a kind in a folder; the rest is not touched.
+/// Adds files to a folder, where `replace` in place of those of the kind; the rest is not touched.
 void exchange_files(const fs::path& made, const fs::path& target, const fs::path& former,
-                    const FolderKind& kind) {
+                    const FolderKind& kind, bool replace) {
   std::vector<std::pair<fs::path, fs::path>> moved;
   const auto move = [&](const fs::path& from, const fs::path& to) {
     std::error_code code, back;
     fs::create_directories(to.parent_path(), code);
-    fs::rename(from, to, code);
+    code = rename_to_free(from, to);
     if (code) {
       for (auto pair = moved.rbegin(); pair != moved.rend(); ++pair) {
         fs::rename(pair->second, pair->first, back);
@@ -104,7 +109,7 @@ void exchange_files(const fs::path& made, const fs::path& target, const fs::path
     moved.emplace_back(from, to);
   };
   for (const fs::path& file : files_in(target)) {
-    if (!kind.owns(file)) continue;
+    if (!replace || !kind.owns(file)) continue;
     move(target / file, former / file);
     std::error_code not_empty;
     if (file.has_parent_path()) fs::remove(target / file.parent_path(), not_empty);
@@ -115,17 +120,21 @@ void exchange_files(const fs::path& made, const fs::path& target, const fs::path
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& target, FolderKind kind, bool replace)
-    : kind_(std::move(kind)) {
+    : kind_(std::move(kind)), replace_(replace) {
   if (target.empty()) throw InputError("the name of the folder to write is empty; name one");
   target_ = resolved(target);
-  check_place(target_, kind_, replace);
+  if (const std::string why = why_kept(target_, kind_, replace_); !why.empty()) {
+    throw InputError(why);
+  }
   const fs::path beside = target_.parent_path();
   std::error_code code;
   fs::create_directories(beside, code);
-  temporary_ = beside / ("." + target_.filename().string() + ".part" + std::to_string(::getpid()));
-  if (!code) {
-    fs::remove_all(temporary_, code);
-    fs::create_directory(temporary_, code);
+  const std::string begin =
+      "." + target_.filename().string() + ".part" + std::to_string(::getpid());
+  // Another name than that of any other program, in containers with the same process numbers too.
+  for (int number = 1; !code; ++number) {
+    temporary_ = beside / (begin + (number > 1 ? "-" + std::to_string(number) : ""));
+    if (fs::create_directory(temporary_, code)) break;
   }
   if (code || target_ == beside) {
     throw InputError(beside.string() + ": can't write into this folder, where " +
@@ -144,22 +153,38 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::commit() {
-  std::error_code code;
-  bool shared = false;  // with files of another kind, or it is a working directory
-  if (fs::exists(target_, code)) {
-    shared = fs::equivalent(target_, fs::current_path(), code);
-    for (const fs::path& file : files_in(target_)) {
-      if (kind_.owns(file)) continue;
-      shared = true;
-      if (!fs::exists(temporary_ / file, code)) continue;
-      throw InputError((target_ / file).string() + ": does not belong to the existing " +
-                       kind_.name + ", and would be overwritten; move it elsewhere");
-    }
-  }
   fs::path former = temporary_;
   former += ".former";
-  shared ? exchange_files(temporary_, target_, former, kind_)
-         : exchange_folders(temporary_, target_, former);
+  std::error_code code = rename_to_free(temporary_, target_);
+  if (!code) {
+    committed_ = true;
+    return;
+  }
+  if (code != std::errc::file_exists) refuse_exchange(target_, code);
+  const auto check_taken = [&](const fs::path& there) {
+    if (why_kept(there, kind_, replace_).empty()) return;
+    if (there != target_) exchange_folders(temporary_, target_, former);
+    const fs::path kept = keep_beside(temporary_, target_);
+    committed_ = true;
+    throw InputError(taken_meanwhile(target_, kept));
+  };
+  check_taken(target_);
+  // With files of another kind, or it is a working directory.
+  bool shared = fs::equivalent(target_, fs::current_path(), code);
+  for (const fs::path& file : files_in(target_)) {
+    if (kind_.owns(file)) continue;
+    shared = true;
+    if (!fs::exists(temporary_ / file, code)) continue;
+    throw InputError((target_ / file).string() + ": does not belong to the existing " + kind_.name +
+                     ", and would be overwritten; move it elsewhere");
+  }
+  if (shared) {
+    exchange_files(temporary_, target_, former, kind_, replace_);
+  } else {
+    exchange_folders(temporary_, target_, former);
+    // Only what was taken out in one step is known to be what is lost.
+    check_taken(temporary_);
+  }
   committed_ = true;
   fs::remove_all(temporary_, code);
   fs::remove_all(former, code);

@@ -30,12 +30,7 @@ std::string read_text_file(const std::filesystem::path& path) {
 }
 
 void write_text_file(const std::filesystem::path& path, std::string_view content) {
-  OutputFile file(path);
-  std::ofstream stream(file.temporary(), std::ios::binary);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  if (!stream) throw InputError(path.string() + ": writing failed; is the disk full?");
-  file.commit();
+  write_output(path, content, {});
 }
 
 std::string extension_of(const std::filesystem::path& path) {

@@ -323,11 +323,12 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
   if (zones.size() < terrain.zone_count()) {
     throw SimulationError("terrain has " + std::to_string(terrain.zone_count()) +
                           " ground zones but parameters are given for " +
-                          std::to_string(zones.size()));
+                          std::to_string(zones.size()) + "; give them for each zone");
   }
   if (!terrain.covers(start.position.x(), start.position.y())) {
     throw SimulationError("the start (" + std::to_string(start.position.x()) + ", " +
-                          std::to_string(start.position.y()) + ") is not on the terrain");
+                          std::to_string(start.position.y()) +
+                          ") is not on the terrain; move it onto the ground");
   }
   const double overlap = Release(terrain, zones, body, start, settings, observe).start_overlap();
   const std::optional<double> ground =

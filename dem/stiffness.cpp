@@ -56,7 +56,10 @@ ContactBody contact_body(const RigidBody& body) {
 }
 
 ContactGround contact_ground(std::span<const GroundParameters> zones, const ContactLaw& law) {
-  if (zones.empty()) throw SimulationError("stiffness: no ground zone to choose it for");
+  if (zones.empty()) {
+    throw SimulationError(
+        "stiffness: there is no ground zone to choose it for; give the parameters of one");
+  }
   ContactGround ground;
   std::visit(
       [&]<class Law>(const Law&) {
@@ -81,7 +84,9 @@ StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
 
 StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const ContactGround& ground,
                                  double fastest, double gravity, const StiffnessOptions& options) {
-  if (bodies.empty()) throw SimulationError("stiffness: no block to choose it for");
+  if (bodies.empty()) {
+    throw SimulationError("stiffness: there is no block to choose it for; give one");
+  }
   const double rest_share = ground.rest_share, rate = ground.rate;
   double normal = 0.0, mobility = 0.0, smallest_moment = 1e300, smallest_side = 1e300;
   for (const ContactBody& body : bodies) {
@@ -109,10 +114,10 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   chosen.time_step = options.time_step.value_or(resolved);
   const double most = std::min(kUnstable / frequency, travel);
   if (chosen.time_step > most) {
-    throw SimulationError("time step " + number(chosen.time_step) + " s is too long: beyond " +
-                          number(most) +
-                          " s contacts make energy or blocks pass through the ground; " +
-                          number(resolved) + " s resolves every contact");
+    throw SimulationError(
+        "time step " + number(chosen.time_step) + " s is too long: beyond " + number(most) +
+        " s contacts make energy or blocks pass through the ground; " + number(resolved) +
+        " s resolves every contact: give that, or leave it out");
   }
 
   double worst_rest_share = 0.0;

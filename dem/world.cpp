@@ -253,7 +253,8 @@ std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fix
     const std::optional<double> ground = impl_->terrain->height(place.x(), place.y(), place.z());
     if (!impl_->terrain->covers(place.x(), place.y())) {
       throw SimulationError(name + " starts at (" + std::to_string(place.x()) + ", " +
-                            std::to_string(place.y()) + "), which is not on the terrain");
+                            std::to_string(place.y()) +
+                            "), which is not on the terrain; move it onto the ground");
     }
     if (ground && place.z() < *ground) {
       throw SimulationError(name + " starts below the ground, " +

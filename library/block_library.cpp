@@ -198,8 +198,8 @@ std::size_t found(const std::vector<Block>& blocks, const std::string& id) {
     known += (i ? ", " : "") + blocks[i].id;
   }
   if (blocks.size() > 20) known += " and " + std::to_string(blocks.size() - 20) + " more";
-  throw InputError("no block \"" + id + "\" in the library; there " +
-                   (blocks.empty() ? "are none" : "is " + known));
+  throw InputError("no block \"" + id + "\" in the library; " +
+                   (blocks.empty() ? "there are none" : "name one of " + known));
 }
 
 }  // namespace

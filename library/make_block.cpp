@@ -105,8 +105,10 @@ SpheroPolyhedron first_core(const TriangleMesh& surface, double radius, bool adv
     }
   }
   if (advise) rounded_core(surface, radius);  // throws, and says which radius works
-  throw GeometryError("a Minkowski radius of " + number(radius) +
-                      " m is too large for this block: its core would vanish or turn inside out");
+  throw GeometryError(
+      "a Minkowski radius of " + number(radius) +
+      " m is too large for this block: its core would vanish or turn inside out; give a "
+      "smaller one");
 }
 
 SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double volume,

@@ -37,7 +37,7 @@ MassProperties without_faces(const SpheroPolyhedron& body, double density) {
   if (!ball && !capsule) {
     throw GeometryError("core of " + std::to_string(body.vertices.size()) + " vertices and " +
                         std::to_string(body.edges.size()) +
-                        " edges has no faces, so it bounds no solid");
+                        " edges has no faces, so it bounds no solid; give its faces");
   }
   if (!(r > 0.0)) throw GeometryError("a core without faces needs a radius above zero");
   const Vec3 p = body.vertices.front();

@@ -220,12 +220,12 @@ TriangleMesh largest_piece(const TriangleMesh& mesh) {
 }  // namespace
 
 void CloudSurfaceOptions::check() const {
-  const auto require = [](bool fine, const char* name, double value) {
+  const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
-    throw InputError(std::string(name) + " = " + with_digits(value, 4) + " is out of range");
+    throw InputError(std::string(name) + " = " + with_digits(value, 4) + "; must be " + range);
   };
-  require(cell > 0.0 && cell <= 0.1, "cell", cell);
-  require(trim > 0.0, "trim", trim);
+  require(cell > 0.0 && cell <= 0.1, "cell", cell, "above 0 and at most 0.1");
+  require(trim > 0.0, "trim", trim, "above 0");
 }
 
 CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options) {
@@ -249,7 +249,9 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   detail::split_pinched_vertices(open);
   open = largest_piece(open);
   if (open.triangles.empty()) {
-    throw GeometryError("the surface found does not follow the points; are they on one surface?");
+    throw GeometryError("the surface found does not follow the " + std::to_string(points.size()) +
+                        " points; check that all lie on the surface of one block, and clean the "
+                        "cloud in CloudCompare");
   }
   SurfaceMargin margin = detail::cloud_margin(body.surface, {body.normals, spacings, body.noise});
   add_volumes(margin, body);

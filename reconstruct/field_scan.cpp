@@ -404,6 +404,7 @@ class Separation {
     RepairReport mended = mended_;
     if (turn_outward(open)) {
       std::swap(mended.volume_below, mended.volume_above);
+      for (FilledHole& hole : mended.holes) std::swap(hole.volume_below, hole.volume_above);
       for (DoubledSurface& copy : mended.doubled) {
         copy.offset = -copy.offset;
         copy.volume_change = -copy.volume_change;

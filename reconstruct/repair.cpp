@@ -399,12 +399,14 @@ Repaired repaired(const TriangleMesh& dirty, const RepairOptions& options) {
   options.check();
   for (std::size_t v = 0; v < dirty.vertices.size(); ++v) {
     if (!dirty.vertices[v].allFinite()) {
-      throw GeometryError("vertex " + std::to_string(v + 1) + " is not a finite point");
+      throw GeometryError("vertex " + std::to_string(v + 1) +
+                          " is not a finite point; clean the file in the program that wrote it");
     }
     const double farthest = dirty.vertices[v].cwiseAbs().maxCoeff();
     if (farthest > kLargestCoordinate) {
       throw GeometryError("vertex " + std::to_string(v + 1) + " lies " + with_digits(farthest, 3) +
-                          " m from the origin: the file is damaged, or its unit is wrong");
+                          " m from the origin: the file is damaged, or its unit is wrong; check "
+                          "the unit it was read in");
     }
   }
   return Route(options).run(dirty);

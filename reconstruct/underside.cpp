@@ -103,7 +103,8 @@ class Closing {
   std::optional<Underside> run() {
     const MeshReport report = inspect(result_.lower);
     if (report.non_manifold_edges > 0 || !report.oriented() || report.pinched_vertices > 0) {
-      throw GeometryError("the surface is not a simple sheet: " + report.summary());
+      throw GeometryError("the surface is not a simple sheet: " + report.summary() +
+                          "; repair it in MeshLab or CloudCompare first");
     }
     std::vector<Rim> rims;
     for (std::vector<std::uint32_t>& loop : boundary_loops(result_.lower)) {
@@ -173,7 +174,9 @@ class Closing {
     const detail::Sections sections(result_.lower, -result_.down);
     film_volume_ = sections.volume_above(sections.lowest());
     if (!(film_volume_ > 0.0)) {
-      throw GeometryError("the surface faces inwards, or encloses nothing once it is closed");
+      throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
+                          number(film_volume_) +
+                          " m3); turn its faces outward, and check that it is one side of a block");
     }
     const std::vector<double> heights = rim_heights(rims[0]);
     const double bottom =

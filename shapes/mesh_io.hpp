@@ -1,9 +1,11 @@
 #pragma once
 /// Triangle meshes from and to files.
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/output_file.hpp"
 #include "shapes/triangle_mesh.hpp"
 
 namespace clast {
@@ -23,13 +25,29 @@ TriangleMesh read_mesh_or_points(const std::filesystem::path& path);
 /// Formats that `read_mesh` knows, as lower-case extensions with the dot.
 const std::vector<std::string>& readable_mesh_extensions();
 
+/// How a mesh file is written.
+struct MeshOutput {
+  OutputRules rules = {};
+  /// What "<path>.origin.txt" says where `origin`, m, was subtracted from the coordinates, zero
+  /// included; nothing: there is no such file. Without: coordinates = those in the file + origin.
+  std::function<std::string(const Vec3& origin)> origin_text = {};
+};
+
+/// Begins the line of a text for `MeshOutput::origin_text` that has the three coordinates.
+inline constexpr const char* kOriginLine = "origin ";
+
 /// Writes by extension: .stl (binary), .obj, .ply (binary), .glb, .vtp. Written through a
 /// temporary file; coordinates as they are, whatever a format says about its up axis. OBJ, PLY and
 /// VTP keep every bit of a double. STL and GLB hold floats: a mesh too far from the origin for them
-/// is written less an origin of whole metres near it, which "<path>.origin.txt" tells.
+/// is written less an origin of whole metres near it, which "<path>.origin.txt" tells. That file
+/// is subject to the same rules as the mesh; one that a former mesh left is removed with it.
 /// @return what was taken off the coordinates, m; zero nearly always
-/// @throws InputError     unknown extension, or the folder can't be written to
+/// @throws InputError     unknown extension, as `OutputFile`, or the disk is full
 /// @throws GeometryError  the mesh has no triangles
-Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
+Vec3 write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                const MeshOutput& output = {});
+
+/// `check_output` for a mesh and the "<path>.origin.txt" that may be written with it.
+OutputRules check_mesh_output(const std::filesystem::path& path, const OutputRules& rules);
 
 }  // namespace clast

@@ -59,14 +59,15 @@ void write_shape(std::ostream& out, const ShpShape& shape) {
 
 }  // namespace
 
-void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shapes) {
+void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shapes,
+               const OutputRules& rules) {
   std::ostringstream out;
   out << std::setprecision(kDigits);
   for (const ShpShape& shape : shapes) {
     check_name(shape.name);
     write_shape(out, shape);
   }
-  write_text_file(path, out.str());
+  write_output(path, out.str(), rules);
 }
 
 std::vector<ShpShape> read_shp(const std::filesystem::path& path) {

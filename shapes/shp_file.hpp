@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/output_file.hpp"
 #include "shapes/oriented_box.hpp"
 
 namespace clast {
@@ -26,8 +27,9 @@ struct ShpShape {
 };
 
 /// Writes the shapes in order with `preCompDone y`, so that nothing is sampled anew on loading.
-/// @throws InputError  a name with spaces, or the folder can't be written to
-void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shapes);
+/// @throws InputError  a name with spaces, or as `OutputFile`
+void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shapes,
+               const OutputRules& rules = {});
 
 /// The shapes in order. Edges are those of the faces, each once, whatever the file lists; where
 /// there are no faces they are the file's. Vertices that nothing uses are left out with a note.

@@ -148,7 +148,11 @@ ReleasePlan read_release(const TomlTable& table, bool y_up) {
 
 std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
   const std::vector<const TomlNode*> nodes = tables_of(top, "release");
-  if (nodes.empty()) throw InputError(top.file() + ": the table [release] is missing");
+  if (nodes.empty()) {
+    throw InputError(
+        top.file() +
+        ": the table [release] is missing; add it with points = FILE or a list of them");
+  }
   std::vector<ReleasePlan> releases;
   for (const TomlNode* node : nodes) {
     const TomlTable table(*node, top.file(), "[release]",

@@ -86,7 +86,8 @@ std::vector<Vec3> points_in_polygon(std::span<const Vec2> polygon, std::size_t c
   const Vec3 size = box.high - box.low;
   // Random points would hardly ever fall into a polygon thinner than this.
   if (!(std::abs(twice_area) > 2e-3 * size.x() * size.y())) {
-    throw InputError("the polygon has no area");
+    throw InputError(
+        "the polygon has no area; give three or more corners that are not on one line");
   }
   const auto inside = [&](const Vec2& point) {
     bool odd = false;
@@ -105,7 +106,9 @@ std::vector<Vec3> points_in_polygon(std::span<const Vec2> polygon, std::size_t c
   const std::size_t most_draws = 1000 + 10'000 * count;
   std::vector<Vec3> points;
   for (std::size_t draw = 0; points.size() < count; ++draw) {
-    if (draw == most_draws) throw InputError("the polygon is too thin to draw points from");
+    if (draw == most_draws) {
+      throw InputError("the polygon is too thin to draw points from; widen it, or give the points");
+    }
     const double x = random.uniform(box.low.x(), box.high.x());
     const double y = random.uniform(box.low.y(), box.high.y());
     if (inside({x, y})) points.emplace_back(x, y, 0.0);

@@ -253,7 +253,10 @@ void ResultsJournal::add(const StoredRun& run) {
   file_.seekp(static_cast<std::streamoff>(end_));
   file_.write(record.data(), static_cast<std::streamsize>(record.size()));
   file_.flush();
-  if (!file_) throw InputError(path_.string() + ": writing failed; is the disk full?");
+  if (!file_) {
+    throw InputError(path_.string() +
+                     ": writing failed; is the disk full? Free some space and go on with --resume");
+  }
   runs_.push_back(run.record.run);
   begins_.push_back(end_);
   end_ += record.size();
@@ -261,7 +264,11 @@ void ResultsJournal::add(const StoredRun& run) {
 
 StoredRun ResultsJournal::read(std::size_t index) {
   const std::optional<std::string> content = read_record(file_, begins_[index], end_);
-  if (!content) throw InputError(path_.string() + ": was changed by another program");
+  if (!content) {
+    throw InputError(path_.string() +
+                     ": was changed by another program; go on with --resume, which repeats the "
+                     "runs that were lost");
+  }
   return unpacked(*content);
 }
 

@@ -1,8 +1,10 @@
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
+#include "core/number_text.hpp"
 #include "library/body_record.hpp"
 #include "study/results.hpp"
 #include "study/results_layout.hpp"
@@ -21,7 +23,8 @@ struct Reader {
   Hdf5Group group;
 
   [[noreturn]] void damaged(const std::string& name, const std::string& what) const {
-    throw InputError(file + ": " + path + "/" + name + " " + what + "; the file is damaged");
+    throw InputError(file + ": " + path + "/" + name + " " + what +
+                     "; the file is damaged: restore a backup, or run the campaign again");
   }
 
   /// Values of a column that must have `rows` values.
@@ -115,19 +118,22 @@ void read_impacts(const Reader& reader, CampaignResults& results) {
 void check_blocks(const Reader& reader, const CampaignResults& results) {
   constexpr double kRounding = 1e-6;
   for (const BlockSummary& block : results.blocks) {
-    const auto require = [&](bool fine, const char* name) {
-      if (!fine) reader.damaged(name, "is impossible for block " + block.id);
+    const auto require = [&](bool fine, const char* name, std::initializer_list<double> values) {
+      if (fine) return;
+      std::string list;
+      for (const double value : values) list += (list.empty() ? "" : ", ") + with_digits(value, 6);
+      reader.damaged(name, "is " + list + ", which is impossible for block " + block.id);
     };
-    require(block.mass > 0.0 && std::isfinite(block.mass), "mass_kg");
-    require(block.volume >= 0.0 && std::isfinite(block.volume), "volume_m3");
-    require(block.scale > 0.0 && std::isfinite(block.scale), "scale");
+    require(block.mass > 0.0 && std::isfinite(block.mass), "mass_kg", {block.mass});
+    require(block.volume >= 0.0 && std::isfinite(block.volume), "volume_m3", {block.volume});
+    require(block.scale > 0.0 && std::isfinite(block.scale), "scale", {block.scale});
     require(std::isfinite(block.axes.L) && block.axes.L >= block.axes.I &&
                 block.axes.I >= block.axes.S && block.axes.S > 0.0,
-            "L_m");
+            "L_m", {block.axes.L, block.axes.I, block.axes.S});
     const Vec3& moments = block.moments;
     require(moments.allFinite() && moments.minCoeff() >= 0.0 &&
                 2.0 * moments.maxCoeff() <= (1.0 + kRounding) * moments.sum(),
-            "principal_moments_kg_m2");
+            "principal_moments_kg_m2", {moments.x(), moments.y(), moments.z()});
   }
 }
 

@@ -152,7 +152,7 @@ TomlNode parse_toml(const std::string& text, const std::string& name) {
     return converted(toml::parse(text, name), SourceText(text));
   } catch (const toml::parse_error& error) {
     throw InputError(name + ":" + std::to_string(error.source().begin.line) +
-                     ": not TOML: " + std::string(error.description()));
+                     ": not TOML: " + std::string(error.description()) + "; correct this line");
   }
 }
 

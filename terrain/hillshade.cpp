@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
 #include "terrain/detail/map_lines.hpp"
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/relief.hpp"
@@ -87,7 +86,7 @@ void check_near(const Vec2& mark, const Window& ground, const std::string& what)
 }  // namespace
 
 void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
-                     const MapMarks& marks, std::uint32_t pixels) {
+                     const MapMarks& marks, const OutputRules& rules, std::uint32_t pixels) {
   const Bounds box = bounds(terrain.surface);
   const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
   const Window ground{low.head<2>(), high.head<2>()};
@@ -126,8 +125,8 @@ void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
     canvas.stroke(place, place, 4.0 * stroke, halo);
     canvas.stroke(place, place, 3.0 * stroke, release);
   }
-  write_text_file(path,
-                  palette_png(picture.width, picture.height, picture.pixels, picture.palette));
+  write_output(path, palette_png(picture.width, picture.height, picture.pixels, picture.palette),
+               rules);
 }
 
 std::vector<std::vector<Vec2>> read_barrier_lines(const std::filesystem::path& path,

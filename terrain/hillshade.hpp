@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/output_file.hpp"
 #include "terrain/terrain.hpp"
 
 namespace clast {
@@ -15,10 +16,10 @@ struct MapMarks {
 
 /// Writes a PNG: relief lit from the north-west with contour lines, zones tinted (`zone_tint`),
 /// north up, the longer side `pixels` long, with all marks inside the picture.
-/// @throws InputError  a mark farther off the ground than the ground is large, or the folder can't
-///                     be written to
+/// @throws InputError  a mark farther off the ground than the ground is large, or as `OutputFile`
 void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
-                     const MapMarks& marks, std::uint32_t pixels = 1600);
+                     const MapMarks& marks, const OutputRules& rules = {},
+                     std::uint32_t pixels = 1600);
 
 /// Lines of a GeoJSON, GeoPackage or Shapefile in the terrain's map system, as for `MapMarks`.
 /// @throws InputError  as zone polygons

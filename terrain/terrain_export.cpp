@@ -47,7 +47,7 @@ detail::HeightGrid sampled(const Terrain& terrain, double cell, const std::files
 }  // namespace
 
 void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
-                    const std::string& up, double cell) {
+                    const std::string& up, double cell, const OutputRules& rules) {
   if (up != "z" && up != "y") throw InputError("up = \"" + up + "\"; must be \"z\" or \"y\"");
   const std::string extension = extension_of(path);
   if (extension == ".tif" || extension == ".tiff") {
@@ -55,7 +55,7 @@ void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
     if (!(cell > 0.0 && std::isfinite(cell))) {
       throw InputError("cell = " + std::to_string(cell) + " m; must be more than 0");
     }
-    detail::write_geotiff(path, sampled(terrain, cell, path), terrain.frame.crs);
+    detail::write_geotiff(path, sampled(terrain, cell, path), terrain.frame.crs, rules);
     return;
   }
   const bool floats = extension == ".stl" || extension == ".glb";
@@ -64,14 +64,16 @@ void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
     if (!floats) vertex = terrain.frame.map(vertex);
     if (up == "y") vertex = detail::turned_y_up(vertex);
   }
-  write_mesh(path, mesh);
-  const Vec3& origin = terrain.frame.origin;
-  if (floats && !origin.isZero(0.0)) {
+  const auto origin_text = [&](const Vec3& subtracted) -> std::string {
+    const Vec3 origin =
+        terrain.frame.origin + (up == "y" ? detail::turned_z_up(subtracted) : subtracted);
+    if (!floats || origin.isZero(0.0)) return "";
     std::string text = "map coordinates (z up) = coordinates here (" + up + " up) + origin, m\n";
-    text += "origin " + detail::place(origin) + "\n";
+    text += kOriginLine + detail::place(origin) + "\n";
     if (!terrain.frame.crs.empty()) text += "map system " + terrain.frame.crs + "\n";
-    write_text_file(path.string() + ".origin.txt", text);
-  }
+    return text;
+  };
+  write_mesh(path, mesh, {.rules = rules, .origin_text = origin_text});
 }
 
 }  // namespace clast

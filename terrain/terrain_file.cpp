@@ -37,7 +37,7 @@ std::vector<T> table(const Hdf5Group& group, const std::string& name, std::size_
   const std::vector<std::size_t> shape = group.shape(name);
   if (shape.size() != 2 || shape[1] != columns) {
     throw InputError(file + ": dataset \"" + name + "\" must have " + std::to_string(columns) +
-                     " columns; the file is damaged");
+                     " columns; the file is damaged, make it again with clast terrain");
   }
   return group.read<T>(name);
 }
@@ -75,8 +75,9 @@ void check(const Terrain& terrain, const std::string& file) {
 
 }  // namespace
 
-void write_terrain(const std::filesystem::path& path, const Terrain& terrain) {
-  OutputFile output(path, {.kind = kTerrainFormat});
+void write_terrain(const std::filesystem::path& path, const Terrain& terrain,
+                   const OutputRules& rules) {
+  OutputFile output(path, rules);
   {
     Hdf5File file = Hdf5File::create(output.temporary(), kTerrainFormat, kSchema);
     Hdf5Group root = file.root();
@@ -117,7 +118,9 @@ Terrain read_terrain_file(const std::filesystem::path& path) {
   terrain.frame.crs = root.attribute<std::string>("crs");
   const std::vector<double> origin = root.read<double>("origin");
   if (origin.size() != 3) {
-    throw InputError(path.string() + ": \"origin\" must be three numbers; the file is damaged");
+    throw InputError(path.string() +
+                     ": \"origin\" must be three numbers; the file is damaged, make it again with "
+                     "clast terrain");
   }
   terrain.frame.origin = Vec3(origin[0], origin[1], origin[2]);
   const std::vector<double> coordinates = table<double>(root, "vertices", 3, path.string());

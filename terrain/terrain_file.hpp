@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/output_file.hpp"
 #include "terrain/terrain.hpp"
 
 namespace clast {
@@ -10,9 +11,9 @@ namespace clast {
 /// The format name in a terrain file.
 inline constexpr const char* kTerrainFormat = "clast terrain";
 
-/// Replaces a terrain file that is there.
-/// @throws InputError  what is there is no terrain file, or can't be written
-void write_terrain(const std::filesystem::path& path, const Terrain& terrain);
+/// @throws InputError  as `OutputFile`
+void write_terrain(const std::filesystem::path& path, const Terrain& terrain,
+                   const OutputRules& rules = {.kind = kTerrainFormat});
 /// @throws InputError  missing, not a clast terrain, damaged, or of a newer schema
 Terrain read_terrain_file(const std::filesystem::path& path);
 
@@ -23,8 +24,8 @@ Terrain read_terrain_file(const std::filesystem::path& path);
 /// @param up    "z", or "y" to turn (x, y, z) to (x, z, -y); rasters are z up
 /// @param cell  of .tif, m
 /// @throws InputError  unknown extension or axis, a cell that is not positive or far too small, or
-///                     the folder can't be written to
+///                     as `OutputFile`
 void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
-                    const std::string& up, double cell = 0.5);
+                    const std::string& up, double cell = 0.5, const OutputRules& rules = {});
 
 }  // namespace clast

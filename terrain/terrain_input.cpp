@@ -67,7 +67,7 @@ Kind common_kind(const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     if (kind_of(file) != kind) {
       throw InputError(files.front().string() + " and " + file.string() +
-                       ": meshes, rasters and clouds can't be mixed in one ground");
+                       ": meshes, rasters and clouds can't be mixed in one ground; give one kind");
     }
   }
   if (files.size() > 1 && kind == Kind::kRaster) {
@@ -76,7 +76,7 @@ Kind common_kind(const std::vector<fs::path>& files) {
         ": a ground is one raster; join the tiles first (gdalbuildvrt ground.vrt ...)");
   }
   if (files.size() > 1 && kind == Kind::kTerrain) {
-    throw InputError(files[1].string() + ": a ground is one terrain file");
+    throw InputError(files[1].string() + ": a ground is one terrain file; make one of all surveys");
   }
   return kind;
 }
@@ -151,12 +151,16 @@ RawSurface read_one_raster(const TerrainOptions& options) {
       const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
       points.emplace_back(centre.x(), centre.y(), grid.heights[i]);
     }
-    if (points.empty()) throw InputError(path.string() + ": holds no heights, only nodata");
+    if (points.empty()) {
+      throw InputError(path.string() +
+                       ": holds no heights, only nodata; check which value stands for no data");
+    }
     raster.grid = detail::binned(points, *options.resolution, path);
     notes.push_back(path.string() + ": made coarser, means over " + cells_of(*options.resolution));
   } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
                           [](double height) { return std::isfinite(height); })) {
-    throw InputError(path.string() + ": holds no heights, only nodata");
+    throw InputError(path.string() +
+                     ": holds no heights, only nodata; check which value stands for no data");
   }
   if (options.fill) {
     const detail::HolesFilled filled = detail::fill_holes(raster.grid, *options.fill);
@@ -280,7 +284,10 @@ void check_files(const TerrainOptions& options, const std::optional<ZoneFile>& z
 
 void TerrainOptions::check() const {
   if (surface.empty()) throw InputError("surface: no file; name at least one");
-  if (surface.size() > 65535) throw InputError("surface: more than 65,535 files");
+  if (surface.size() > 65535) {
+    throw InputError("surface: " + std::to_string(surface.size()) +
+                     " files; 65,535 at most, join some");
+  }
   if (up != "z" && up != "y") throw InputError("up = \"" + up + "\"; must be \"z\" or \"y\"");
   const auto check_range = [](const char* field, const std::optional<double>& value,
                               const NumberRange& range) {

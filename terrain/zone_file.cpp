@@ -26,7 +26,7 @@ void read_names(const std::string& text, ZoneFile& file) {
                        "\" is not CLASS=NAME; write for example zones.asc:1=blue,2=gray");
     }
     if (!file.names.emplace(number, entry.substr(equals + 1)).second) {
-      throw InputError("zones: class " + std::to_string(number) + " is named twice");
+      throw InputError("zones: class " + std::to_string(number) + " is named twice; give one name");
     }
   }
 }

@@ -86,6 +86,10 @@ std::filesystem::path mesh_file(const ExportArgs& args, const Block& block,
   return std::filesystem::path(args.folder) / (block.id + suffix + "." + format);
 }
 
+OutputRules rules_of(const std::filesystem::path& file, const ExportArgs& args, bool checked) {
+  return {.kind = kind_by_name(file), .replace = args.replace, .checked = checked};
+}
+
 /// Checks that no file to be written would replace another, such as the scan that the block was
 /// made from.
 void check_places(const ExportArgs& args, const std::vector<const Block*>& blocks,
@@ -95,7 +99,7 @@ void check_places(const ExportArgs& args, const std::vector<const Block*>& block
       for (const std::string& suffix :
            format == "shp" ? std::vector<std::string>{""} : suffixes(args)) {
         const std::filesystem::path file = mesh_file(args, *block, suffix, format);
-        check_output(file, {.kind = kind_by_name(file), .replace = args.replace});
+        check_mesh_output(file, rules_of(file, args, false));
       }
     }
   }
@@ -162,13 +166,14 @@ void export_blocks(const ExportArgs& args) {
     for (const std::string& format : formats) {
       if (format == "shp") {
         const ShpShape shape = shp_shape(*block);
-        write_shp(mesh_file(args, *block, "", format), {&shape, 1});
+        const std::filesystem::path file = mesh_file(args, *block, "", format);
+        write_shp(file, {&shape, 1}, rules_of(file, args, true));
         ++written;
         continue;
       }
       for (const auto& [suffix, mesh] : meshes) {
         const std::filesystem::path file = mesh_file(args, *block, suffix, format);
-        const Vec3 origin = write_mesh(file, mesh);
+        const Vec3 origin = write_mesh(file, mesh, {.rules = rules_of(file, args, true)});
         ++written;
         if (!origin.isZero(0.0)) {
           std::cerr << printable(file.string())

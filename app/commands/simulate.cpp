@@ -258,12 +258,12 @@ void tell_of_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared,
                      nlohmann::ordered_json summary) {
   std::filesystem::path map = args.output;
   map.replace_extension(".map.svg");
-  check_output(map, {.kind = kind_by_name(map)});
+  const OutputRules rules = check_output(map, {.kind = kind_by_name(map)});
   const TimeProbe probe = probe_time(prepared, kProbeTime);
   const unsigned threads = thread_count(args.threads);
   const std::size_t runs = shard.runs_of(prepared.runs.size());
   const double expected = probe.each * static_cast<double>(runs) / threads;
-  write_text_file(map, plan_map(prepared.header));
+  write_output(map, plan_map(prepared.header), rules);
   if (args.json) {
     summary["expected_time_s"] = expected;
     summary["probed_runs"] = probe.runs;

@@ -14,6 +14,7 @@
 #include "core/printable.hpp"
 #include "core/text_file.hpp"
 #include "library/block_ranges.hpp"
+#include "shapes/mesh_io.hpp"
 #include "study/release_points.hpp"
 #include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
@@ -149,11 +150,11 @@ void check_fit(const TerrainArgs& args, const std::vector<Vec3>& releases, Terra
 }
 
 void draw_picture(const TerrainArgs& args, const std::vector<Vec3>& releases,
-                  const Terrain& terrain) {
+                  const Terrain& terrain, const OutputRules& rules) {
   MapMarks marks;
   for (const Vec3& release : releases) marks.releases.push_back(release.head<2>());
   if (!args.barriers.empty()) marks.barriers = read_barrier_lines(args.barriers, terrain);
-  write_hillshade(args.picture, terrain, marks);
+  write_hillshade(args.picture, terrain, marks, rules);
 }
 
 /// Whether `output` would be written over `input`.
@@ -164,13 +165,24 @@ bool is_same_file(const std::filesystem::path& output, const std::filesystem::pa
          std::filesystem::equivalent(output, input, none);
 }
 
+/// What the outputs may replace.
+struct TerrainPlaces {
+  OutputRules terrain = {}, exported = {}, picture = {};
+};
+
 /// Refuses outputs that would replace files that must be kept, before the work starts.
-void check_places(const TerrainArgs& args) {
-  check_output(args.output, {.kind = kTerrainFormat, .replace = args.replace});
-  for (const std::string& output : {args.exported, args.picture}) {
-    if (output.empty()) continue;
-    check_output(output, {.kind = kind_by_name(output), .replace = args.replace});
+TerrainPlaces checked_places(const TerrainArgs& args) {
+  const auto rules = [&](const std::string& kind) {
+    return OutputRules{.kind = kind, .replace = args.replace};
+  };
+  TerrainPlaces places{.terrain = check_output(args.output, rules(kTerrainFormat))};
+  if (!args.exported.empty()) {
+    places.exported = check_mesh_output(args.exported, rules(kind_by_name(args.exported)));
   }
+  if (!args.picture.empty()) {
+    places.picture = check_output(args.picture, rules(kind_by_name(args.picture)));
+  }
+  return places;
 }
 
 /// Refuses outputs of a kind that can't be written, or in the place of what is read.
@@ -217,14 +229,14 @@ void make_terrain(TerrainArgs args) {
     args.options.check();
     check_outputs(args);
   });
-  check_places(args);
+  const TerrainPlaces places = checked_places(args);
   const std::vector<Vec3> releases = release_points(args);
   Terrain terrain = read_terrain(args.options);
   check_fit(args, releases, terrain);
-  if (!args.picture.empty()) draw_picture(args, releases, terrain);
-  write_terrain(args.output, terrain);
+  if (!args.picture.empty()) draw_picture(args, releases, terrain, places.picture);
+  write_terrain(args.output, terrain, places.terrain);
   if (!args.exported.empty()) {
-    export_terrain(args.exported, terrain, args.export_up, args.export_cell);
+    export_terrain(args.exported, terrain, args.export_up, args.export_cell, places.exported);
   }
   if (args.json) {
     std::cout << report_json(terrain).dump(2) << "\n";

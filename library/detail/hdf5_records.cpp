@@ -7,7 +7,10 @@
 namespace clast::detail {
 
 void require(bool fine, const std::string& where, const std::string& what) {
-  if (!fine) throw InputError(where + ": " + what + "; the file is damaged");
+  if (!fine) {
+    throw InputError(where + ": " + what +
+                     "; the file is damaged: restore a backup, or make it again");
+  }
 }
 
 void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixXd& values,

@@ -14,7 +14,8 @@ namespace clast::detail {
 TriangleMesh wrapped(const TriangleMesh& closed, const WrapShares& shares) {
   const MeshReport report = inspect(closed);
   if (!report.closed()) {
-    throw GeometryError("only a closed surface can be wrapped, this one has " + report.summary());
+    throw GeometryError("only a closed surface can be wrapped, this one has " + report.summary() +
+                        "; repair it first");
   }
   std::vector<CgalPoint> points;
   for (const Vec3& v : closed.vertices) points.emplace_back(v.x(), v.y(), v.z());

@@ -18,11 +18,13 @@ void CharucoBoard::check() const {
                      " squares; 3 to 100 each are understood");
   }
   if (!(square > 0.0 && square < 10.0)) {
-    throw InputError("ChArUco board: " + with_digits(square, 6) + " m is no side of a square");
+    throw InputError("ChArUco board: " + with_digits(square, 6) +
+                     " m is no side of a square; must be above 0 and below 10 m");
   }
   if (!(marker > 0.0 && marker < square)) {
     throw InputError("ChArUco board: markers of " + with_digits(marker, 6) +
-                     " m don't fit in squares of " + with_digits(square, 6) + " m");
+                     " m don't fit in squares of " + with_digits(square, 6) +
+                     " m; check both lengths");
   }
   const int size = detail::dictionary_size(dictionary);
   if (columns * rows / 2 > size) {

@@ -151,14 +151,16 @@ void skip_blurred(const PhotoModel& model, const DenseOptions& options, DenseClo
 
 void DenseOptions::check() const {
   pairs.check();
-  const auto require = [](bool fine, const char* name, double value) {
+  const auto require = [](bool fine, const char* name, double value, const char* range) {
     if (fine) return;
-    throw InputError(std::string(name) + " = " + with_digits(value, 4) + " is out of range");
+    throw InputError(std::string(name) + " = " + with_digits(value, 5) + "; must be " + range);
   };
-  require(most_pixels >= 100 && most_pixels <= 10000, "most_pixels", most_pixels);
-  require(agreeing >= 1 && agreeing <= 20, "agreeing", static_cast<double>(agreeing));
-  require(tolerance > 0.0 && tolerance <= 10.0, "tolerance", tolerance);
-  require(cell > 0.0 && cell <= 100.0, "cell", cell);
+  require(most_pixels >= 100 && most_pixels <= 10000, "most_pixels", most_pixels,
+          "from 100 to 10000");
+  require(agreeing >= 1 && agreeing <= 20, "agreeing", static_cast<double>(agreeing),
+          "from 1 to 20");
+  require(tolerance > 0.0 && tolerance <= 10.0, "tolerance", tolerance, "above 0 and at most 10");
+  require(cell > 0.0 && cell <= 100.0, "cell", cell, "above 0 and at most 100");
 }
 
 DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,

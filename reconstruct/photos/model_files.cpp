@@ -62,7 +62,9 @@ bool holds_photo_model(const fs::path& folder) { return !model_at(folder).empty(
 
 PhotoModel read_photo_model(const fs::path& path, const fs::path& photos) {
   std::error_code code;
-  if (!fs::exists(path, code)) throw InputError(path.string() + ": no such file or folder");
+  if (!fs::exists(path, code)) {
+    throw InputError(path.string() + ": no such file or folder; check the path");
+  }
   const fs::path found = model_at(path);
   if (found.empty()) {
     throw InputError(path.string() +
@@ -77,7 +79,8 @@ PhotoModel read_photo_model(const fs::path& path, const fs::path& photos) {
   } catch (const InputError& error) {
     const std::string what = error.what();
     if (what.find(found.string()) != std::string::npos) throw;
-    throw InputError(found.string() + ": " + what);
+    throw InputError(found.string() + ": " + what +
+                     "; export the model again from the program that made it");
   }
 }
 

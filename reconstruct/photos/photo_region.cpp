@@ -59,7 +59,8 @@ Vec3 looked_at(const PhotoModel& model) {
   for (const Photo& photo : model.photos) {
     if ((photo.camera_from_world * place).z() > 0.0) return place;
   }
-  throw InputError("the cameras look away from each other and not at one block");
+  throw InputError(
+      "the cameras look away from each other and not at one block: take photos all round it");
 }
 
 /// The block on the ground among sparse points not farther than `reach` from the middle; none where

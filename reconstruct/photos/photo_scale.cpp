@@ -71,15 +71,18 @@ BoardLengths known_distances(const std::vector<FoundMarker>& markers, const Scal
 void ScaleOptions::check() const {
   for (const ScaleBar& bar : bars) {
     if (bar.first == bar.second) {
-      throw InputError("scale bar: both ends are marker " + std::to_string(bar.first));
+      throw InputError("scale bar: both ends are marker " + std::to_string(bar.first) +
+                       "; name two markers");
     }
     if (!(bar.length > 0.0 && bar.length < 1e4)) {
-      throw InputError("scale bar: " + with_digits(bar.length, 6) + " m is no distance");
+      throw InputError("scale bar: " + with_digits(bar.length, 6) +
+                       " m is no distance; must be above 0 and below 10000 m");
     }
   }
   if (board) board->check();
   if (marker_side && !(*marker_side > 0.0 && *marker_side < 100.0)) {
-    throw InputError("marker_side = " + with_digits(*marker_side, 6) + " m is no side of a marker");
+    throw InputError("marker_side = " + with_digits(*marker_side, 6) +
+                     " m is no side of a marker; must be above 0 and below 100 m");
   }
   if (!(largest_disagreement > 0.0 && largest_disagreement < 1.0)) {
     throw InputError("largest_disagreement = " + with_digits(largest_disagreement, 6) +

@@ -122,12 +122,13 @@ void ScaleBoard::check() const {
       const std::string pair =
           std::to_string(markers[j].id) + " and " + std::to_string(markers[i].id);
       if (markers[i].id == markers[j].id) {
-        throw InputError("board: marker " + std::to_string(markers[i].id) + " is there twice");
+        throw InputError("board: marker " + std::to_string(markers[i].id) +
+                         " is there twice; keep one");
       }
       const double distance = (markers[i].centre - markers[j].centre).norm();
       if (!(distance > 0.0 && distance < 1e4)) {
         throw InputError("board: markers " + pair + " are " + with_digits(distance, 6) +
-                         " m apart");
+                         " m apart; must be above 0 and below 10000 m");
       }
     }
   }

@@ -26,7 +26,9 @@ void PairOptions::check() const {
         largest_angle < 0.5 * kPi)) {
     throw InputError("angles between photos must be 0 < least <= best <= largest < 90 degrees");
   }
-  if (partners < 1) throw InputError("partners must be 1 at least");
+  if (partners < 1) {
+    throw InputError("partners = " + std::to_string(partners) + "; must be 1 or more");
+  }
 }
 
 std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,

@@ -48,9 +48,12 @@ struct Header {
 
 Header read_header(std::istream& stream, std::uint64_t file_size) {
   const std::string bytes = read_bytes(stream, kHeader14);
-  if (!bytes.starts_with("LASF"))
-    throw InputError("is not a LAS file: it does not start with LASF");
-  if (bytes.size() < kSmallestHeader) throw InputError("ends within the LAS header");
+  if (!bytes.starts_with("LASF")) {
+    throw InputError("is not a LAS file: it does not start with LASF; export it as LAS or as text");
+  }
+  if (bytes.size() < kSmallestHeader) {
+    throw InputError("ends within the LAS header; copy or export it again");
+  }
   Header header;
   const int minor = number_at<std::uint8_t>(bytes, 25);
   header.header_size = number_at<std::uint16_t>(bytes, 94);
@@ -75,12 +78,12 @@ Header read_header(std::istream& stream, std::uint64_t file_size) {
   header.format = format;
   if (header.format >= kRecordSizes.size()) {
     throw InputError("has LAS point format " + std::to_string(header.format) +
-                     "; 0 to 10 can be read");
+                     "; 0 to 10 can be read, export it as one of these");
   }
   if (header.record_size < kRecordSizes[header.format]) {
     throw InputError("has point records of " + std::to_string(header.record_size) +
                      " bytes, less than format " + std::to_string(header.format) +
-                     " needs; it is corrupt");
+                     " needs; it is damaged, export it again");
   }
   if (!header.scale.allFinite() || !header.offset.allFinite() ||
       header.scale.cwiseAbs().minCoeff() == 0.0) {

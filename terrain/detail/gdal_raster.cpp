@@ -67,7 +67,9 @@ std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesy
                      ": the raster is rotated on the map; turn it north up first (gdalwarp)");
   }
   for (const double value : transform) {
-    if (!std::isfinite(value)) throw InputError(path.string() + ": its georeference is damaged");
+    if (!std::isfinite(value)) {
+      throw InputError(path.string() + ": its georeference is damaged; export it again");
+    }
   }
   if (!(transform[1] > 0.0) || transform[5] == 0.0) {
     throw InputError(path.string() + ": cell size " + std::to_string(transform[1]) + " x " +
@@ -86,7 +88,8 @@ void read_row(GDALRasterBand& band, int row, std::vector<double>& values,
       band.GetMaskBand()->RasterIO(GF_Read, 0, row, columns, 1, mask.data(), columns, 1, GDT_Byte,
                                    0, 0, nullptr) != CE_None) {
     throw InputError(path.string() + ": row " + std::to_string(row + 1) + " can't be read (" +
-                     GdalSession::message() + "); the file may be cut short");
+                     GdalSession::message() +
+                     "); the file may be cut short: copy or export it again");
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (mask[i] == 0 || !std::isfinite(values[i])) {
@@ -128,15 +131,17 @@ Raster read_raster(const std::filesystem::path& path) {
                         nullptr, extension_of(path) == ".asc" ? as_doubles : nullptr, nullptr));
   if (!dataset) {
     throw InputError(path.string() + ": is not a raster that GDAL can read (" +
-                     GdalSession::message() + ")");
+                     GdalSession::message() + "); export it as GeoTIFF");
   }
   int bands = 0;
   for (int i = 1; i <= dataset->GetRasterCount(); ++i) {
     if (dataset->GetRasterBand(i)->GetColorInterpretation() != GCI_AlphaBand) ++bands;
   }
   if (bands != 1) {
-    throw InputError(path.string() + ": " + std::to_string(bands) +
-                     " bands; a raster of heights or zones has one. Is it a picture?");
+    throw InputError(
+        path.string() + ": " + std::to_string(bands) +
+        " bands; a raster of heights or zones has one: is it a picture? Save the band as a "
+        "file of its own (gdal_translate -b N)");
   }
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   Raster raster;
@@ -172,11 +177,13 @@ Raster read_raster(const std::filesystem::path& path) {
 }
 
 void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
-                   const std::string& crs) {
+                   const std::string& crs, const OutputRules& rules) {
   const GdalSession session;
-  OutputFile file(path);
+  OutputFile file(path, rules);
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-  if (!driver) throw InputError(path.string() + ": this GDAL can't write GeoTIFF");
+  if (!driver) {
+    throw InputError(path.string() + ": this GDAL can't write GeoTIFF; export .ply instead");
+  }
   char compress[] = "COMPRESS=DEFLATE";
   char* options[] = {compress, nullptr};
   const int columns = static_cast<int>(grid.columns), rows = static_cast<int>(grid.rows);
@@ -184,7 +191,8 @@ void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
       driver->Create(file.temporary().c_str(), columns, rows, 1, GDT_Float32, options));
   const auto check = [&](bool good) {
     if (!good) {
-      throw InputError(path.string() + ": can't be written (" + GdalSession::message() + ")");
+      throw InputError(path.string() + ": can't be written (" + GdalSession::message() +
+                       "); free some space on the disk or name another place");
     }
   };
   check(dataset != nullptr);

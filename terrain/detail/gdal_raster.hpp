@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/output_file.hpp"
 #include "terrain/detail/raw_surface.hpp"
 
 namespace clast::detail {
@@ -28,7 +29,7 @@ void check_metres(const std::string& name, const std::string& crs, const std::st
 
 /// Writes heights as GeoTIFF (float, deflated, nodata -9999), north up.
 void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
-                   const std::string& crs);
+                   const std::string& crs, const OutputRules& rules = {});
 
 /// True when both name the same coordinate system, whichever way it is written.
 bool same_crs(const std::string& one, const std::string& other);

@@ -11,7 +11,7 @@ void add_line(const OGRLineString& line, const std::string& name, std::vector<Ma
   for (int i = 0; i < line.getNumPoints(); ++i) {
     result.points.emplace_back(line.getX(i), line.getY(i), result.has_heights ? line.getZ(i) : 0.0);
     if (!result.points.back().allFinite()) {
-      throw InputError(name + " has a corner that is not a number");
+      throw InputError(name + " has a corner that is not a number; correct it, or draw it again");
     }
   }
   if (result.points.size() > 1) lines.push_back(std::move(result));
@@ -31,7 +31,8 @@ std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std
     const OGRGeometry* stored = feature->GetGeometryRef();
     const std::unique_ptr<OGRGeometry> geometry(stored ? stored->clone() : nullptr);
     if (geometry && transform && geometry->transform(transform.get()) != OGRERR_NONE) {
-      throw InputError(name + " can't be projected (" + GdalSession::message() + ")");
+      throw InputError(name + " can't be projected (" + GdalSession::message() +
+                       "); check its coordinates and its map system");
     }
     const OGRwkbGeometryType type = geometry ? wkbFlatten(geometry->getGeometryType()) : wkbUnknown;
     if (type == wkbLineString) {
@@ -44,7 +45,9 @@ std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std
                        "; a line is needed");
     }
   }
-  if (lines.empty()) throw InputError(path.string() + ": holds no lines");
+  if (lines.empty()) {
+    throw InputError(path.string() + ": holds no lines; draw one, or leave the file out");
+  }
   return lines;
 }
 

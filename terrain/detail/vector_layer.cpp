@@ -15,7 +15,7 @@ DatasetPointer open_features(const std::filesystem::path& path, const std::strin
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
   if (!dataset || dataset->GetLayerCount() < 1) {
     throw InputError(path.string() + ": holds no " + what + " that GDAL can read (" +
-                     GdalSession::message() + ")");
+                     GdalSession::message() + "); save them as GeoJSON or GeoPackage");
   }
   return dataset;
 }
@@ -30,7 +30,10 @@ OGRLayer& only_layer(GDALDataset& dataset, const std::filesystem::path& path,
     layers.push_back(layer);
     names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
   }
-  if (layers.empty()) throw InputError(path.string() + ": holds no layer of " + what);
+  if (layers.empty()) {
+    throw InputError(path.string() + ": holds no layer of " + what +
+                     "; save them as GeoJSON or GeoPackage");
+  }
   if (layers.size() > 1) {
     throw InputError(path.string() + ": " + std::to_string(layers.size()) + " layers (" + names +
                      "); save the one with the " + what + " by itself (ogr2ogr ONE.gpkg " +

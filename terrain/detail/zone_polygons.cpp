@@ -41,13 +41,14 @@ ReadPolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransf
     result.zone.erase(result.zone.find_last_not_of(" \t") + 1);
   }
   if (result.zone.empty()) {
-    throw InputError(feature_name(feature, path) + " has an empty property \"zone\"");
+    throw InputError(feature_name(feature, path) +
+                     " has an empty property \"zone\"; give the zone a name");
   }
   const OGRGeometry* stored = feature.GetGeometryRef();
   std::unique_ptr<OGRGeometry> geometry(stored ? stored->clone() : nullptr);
   if (geometry && transform && geometry->transform(transform) != OGRERR_NONE) {
     throw InputError(feature_name(feature, path) + " can't be projected (" +
-                     GdalSession::message() + ")");
+                     GdalSession::message() + "); check its coordinates and its map system");
   }
   const OGRwkbGeometryType type = geometry ? wkbFlatten(geometry->getGeometryType()) : wkbUnknown;
   if (type == wkbPolygon) {
@@ -64,7 +65,8 @@ ReadPolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransf
   for (const std::vector<Vec2>& ring : result.rings) {
     for (const Vec2& point : ring) {
       if (!point.allFinite()) {
-        throw InputError(feature_name(feature, path) + " has a corner that is not a number");
+        throw InputError(feature_name(feature, path) +
+                         " has a corner that is not a number; correct it, or draw it again");
       }
       result.low = result.low.cwiseMin(point);
       result.high = result.high.cwiseMax(point);
@@ -139,7 +141,7 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
   const int field = layer.GetLayerDefn()->GetFieldIndex("zone");
   if (field < 0) {
     throw InputError(path.string() + ": its features have no property \"zone\" (there are: " +
-                     field_names(*layer.GetLayerDefn()) + ")");
+                     field_names(*layer.GetLayerDefn()) + "); add it, with the name of each zone");
   }
   const Transformation transform = transformation(layer, crs, path);
   std::vector<ReadPolygon> read;
@@ -150,7 +152,9 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
   check_overlaps(read, path);
   std::vector<ZonePolygon> polygons;
   for (ReadPolygon& each : read) polygons.push_back(std::move(each.polygon));
-  if (polygons.empty()) throw InputError(path.string() + ": holds no polygons");
+  if (polygons.empty()) {
+    throw InputError(path.string() + ": holds no polygons; draw one around each zone");
+  }
   return polygons;
 }
 

@@ -250,7 +250,7 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
                                                    : raster_zones(source, terrain.frame.crs);
   if (map.labels.size() > kMostZones) {
     throw InputError(source.path.string() + ": " + std::to_string(map.labels.size()) +
-                     " zones; is it a raster of heights?");
+                     " zones are more than can be; is it a raster of heights? Give one of classes");
   }
   check_extent(map, terrain, source);
   if (cut) cut_borders(terrain, map);

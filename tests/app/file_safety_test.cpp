@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/app/slope_campaign.hpp"
 
@@ -191,6 +192,64 @@ TEST_F(FileSafety, WhatAnotherProcessAddedMeanwhileIsNotWrittenOver) {
   }
   EXPECT_EQ(written, 1);
   EXPECT_EQ(Json::parse(run({"show", "same.h5", "--json"}).out)[0]["density_kg_m3"], density);
+}
+
+TEST_F(FileSafety, OfManyProgramsThatWriteTheSameNewFileOneDoes) {
+  write_obj(folder / "rock.obj", cuboid(1, 0.8, 0.6));
+  make({"reconstruct", "rock.obj", "-o", "rock.h5"});
+  make({"simulate", "campaign.toml", "-o", "r.h5"});
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"terrain", "slope.obj", "-o", "same.h5"},
+        {"export", "rock.h5", "--format", "ply", "-o", "same"},
+        {"compare", "r.h5", "-o", "same_report"}}) {
+    std::vector<std::unique_ptr<RunningProgram>> programs;
+    for (int i = 0; i < 4; ++i) {
+      programs.push_back(std::make_unique<RunningProgram>(clast_words(command), folder.path()));
+    }
+    int written = 0, kept = 0;
+    for (const auto& program : programs) {
+      const ProgramRun done = program->wait();
+      if (done.exit_code == 0) ++written;
+      const bool meanwhile = contains(done.err, "another program wrote it meanwhile");
+      if (meanwhile) ++kept;
+      EXPECT_TRUE(done.exit_code == 0 || meanwhile || contains(done.err, "replace is not set"))
+          << done.err;
+    }
+    EXPECT_EQ(written, 1) << command[0];
+    std::set<fs::path> beside;  // same.2.h5 and so on
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+      const std::string name = entry.path().filename();
+      EXPECT_TRUE(!contains(name, ".part")) << name;
+      if (contains(name, ".2") || contains(name, ".3") || contains(name, ".4")) {
+        beside.insert(entry.path());
+      }
+    }
+    EXPECT_EQ(static_cast<int>(beside.size()), kept) << command[0];
+    for (const fs::path& result : beside) fs::remove_all(result);
+  }
+  make({"compare", "r.h5", "-o", "same_report", "--replace"});
+}
+
+TEST_F(FileSafety, TheOriginOfAnExportIsKeptAsTheExportIs) {
+  // So far out that floats would spoil it.
+  std::string far = "v 700000 5200000 0\nv 700004 5200000 0\nv 700004 5200003 1\nf 1 2 3\n";
+  write_text_file(folder / "far.obj", far);
+  const std::vector<std::string> command = {"terrain",  "far.obj", "-o",       "t.h5",
+                                            "--export", "far.stl", "--replace"};
+  write_text_file(folder / "far.stl.origin.txt", "what the surveyor says of the origin");
+  expect_kept("far.stl.origin.txt", command,
+              "far.stl.origin.txt: already exists and holds \"text\"");
+  EXPECT_FALSE(fs::exists(folder / "t.h5")) << "refused after the work";
+  fs::remove(folder / "far.stl.origin.txt");
+  make(command);
+  EXPECT_TRUE(contains(read_text_file(folder / "far.stl.origin.txt"), "origin x 7000"));
+  // Left by a former export it would be wrong beside a new one.
+  fs::remove(folder / "far.stl");
+  fs::remove(folder / "t.h5");
+  expect_kept("far.stl.origin.txt", {"terrain", "slope.obj", "-o", "t.h5", "--export", "far.stl"},
+              "far.stl.origin.txt: already exists, and replace is not set");
+  make({"terrain", "slope.obj", "-o", "t.h5", "--export", "far.stl", "--replace"});
+  EXPECT_FALSE(fs::exists(folder / "far.stl.origin.txt"));
 }
 
 TEST_F(FileSafety, PlacesThatCantBeWrittenAreRefusedBeforeTheRuns) {

@@ -74,6 +74,7 @@ struct Core {
   const char* sneed_folk;   ///< of the smallest box
   double printed;           ///< s_c in the paper, beside ours and not aimed at
 };
+void PrintTo(const Core& core, std::ostream* out) { *out << core.block; }
 
 class AuthumeBoxes : public testing::TestWithParam<Core> {
  protected:

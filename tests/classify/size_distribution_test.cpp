@@ -10,6 +10,9 @@
 #include "core/random.hpp"
 
 namespace clast {
+
+void PrintTo(SizeLawKind law, std::ostream* out) { *out << name_of(law); }
+
 namespace {
 
 std::vector<double> log_normal_sample(std::uint64_t seed, int n, double median, double spread) {

@@ -27,6 +27,8 @@ TEST(FileKind, IsSeenFromTheContent) {
   EXPECT_EQ(kind(std::string("II*\0 and so on", 14)), "TIFF");
   EXPECT_EQ(kind(std::string("SQLite format 3\0", 16)), "SQLite");
   EXPECT_EQ(kind("ply\nformat ascii 1.0\n"), "PLY");
+  EXPECT_EQ(kind("coordinates = coordinates here + origin, m\norigin 1 2 3\n"),
+            "origin of coordinates");
   EXPECT_EQ(kind("solid rock\nfacet normal 0 0 1\n"), "STL");
   std::string stl(84 + 50 * 2, '\0');
   stl[80] = 2;

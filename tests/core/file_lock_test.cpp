@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "tests/support/as_nobody.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -107,6 +108,31 @@ TEST(FileLock, IsTheSameByEveryNameOfTheFile) {
   fs::create_symlink("real.h5", folder / "link.h5");
   const FileLock held(folder / "link.h5");
   EXPECT_FALSE(refusal([&] { FileLock(folder / "real.h5", {.longest_wait = {}}); }).empty());
+}
+
+TEST(FileLock, LeftByAnotherUserMayBeReadOnly) {
+  const ScratchFolder folder;
+  const fs::path file = folder / "blocks.h5", lock = FileLock::lock_file(file);
+  fs::permissions(folder.path(), fs::perms::all);
+  write_text_file(lock, "");
+  fs::permissions(lock, fs::perms(0444));
+  {
+    const AsNobody nobody;
+    EXPECT_EQ(refusal([&] {
+                const FileLock held(file, {.longest_wait = {}});
+                EXPECT_TRUE(contains(refusal([&] { FileLock(file, {.longest_wait = {}}); }),
+                                     "another program has been writing to it"));
+              }),
+              "");
+  }
+  EXPECT_FALSE(fs::exists(lock));
+  write_text_file(lock, "");
+  fs::permissions(lock, fs::perms::none);
+  const AsNobody nobody;
+  EXPECT_TRUE(contains(refusal([&] { FileLock(file, {.longest_wait = {}}); }),
+                       ".blocks.h5.lock: can't be opened (Permission denied), so "));
+  EXPECT_TRUE(contains(refusal([&] { FileLock(file, {.longest_wait = {}}); }),
+                       "delete this lock file, or have its owner delete it"));
 }
 
 TEST(FileLock, ThatCantBeMadeIsNamed) {

@@ -92,8 +92,10 @@ TEST(Hdf5Checksum, AFileWithoutAnyIsReadAndWithOnlySomeIsNot) {
   EXPECT_EQ(refusal([&] { Hdf5File::open(folder / "a.h5", kFormat, 1).root().group("more"); }), "");
   write_sample(folder / "b.h5");
   ASSERT_NO_FATAL_FAILURE(remove_checksum(folder / "b.h5", "g/few"));
-  EXPECT_TRUE(contains(refusal([&] { content(folder / "b.h5"); }),
-                       "b.h5: /g/few does not agree with its checksum; the file is damaged"));
+  EXPECT_TRUE(
+      contains(refusal([&] { content(folder / "b.h5"); }),
+               "b.h5: /g/few does not agree with its checksum; the file is damaged: restore "
+               "a backup, or make it again"));
 }
 
 TEST(Hdf5Checksum, FollowsEveryChange) {

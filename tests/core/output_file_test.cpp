@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "tests/support/as_nobody.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -77,15 +78,8 @@ TEST(OutputFile, WriteProtectedFilesAreLeftAlone) {
   write_text_file(folder / "a.csv", "old");
   std::filesystem::permissions(folder / "a.csv", std::filesystem::perms(0444));
   std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
-  constexpr uid_t kNobody = 65534;  // root may write to anything
-  const bool root = ::geteuid() == 0;
-  if (root) {
-    ASSERT_EQ(::seteuid(kNobody), 0);
-  }
+  const AsNobody nobody;
   const std::string message = refusal([&] { OutputFile{folder / "a.csv"}; });
-  if (root) {
-    ASSERT_EQ(::seteuid(0), 0);
-  }
   EXPECT_TRUE(contains(message, "a.csv: is write-protected; allow writing to it"));
 }
 
@@ -108,6 +102,49 @@ TEST(OutputFile, OnlyItsOwnKindIsReplacedAndOnlyWhenAsked) {
                          "replaced; give another name, or delete it first"));
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 3);
+}
+
+// As when two programs are told to write the same file, and both found nothing there.
+TEST(OutputFile, WhatAnotherProgramWroteMeanwhileStaysAndTheResultIsKeptBesideIt) {
+  const ScratchFolder folder;
+  const auto written = [&](const std::string& name, const OutputRules& rules, const char* there,
+                           const char* meanwhile) {
+    const std::filesystem::path target = folder / name;
+    if (there) write_text_file(target, there);
+    OutputFile file(target, rules);
+    if (meanwhile) write_text_file(target, meanwhile);
+    file.write("mine");
+    const std::string message = refusal([&] { file.commit(); });
+    return std::pair(message, file.kept());
+  };
+  const OutputRules keep{.kind = "text", .replace = false};
+  const auto [taken, kept] = written("a.csv", keep, nullptr, "theirs");
+  EXPECT_TRUE(contains(taken,
+                       "a.csv: another program wrote it meanwhile, so it is left as it is; the "
+                       "result of this run is in "));
+  EXPECT_EQ(read_text_file(folder / "a.csv"), "theirs");
+  EXPECT_EQ(kept, folder / "a.2.csv");
+  EXPECT_EQ(read_text_file(kept), "mine");
+  EXPECT_TRUE(contains(taken, kept.string()));
+  // An empty file was there at the start; a number is taken.
+  EXPECT_EQ(written("b.csv", keep, "", nullptr), std::pair(std::string(), std::filesystem::path()));
+  write_text_file(folder / "c.2.csv", "of yesterday");
+  EXPECT_EQ(written("c.csv", keep, "", "theirs").second, folder / "c.3.csv");
+  // Found fit by `check_output`, and taken before the result is ready to be written.
+  const OutputRules checked = check_output(folder / "d.csv", keep);
+  EXPECT_EQ(written("d.csv", checked, "theirs", nullptr).second, folder / "d.2.csv");
+  // To be replaced, but by now it is of another kind.
+  EXPECT_EQ(written("e.csv", {.kind = "text"}, "old", "theirs").second, "");
+  EXPECT_EQ(read_text_file(folder / "e.csv"), "mine");
+  EXPECT_EQ(written("f.png", {.kind = "PNG"}, nullptr, "theirs").second, folder / "f.2.png");
+  EXPECT_EQ(read_text_file(folder / "f.png"), "theirs");
+}
+
+TEST(OutputFile, OfTheSameNameHaveDifferentTemporaries) {
+  const ScratchFolder folder;
+  OutputFile one(folder / "a.csv"), two(folder / "a.csv");
+  EXPECT_NE(one.temporary(), two.temporary());
+  EXPECT_EQ(two.temporary().extension(), ".csv");
 }
 
 TEST(OutputFile, RoomIsForeseen) {

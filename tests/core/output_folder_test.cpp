@@ -89,6 +89,34 @@ TEST(OutputFolder, WhatIsNotItsOwnIsLeftAlone) {
   EXPECT_EQ(read_text_file(folder / "own" / "runs.csv"), "old");
 }
 
+// As when two programs are told to write the same folder, and both found nothing there.
+TEST(OutputFolder, WhatAnotherProgramWroteMeanwhileStaysAndTheResultIsKeptBesideIt) {
+  const ScratchFolder folder;
+  fs::create_directory(folder / "empty");
+  write_text_file(folder / "shared" / "notes.txt", "of the user");
+  for (const char* name : {"new", "empty", "shared"}) {
+    OutputFolder mine(folder / name, report(), false);
+    write_text_file(mine.temporary() / "mark.txt", "this is a report");
+    write_text_file(mine.temporary() / "runs.csv", "mine");
+    write(folder / name, "theirs", false);
+    const fs::path kept = folder / (std::string(name) + ".2");
+    const std::string message = refusal([&] { mine.commit(); });
+    EXPECT_TRUE(contains(message, "another program wrote it meanwhile, so it is left as it is"))
+        << name;
+    EXPECT_TRUE(contains(message, kept.string())) << name;
+    EXPECT_EQ(read_text_file(folder / name / "runs.csv"), "theirs");
+    EXPECT_EQ(read_text_file(kept / "runs.csv"), "mine");
+  }
+  EXPECT_EQ(read_text_file(folder / "shared" / "notes.txt"), "of the user");
+  // To be replaced, but by now it is no report.
+  OutputFolder mine(folder / "other", report(), true);
+  write_text_file(mine.temporary() / "runs.csv", "mine");
+  write_text_file(folder / "other" / "runs.csv", "of the user");
+  EXPECT_TRUE(contains(refusal([&] { mine.commit(); }), (folder / "other.2").string()));
+  EXPECT_EQ(read_text_file(folder / "other" / "runs.csv"), "of the user");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 8);
+}
+
 TEST(OutputFolder, MayBeNamedFromWhereOneIs) {
   const ScratchFolder folder;
   const fs::path before = fs::current_path();

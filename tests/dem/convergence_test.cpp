@@ -16,6 +16,7 @@ struct Case {
   ContactLaw law;
   double energy_restitution;
 };
+void PrintTo(const Case& which, std::ostream* out) { *out << which.name; }
 
 /// How long the contact lasts, and how deep it ends.
 std::pair<double, double> contact_end(const Case& which) {

@@ -1,6 +1,7 @@
 // Motion without contact, and where it ends.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -132,6 +133,12 @@ enum class Kind {
   kNearlyPure,
   kBesideUnstable
 };
+void PrintTo(Kind kind, std::ostream* out) {
+  constexpr std::array kNames = {"general",      "first two equal", "last two equal",
+                                 "nearly equal", "sphere",          "pure",
+                                 "nearly pure",  "beside unstable"};
+  *out << kNames.at(static_cast<std::size_t>(kind));
+}
 
 class Attitude : public testing::TestWithParam<Kind> {};
 

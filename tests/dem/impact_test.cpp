@@ -46,6 +46,9 @@ struct Impact {
   double energy_restitution;
   ContactLaw law;
 };
+void PrintTo(const Impact& impact, std::ostream* out) {
+  *out << name_of(impact.law) << ", restitution " << impact.energy_restitution;
+}
 
 class NormalImpact : public testing::TestWithParam<Impact> {};
 

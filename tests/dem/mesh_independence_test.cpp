@@ -1,6 +1,7 @@
 // A surface is what it is however it is cut into triangles.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -135,6 +136,10 @@ TEST(GhostEdges, ConcaveBlockSlidesOnTheSamePathUntilItStops) {
 }
 
 enum class Form { kSphere, kCube, kRock };
+void PrintTo(Form form, std::ostream* out) {
+  constexpr std::array kNames = {"sphere", "cube", "rock"};
+  *out << kNames.at(static_cast<std::size_t>(form));
+}
 class Plane : public testing::TestWithParam<Form> {};
 
 // Through the first five impacts or 5 s, whichever is sooner.

@@ -32,6 +32,7 @@ struct Hit {
   bool peak;
   double offset;  ///< of the centre from the ridge along x, m
 };
+void PrintTo(const Hit& hit, std::ostream* out) { *out << hit.name; }
 
 class SharpRidge : public testing::TestWithParam<Hit> {};
 

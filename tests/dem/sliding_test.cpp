@@ -73,6 +73,9 @@ struct Hold {
   double friction;
   ContactLaw law;
 };
+void PrintTo(const Hold& hold, std::ostream* out) {
+  *out << name_of(hold.law) << ", friction " << hold.friction;
+}
 
 class StaticLimit : public testing::TestWithParam<Hold> {};
 

@@ -35,6 +35,7 @@ struct Cleft {
   const char* name;
   double half_top, half_bottom;
 };
+void PrintTo(const Cleft& cleft, std::ostream* out) { *out << cleft.name; }
 
 class Wedged : public testing::TestWithParam<Cleft> {};
 

@@ -44,6 +44,7 @@ struct Sharing {
   ContactWeights weights;
   double laws;  ///< how many times the full stiffness carries the bridge
 };
+void PrintTo(const Sharing& sharing, std::ostream* out) { *out << name_of(sharing.weights); }
 
 class RestDepth : public testing::TestWithParam<Sharing> {};
 

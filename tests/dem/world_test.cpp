@@ -26,6 +26,9 @@ struct TwoSpheres {
   double second_mass;
   double restitution;  ///< e_n^2
 };
+void PrintTo(const TwoSpheres& spheres, std::ostream* out) {
+  *out << spheres.second_mass << " kg, restitution " << spheres.restitution;
+}
 
 class Spheres : public testing::TestWithParam<TwoSpheres> {};
 

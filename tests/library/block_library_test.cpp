@@ -286,7 +286,8 @@ TEST(BlockLibrary, NumbersThatDoNotFitTheOthersAreRefused) {
   expect([](Block& block) { block.mass.mass *= 1.00001; }, "mass_kg is ");
   expect([](Block& block) { block.density *= 2.0; }, "mass_kg is ");
   expect([](Block& block) { block.principal.moments[0] = 2e-307; },
-         "principal_moments are impossible");
+         "principal_moments are impossible for a solid: the largest exceeds the sum of the others; "
+         "the file is damaged: restore a backup, or make it again");
   expect([](Block& block) { block.principal.moments[2] = 3.1; },
          "principal_moments are impossible");
   expect([](Block& block) { block.principal.moments[0] = 2.2; }, "principal_moments are not posi");

@@ -17,6 +17,7 @@ struct Published {
   double mass;    ///< kg
   Vec3 moments;   ///< principal, kg m^2, ascending
 };
+void PrintTo(const Published& core, std::ostream* out) { *out << core.block; }
 
 class AuthumeCores : public testing::TestWithParam<Published> {
  protected:

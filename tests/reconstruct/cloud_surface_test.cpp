@@ -182,7 +182,8 @@ TEST(CloudSurface, TooFewPointsAndOptionsOutOfRangeAreRefused) {
   EXPECT_TRUE(contains(refusal([] { cloud_surface(std::vector<Vec3>(10, Vec3::Zero())); }),
                        "10 points are too few for a block; at least 500 are needed"));
   const std::vector<Vec3> none;
-  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.cell = 0.0}); }), "cell"));
+  EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.cell = 0.0}); }),
+                       "cell = 0; must be above 0 and at most 0.1"));
   EXPECT_TRUE(contains(refusal([&] { cloud_surface(none, {.trim = 0.0}); }), "trim"));
 }
 

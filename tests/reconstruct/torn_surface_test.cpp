@@ -152,6 +152,28 @@ TEST(LoopFilling, TangentConesHoldTheCapOfABall) {
   EXPECT_GT(cones.above, kPi * cap * cap * (3.0 - cap) / 3.0);
 }
 
+// A sheet that faced inwards was filled seen from the wrong side.
+TEST(TornSurface, TheBoundsOfTheHolesAreThoseOfTheWholeWhicheverWayItFaced) {
+  const CutBlock cut = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 3), 1, 7)[0];
+  TriangleMesh torn = without_triangles(cut.open, 0.08, 5);
+  std::array<double, 2> below{}, above{};
+  for (const bool inward : {false, true}) {
+    if (inward) {
+      for (Triangle& t : torn.triangles) std::swap(t[1], t[2]);
+    }
+    const FieldBlock block = field_blocks(torn, "torn")[0];
+    ASSERT_TRUE(block.underside.has_value());
+    const RepairReport& report = block.scan.report;
+    for (const FilledHole& hole : report.holes) {
+      below[inward] += hole.volume_below;
+      above[inward] += hole.volume_above;
+    }
+    EXPECT_NEAR(below[inward], report.volume_below, 1e-12) << (inward ? "inward" : "outward");
+    EXPECT_NEAR(above[inward], report.volume_above, 1e-12) << (inward ? "inward" : "outward");
+  }
+  EXPECT_GT(std::abs(below[0] - above[0]), 0.1 * below[0]);
+}
+
 class TornRocks : public testing::TestWithParam<double> {};
 
 TEST_P(TornRocks, ComeBackToTheLastVertexAndWithTheirVolume) {

@@ -296,7 +296,7 @@ TEST(Underside, ASurfaceThatFacesInwardsIsRefused) {
   TriangleMesh mesh = open_frustum(0.5, 0.4, 0.6);
   for (TriangleMesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   const std::string message = refusal<GeometryError>([&] { closed_underside(mesh); });
-  EXPECT_TRUE(contains(message, "faces inwards")) << message;
+  EXPECT_TRUE(contains(message, "turn its faces outward")) << message;
 }
 
 TEST(Underside, OptionsOutOfRangeAreNamed) {

@@ -112,6 +112,35 @@ TEST_F(MeshFiles, FloatsFarOutAreWrittenNearAnOriginThatIsTold) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "near.stl.origin.txt"));
 }
 
+TEST_F(MeshFiles, OriginsAreWrittenAsTheirMeshesAre) {
+  const TriangleMesh far = awkward_rock(), near = random_rock(12, 2);
+  const std::filesystem::path mesh = folder_ / "a.stl", origin = folder_ / "a.stl.origin.txt";
+  const MeshOutput keep{.rules = {.kind = "STL", .replace = false}};
+  const MeshOutput replace{.rules = {.kind = "STL"}};
+  write_text_file(origin, "of the user");
+  for (const TriangleMesh& rock : {far, near}) {
+    for (const MeshOutput& output : {MeshOutput{}, keep, replace}) {
+      EXPECT_TRUE(contains(refusal([&] { write_mesh(mesh, rock, output); }),
+                           "a.stl.origin.txt: already exists and holds \"text\""));
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(mesh));
+  std::filesystem::remove(origin);
+  write_mesh(mesh, far, keep);
+  std::filesystem::remove(mesh);
+  EXPECT_TRUE(contains(refusal([&] { write_mesh(mesh, near, keep); }),
+                       "a.stl.origin.txt: already exists, and replace is not set"));
+  write_mesh(mesh, near, replace);
+  EXPECT_FALSE(std::filesystem::exists(origin)) << "is that of another mesh";
+  // Taken by another program meanwhile: what is kept has its origin beside it.
+  MeshOutput checked = keep;
+  checked.rules.checked = true;
+  EXPECT_TRUE(contains(refusal([&] { write_mesh(mesh, far, checked); }), "a.2.stl"));
+  EXPECT_TRUE(contains(read_text_file(folder_ / "a.2.stl.origin.txt"), "origin (8886"));
+  EXPECT_EQ(read_mesh(mesh).triangles.size(), near.triangles.size());
+  EXPECT_FALSE(std::filesystem::exists(origin));
+}
+
 TEST_F(MeshFiles, AByteOrderMarkIsNoPartOfTheFirstLine) {
   for (const auto& [name, text] : {std::pair{"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
                                    std::pair{"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
@@ -376,7 +405,8 @@ TEST_F(MeshFiles, CountsThatTheFileCannotHoldAreRefusedWithoutTheMemory) {
 }
 
 TEST_F(MeshFiles, CutShortIsRefused) {
-  EXPECT_REFUSED("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "cut short");
+  EXPECT_REFUSED("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n",
+                 "it was cut short; copy it again, or export it anew from the program");
   EXPECT_REFUSED("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n", "cut short");
   const std::string ply = binary_ply(false);
   EXPECT_REFUSED("a.ply", ply.substr(0, ply.size() - 3), "cut short");

@@ -219,6 +219,9 @@ TEST(ShpFile, BallsAndCapsulesHaveNoFaces) {
 struct Damage {
   std::string text, line, reason;
 };
+void PrintTo(const Damage& damage, std::ostream* out) {
+  *out << damage.line << (damage.line.empty() ? "" : ": ") << damage.reason;
+}
 
 class DamagedShp : public testing::TestWithParam<Damage> {};
 

@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:6: [terrain] surface = \"grey.stl\": no such file: grey.stl"},
         Refused{"[ground.gray]", "[ground.blue]",
                 "campaign.toml:16: not TOML: Error while parsing table header: cannot redefine "
-                "existing table 'ground.blue'"},
+                "existing table 'ground.blue'; correct this line"},
         Refused{
             "\"turns.txt\"", "\"grid-45\"\nframe = \"source\"",
             "campaign.toml:24: [release] frame = \"source\": the orientations of grid-45 turn the "
@@ -193,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "height_m"},
         Refused{"\"points.xyz\"", "{ polygon = [[0,0],[1,1],[2,2]], count = 4 }\nheight_m = 1",
                 "campaign.toml:22: [release] points polygon = [[0,0],[1,1],[2,2]]: the "
-                "polygon has no area"},
+                "polygon has no area; give three or more corners that are not on one line"},
         Refused{"\"points.xyz\"", "{ line = [[1,2,3],[1,2,3]], count = 4 }",
                 "campaign.toml:22: [release] points line = [[1,2,3],[1,2,3]]: all its points are "
                 "the same, so it has no length"},

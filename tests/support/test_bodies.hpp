@@ -1,6 +1,7 @@
 #pragma once
 /// Bodies and grounds with known properties.
 #include <cmath>
+#include <ostream>
 
 #include "core/random.hpp"
 #include "dem/release.hpp"
@@ -8,6 +9,9 @@
 #include "dem/terrain_surface.hpp"
 
 namespace clast {
+
+/// In the names of tests.
+inline void PrintTo(ContactWeights weights, std::ostream* out) { *out << name_of(weights); }
 
 inline RigidBody ball(double mass, double radius) {
   RigidBody body;

@@ -65,7 +65,7 @@ class Hillshade : public testing::Test {
 TEST_F(Hillshade, ShowsZonesReleasePointsAndBarriersWhereTheyAre) {
   const MapMarks marks{.releases = {Vec2(652003, 5203008)},
                        .barriers = {{Vec2(652015, 5203001), Vec2(652015, 5203009)}}};
-  write_hillshade(folder_ / "map.png", ground(), marks, 1040);
+  write_hillshade(folder_ / "map.png", ground(), marks, {}, 1040);
   const Pixels picture(folder_ / "map.png");
   ASSERT_EQ(picture.width, 1040);
   ASSERT_EQ(picture.height, 540);

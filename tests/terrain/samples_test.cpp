@@ -63,6 +63,7 @@ struct Scan {
   std::string file;
   std::string sneed_folk;
 };
+void PrintTo(const Scan& scan, std::ostream* out) { *out << scan.file; }
 
 class CleanScan : public testing::TestWithParam<Scan> {
  protected:

@@ -23,15 +23,18 @@ class Numbers {
   }
   double next() {
     std::string word;
-    if (!(words_ >> word)) throw InputError(file_.string() + ": cut short");
+    if (!(words_ >> word)) throw InputError(file_.string() + ": cut short; export the model again");
     const std::optional<double> value = number_in(word);
-    if (!value) throw InputError(file_.string() + ": \"" + word + "\" is no number");
+    if (!value) {
+      throw InputError(file_.string() + ": \"" + word + "\" is no number; export the model again");
+    }
     return *value;
   }
   std::size_t count(std::size_t most) {
     const double value = next();
     if (!(value >= 0.0 && value <= static_cast<double>(most))) {
-      throw InputError(file_.string() + ": " + with_digits(value, 9) + " is no count of items");
+      throw InputError(file_.string() + ": " + with_digits(value, 9) +
+                       " is no count of items; export the model again");
     }
     return static_cast<std::size_t>(value);
   }
@@ -54,7 +57,8 @@ std::vector<std::string> names_beside(const std::filesystem::path& file) {
     }
     return names;
   }
-  throw InputError(file.string() + ": list.txt, which names the photos, is not beside it");
+  throw InputError(file.string() +
+                   ": list.txt, which names the photos, is not beside it; put it there");
 }
 
 }  // namespace
@@ -67,7 +71,8 @@ PhotoModel read_bundler(const std::filesystem::path& file, const std::filesystem
   const std::size_t cameras = numbers.count(1000000), points = numbers.count(1000000000);
   if (cameras != names.size()) {
     throw InputError(file.string() + ": " + std::to_string(cameras) +
-                     " cameras, but list.txt has " + std::to_string(names.size()) + " photos");
+                     " cameras, but list.txt has " + std::to_string(names.size()) +
+                     " photos; give the list that belongs to it");
   }
   std::map<std::size_t, std::uint32_t> photo_of;
   for (std::size_t i = 0; i < cameras; ++i) {

@@ -49,7 +49,8 @@ class Bytes {
     if (bytes > text_.size() - at_) refuse();
   }
   [[noreturn]] void refuse() const {
-    throw InputError(path_.string() + ": cut short or damaged at byte " + std::to_string(at_));
+    throw InputError(path_.string() + ": cut short or damaged at byte " + std::to_string(at_) +
+                     "; export the model again");
   }
 
   std::filesystem::path path_;

@@ -6,7 +6,8 @@ namespace clast {
 
 void check_written(bool done, const std::filesystem::path& target, const std::string& what) {
   if (done) return;
-  throw InputError(target.string() + ": can't write " + what + " (" + CPLGetLastErrorMsg() + ")");
+  throw InputError(target.string() + ": can't write " + what + " (" + CPLGetLastErrorMsg() +
+                   "); free some space on the disk or name another place");
 }
 
 OGRSpatialReference reference_of(const std::string& name) {

@@ -14,6 +14,7 @@ struct NamedReader {
   std::string name;
   std::function<FuzzedReader()> make;
 };
+inline void PrintTo(const NamedReader& reader, std::ostream* out) { *out << reader.name; }
 
 std::vector<NamedReader> cloud_and_shape_readers();
 std::vector<NamedReader> table_and_campaign_readers();
