@@ -12,8 +12,9 @@ namespace clast::detail {
 namespace {
 
 constexpr int kNeighbours = 40;  ///< whose planes bound a point's surroundings
-/// A place without any point is wider than this with a chance of one in a thousand. In spacings.
-constexpr double kFarthest = 3.0;
+/// A tip is no longer than this, in spacings: of a slender one few points would lie on that length.
+constexpr double kFarthest = 8.0;
+constexpr double kMostOut = 3.0;    ///< spacings by which noise makes a point stand out at most
 constexpr double kAlong = 0.05;     ///< a plane bounds directions that rise this steeply to it
 constexpr double kLeeway = 2.0;     ///< scatters by which a plane lies farther out than fitted
 constexpr double kStandsOut = 1.0;  ///< ... and by which a point may stand out of its neighbours
@@ -88,7 +89,7 @@ class Margin {
     }
     const LocalSurface::Standing& standing = standings_[v];
     const double out_of = standing.height - kStandsOut * standing.deviation;
-    const double stands_out = std::clamp(out_of, 0.0, kFarthest * known_.spacings[v]);
+    const double stands_out = std::clamp(out_of, 0.0, kMostOut * known_.spacings[v]);
     margin_.inner.push_back(place - (stands_out + noise) * normal);
   }
 
