@@ -58,16 +58,18 @@ UnseenRange unseen_range(const Block& block) {
 std::string described_unseen(const Block& block) {
   const UnseenPart& unseen = *block.unseen;
   const bool metric = !is_unscaled(block);
-  const std::string filled =
-      with_digits(100.0 * unseen.invented_share, 2) + " % of the surface is not seen but filled in";
+  const bool is_open = unseen.invented_share > 0.0;
+  const std::string filled = is_open ? with_digits(100.0 * unseen.invented_share, 2) +
+                                           " % of the surface is not seen but filled in"
+                                     : "the surface is not known exactly";
   const std::optional<double>& upper = unseen.upper_volume;
   if (upper && *upper - unseen.lower_volume < kHardlyOpen * unseen.best_volume) {
-    return "the scan was only slightly open: " + filled + ", which leaves volume" +
+    return (is_open ? "the scan was only slightly open: " : "") + filled + ", which leaves volume" +
            (metric ? " and mass" : "") + " uncertain by less than " +
            with_digits(100.0 * kHardlyOpen, 1) + " %";
   }
   const std::string text =
-      "the scan was open: " + filled + "; " +
+      (is_open ? "the scan was open: " : "") + filled + "; " +
       (upper ? "" : "too much of the block for an upper bound: ") + "volume " +
       range_text(unseen.lower_volume, upper, metric ? "m3" : "cubic model units") + " (best " +
       with_digits(unseen.best_volume, 4) + ")";

@@ -159,9 +159,21 @@ Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) 
   return missed;
 }
 
+/// How much of a surface its points do not explain, as a share of its area.
+double unseen_share(const TriangleMesh& surface, std::span<const Vec3> points, double trim) {
+  const detail::SeenSurface seen =
+      detail::seen_surface(surface, detail::local_spacings(points), trim);
+  double area = 0.0;
+  for (std::size_t t = 0; t < seen.seen.size(); ++t) {
+    if (!seen.seen[t]) area += detail::triangle_area(surface, surface.triangles[t]);
+  }
+  return area / surface_area(surface);
+}
+
 /// The surface through the points with their noise smoothed; of those that normals of few and of
 /// many neighbours give, the first that is as good as a surface, or the best.
-Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbours) {
+/// @param trim  as `CloudSurfaceOptions::trim`
+Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbours, double trim) {
   Body best;
   Missed missed;
   double least = std::numeric_limits<double>::infinity();
@@ -174,11 +186,13 @@ Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbou
     find_surface(body, detail::local_spacings(body.points));
     const Missed left = missed_points(body.surface, points);
     const double defects = touching_share(body.surface) + left.share;
-    if (defects >= least) continue;
-    least = defects;
+    // Where normals are wrong the surface may also span what it should follow.
+    const double worse = defects + unseen_share(body.surface, body.points, trim);
+    if (worse >= least) continue;
+    least = worse;
     missed = left;
     best = std::move(body);
-    if (least <= kGood) break;
+    if (defects <= kGood) break;
   }
   if (missed.share > kMostMissed) {
     throw GeometryError("the surface misses " + std::to_string(missed.count) + " of the " +
@@ -241,7 +255,7 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   const bool dense = cell > kSpacings * detail::spacing(points);
   const Body body = body_through(
       dense ? detail::thinned(points, cell) : std::vector<Vec3>(points.begin(), points.end()),
-      dense ? std::span<const int>(kManyFirst) : std::span<const int>(kFewFirst));
+      dense ? std::span<const int>(kManyFirst) : std::span<const int>(kFewFirst), options.trim);
   const std::vector<double> spacings = detail::local_spacings(body.points);
   const detail::SeenSurface seen = detail::seen_surface(body.surface, spacings, options.trim);
   TriangleMesh open = detail::with_triangles(body.surface, seen.seen);

@@ -21,12 +21,17 @@ constexpr double kMostByFlanks = 1.5, kMostOnFloor = 2.0;
 /// surface, and of blocks in general enough for a part that no flank announces.
 constexpr double kLargestFilms = 0.2;
 constexpr double kLeastLeft = 0.5;  ///< of the volume, by a film that is dented
-/// The planes are moved out by so much more of their slack where sides are bounded: a corner that
-/// stands out is seen in them and hardly in the volume.
-constexpr double kSideSlack = 0.5;
+/// The planes are moved out by so many slacks where sides are bounded: a corner that stands out is
+/// seen in them and hardly in the volume.
+constexpr double kSideSlacks = 1.5;
+/// The slack holds for films that are as wide as this share of the root of the body's area.
+constexpr double kSlackWidth = 0.1;
+/// What a small film hides is no longer than so many of its widths, also where no flank ends it.
+constexpr double kLongest = 3.0;
 constexpr double kFarthest = 10.0;  ///< of what is behind a film, against the film from the middle
 constexpr double kSmallFilm = 0.2;  ///< width against the root of the body's area
-constexpr double kBefore = 0.25;    ///< a film is looked through from so many roots of its area
+constexpr double kNearFilm = 3.0;   ///< widths from its middle within which places are behind it
+constexpr double kBefore = 1.0;    ///< a film is looked through from so many of its widths
 
 struct Middle {
   Vec3 place = Vec3::Zero();
@@ -80,6 +85,9 @@ struct Film {
   TriangleMesh mesh;  ///< with all vertices of the surface
   Vec3 vector_area = Vec3::Zero(), centre = Vec3::Zero();
   double area = 0.0;
+
+  double width() const { return std::sqrt(area); }
+  bool faces() const { return vector_area.norm() > 0.0; }  ///< has a way that it faces
 };
 
 std::vector<Film> films_of(const Parted& parts) {
@@ -109,12 +117,22 @@ std::vector<Film> films_of(const Parted& parts) {
 /// What may lie behind all films together.
 class Behind {
  public:
-  Behind(const std::vector<Film>& films, const Vec3& middle) : films_(films), middle_(middle) {}
+  Behind(const std::vector<Film>& films, const FlankPlanes& flanks,
+         const std::optional<Plane>& floor, const Middle& middle, double size)
+      : films_(films), flanks_(flanks), floor_(floor), middle_(middle), size_(size) {}
 
-  std::optional<EnclosedSpace> within(const std::vector<Plane>& planes) const {
+  /// What a film may be dented by, or stand out over the planes of the flanks: roughness grows with
+  /// the width over which it is looked at, and was measured over patches.
+  double slack(const Film& film) const {
+    return flanks_.slack * std::min(1.0, film.width() / (kSlackWidth * size_));
+  }
+
+  /// @param slacks  by which the planes lie outside of what was seen
+  std::optional<EnclosedSpace> within(double slacks) const {
     EnclosedSpace all;
     for (const Film& film : films_) {
-      const double farthest = kFarthest * (film.centre - middle_).norm();
+      const std::vector<Plane> planes = planes_behind(film, slacks);
+      const double farthest = kFarthest * (film.centre - middle_.place).norm();
       const auto space = enclosed_space(film.mesh, place_before(film, planes), planes, farthest);
       if (!space) return std::nullopt;
       all.volume += space->volume;
@@ -124,36 +142,53 @@ class Behind {
   }
 
  private:
+  std::vector<Plane> planes_behind(const Film& film, double slacks) const {
+    std::vector<Plane> planes = flanks_.planes;
+    for (Plane& plane : planes) plane.distance += slacks * slack(film) - flanks_.slack;
+    if (floor_) planes.push_back({-floor_->normal, -floor_->distance});
+    if (film.width() < kSmallFilm * size_ && film.faces()) {
+      const Vec3 out = film.vector_area.normalized();
+      planes.push_back({out, out.dot(film.centre) + kLongest * film.width()});
+    }
+    return planes;
+  }
+
   /// From close before a film more of what lies beyond its rim is seen through it: of a concave
   /// body that may widen behind the film.
   Vec3 place_before(const Film& film, const std::vector<Plane>& planes) const {
-    if (!(film.vector_area.norm() > 0.0)) return middle_;
-    const Vec3 place = film.centre - kBefore * std::sqrt(film.area) * film.vector_area.normalized();
+    if (!film.faces()) return middle_.place;
+    const Vec3 place = film.centre - kBefore * film.width() * film.vector_area.normalized();
     const bool within = std::all_of(planes.begin(), planes.end(),
                                     [&](const Plane& plane) { return plane.height(place) < 0.0; });
-    return within ? place : middle_;
+    return within ? place : middle_.place;
   }
 
   const std::vector<Film>& films_;
-  Vec3 middle_;
+  const FlankPlanes& flanks_;
+  const std::optional<Plane>& floor_;
+  const Middle& middle_;
+  double size_;
 };
 
-/// Behind a small film a tip may stand that no flank announces, as much farther out than the planes
-/// of the flanks as the film is wide; the less so, the larger the film is.
+/// Where the flanks around a small film draw together, a tip may stand behind it that is more
+/// slender than they announce: up to twice as far out as their planes meet, by no more than the
+/// film is wide, and the less the larger the film is.
 /// @param places  behind the films
-/// @param size    root of the area of the body, m
-void add_tips(std::vector<Vec3>& places, const std::vector<Film>& films, double size) {
+void add_tips(std::vector<Vec3>& places, const std::vector<Film>& films, const Behind& behind,
+              double size) {
   const std::size_t count = places.size();
   for (const Film& film : films) {
-    const double width = std::sqrt(film.area);
-    if (!(film.vector_area.norm() > 0.0) || width >= kSmallFilm * size) continue;
+    const double width = film.width(), share = width / (kSmallFilm * size);
+    if (!film.faces() || share >= 1.0) continue;
     const Vec3 out = film.vector_area.normalized();
     double reach = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 from = places[i] - film.centre;
-      if (from.norm() < 3.0 * width) reach = std::max(reach, out.dot(from));
+      if (from.norm() < kNearFilm * width) reach = std::max(reach, out.dot(from));
     }
-    places.push_back(film.centre + (reach + width * (1.0 - width / (kSmallFilm * size))) * out);
+    const double drawn = reach - kSideSlacks * behind.slack(film);
+    const double further = std::clamp(drawn, 0.0, width) * (1.0 - share);
+    if (further > 0.0) places.push_back(film.centre + (reach + further) * out);
   }
 }
 
@@ -177,24 +212,21 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
   if (surface.first < closed.triangles.size()) {
     const FlankPlanes flanks = flank_planes(surface.closed, surface.first, surface.rims);
     const std::vector<Film> films = films_of(surface);
-    for (const Film& film : films) bounds.lower_volume -= flanks.slack * film.area;
-    const Behind behind(films, middle.place);
-    const auto space_within = [&](double further) {
-      std::vector<Plane> planes = flanks.planes;
-      for (Plane& plane : planes) plane.distance += further;
-      if (parts.floor) planes.push_back({-parts.floor->normal, -parts.floor->distance});
-      return behind.within(planes);
-    };
+    const double area = surface_area(closed), size = std::sqrt(area);
+    const Behind behind(films, flanks, parts.floor, middle, size);
     double hidden = 0.0;
-    for (const Film& film : films) hidden += film.area;
-    const bool too_large = !parts.floor && hidden > kLargestFilms * surface_area(closed);
-    const std::optional<EnclosedSpace> space = space_within(0.0);
-    const std::optional<EnclosedSpace> wider = space_within(kSideSlack * flanks.slack);
+    for (const Film& film : films) {
+      bounds.lower_volume -= behind.slack(film) * film.area;
+      hidden += film.area;
+    }
+    const bool too_large = !parts.floor && hidden > kLargestFilms * area;
+    const std::optional<EnclosedSpace> space = behind.within(1.0);
+    const std::optional<EnclosedSpace> wider = behind.within(kSideSlacks);
     const double most = parts.floor ? kMostOnFloor : kMostByFlanks;
     if (!too_large && space && wider && middle.volume + space->volume <= most * middle.volume) {
       *bounds.upper_volume += space->volume;
       beyond = wider->places;
-      add_tips(beyond, films, std::sqrt(surface_area(closed)));
+      add_tips(beyond, films, behind, size);
     } else {
       bounds.upper_volume.reset();
     }

@@ -115,6 +115,15 @@ TEST(UnseenRange, IsToldInWords) {
             "and 1.2 cubic model units (best 1)");
 }
 
+TEST(UnseenRange, OfAScanThatWasNotOpenSaysSo) {
+  Block block = half_seen();
+  block.unseen->invented_share = 0.0;  // points that lie apart, or two copies of the surface
+  EXPECT_EQ(
+      described_unseen(block),
+      "the surface is not known exactly; volume between 0.9 and 1.2 m3 (best 1), mass between "
+      "2250 and 3000 kg");
+}
+
 TEST(UnseenRange, ThatMattersToNobodyIsToldAsSuch) {
   Block block = half_seen();
   block.unseen->invented_share = 5e-4;

@@ -137,9 +137,9 @@ TEST(ReliabilityJudge, OnlyAPlainRefusalIsOne) {
 }
 
 TEST(ReliabilityTable, CountsWhatWasJudged) {
-  const Judged right{"a", "1 %", "", {Outcome::kRight, "", {}, false}};
-  const Judged wide{"a", "2 %", "", {Outcome::kBracketed, "", 0.3, true}};
-  const Judged wrong{"b", "", "", {Outcome::kWrong, "", 0.5, true}};
+  const Judged right{"a", "1 %", "", {Outcome::kRight, "", {}, ""}};
+  const Judged wide{"a", "2 %", "", {Outcome::kBracketed, "", 0.3, "L"}};
+  const Judged wrong{"b", "", "", {Outcome::kWrong, "", 0.5, "I"}};
   const std::string kinds = markdown_table({right, wide, wrong}, false);
   EXPECT_NE(kinds.find("| a | 2 | 1 | 1 | 0 | 0 | 30.0 % | 1 |"), std::string::npos) << kinds;
   EXPECT_NE(kinds.find("| b | 1 | 0 | 0 | 0 | 1 | - | 1 |"), std::string::npos) << kinds;
