@@ -37,8 +37,8 @@ struct AxesRange {
   Axes lower, upper;
 };
 
-/// What is not known of a block because nobody saw a part of its surface: the side it lies on. The
-/// block is made of the likeliest shape (reconstruct/underside.hpp).
+/// What is not known of a block: the side it lies on, what lies behind filled holes and between
+/// points. The block is made of the likeliest shape (reconstruct/block_bounds.hpp).
 struct UnseenPart {
   double lower_volume = 0.0;  ///< m^3
   double best_volume = 0.0;   ///< m^3, of the closed scan the block was made from
@@ -63,7 +63,7 @@ struct Block {
   OrientedBox box;      ///< smallest box of the rounded body
   Deviation deviation;  ///< rounded body against the whole scan; zero for a core
   bool from_core = false;
-  std::optional<UnseenPart> unseen;  ///< none: the scan was closed, or nearly
+  std::optional<UnseenPart> unseen;  ///< none: the scan leaves nothing to speak of open
   std::vector<std::string> warnings;
   FieldNotes field;
 

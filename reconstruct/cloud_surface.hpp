@@ -41,7 +41,7 @@ struct CloudSurface {
 /// @param points  of one block, in any unit of length
 /// @throws InputError     too few points
 /// @throws GeometryError  the points lie in a plane or on a line, or no surface was found
-/// @cite hoppe1992 @cite kazhdan2006 @cite levin2004 @cite amenta1999
+/// @cite hoppe1992 @cite kazhdan2006 @cite levin2004 @cite amenta1999 @cite richardson1911
 CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptions& options = {});
 
 }  // namespace clast

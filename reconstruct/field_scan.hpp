@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks out of field scans: ground taken away, underside bracketed.
+/// Blocks out of field scans: ground taken away, underside closed, and what is left open bounded.
 #include <filesystem>
 #include <optional>
 #include <string>

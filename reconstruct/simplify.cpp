@@ -38,6 +38,8 @@ constexpr int kUntanglings = 20;
 constexpr double kMostRefill = 2.0;
 /// And so much of its volume may change: the body that is made of it is scaled to the scan's.
 constexpr double kRefillVolume = 0.01;
+/// Triangles at one vertex of a surface that is thinned within seconds.
+constexpr std::uint32_t kMostAround = 500;
 
 /// Edges of a closed mesh with `vertices` vertices: V - E + F = chi and 3 F = 2 E.
 std::size_t edges_of(std::size_t vertices, long euler) {
@@ -92,6 +94,21 @@ std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origi
   return std::move(freed->mesh);
 }
 
+/// The cost of collapsing the edges of a fan grows with the third power of its triangles.
+void refuse_wide_fan(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> around(mesh.vertices.size(), 0);
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) ++around[v];
+  }
+  const auto most = std::max_element(around.begin(), around.end());
+  if (*most <= kMostAround) return;
+  throw GeometryError(std::to_string(*most) + " triangles meet at one vertex, near " +
+                      place(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
+                      ": to thin such a fan takes hours; remesh the surface with triangles of even "
+                      "size first (isotropic remeshing), or ask for " +
+                      std::to_string(mesh.vertices.size()) + " vertices, which keeps all of them");
+}
+
 }  // namespace
 
 void SimplifyOptions::check() const {
@@ -108,6 +125,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
     throw GeometryError("only a closed surface can be thinned, this one has " + report.summary());
   }
   if (mesh.vertices.size() <= options.target_vertices) return mesh;
+  refuse_wide_fan(mesh);
 
   // About the middle of the block, or map coordinates would cost digits.
   const Bounds box = bounds(mesh);

@@ -80,7 +80,7 @@ struct Underside {
 /// unseen part: the upper volume fills the space between the films and these planes, moved out by
 /// what the seen surface stands out over its own tangent planes, down to the ground where one is
 /// known. Where it is known what was looked through, the upper volume is no larger than all that
-/// was not. Where that leaves more than half as much again as was seen (as much again above a
+/// was not. Where that leaves more than a third as much again as was seen (as much again above a
 /// ground), there is no upper volume. See docs/theory.md for the best guess, and for what was
 /// measured.
 ///

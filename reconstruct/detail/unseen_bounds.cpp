@@ -13,13 +13,11 @@ namespace clast::detail {
 
 namespace {
 
-/// Largest upper volume against what is closed by films: a third of the block may be unseen where
+/// Largest upper volume against what is closed by films: a quarter of the block may be unseen where
 /// the flanks alone bound it, half of it where a floor does. Beyond, planes of the flanks meet so
-/// far from what was seen that a small error of theirs moves the bound by tenths of the volume.
-constexpr double kMostByFlanks = 1.5, kMostOnFloor = 2.0;
-/// Films with more than this share of the closed surface hide more than a quarter of a ball's
-/// surface, and of blocks in general enough for a part that no flank announces.
-constexpr double kLargestFilms = 0.2;
+/// far from what was seen that a small error of theirs moves the bound by tenths of the volume, and
+/// a part that no flank announces becomes likely.
+constexpr double kMostByFlanks = 4.0 / 3.0, kMostOnFloor = 2.0;
 constexpr double kLeastLeft = 0.5;  ///< of the volume, by a film that is dented
 /// The planes are moved out by so many slacks where sides are bounded: a corner that stands out is
 /// seen in them and hardly in the volume.
@@ -31,7 +29,7 @@ constexpr double kLongest = 3.0;
 constexpr double kFarthest = 10.0;  ///< of what is behind a film, against the film from the middle
 constexpr double kSmallFilm = 0.2;  ///< width against the root of the body's area
 constexpr double kNearFilm = 3.0;   ///< widths from its middle within which places are behind it
-constexpr double kBefore = 1.0;    ///< a film is looked through from so many of its widths
+constexpr double kBefore = 1.0;     ///< a film is looked through from so many of its widths
 
 struct Middle {
   Vec3 place = Vec3::Zero();
@@ -212,18 +210,13 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
   if (surface.first < closed.triangles.size()) {
     const FlankPlanes flanks = flank_planes(surface.closed, surface.first, surface.rims);
     const std::vector<Film> films = films_of(surface);
-    const double area = surface_area(closed), size = std::sqrt(area);
+    const double size = std::sqrt(surface_area(closed));
     const Behind behind(films, flanks, parts.floor, middle, size);
-    double hidden = 0.0;
-    for (const Film& film : films) {
-      bounds.lower_volume -= behind.slack(film) * film.area;
-      hidden += film.area;
-    }
-    const bool too_large = !parts.floor && hidden > kLargestFilms * area;
+    for (const Film& film : films) bounds.lower_volume -= behind.slack(film) * film.area;
     const std::optional<EnclosedSpace> space = behind.within(1.0);
     const std::optional<EnclosedSpace> wider = behind.within(kSideSlacks);
     const double most = parts.floor ? kMostOnFloor : kMostByFlanks;
-    if (!too_large && space && wider && middle.volume + space->volume <= most * middle.volume) {
+    if (space && wider && middle.volume + space->volume <= most * middle.volume) {
       *bounds.upper_volume += space->volume;
       beyond = wider->places;
       add_tips(beyond, films, behind, size);
