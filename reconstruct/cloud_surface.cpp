@@ -45,7 +45,7 @@ constexpr double kFlat = 1e-3;
 /// The volume is uncertain by so many times what halves of the points lack, by so many times what
 /// the halves differ by, and by this share of the noise on all of the area.
 constexpr double kSafety = 2.5, kScatters = 2.0, kNoiseShare = 0.25;
-constexpr double kExtremes = 1.5;  ///< standard deviations of the noise
+constexpr double kExtremes = 2.0;  ///< standard deviations of the noise
 constexpr std::uint64_t kSeed = 1;
 
 /// Standard deviation of the points about the plane, and about the line, that fits them best, m.

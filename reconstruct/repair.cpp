@@ -28,6 +28,8 @@ constexpr double kIslandArea = 0.05;
 constexpr double kDoubleSheet = 0.02;
 /// Welds tried on an open surface, as multiples of the tolerance, while each halves its borders.
 constexpr double kWelds[] = {1.0, 10.0, 100.0};
+/// ... and joins no more vertices than so many for each open edge.
+constexpr std::size_t kJoinedPerOpenEdge = 2;
 /// Volume over diagonal cubed below which a surface encloses nothing: a folded sheet.
 constexpr double kNoVolume = 1e-9;
 /// Above this many diagonals from the origin, the work is done about a nearer one.
@@ -119,7 +121,10 @@ class Route {
       const std::size_t before = report_.as_read.boundary_edges;
       const bool better =
           multiple == 1.0 ? report.boundary_edges < before : 2 * report.boundary_edges < before;
-      if (report.triangles == 0 || !(report.closed() || better)) continue;
+      // Vertices that lie close together because the mesh is fine are not torn apart.
+      const bool only_borders = multiple == 1.0 || mesh_.vertices.size() - joined.vertices.size() <=
+                                                       kJoinedPerOpenEdge * before;
+      if (report.triangles == 0 || !only_borders || !(report.closed() || better)) continue;
       mesh_ = std::move(joined);
       report_.as_read = report;
       tolerance = trial;

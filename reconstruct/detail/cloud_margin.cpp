@@ -18,7 +18,7 @@ constexpr double kMostOut = 3.0;    ///< spacings by which noise makes a point s
 constexpr double kAlong = 0.05;     ///< a plane bounds directions that rise this steeply to it
 constexpr double kLeeway = 2.0;     ///< scatters by which a plane lies farther out than fitted
 constexpr double kStandsOut = 1.0;  ///< ... and by which a point may stand out of its neighbours
-constexpr double kNoise = 0.5;      ///< standard deviations of the noise by which places are off
+constexpr double kNoise = 1.0;      ///< standard deviations of the noise by which places are off
 
 class Margin {
  public:
