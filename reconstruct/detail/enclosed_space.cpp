@@ -87,15 +87,13 @@ class Space {
 
 }  // namespace
 
-std::optional<EnclosedSpace> enclosed_space(const TriangleMesh& film, const Vec3& centre,
+std::optional<EnclosedSpace> enclosed_space(std::span<const Corners> film, const Vec3& centre,
                                             std::span<const Plane> planes, double farthest) {
   Space space(centre, planes, farthest);
-  for (const TriangleMesh::Triangle& t : film.triangles) {
+  for (const Corners& triangle : film) {
     if (!space.bounded()) break;
     std::array<Carried, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = space.carried(film.vertices[t[k]] - centre);
-    }
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = space.carried(triangle[k] - centre);
     space.add(corners[0], corners[1], corners[2], kDepth);
   }
   if (!space.bounded()) return std::nullopt;

@@ -1,14 +1,15 @@
 #pragma once
 /// The space between a film and planes behind it.
-#include <cstddef>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "reconstruct/underside.hpp"
-#include "shapes/triangle_mesh.hpp"
 
 namespace clast::detail {
+
+using Corners = std::array<Vec3, 3>;  ///< of a triangle, m
 
 /// What may lie behind a film, seen from a place within the body.
 struct EnclosedSpace {
@@ -20,7 +21,7 @@ struct EnclosedSpace {
 /// @param centre    a place within all half-spaces n . p <= d, before the film
 /// @param farthest  m
 /// @returns none where a way through the film leads farther than `farthest`
-std::optional<EnclosedSpace> enclosed_space(const TriangleMesh& film, const Vec3& centre,
+std::optional<EnclosedSpace> enclosed_space(std::span<const Corners> film, const Vec3& centre,
                                             std::span<const Plane> planes, double farthest);
 
 }  // namespace clast::detail

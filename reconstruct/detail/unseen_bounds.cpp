@@ -28,7 +28,6 @@ constexpr double kSlackWidth = 0.1;
 constexpr double kLongest = 3.0;
 constexpr double kFarthest = 10.0;  ///< of what is behind a film, against the film from the middle
 constexpr double kSmallFilm = 0.2;  ///< width against the root of the body's area
-constexpr double kNearFilm = 3.0;   ///< widths from its middle within which places are behind it
 constexpr double kBefore = 1.0;     ///< a film is looked through from so many of its widths
 
 struct Middle {
@@ -80,7 +79,7 @@ Parted parted(const TriangleMesh& closed, const std::vector<bool>& film) {
 
 /// One connected film.
 struct Film {
-  TriangleMesh mesh;  ///< with all vertices of the surface
+  std::vector<Corners> triangles;
   Vec3 vector_area = Vec3::Zero(), centre = Vec3::Zero();
   double area = 0.0;
 
@@ -100,13 +99,12 @@ std::vector<Film> films_of(const Parted& parts) {
     const auto& [a, b, c] = all.triangles[t];
     const Vec3 &p = all.vertices[a], &q = all.vertices[b], &r = all.vertices[c];
     const Vec3 area = 0.5 * (q - p).cross(r - p);
-    film.mesh.triangles.push_back(all.triangles[t]);
+    film.triangles.push_back({p, q, r});
     film.vector_area += area;
     film.area += area.norm();
     film.centre += area.norm() * (p + q + r) / 3.0;
   }
   for (Film& film : films) {
-    film.mesh.vertices = all.vertices;
     if (film.area > 0.0) film.centre /= film.area;
   }
   return films;
@@ -125,18 +123,21 @@ class Behind {
     return flanks_.slack * std::min(1.0, film.width() / (kSlackWidth * size_));
   }
 
+  /// What films of no area hide is nothing.
   /// @param slacks  by which the planes lie outside of what was seen
-  std::optional<EnclosedSpace> within(double slacks) const {
-    EnclosedSpace all;
-    for (const Film& film : films_) {
+  /// @returns for each film; none where one of them is not bounded
+  std::optional<std::vector<EnclosedSpace>> within(double slacks) const {
+    std::vector<EnclosedSpace> spaces(films_.size());
+    for (std::size_t i = 0; i < films_.size(); ++i) {
+      const Film& film = films_[i];
+      if (!(film.area > 0.0)) continue;
       const std::vector<Plane> planes = planes_behind(film, slacks);
       const double farthest = kFarthest * (film.centre - middle_.place).norm();
-      const auto space = enclosed_space(film.mesh, place_before(film, planes), planes, farthest);
+      auto space = enclosed_space(film.triangles, place_before(film, planes), planes, farthest);
       if (!space) return std::nullopt;
-      all.volume += space->volume;
-      all.places.insert(all.places.end(), space->places.begin(), space->places.end());
+      spaces[i] = std::move(*space);
     }
-    return all;
+    return spaces;
   }
 
  private:
@@ -171,23 +172,23 @@ class Behind {
 /// Where the flanks around a small film draw together, a tip may stand behind it that is more
 /// slender than they announce: up to twice as far out as their planes meet, by no more than the
 /// film is wide, and the less the larger the film is.
-/// @param places  behind the films
-void add_tips(std::vector<Vec3>& places, const std::vector<Film>& films, const Behind& behind,
-              double size) {
-  const std::size_t count = places.size();
-  for (const Film& film : films) {
-    const double width = film.width(), share = width / (kSmallFilm * size);
-    if (!film.faces() || share >= 1.0) continue;
-    const Vec3 out = film.vector_area.normalized();
-    double reach = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 from = places[i] - film.centre;
-      if (from.norm() < kNearFilm * width) reach = std::max(reach, out.dot(from));
-    }
-    const double drawn = reach - kSideSlacks * behind.slack(film);
-    const double further = std::clamp(drawn, 0.0, width) * (1.0 - share);
-    if (further > 0.0) places.push_back(film.centre + (reach + further) * out);
-  }
+/// @param space  behind the film
+/// @param slack  of the planes that its places lie on, m
+/// @param size   root of the area of the body, m
+void add_tip(EnclosedSpace& space, const Film& film, double slack, double size) {
+  const double width = film.width(), share = width / (kSmallFilm * size);
+  if (!film.faces() || share >= 1.0) return;
+  const Vec3 out = film.vector_area.normalized();
+  double reach = 0.0;
+  for (const Vec3& place : space.places) reach = std::max(reach, out.dot(place - film.centre));
+  const double further = std::clamp(reach - slack, 0.0, width) * (1.0 - share);
+  if (further > 0.0) space.places.push_back(film.centre + (reach + further) * out);
+}
+
+double sum_of_volumes(const std::vector<EnclosedSpace>& spaces) {
+  double volume = 0.0;
+  for (const EnclosedSpace& space : spaces) volume += space.volume;
+  return volume;
 }
 
 std::vector<Vec3> seen_points(const Parted& parts) {
@@ -213,13 +214,16 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
     const double size = std::sqrt(surface_area(closed));
     const Behind behind(films, flanks, parts.floor, middle, size);
     for (const Film& film : films) bounds.lower_volume -= behind.slack(film) * film.area;
-    const std::optional<EnclosedSpace> space = behind.within(1.0);
-    const std::optional<EnclosedSpace> wider = behind.within(kSideSlacks);
+    const auto spaces = behind.within(1.0);
+    auto wider = behind.within(kSideSlacks);
     const double most = parts.floor ? kMostOnFloor : kMostByFlanks;
-    if (space && wider && middle.volume + space->volume <= most * middle.volume) {
-      *bounds.upper_volume += space->volume;
-      beyond = wider->places;
-      add_tips(beyond, films, behind, size);
+    const double added = spaces ? sum_of_volumes(*spaces) : 0.0;
+    if (spaces && wider && middle.volume + added <= most * middle.volume) {
+      *bounds.upper_volume += added;
+      for (std::size_t i = 0; i < films.size(); ++i) {
+        add_tip((*wider)[i], films[i], kSideSlacks * behind.slack(films[i]), size);
+        beyond.insert(beyond.end(), (*wider)[i].places.begin(), (*wider)[i].places.end());
+      }
     } else {
       bounds.upper_volume.reset();
     }
