@@ -78,7 +78,8 @@ TEST(UndersidePoses, SixtyPosesOfThreeRocks) {
   }
   tally.print();
   EXPECT_EQ(tally.poses, 60);
-  EXPECT_GE(tally.bracketed, 50);                // of the others the walls hardly narrow
+  // Of the others the walls hardly narrow, or more than a quarter may be unseen.
+  EXPECT_GE(tally.bracketed, 45);
   EXPECT_GE(tally.inside, tally.bracketed - 1);  // by 0.02 % of the volume
   EXPECT_LT(tally.worst_miss, 0.005);
   ASSERT_GE(tally.widths[1].size(), 10u);
