@@ -45,7 +45,8 @@ constexpr double kFlat = 1e-3;
 /// The volume is uncertain by so many times what halves of the points lack, by so many times what
 /// the halves differ by, and by this share of the noise on all of the area.
 constexpr double kSafety = 2.5, kScatters = 2.0, kNoiseShare = 0.25;
-constexpr double kExtremes = 2.0;  ///< standard deviations of the noise
+/// Standard deviations of the noise by which each end of each side may be off.
+constexpr double kExtremes = 2.0;
 constexpr std::uint64_t kSeed = 1;
 
 /// Standard deviation of the points about the plane, and about the line, that fits them best, m.
@@ -80,6 +81,8 @@ struct Body {
   std::size_t off = 0;                           ///< points left out, which lay off the surface
   double noise = 0.0;                            ///< standard deviation that was smoothed away, m
   std::unique_ptr<detail::Indicator> indicator;  ///< that gave the surface
+  std::vector<double> spacings;                  ///< of the points, m
+  detail::SeenSurface seen;                      ///< which part of the surface the points explain
 };
 
 [[noreturn]] void refuse_no_surface(std::size_t points) {
@@ -159,15 +162,13 @@ Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) 
   return missed;
 }
 
-/// How much of a surface its points do not explain, as a share of its area.
-double unseen_share(const TriangleMesh& surface, std::span<const Vec3> points, double trim) {
-  const detail::SeenSurface seen =
-      detail::seen_surface(surface, detail::local_spacings(points), trim);
+/// How much of the surface the points do not explain, as a share of its area.
+double unseen_share(const Body& body) {
   double area = 0.0;
-  for (std::size_t t = 0; t < seen.seen.size(); ++t) {
-    if (!seen.seen[t]) area += detail::triangle_area(surface, surface.triangles[t]);
+  for (std::size_t t = 0; t < body.seen.seen.size(); ++t) {
+    if (!body.seen.seen[t]) area += detail::triangle_area(body.surface, body.surface.triangles[t]);
   }
-  return area / surface_area(surface);
+  return area / surface_area(body.surface);
 }
 
 /// The surface through the points with their noise smoothed; of those that normals of few and of
@@ -178,16 +179,18 @@ Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbou
   Missed missed;
   double least = std::numeric_limits<double>::infinity();
   for (const int count : neighbours) {
-    Body body{points, detail::plane_normals(points, count), {}, 0, 0.0, {}};
+    Body body{points, detail::plane_normals(points, count), {}, 0, 0.0, {}, {}, {}};
     detail::turn_outward(body.normals, body.points);
     find_surface(body);
     remove_off_surface(body);
     smooth(body);
-    find_surface(body, detail::local_spacings(body.points));
+    body.spacings = detail::local_spacings(body.points);
+    find_surface(body, body.spacings);
+    body.seen = detail::seen_surface(body.surface, body.spacings, trim);
     const Missed left = missed_points(body.surface, points);
     const double defects = touching_share(body.surface) + left.share;
     // Where normals are wrong the surface may also span what it should follow.
-    const double worse = defects + unseen_share(body.surface, body.points, trim);
+    const double worse = defects + unseen_share(body);
     if (worse >= least) continue;
     least = worse;
     missed = left;
@@ -256,8 +259,7 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   const Body body = body_through(
       dense ? detail::thinned(points, cell) : std::vector<Vec3>(points.begin(), points.end()),
       dense ? std::span<const int>(kManyFirst) : std::span<const int>(kFewFirst), options.trim);
-  const std::vector<double> spacings = detail::local_spacings(body.points);
-  const detail::SeenSurface seen = detail::seen_surface(body.surface, spacings, options.trim);
+  const detail::SeenSurface& seen = body.seen;
   TriangleMesh open = detail::with_triangles(body.surface, seen.seen);
   detail::cut_touching_edges(open);
   detail::split_pinched_vertices(open);
@@ -267,7 +269,8 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
                         " points; check that all lie on the surface of one block, and clean the "
                         "cloud in CloudCompare");
   }
-  SurfaceMargin margin = detail::cloud_margin(body.surface, {body.normals, spacings, body.noise});
+  SurfaceMargin margin =
+      detail::cloud_margin(body.surface, {body.normals, body.spacings, body.noise});
   add_volumes(margin, body);
   return {std::move(open), std::move(margin), body.off, seen.gaps, seen.gap_share, seen.gap_place};
 }

@@ -56,20 +56,11 @@ TriangleMesh beheaded(TriangleMesh mesh, double height) {
 
 TEST(Repair, AHoleInAFineMeshJoinsNoVertices) {
   // Edges are 0.0005 of the diagonal: within the widest weld.
-  TriangleMesh spindle;
-  constexpr std::uint32_t kAround = 4000;
-  spindle.vertices = {Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)};
-  for (std::uint32_t i = 0; i < kAround; ++i) {
-    const double turn = 2.0 * kPi * i / kAround;
-    spindle.vertices.emplace_back(std::cos(turn), std::sin(turn), 0.0);
-    const std::uint32_t here = 2 + i, next = 2 + (i + 1) % kAround;
-    spindle.triangles.push_back({0, here, next});
-    spindle.triangles.push_back({1, next, here});
-  }
-  spindle.triangles.pop_back();
-  const Repaired result = repaired(spindle);
+  TriangleMesh torn = spindle(4000);
+  torn.triangles.pop_back();
+  const Repaired result = repaired(torn);
   EXPECT_EQ(result.report.find(DefectKind::kNearVertices), nullptr);
-  EXPECT_EQ(result.mesh.vertices.size(), spindle.vertices.size());
+  EXPECT_EQ(result.mesh.vertices.size(), torn.vertices.size());
 }
 
 TEST(Repair, ASoundMeshKeepsEveryBitWhereverItLies) {

@@ -19,6 +19,21 @@ inline double enclosed_volume(const TriangleMesh& mesh) {
   return sixfold / 6.0;
 }
 
+/// Two cones of height 1 on a circle of radius 1: fans of `around` triangles at both tips, which
+/// are vertices 0 and 1.
+inline TriangleMesh spindle(std::uint32_t around) {
+  TriangleMesh mesh;
+  mesh.vertices = {Vec3(0.0, 0.0, 1.0), Vec3(0.0, 0.0, -1.0)};
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const double turn = 2.0 * kPi * i / around;
+    mesh.vertices.emplace_back(std::cos(turn), std::sin(turn), 0.0);
+    const std::uint32_t here = 2 + i, next = 2 + (i + 1) % around;
+    mesh.triangles.push_back({0, here, next});
+    mesh.triangles.push_back({1, next, here});
+  }
+  return mesh;
+}
+
 /// A box from the origin to `sides`, every face a grid of `n` x `n` cells of two triangles.
 inline TriangleMesh box_mesh(const Vec3& sides, int n = 1) {
   TriangleMesh mesh;
