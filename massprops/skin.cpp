@@ -216,12 +216,13 @@ void add_overlap(Skin& skin, const Vec3& p, const Vec3& q, const Triangle& left,
   const double r = skin.radius;
   const double slope = std::tan(0.5 * std::abs(bend));
   const double room = std::min(height_over(left, p, q), height_over(right, p, q));
-  if (!(clear_radius * slope <= room)) return;
+  const Vec3& n1 = left.normal;
+  const Vec3& n2 = right.normal;
+  const double together = 1.0 + n1.dot(n2);  // 0 where both lie face to face
+  if (!(clear_radius * slope <= room) || !(together > 0.0)) return;
 
   SkinPiece piece = cylinder_piece(p, q);
   piece.round = SkinPiece::Round::none;
-  const Vec3& n1 = left.normal;
-  const Vec3& n2 = right.normal;
   const Vec3 into_left = n1.cross(piece.axis);
   const Vec3 into_right = -n2.cross(piece.axis);
   piece.planes.push_back({n1, n1.dot(p) + r});
@@ -229,8 +230,7 @@ void add_overlap(Skin& skin, const Vec3& p, const Vec3& q, const Triangle& left,
   piece.planes.push_back({-into_left, -into_left.dot(p)});
   piece.planes.push_back({-into_right, -into_right.dot(p)});
 
-  const std::array<Vec3, 4> kite = {Vec3::Zero(), r * n1, (r / (1.0 + n1.dot(n2))) * (n1 + n2),
-                                    r * n2};
+  const std::array<Vec3, 4> kite = {Vec3::Zero(), r * n1, (r / together) * (n1 + n2), r * n2};
   TriangleMesh prism;
   for (const Vec3& end : {p, q}) {
     for (const Vec3& corner : kite) {

@@ -37,8 +37,9 @@ constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
 /// not say then what hangs beside them, and the best shape is put at this share between the film
 /// and the largest cone: the median of 100 blocks of which what faces down steeply was taken away.
 constexpr double kEven = 0.05, kUnevenShare = 0.35;
-/// A rim hangs down to the ground where it is no farther above it than this share of the height.
-constexpr double kClearOfGround = 0.02;
+/// A rim hangs down to the ground where it is no farther above it than the first share of the
+/// height, and does not from the second share on.
+constexpr double kAtGround = 0.02, kClearOfGround = 0.06;
 /// Where up to the first share of the rim hangs, the block has sunk into the ground by this share
 /// of its height at most; where the second share and more does, nothing tells how deep it goes.
 constexpr double kFewHang = 0.05, kManyHang = 0.15;
@@ -299,14 +300,18 @@ class Closing {
   /// between it is in between, so that a hair's breadth of the rim decides nothing.
   /// @param rim  heights, ascending
   double lowest_bottom(const std::vector<double>& rim, double mean_rim, double highest) {
-    const double height = highest - mean_rim;
-    const double buried = mean_rim - options_.deepest * height;
-    if (!faces_ground()) return buried;
-    const double ground = options_.ground->distance;
+    if (!faces_ground()) return mean_rim - options_.deepest * (highest - mean_rim);
+    const double ground = options_.ground->distance, height = highest - mean_rim;
+    // Of a block that leans, most of the rim may hang far above the ground that an end is in.
+    const double into = std::min(mean_rim, ground);
+    const double buried = into - options_.deepest * (highest - into);
     result_.gap = mean_rim - ground;
-    const auto clear = std::lower_bound(rim.begin(), rim.end(), ground + kClearOfGround * height);
-    const double hanging =
-        static_cast<double>(clear - rim.begin()) / static_cast<double>(rim.size());
+    double hanging = 0.0;
+    for (const double z : rim) {
+      const double above = (z - ground) / height;
+      hanging += std::clamp((kClearOfGround - above) / (kClearOfGround - kAtGround), 0.0, 1.0);
+    }
+    hanging /= static_cast<double>(rim.size());
     const double share = std::clamp((hanging - kFewHang) / (kManyHang - kFewHang), 0.0, 1.0);
     // Something holds it up: under an overhang it reaches the ground however far below that is.
     return std::lerp(ground - kSunk * height, buried, share);

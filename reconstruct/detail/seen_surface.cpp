@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/statistics.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "shapes/mesh_topology.hpp"
 
@@ -14,6 +15,9 @@ namespace {
 /// For n points scattered at random over a surface the largest empty ball has a radius of about
 /// sqrt(ln n / pi) spacings: 1.6 of 3,000, 1.9 of 100,000.
 constexpr double kLargestBall = 2.5;
+/// An edge of a plate that nobody saw is a strip hardly wider than the points are apart, but long:
+/// a patch that extends over so many spacings is a hole with balls of this radius.
+constexpr double kLongPatch = 12.0, kLargestInLong = 1.75;
 /// The sparsest points around a patch, in so many rings: this quantile of their spacings. A stray
 /// point or two in the middle of a hole do not make it a sparse area.
 constexpr int kRings = 2;
@@ -63,13 +67,26 @@ void add_rings(std::vector<std::uint32_t>& points, const TriangleMesh& mesh) {
   }
 }
 
-bool is_hole(const Patch& patch, std::span<const double> spacings) {
+/// @returns in spacings, the radius of the ball that makes a patch a hole
+double ball_of_hole(const Patch& patch, const TriangleMesh& mesh,
+                    std::span<const double> spacings) {
+  Bounds box;
+  for (const std::uint32_t point : patch.points) box.include(mesh.vertices[point]);
+  std::vector<double> own;
+  for (const std::uint32_t point : patch.points) own.push_back(spacings[point]);
+  std::sort(own.begin(), own.end());
+  return box.diagonal() > kLongPatch * quantile(own, 0.5) ? kLargestInLong : kLargestBall;
+}
+
+/// @param patch  with the points of the rings around it
+/// @param ball   in spacings, that makes it a hole
+bool is_hole(const Patch& patch, double ball, std::span<const double> spacings) {
   std::vector<double> around;
   for (const std::uint32_t point : patch.points) around.push_back(spacings[point]);
   const auto thin = around.begin() +
                     static_cast<std::ptrdiff_t>(kThinnest * static_cast<double>(around.size() - 1));
   std::nth_element(around.begin(), thin, around.end());
-  return patch.largest > kLargestBall * *thin;
+  return patch.largest > ball * *thin;
 }
 
 }  // namespace
@@ -95,22 +112,24 @@ SeenSurface seen_surface(const TriangleMesh& closed, std::span<const double> spa
     patch.largest_share = share;
     patch.place = (closed.vertices[t[0]] + closed.vertices[t[1]] + closed.vertices[t[2]]) / 3.0;
   }
-  for (Patch& patch : patches) {
-    if (patch.largest_share > kLargestBall) add_rings(patch.points, closed);
-  }
   const double area = surface_area(closed);
   SeenSurface result;
   double largest = 0.0;
   std::vector<bool> unseen(patches.size());
   for (std::size_t k = 0; k < patches.size(); ++k) {
-    if (patches[k].largest_share <= kLargestBall || !is_hole(patches[k], spacings)) continue;
-    unseen[k] = patches[k].area >= kGapShare * area;
+    Patch& patch = patches[k];
+    if (patch.largest_share <= kLargestInLong) continue;
+    const double ball = ball_of_hole(patch, closed, spacings);
+    if (patch.largest_share <= ball) continue;
+    add_rings(patch.points, closed);
+    if (!is_hole(patch, ball, spacings)) continue;
+    unseen[k] = patch.area >= kGapShare * area;
     if (unseen[k]) continue;
     ++result.gaps;
-    result.gap_share += patches[k].area / area;
-    if (patches[k].area <= largest) continue;
-    largest = patches[k].area;
-    result.gap_place = patches[k].place;
+    result.gap_share += patch.area / area;
+    if (patch.area <= largest) continue;
+    largest = patch.area;
+    result.gap_place = patch.place;
   }
   result.seen.assign(closed.triangles.size(), true);
   for (std::size_t i = 0; i < numbers.size(); ++i) {

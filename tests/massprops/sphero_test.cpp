@@ -47,6 +47,44 @@ bool body_holds(const TriangleMesh& core, double radius, const Vec3& x) {
   return solid_angle > 2.0 * kPi;
 }
 
+/// The unit cube with a cut of no width from the middle of its top to its centre.
+TriangleMesh slit_cube() {
+  TriangleMesh mesh;
+  for (const double y : {0.0, 1.0}) {
+    for (const auto& [x, z] : {std::pair(0.0, 0.0),
+                               {1.0, 0.0},
+                               {1.0, 1.0},
+                               {0.5, 1.0},
+                               {0.5, 0.5},
+                               {0.5, 1.0},
+                               {0.0, 1.0}}) {
+      mesh.vertices.emplace_back(x, y, z);
+    }
+  }
+  const std::array<TriangleMesh::Triangle, 5> front = {
+      {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {4, 5, 6}, {4, 6, 0}}};
+  for (const auto& [a, b, c] : front) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a + 7, c + 7, b + 7});
+  }
+  for (std::uint32_t i = 0; i < 7; ++i) {
+    const std::uint32_t j = (i + 1) % 7;
+    mesh.triangles.push_back({i, i + 7, j + 7});
+    mesh.triangles.push_back({i, j + 7, j});
+  }
+  return mesh;
+}
+
+TEST(SpheroMass, FacesThatLieOnEachOtherAreNoObstacle) {
+  for (const Quat& turn : {Quat::Identity(), kMotion.rotation, Quat(0.8, 0.0, 0.6, 0.0)}) {
+    const SpheroPolyhedron body =
+        transformed(sphero_polyhedron(slit_cube(), 0.0), {Vec3::Zero(), turn});
+    const MassProperties p = sphero_mass_properties(body, 1.0);
+    EXPECT_NEAR(p.volume, 1.0, 1e-12);
+    EXPECT_LT((p.inertia - Mat3::Identity() / 6.0).norm(), 1e-12);
+  }
+}
+
 TEST(SpheroMass, SpheroCubeMatchesItsFormula) {
   TriangleMesh cube = box_mesh(Vec3::Ones());
   const SpheroPolyhedron body = transformed(sphero_polyhedron(cube, 0.2), kMotion);

@@ -115,6 +115,19 @@ TEST(CloudSurface, AGapIsFilledAndReportedWithItsPlace) {
   EXPECT_GT(surface.gap_place.z(), 0.9);
 }
 
+// No point lies on the strip between the two rims of a thin edge, which is hardly wider than the
+// points are apart anyway.
+TEST(CloudSurface, TheMissingEdgeOfALensIsUnseen) {
+  TriangleMesh lens = unit_sphere(24);
+  for (Vec3& v : lens.vertices) v = v.cwiseProduct(Vec3(0.5, 0.5, 0.06));
+  std::vector<Vec3> points = sampled_cloud(lens, {.points = 8000}, 8);
+  EXPECT_TRUE(inspect(cloud_surface(points).mesh).closed());
+  std::erase_if(points, [](const Vec3& p) { return p.x() < -0.43; });
+  const CloudSurface surface = cloud_surface(points);
+  EXPECT_TRUE(surface.gaps == 1 || !inspect(surface.mesh).closed());
+  if (surface.gaps == 1) EXPECT_LT(surface.gap_place.x(), -0.44);
+}
+
 TEST(CloudSurface, PointsTooFarApartForAThinBodyAreRefused) {
   const TriangleMesh plate = rock_mesh(16, {0.5, 0.4, 0.005}, 3);
   const std::vector<Vec3> points = sampled_cloud(plate, {.points = 1000}, 4);

@@ -105,6 +105,24 @@ TEST(Underside, ARimInTheGroundIsBuriedByAQuarterOfTheHeight) {
       << side.assumption;
 }
 
+// Of a block that leans most of the rim hangs far above the ground; the end that is in it may be as
+// deep as if all of the rim were.
+TEST(Underside, ABlockThatLeansIsBuriedFromTheGroundOn) {
+  TriangleMesh open = open_frustum(0.5, 0.5, 0.6);
+  std::vector<bool> keep;
+  for (const auto& [a, b, c] : open.triangles) {
+    const Vec3 middle = (open.vertices[a] + open.vertices[b] + open.vertices[c]) / 3.0;
+    keep.push_back(middle.z() > 0.3 || middle.x() < -0.2);
+  }
+  open = detail::with_triangles(open, keep);
+  const Underside side = *closed_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
+  EXPECT_GT(side.gap, 0.1);
+  EXPECT_TRUE(!side.upper_volume ||
+              contains(side.assumption, "into the ground by no more than 25 % of its height"))
+      << side.assumption;
+  EXPECT_GE(side.upper_volume.value_or(1.0), 0.5 * 0.5 * 0.8 - 1e-4);
+}
+
 // Height above the cut 1 + c for a ball of radius 1 with the cut at -c. The cap below is
 // pi (1 - c)^2 (2 + c)/3.
 TEST(Underside, HoldsTheCapOfABall) {
