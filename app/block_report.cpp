@@ -9,8 +9,8 @@
 #include "core/error.hpp"
 #include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
+#include "mesh/remeshing.hpp"
 #include "shapes/edge_bend.hpp"
-#include "shapes/remeshing.hpp"
 
 namespace clast {
 

@@ -2,7 +2,6 @@
 
 #include "app/board_file.hpp"
 #include "app/option_values.hpp"
-#include "core/number_text.hpp"
 
 namespace clast {
 
@@ -27,23 +26,6 @@ ScaleBar bar_from(const std::string& text) {
                            kBarLength.words() + ", such as 0,3,1.254");
   }
   return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), numbers[2]};
-}
-
-std::string board_request(const ScaleBoard& board) {
-  std::string text = " board " + board.dictionary;
-  const auto add = [&](double value) { text += " " + with_digits(value, 17); };
-  add(board.marker_side.value_or(0.0));
-  for (const BoardMarker& marker : board.markers) {
-    add(marker.id);
-    for (const double at : marker.centre) add(at);
-  }
-  if (const auto& charuco = board.charuco) {
-    for (const double value : {1.0 * charuco->columns, 1.0 * charuco->rows, charuco->square,
-                               charuco->marker, charuco->older_pattern ? 1.0 : 0.0}) {
-      add(value);
-    }
-  }
-  return text;
 }
 
 }  // namespace
@@ -128,18 +110,6 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
                   "clast/photos in the user's folder for caches")
       ->type_name("DIR")
       ->group(group);
-}
-
-std::string photo_request(const PhotoScanOptions& options) {
-  std::string text = options.model.string() + " " + options.dense.masks.string() + " " +
-                     options.markers.dictionary + (options.allow_unscaled ? " y" : " n");
-  for (const ScaleBar& bar : options.scale.bars) {
-    text += " " + std::to_string(bar.first) + "," + std::to_string(bar.second) + "," +
-            with_digits(bar.length, 17);
-  }
-  if (options.scale.board) text += board_request(*options.scale.board);
-  if (options.scale.marker_side) text += " " + with_digits(*options.scale.marker_side, 17);
-  return text;
 }
 
 }  // namespace clast

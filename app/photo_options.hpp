@@ -25,7 +25,4 @@ struct PhotoArgs {
 /// Adds them to the command, in a group of their own.
 void add_photo_options(CLI::App& command, PhotoArgs& args);
 
-/// A short text of what was asked, for `--resume` to know it again.
-std::string photo_request(const PhotoScanOptions& options);
-
 }  // namespace clast

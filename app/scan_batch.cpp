@@ -12,7 +12,6 @@
 #include "app/block_report.hpp"
 #include "app/ordered_jobs.hpp"
 #include "app/photo_json.hpp"
-#include "app/photo_options.hpp"
 #include "app/progress.hpp"
 #include "app/scan_list.hpp"
 #include "app/scan_report.hpp"
@@ -20,7 +19,7 @@
 #include "app/text_table.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
-#include "core/number_text.hpp"
+#include "core/fields.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
 #include "library/library_update.hpp"
@@ -70,22 +69,8 @@ Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool
 }
 
 /// A short name of everything that was asked of a scan, for `--resume` to know it again.
-std::string request(const ScanBatch& args) {
-  const ScanToBlockOptions& o = args.options;
-  const auto number = [](double value) { return with_digits(value, 17) + " "; };
-  const auto optional = [&](const auto& value) {
-    return value ? number(static_cast<double>(*value)) : std::string("- ");
-  };
-  const BlockOptions& b = o.block;
-  std::string text = number(o.scan.unit) + o.scan.up + " " + optional(o.vertices);
-  text += optional(b.radius) + number(b.radius_share) + number(b.density) + optional(b.mass);
-  text += number(b.accuracy) + number(b.tolerance);
-  for (const bool flag : {o.radius_given, b.density_given, b.core, b.convex,
-                          o.scan.repair.keep_inner_shells, o.up_given, o.find_ground, o.split}) {
-    text += flag ? "y" : "n";
-  }
-  text += photo_request(o.photos);
-  return "request=" + sha256(text).substr(0, 16);
+std::string request(const ScanToBlockOptions& options) {
+  return "request=" + sha256(field_text(options)).substr(0, 16);
 }
 
 /// A batch of scans on its way into a library.
@@ -94,7 +79,7 @@ class Batch {
   explicit Batch(const ScanBatch& args)
       : args_(args),
         scans_(list_scans(args.scans)),
-        request_(request(args)),
+        request_(request(args.options)),
         progress_("steps", kStages * scans_.size()) {
     if (args.options.block.mass && scans_.size() > 1) {
       throw CLI::ValidationError("--mass", "is the mass of one block, but " +

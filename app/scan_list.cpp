@@ -7,8 +7,8 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/utf8.hpp"
+#include "mesh/mesh_io.hpp"
 #include "reconstruct/photos/photo_scan.hpp"
-#include "shapes/mesh_io.hpp"
 
 namespace clast {
 

@@ -14,9 +14,9 @@
 #include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
 #include "massprops/solid.hpp"
+#include "mesh/mesh_io.hpp"
+#include "mesh/self_intersection.hpp"
 #include "shapes/convex_hull.hpp"
-#include "shapes/mesh_io.hpp"
-#include "shapes/self_intersection.hpp"
 
 namespace clast {
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.hpp"
 #include "library/make_block.hpp"
 #include "reconstruct/field_scan.hpp"
 #include "reconstruct/photos/photo_scan.hpp"
@@ -34,6 +35,24 @@ struct ScanToBlockOptions {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+template <class Visit>
+void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
+  const auto& [scan, unit_name, scale_points, scale_factor, vertices, block, radius_given, any_size,
+               up_given, find_ground, split, photos] = options;
+  visit("scan", scan);
+  visit("unit_name", unit_name);
+  visit("scale_points", scale_points);
+  visit("scale_factor", scale_factor);
+  visit("vertices", vertices);
+  visit("block", block);
+  visit("radius_given", radius_given);
+  visit("any_size", NoInfluence{any_size});
+  visit("up_given", up_given);
+  visit("find_ground", find_ground);
+  visit("split", split);
+  visit("photos", photos);
+}
 
 /// Refuses a size that no rock block has (over 50 m or under 1 mm), which is a wrong unit most of
 /// the time. `box` is in metres.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "shapes/inscribed_ball.hpp"
-#include "shapes/mesh_topology.hpp"
 
 namespace clast {
 namespace {

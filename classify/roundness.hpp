@@ -1,6 +1,6 @@
 #pragma once
 /// How rounded the corners of a block are.
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

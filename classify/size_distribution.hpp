@@ -44,8 +44,7 @@ struct SizeLaw {
 
 /// @param sizes    m, positive
 /// @param weights  of each size, not all zero; or empty when all count alike. The errors are then
-/// of a
-///                 sample of (sum of w)^2 / sum of w^2.
+///                 of a sample of (sum of w)^2 / sum of w^2.
 /// @return none when fewer than two different sizes carry weight
 /// @cite rosin1933
 std::optional<SizeLaw> fitted_law(SizeLawKind kind, std::span<const double> sizes,

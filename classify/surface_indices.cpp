@@ -8,8 +8,8 @@
 
 #include "core/error.hpp"
 #include "massprops/sphero.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "shapes/convex_hull.hpp"
-#include "shapes/mesh_topology.hpp"
 
 namespace clast {
 namespace {

@@ -40,6 +40,7 @@ endif()
 # The serial library, even where an MPI flavour is installed beside it.
 set(HDF5_PREFER_PARALLEL FALSE)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)
+find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
 find_package(ZLIB 1.2 REQUIRED)  # comes with HDF5
 if(HDF5_IS_PARALLEL)
   message(FATAL_ERROR "CMake found the MPI build of HDF5; clast needs the serial one (libhdf5-dev).")

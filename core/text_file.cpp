@@ -10,22 +10,24 @@
 
 namespace clast {
 
-std::string read_text_file(const std::filesystem::path& path) {
+void read_in_pieces(const std::filesystem::path& path,
+                    const std::function<void(std::string_view)>& take) {
   check_input_file(path);
   std::ifstream stream(path, std::ios::binary);
-  // In pieces: files of /proc don't know their size, and one character at a time is slow for large
-  // tables.
-  std::string content;
   constexpr std::size_t kPiece = 1 << 20;
+  std::string piece(kPiece, '\0');
   while (stream.good()) {
-    const std::size_t before = content.size();
-    content.resize(before + kPiece);
-    stream.read(content.data() + before, kPiece);
-    content.resize(before + static_cast<std::size_t>(stream.gcount()));
+    stream.read(piece.data(), kPiece);
+    take(std::string_view(piece).substr(0, static_cast<std::size_t>(stream.gcount())));
   }
   if (!stream.eof()) {
     throw InputError(path.string() + ": can't be read; check its permissions");
   }
+}
+
+std::string read_text_file(const std::filesystem::path& path) {
+  std::string content;  // files of /proc don't know their size
+  read_in_pieces(path, [&](std::string_view piece) { content += piece; });
   return content;
 }
 

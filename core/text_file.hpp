@@ -1,10 +1,16 @@
 #pragma once
 /// Whole files in and out as bytes, and what their names say.
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace clast {
+
+/// Gives the content of a file in pieces of a megabyte, in order.
+/// @throws InputError  missing, a folder, a pipe, a device, or unreadable; names the path
+void read_in_pieces(const std::filesystem::path& path,
+                    const std::function<void(std::string_view)>& take);
 
 /// The content of a file.
 /// @throws InputError  missing, a folder, a pipe, a device, or unreadable; names the path

@@ -3,12 +3,13 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace clast {
 
 void GroundParameters::check(const std::string& zone) const {
   const auto refuse = [&](const std::string& field, double value, const std::string& expected) {
-    throw InputError("ground " + zone + ": " + field + " = " + std::to_string(value) +
+    throw InputError("ground " + zone + ": " + field + " = " + with_digits(value, 6) +
                      "; must be " + expected);
   };
   if (!(energy_restitution > 0.0 && energy_restitution <= 1.0)) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "dem/detail/contact_forces.hpp"
 #include "dem/detail/contact_search.hpp"
 #include "dem/detail/free_flight.hpp"
@@ -67,7 +68,7 @@ class Release {
  private:
   std::optional<StopReason> stopped() {
     if (!moving_.finite()) {
-      result_.message = "the motion is not finite any more at " + std::to_string(time_) + " s";
+      result_.message = "the motion is not finite any more at " + with_digits(time_, 6) + " s";
       return StopReason::kError;
     }
     if (left_) return StopReason::kLeftTerrain;
@@ -283,7 +284,7 @@ std::string name_of(StopReason reason) {
 void ReleaseSettings::check() const {
   const auto positive = [](const char* field, double value) {
     if (!(value > 0.0 && std::isfinite(value))) {
-      throw InputError(std::string(field) + " = " + std::to_string(value) + "; must be above 0");
+      throw InputError(std::string(field) + " = " + with_digits(value, 6) + "; must be above 0");
     }
   };
   positive("normal stiffness", stiffness.normal);
@@ -294,7 +295,7 @@ void ReleaseSettings::check() const {
   positive("rest_energy", rest_energy);
   positive("rest_duration", rest_duration);
   if (!(gravity >= 0.0 && std::isfinite(gravity))) {
-    throw InputError("gravity = " + std::to_string(gravity) + "; must be 0 or more");
+    throw InputError("gravity = " + with_digits(gravity, 6) + "; must be 0 or more");
   }
 }
 
@@ -326,8 +327,8 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
                           std::to_string(zones.size()) + "; give them for each zone");
   }
   if (!terrain.covers(start.position.x(), start.position.y())) {
-    throw SimulationError("the start (" + std::to_string(start.position.x()) + ", " +
-                          std::to_string(start.position.y()) +
+    throw SimulationError("the start (" + with_digits(start.position.x(), 9) + ", " +
+                          with_digits(start.position.y(), 9) +
                           ") is not on the terrain; move it onto the ground");
   }
   const double overlap = Release(terrain, zones, body, start, settings, observe).start_overlap();
@@ -335,7 +336,7 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
       terrain.height(start.position.x(), start.position.y(), start.position.z());
   if ((ground && start.position.z() < *ground) ||
       overlap > settings.start_overlap * body.smallest_side) {
-    throw SimulationError("the block starts inside the ground, " + std::to_string(overlap) +
+    throw SimulationError("the block starts inside the ground, " + with_digits(overlap, 6) +
                           " m deep; raise the release point or give height_m");
   }
   return Release(terrain, zones, body, start, settings, observe).run();

@@ -78,8 +78,7 @@ struct ReleaseResult {
 /// @param zones  parameters of each ground zone of the terrain, by zone number
 /// @param start  at rest or moving
 /// @throws SimulationError  the start lies off the terrain or deeper in the ground than allowed;
-/// anything later is
-///                          a stop reason, not an exception
+///                          anything later is a stop reason, not an exception
 ReleaseResult simulate_release(const TerrainSurface& terrain,
                                std::span<const GroundParameters> zones, const RigidBody& body,
                                const RigidState& start, const ReleaseSettings& settings,

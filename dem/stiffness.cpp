@@ -11,7 +11,7 @@
 namespace clast {
 namespace {
 
-/// Rest depth that `auto` allows: 2 cm, or 2 % of S for small blocks (DESIGN trap "sinking").
+/// Rest depth that `auto` allows: 2 cm, or 2 % of S for small blocks.
 constexpr double kRestDepth = 0.02;
 constexpr double kRestDepthShare = 0.02;
 /// Deepest impact allowed, share of S.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
@@ -38,7 +39,7 @@ TerrainSurface::TerrainSurface(TriangleMesh mesh, std::vector<std::uint16_t> zon
                         std::to_string(zones.size()) + " zone numbers");
   }
   if (!(radius >= 0.0 && std::isfinite(radius))) {
-    throw InputError("terrain: radius = " + std::to_string(radius) + "; must be 0 or more");
+    throw InputError("terrain: radius = " + with_digits(radius, 6) + "; must be 0 or more");
   }
   impl_->surface = indexed_surface(mesh, radius);
   impl_->mesh = std::move(mesh);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "dem/detail/encounters.hpp"
 #include "dem/detail/rotation.hpp"
@@ -171,7 +172,7 @@ void World::Impl::refuse_deep_starts() const {
     if (overlap <= settings.start_overlap * size) continue;
     const std::string other = pair.ground == kTerrain ? "the ground" : name_of_body(pair.ground);
     throw SimulationError(name_of_body(pair.block) + " starts inside " + other + ", " +
-                          std::to_string(overlap) + " m deep; place it farther away");
+                          with_digits(overlap, 6) + " m deep; place it farther away");
   }
 }
 
@@ -205,7 +206,7 @@ void World::Impl::advance(double dt) {
   for (std::size_t i = 0; i < actors.size(); ++i) {
     if (!actors[i].moving.finite()) {
       throw SimulationError("the motion of " + name_of_body(i) + " is not finite any more at " +
-                            std::to_string(time) + " s; a shorter time step may help");
+                            with_digits(time, 6) + " s; a shorter time step may help");
     }
   }
   take_out_what_left();
@@ -220,7 +221,7 @@ void WorldSettings::check() const {
   same.check();
   between_bodies.check("between bodies");
   if (!(start_overlap >= 0.0)) {
-    throw InputError("start_overlap = " + std::to_string(start_overlap) + "; must be 0 or more");
+    throw InputError("start_overlap = " + with_digits(start_overlap, 6) + "; must be 0 or more");
   }
 }
 
@@ -252,13 +253,13 @@ std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fix
   if (impl_->terrain && !fixed) {
     const std::optional<double> ground = impl_->terrain->height(place.x(), place.y(), place.z());
     if (!impl_->terrain->covers(place.x(), place.y())) {
-      throw SimulationError(name + " starts at (" + std::to_string(place.x()) + ", " +
-                            std::to_string(place.y()) +
+      throw SimulationError(name + " starts at (" + with_digits(place.x(), 9) + ", " +
+                            with_digits(place.y(), 9) +
                             "), which is not on the terrain; move it onto the ground");
     }
     if (ground && place.z() < *ground) {
       throw SimulationError(name + " starts below the ground, " +
-                            std::to_string(*ground - place.z()) + " m deep; raise it");
+                            with_digits(*ground - place.z(), 6) + " m deep; raise it");
     }
   }
   RigidState start = state;

@@ -14,7 +14,7 @@
 
 namespace clast {
 
-using namespace detail;
+using namespace library_detail;
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 namespace clast {
 
-using namespace detail;
+using namespace library_detail;
 
 void write_body(Hdf5Group group, const SpheroPolyhedron& body) {
   group.set_attribute("minkowski_radius_m", body.radius);

@@ -11,10 +11,10 @@
 #include "library/unscaled.hpp"
 #include "massprops/solid.hpp"
 #include "massprops/sphero.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/coplanar_faces.hpp"
 #include "shapes/core_fit.hpp"
-#include "shapes/mesh_topology.hpp"
 #include "shapes/wall_thickness.hpp"
 
 namespace clast {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/fields.hpp"
 #include "library/block.hpp"
 #include "shapes/scan_surface.hpp"
 
@@ -25,6 +26,22 @@ struct BlockOptions {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+template <class Visit>
+void visit_fields(const BlockOptions& options, Visit&& visit) {
+  const auto& [core, radius, radius_share, convex, density, density_given, mass, accuracy,
+               tolerance, advise] = options;
+  visit("core", core);
+  visit("radius", radius);
+  visit("radius_share", radius_share);
+  visit("convex", convex);
+  visit("density", density);
+  visit("density_given", density_given);
+  visit("mass", mass);
+  visit("accuracy", accuracy);
+  visit("tolerance", tolerance);
+  visit("advise", NoInfluence{advise});
+}
 
 /// Largest relative difference between the principal moments of a block and its scan.
 constexpr double kMomentsTolerance = 5e-3;

@@ -33,7 +33,7 @@ struct Crossing {
 /// Everything found along one column.
 struct Column {
   Chord excess;
-  std::vector<Interval> intervals;
+  std::vector<LineInterval> intervals;
   std::vector<Crossing> crossings;
 
   void clear() {
@@ -59,7 +59,7 @@ struct Column {
   }
 
   void take_union() {
-    std::sort(intervals.begin(), intervals.end(), [](const Interval& a, const Interval& b) {
+    std::sort(intervals.begin(), intervals.end(), [](const LineInterval& a, const LineInterval& b) {
       return a.low < b.low || (a.low == b.low && a.high < b.high);
     });
     for (std::size_t i = 0; i < intervals.size();) {
@@ -103,11 +103,11 @@ struct Grid {
   struct Range {
     std::size_t first, end;
   };
-  Range columns_in(const Interval& range) const { return within(range, x0, columns); }
-  Range rows_in(const Interval& range) const { return within(range, y0, rows); }
+  Range columns_in(const LineInterval& range) const { return within(range, x0, columns); }
+  Range rows_in(const LineInterval& range) const { return within(range, y0, rows); }
 
  private:
-  Range within(const Interval& range, double start, std::size_t count) const {
+  Range within(const LineInterval& range, double start, std::size_t count) const {
     const double last = static_cast<double>(count);
     const double from = std::clamp(std::ceil((range.low - start) / step), 0.0, last);
     const double to = std::clamp(std::floor((range.high - start) / step) + 1.0, from, last);
@@ -248,13 +248,13 @@ Excess Columns::excess(std::size_t per_side) const {
       if (sign != 0) columns[i].crossings.push_back({triangles_.height(triangle, x, y), sign});
     });
     pieces.visit(row, [&](std::size_t piece, std::size_t i) {
-      const Interval cut = pieces_.cut(piece, grid.x(i), y);
+      const LineInterval cut = pieces_.cut(piece, grid.x(i), y);
       if (!(cut.low < cut.high)) return;
       columns[i].excess.add(cut.low, cut.high);
       columns[i].intervals.push_back(cut);
     });
     overlaps.visit(row, [&](std::size_t piece, std::size_t i) {
-      const Interval cut = overlaps_.cut(piece, grid.x(i), y);
+      const LineInterval cut = overlaps_.cut(piece, grid.x(i), y);
       if (cut.low < cut.high) columns[i].excess.add(cut.low, cut.high, -1.0);
     });
     std::vector<Moments>& moments = sum.row(row);

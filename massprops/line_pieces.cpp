@@ -65,9 +65,9 @@ LinePieces::LinePieces(const std::vector<SkinPiece>& pieces, double radius)
   }
 }
 
-Interval LinePieces::reach(std::size_t index, double y) const {
+LineInterval LinePieces::reach(std::size_t index, double y) const {
   const Piece& piece = pieces_[index];
-  Interval range = piece.columns;
+  LineInterval range = piece.columns;
   if (piece.round == SkinPiece::Round::sphere) {
     const double dy = y - piece.centre.y();
     const double half = std::sqrt(std::max(radius_squared_ - dy * dy, 0.0));
@@ -87,7 +87,7 @@ Interval LinePieces::reach(std::size_t index, double y) const {
   return range;
 }
 
-Interval LinePieces::round_cut(const Piece& piece, double x, double y) const {
+LineInterval LinePieces::round_cut(const Piece& piece, double x, double y) const {
   if (piece.round == SkinPiece::Round::none) return piece.heights;
   const double dx = x - piece.centre.x();
   const double dy = y - piece.centre.y();
@@ -95,16 +95,16 @@ Interval LinePieces::round_cut(const Piece& piece, double x, double y) const {
   const double a = 1.0 - piece.axis.z() * piece.axis.z();
   const double b = -along * piece.axis.z();
   const double c = dx * dx + dy * dy - along * along - radius_squared_;
-  if (a < kVertical) return c <= 0.0 ? piece.heights : Interval{};
+  if (a < kVertical) return c <= 0.0 ? piece.heights : LineInterval{};
   const double discriminant = b * b - a * c;
   if (!(discriminant > 0.0)) return {};
   const double half = std::sqrt(discriminant);
   return {piece.centre.z() + (-b - half) / a, piece.centre.z() + (-b + half) / a};
 }
 
-Interval LinePieces::cut(std::size_t index, double x, double y) const {
+LineInterval LinePieces::cut(std::size_t index, double x, double y) const {
   const Piece& piece = pieces_[index];
-  Interval result = round_cut(piece, x, y);
+  LineInterval result = round_cut(piece, x, y);
   for (const Slope& bound : slopes(piece.lower, piece.upper)) {
     result.low = std::max(result.low, bound.at(x, y));
   }
@@ -135,13 +135,13 @@ LineTriangles::LineTriangles(const TriangleMesh& core) {
   });
 }
 
-Interval LineTriangles::rows(std::size_t triangle) const {
+LineInterval LineTriangles::rows(std::size_t triangle) const {
   const Bounds& box = triangles_[triangle].box;
   return {box.low.y(), box.high.y()};
 }
 
 /// Not by the edges: only `crossing` may decide on which side of one a line is.
-Interval LineTriangles::reach(std::size_t triangle, double) const {
+LineInterval LineTriangles::reach(std::size_t triangle, double) const {
   const Bounds& box = triangles_[triangle].box;
   return {box.low.x(), box.high.x()};
 }

@@ -9,7 +9,7 @@
 namespace clast {
 
 /// Of numbers; empty when low >= high.
-struct Interval {
+struct LineInterval {
   double low = 0.0, high = 0.0;
 };
 
@@ -27,15 +27,15 @@ class LinePieces {
 
   std::size_t size() const { return pieces_.size(); }
   /// Lowest and highest y of a piece; the lowest ascend.
-  Interval rows(std::size_t piece) const { return pieces_[piece].rows; }
+  LineInterval rows(std::size_t piece) const { return pieces_[piece].rows; }
   /// The x between which lines at `y` can meet the piece.
-  Interval reach(std::size_t piece, double y) const;
+  LineInterval reach(std::size_t piece, double y) const;
   /// The part of the line at (x, y) inside the piece, x within its reach.
-  Interval cut(std::size_t piece, double x, double y) const;
+  LineInterval cut(std::size_t piece, double x, double y) const;
 
  private:
   struct Piece {
-    Interval rows, columns, heights;
+    LineInterval rows, columns, heights;
     SkinPiece::Round round;
     Vec3 centre, axis;  ///< no axis for a ball: the cylinder's formulas then give the ball's chord
     /// In `slopes_`: lower bounds, upper bounds, and sides of the shadow that the planes cast along
@@ -43,7 +43,7 @@ class LinePieces {
     std::uint32_t lower, upper, sides, end;
   };
 
-  Interval round_cut(const Piece& piece, double x, double y) const;
+  LineInterval round_cut(const Piece& piece, double x, double y) const;
   std::span<const Slope> slopes(std::uint32_t begin, std::uint32_t end) const {
     return {slopes_.data() + begin, slopes_.data() + end};
   }
@@ -59,8 +59,8 @@ class LineTriangles {
   explicit LineTriangles(const TriangleMesh& core);
 
   std::size_t size() const { return triangles_.size(); }
-  Interval rows(std::size_t triangle) const;
-  Interval reach(std::size_t triangle, double y) const;
+  LineInterval rows(std::size_t triangle) const;
+  LineInterval reach(std::size_t triangle, double y) const;
 
   /// +1 where a line that rises at (x, y) leaves through the triangle, -1 where it enters, 0 beside
   /// it. Each edge is judged from its smaller vertex index, so both its triangles agree to the bit

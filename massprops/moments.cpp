@@ -4,7 +4,8 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "shapes/mesh_topology.hpp"
+#include "core/number_text.hpp"
+#include "mesh/mesh_topology.hpp"
 
 namespace clast {
 
@@ -54,7 +55,7 @@ MassProperties mass_properties_from(const Moments& moments, const Vec3& origin,
 
 void check_density(double density) {
   if (!(density > 0.0) || !std::isfinite(density)) {
-    throw InputError("density " + std::to_string(density) +
+    throw InputError("density " + with_digits(density, 6) +
                      " kg/m3: must be positive and finite; rock is about 2650");
   }
 }

@@ -2,7 +2,7 @@
 /// Volume, first and second moments of solids, as they add up.
 #include "core/types.hpp"
 #include "massprops/mass_properties.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

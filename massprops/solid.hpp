@@ -1,7 +1,7 @@
 #pragma once
 /// Exact mass properties of the solid inside a closed mesh.
 #include "massprops/mass_properties.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

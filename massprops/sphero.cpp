@@ -25,7 +25,7 @@ constexpr double kAreaAccuracy = 1e-3;
 
 void check_radius(double radius) {
   if (radius >= 0.0 && std::isfinite(radius)) return;
-  throw InputError("Minkowski radius " + std::to_string(radius) +
+  throw InputError("Minkowski radius " + with_digits(radius, 6) +
                    " m: must be finite and not negative");
 }
 
@@ -150,7 +150,7 @@ MassProperties sphero_mass_properties(const SpheroPolyhedron& body, double densi
   check_density(density);
   check_radius(body.radius);
   if (!(accuracy >= 1e-9 && accuracy <= 0.1)) {
-    throw InputError("accuracy " + std::to_string(accuracy) + ": must be from 1e-9 to 0.1");
+    throw InputError("accuracy " + with_digits(accuracy, 6) + ": must be from 1e-9 to 0.1");
   }
   if (body.faces.empty()) return without_faces(body, density);
   const LocalCore core = local_core(body);

@@ -15,8 +15,7 @@ MassProperties convex_sphero_mass_properties(const SpheroPolyhedron& body, doubl
 /// integrated along columns; the columns get denser until the four interleaved grids of half the
 /// density agree within `accuracy`. Convex bodies are exact.
 /// @param accuracy  relative, on volume and, against the smallest principal moment, on every part
-/// of
-///                  the inertia tensor; in [1e-9, 0.1]. The largest departure of the four grids
+///                  of the inertia tensor; in [1e-9, 0.1]. The largest departure of the four grids
 ///                  from their mean is the bound kept in `relative_error`; it can stay above
 ///                  `accuracy` only for skins that cross themselves at a scale below 1/4096 of the
 ///                  body.

@@ -12,6 +12,8 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/cloud_margin.hpp"
 #include "reconstruct/detail/cloud_normals.hpp"
@@ -22,8 +24,6 @@
 #include "reconstruct/detail/seen_surface.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/mesh_topology.hpp"
 
 namespace clast {
 
@@ -77,12 +77,12 @@ void refuse_flat(std::span<const Vec3> points, double diagonal) {
 struct Body {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
-  TriangleMesh surface;                          ///< its vertices are the points
-  std::size_t off = 0;                           ///< points left out, which lay off the surface
-  double noise = 0.0;                            ///< standard deviation that was smoothed away, m
-  std::unique_ptr<detail::Indicator> indicator;  ///< that gave the surface
-  std::vector<double> spacings;                  ///< of the points, m
-  detail::SeenSurface seen;                      ///< which part of the surface the points explain
+  TriangleMesh surface;  ///< its vertices are the points
+  std::size_t off = 0;   ///< points left out, which lay off the surface
+  double noise = 0.0;    ///< standard deviation that was smoothed away, m
+  std::unique_ptr<reconstruct_detail::Indicator> indicator;  ///< that gave the surface
+  std::vector<double> spacings;                              ///< of the points, m
+  reconstruct_detail::SeenSurface seen;  ///< which part of the surface the points explain
 };
 
 [[noreturn]] void refuse_no_surface(std::size_t points) {
@@ -95,18 +95,18 @@ struct Body {
 /// @param spacings  of points without noise, to take in thin parts; else empty
 void find_surface(Body& body, std::span<const double> spacings = {}) {
   for (int round = 0; round < kRounds; ++round) {
-    body.indicator = std::make_unique<detail::Indicator>(body.points, body.normals);
+    body.indicator = std::make_unique<reconstruct_detail::Indicator>(body.points, body.normals);
     if (!body.indicator->found()) refuse_no_surface(body.points.size());
-    body.surface = detail::surface_between(body.points, *body.indicator, spacings);
+    body.surface = reconstruct_detail::surface_between(body.points, *body.indicator, spacings);
     if (body.surface.triangles.empty()) refuse_no_surface(body.points.size());
-    if (detail::correct_normals(body.normals, body.surface) == 0) return;
+    if (reconstruct_detail::correct_normals(body.normals, body.surface) == 0) return;
   }
 }
 
 /// Leaves out the points that lie off the surface.
 void remove_off_surface(Body& body) {
-  const detail::LocalSurface local(body.points, body.normals);
-  const std::vector<bool> off = local.off_surface(detail::local_spacings(body.points));
+  const reconstruct_detail::LocalSurface local(body.points, body.normals);
+  const std::vector<bool> off = local.off_surface(reconstruct_detail::local_spacings(body.points));
   Body kept;
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     if (off[i]) continue;
@@ -119,9 +119,9 @@ void remove_off_surface(Body& body) {
 
 /// Removes noise that is visible between neighbours, and with it real roughness of that size.
 void smooth(Body& body) {
-  const detail::LocalSurface local(body.points, body.normals);
+  const reconstruct_detail::LocalSurface local(body.points, body.normals);
   const double noise = local.noise();
-  if (noise < kClean * detail::spacing(body.points)) return;
+  if (noise < kClean * reconstruct_detail::spacing(body.points)) return;
   std::vector<Vec3> points = local.smoothed(noise);
   body.points = std::move(points);
   body.noise = noise;
@@ -144,8 +144,8 @@ struct Missed {
 /// @param points  all, also those that were left out: where the surface is not the block's, these
 ///                are many and lie far apart
 Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) {
-  const detail::TriangleTree tree(surface);
-  const std::vector<double> spacings = detail::local_spacings(points);
+  const TriangleTree tree(surface);
+  const std::vector<double> spacings = reconstruct_detail::local_spacings(points);
   Missed missed;
   double all = 0.0, area = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -166,7 +166,8 @@ Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) 
 double unseen_share(const Body& body) {
   double area = 0.0;
   for (std::size_t t = 0; t < body.seen.seen.size(); ++t) {
-    if (!body.seen.seen[t]) area += detail::triangle_area(body.surface, body.surface.triangles[t]);
+    if (!body.seen.seen[t])
+      area += reconstruct_detail::triangle_area(body.surface, body.surface.triangles[t]);
   }
   return area / surface_area(body.surface);
 }
@@ -179,14 +180,14 @@ Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbou
   Missed missed;
   double least = std::numeric_limits<double>::infinity();
   for (const int count : neighbours) {
-    Body body{points, detail::plane_normals(points, count), {}, 0, 0.0, {}, {}, {}};
-    detail::turn_outward(body.normals, body.points);
+    Body body{points, reconstruct_detail::plane_normals(points, count), {}, 0, 0.0, {}, {}, {}};
+    reconstruct_detail::turn_outward(body.normals, body.points);
     find_surface(body);
     remove_off_surface(body);
     smooth(body);
-    body.spacings = detail::local_spacings(body.points);
+    body.spacings = reconstruct_detail::local_spacings(body.points);
     find_surface(body, body.spacings);
-    body.seen = detail::seen_surface(body.surface, body.spacings, trim);
+    body.seen = reconstruct_detail::seen_surface(body.surface, body.spacings, trim);
     const Missed left = missed_points(body.surface, points);
     const double defects = touching_share(body.surface) + left.share;
     // Where normals are wrong the surface may also span what it should follow.
@@ -215,12 +216,12 @@ void add_volumes(SurfaceMargin& margin, const Body& body) {
   Random random(kSeed);
   std::array<std::vector<Vec3>, 2> halves;
   for (const Vec3& p : body.points) halves[random.below(2)].push_back(p);
-  const double whole = detail::signed_volume(body.surface);
+  const double whole = reconstruct_detail::signed_volume(body.surface);
   std::array<double, 2> less{};
   for (std::size_t k = 0; k < 2; ++k) {
-    const TriangleMesh surface =
-        detail::surface_between(halves[k], *body.indicator, detail::local_spacings(halves[k]));
-    less[k] = whole - detail::signed_volume(surface);
+    const TriangleMesh surface = reconstruct_detail::surface_between(
+        halves[k], *body.indicator, reconstruct_detail::local_spacings(halves[k]));
+    less[k] = whole - reconstruct_detail::signed_volume(surface);
   }
   const double mean = 0.5 * (less[0] + less[1]), apart = 0.5 * std::abs(less[0] - less[1]);
   const double rough = kNoiseShare * body.noise * surface_area(body.surface);
@@ -230,7 +231,7 @@ void add_volumes(SurfaceMargin& margin, const Body& body) {
 }
 
 TriangleMesh largest_piece(const TriangleMesh& mesh) {
-  std::vector<detail::Piece> pieces = detail::pieces_of(mesh);
+  std::vector<reconstruct_detail::Piece> pieces = reconstruct_detail::pieces_of(mesh);
   return pieces.empty() ? TriangleMesh() : std::move(pieces.front().mesh);
 }
 
@@ -255,14 +256,15 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   for (const Vec3& p : points) box.include(p);
   refuse_flat(points, box.diagonal());
   const double cell = options.cell * box.diagonal();
-  const bool dense = cell > kSpacings * detail::spacing(points);
+  const bool dense = cell > kSpacings * reconstruct_detail::spacing(points);
   const Body body = body_through(
-      dense ? detail::thinned(points, cell) : std::vector<Vec3>(points.begin(), points.end()),
+      dense ? reconstruct_detail::thinned(points, cell)
+            : std::vector<Vec3>(points.begin(), points.end()),
       dense ? std::span<const int>(kManyFirst) : std::span<const int>(kFewFirst), options.trim);
-  const detail::SeenSurface& seen = body.seen;
-  TriangleMesh open = detail::with_triangles(body.surface, seen.seen);
-  detail::cut_touching_edges(open);
-  detail::split_pinched_vertices(open);
+  const reconstruct_detail::SeenSurface& seen = body.seen;
+  TriangleMesh open = reconstruct_detail::with_triangles(body.surface, seen.seen);
+  reconstruct_detail::cut_touching_edges(open);
+  reconstruct_detail::split_pinched_vertices(open);
   open = largest_piece(open);
   if (open.triangles.empty()) {
     throw GeometryError("the surface found does not follow the " + std::to_string(points.size()) +
@@ -270,7 +272,7 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
                         "cloud in CloudCompare");
   }
   SurfaceMargin margin =
-      detail::cloud_margin(body.surface, {body.normals, body.spacings, body.noise});
+      reconstruct_detail::cloud_margin(body.surface, {body.normals, body.spacings, body.noise});
   add_volumes(margin, body);
   return {std::move(open), std::move(margin), body.off, seen.gaps, seen.gap_share, seen.gap_place};
 }

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <span>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/surface_margin.hpp"
-#include "shapes/triangle_mesh.hpp"
 
 namespace clast {
 

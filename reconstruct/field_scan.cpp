@@ -7,6 +7,9 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/mesh_io.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/point_cloud.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/cut_out.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
@@ -23,9 +26,6 @@
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/standing_blocks.hpp"
 #include "reconstruct/weld.hpp"
-#include "shapes/mesh_io.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/point_cloud.hpp"
 
 namespace clast {
 
@@ -59,14 +59,15 @@ class Separation {
     raw_ = &raw;
     std::optional<TriangleMesh> sheet = open_sheet(raw);
     if (!sheet) return {cleaned(raw)};
-    std::vector<detail::Piece> pieces = detail::pieces_of(*sheet);
+    std::vector<reconstruct_detail::Piece> pieces = reconstruct_detail::pieces_of(*sheet);
     if (drop_copies(pieces)) return {cleaned(raw)};
     if (!mended_.doubled.empty()) {
       sheet = TriangleMesh{};
-      for (const detail::Piece& piece : pieces) *sheet = merged(std::move(*sheet), piece.mesh);
+      for (const reconstruct_detail::Piece& piece : pieces)
+        *sheet = merged(std::move(*sheet), piece.mesh);
     }
     if (options_.find_ground && !only_small_holes(*sheet)) {
-      const std::vector<Vec3> points = detail::points_over(*sheet);
+      const std::vector<Vec3> points = reconstruct_detail::points_over(*sheet);
       if (const std::optional<Ground> ground = found_ground(points)) {
         return cut_out(*sheet, points, *ground);
       }
@@ -97,15 +98,16 @@ class Separation {
                        std::to_string(kFewestPoints) + " at least");
     }
     std::vector<Vec3> points;
-    const std::vector<Vec3> once = detail::without_repeats(raw);
-    for (const std::uint32_t i : detail::without_isolated(once)) points.push_back(once[i]);
+    const std::vector<Vec3> once = reconstruct_detail::without_repeats(raw);
+    for (const std::uint32_t i : reconstruct_detail::without_isolated(once))
+      points.push_back(once[i]);
     notes_.push_back("made from " + std::to_string(raw.size()) + " points, " +
                      std::to_string(once.size() - points.size()) + " of them outliers");
     if (once.size() < raw.size()) {
       notes_.push_back(std::to_string(raw.size() - once.size()) +
                        " points repeat another one and were left out");
     }
-    detail::NearAndFar sets = detail::near_and_far(points);
+    reconstruct_detail::NearAndFar sets = reconstruct_detail::near_and_far(points);
     refuse_separate_sets(sets);
     std::optional<Ground> ground;
     if (options_.find_ground) ground = found_ground(points);
@@ -135,7 +137,7 @@ class Separation {
     const RepairReport& report = block.scan.report;
     return report.invented_share < kHardlyOpen &&
            std::any_of(report.holes.begin(), report.holes.end(), [](const FilledHole& hole) {
-             return hole.border_edges > detail::kFanEdges;
+             return hole.border_edges > reconstruct_detail::kFanEdges;
            });
   }
 
@@ -154,10 +156,10 @@ class Separation {
   FieldBlock cleaned(const TriangleMesh& raw) const {
     FieldBlock block{cleaned_scan(raw, name_, options_.scan), {}, {}};
     if (was_changed(block.scan.report)) {
-      const detail::ScannedSurface scanned(raw);
+      const reconstruct_detail::ScannedSurface scanned(raw);
       const TriangleMesh closed = in_file_units(block.scan.mesh);
-      block.bounds =
-          detail::closed_bounds({closed, options_.scan.unit, &scanned, nullptr}, block.scan.report);
+      block.bounds = reconstruct_detail::closed_bounds(
+          {closed, options_.scan.unit, &scanned, nullptr}, block.scan.report);
     }
     return with_doubt(std::move(block));
   }
@@ -197,25 +199,27 @@ class Separation {
                           std::optional<Vec3> where = {}, double size = 0.0) {
       if (count > 0) report.defects.push_back({kind, count, dropped / area, size, where});
     };
-    const auto note_mended = [&](DefectKind kind, const detail::Mended& mended) {
+    const auto note_mended = [&](DefectKind kind, const reconstruct_detail::Mended& mended) {
       note(kind, mended.count, mended.area, mended.place);
     };
     note(DefectKind::kNearVertices, welded(raw, 0.0).vertices.size() - mesh.vertices.size(), 0.0,
          {}, tolerance * options_.scan.unit);
     note(DefectKind::kNoArea, raw.triangles.size() - mesh.triangles.size());
-    const detail::SoupMends mends = detail::mend_soup(mesh, detail::kFinArea);
+    const reconstruct_detail::SoupMends mends =
+        reconstruct_detail::mend_soup(mesh, reconstruct_detail::kFinArea);
     if (mesh.triangles.empty() || !mends.orientation.orientable) return std::nullopt;
     note_mended(DefectKind::kFolded, mends.folded);
     note_mended(DefectKind::kFin, mends.fins);
     note_mended(DefectKind::kTouchingEdge, mends.touching);
-    const std::size_t turned = mends.orientation.turned + detail::turn_hanging_scraps(mesh);
+    const std::size_t turned =
+        mends.orientation.turned + reconstruct_detail::turn_hanging_scraps(mesh);
     if (turned > 0) {
       note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[mends.orientation.first]);
     }
-    const std::vector<FilledHole> ragged = detail::close_ragged_holes(mesh);
+    const std::vector<FilledHole> ragged = reconstruct_detail::close_ragged_holes(mesh);
     if (inspect(mesh).closed()) return std::nullopt;
-    note_mended(DefectKind::kPinchedVertex, detail::split_pinched_vertices(mesh));
-    const detail::Spikes spikes = detail::flatten_spikes(mesh);
+    note_mended(DefectKind::kPinchedVertex, reconstruct_detail::split_pinched_vertices(mesh));
+    const reconstruct_detail::Spikes spikes = reconstruct_detail::flatten_spikes(mesh);
     note(DefectKind::kSpike, spikes.count, 0.0, spikes.place, spikes.highest * options_.scan.unit);
     take_fillings(report, ragged, surface_area(mesh));
     mended_ = std::move(report);
@@ -253,23 +257,23 @@ class Separation {
   /// Drops copies of the first piece, once that is the best of them, and notes them.
   /// @returns whether that piece is closed and nothing but copies and scraps is beside it: repair
   /// does the rest
-  bool drop_copies(std::vector<detail::Piece>& pieces) {
-    detail::put_best_copy_first(pieces);
+  bool drop_copies(std::vector<reconstruct_detail::Piece>& pieces) {
+    reconstruct_detail::put_best_copy_first(pieces);
     const TriangleMesh& first = pieces[0].mesh;
     const double diagonal = bounds(first).diagonal(), unit = options_.scan.unit;
-    const detail::TriangleTree tree(first);
+    const TriangleTree tree(first);
     bool others = false;
-    std::vector<detail::Piece> kept;
+    std::vector<reconstruct_detail::Piece> kept;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
       const bool scrap = pieces[i].area < kScrapArea * pieces[0].area;
-      const auto copy =
-          scrap ? std::nullopt : detail::copy_of_surface(pieces[i].mesh, tree, diagonal);
+      const auto copy = scrap ? std::nullopt
+                              : reconstruct_detail::copy_of_surface(pieces[i].mesh, tree, diagonal);
       others |= !scrap && !copy;
       if (!copy) {
         kept.push_back(std::move(pieces[i]));
         continue;
       }
-      DoubledSurface doubled = detail::described_copy(*copy, pieces[i], first, tree);
+      DoubledSurface doubled = reconstruct_detail::described_copy(*copy, pieces[i], first, tree);
       doubled.offset *= unit;
       doubled.distance *= unit;
       doubled.volume_change *= unit * unit * unit;
@@ -281,7 +285,7 @@ class Separation {
                                  pieces[i].mesh.vertices[0]});
     }
     pieces.resize(1);
-    for (detail::Piece& piece : kept) pieces.push_back(std::move(piece));
+    for (reconstruct_detail::Piece& piece : kept) pieces.push_back(std::move(piece));
     return !others && inspect(pieces[0].mesh).closed();
   }
 
@@ -291,7 +295,7 @@ class Separation {
     for (const std::vector<std::uint32_t>& loop : boundary_loops(sheet)) {
       std::vector<Vec3> border;
       for (const std::uint32_t v : loop) border.push_back(sheet.vertices[v]);
-      if (detail::is_unseen_side(border, area)) return false;
+      if (reconstruct_detail::is_unseen_side(border, area)) return false;
     }
     return true;
   }
@@ -321,7 +325,7 @@ class Separation {
   }
 
   /// A ground would join what stands on it: without one, far sets are not of one block.
-  void refuse_separate_sets(const detail::NearAndFar& found) const {
+  void refuse_separate_sets(const reconstruct_detail::NearAndFar& found) const {
     if (found.far_share <= kScrapArea) return;
     throw GeometryError(name_ + ": separate sets of points, the second with about " +
                         std::to_string(std::lround(100.0 * found.far_share)) +
@@ -331,7 +335,7 @@ class Separation {
   }
 
   /// Points of a block by itself, without what lies far from it.
-  std::vector<Vec3> without_far(detail::NearAndFar found) {
+  std::vector<Vec3> without_far(reconstruct_detail::NearAndFar found) {
     if (found.far > 0) {
       notes_.push_back(std::to_string(found.far) +
                        " points far from the block were left out, some near " +
@@ -371,16 +375,17 @@ class Separation {
   std::vector<FieldBlock> cut_out(const TriangleMesh& sheet, const std::vector<Vec3>& points,
                                   const Ground& ground) {
     const StandingBlocks standing = standing_on(points, ground);
-    const detail::NearestPoints tree(points);
+    const reconstruct_detail::NearestPoints tree(points);
     std::vector<FieldBlock> blocks;
     for (const StandingBlock* block : chosen(standing)) {
       std::vector<Vec3> own;
       for (const std::uint32_t i : block->points) own.push_back(points[i]);
-      std::vector<detail::Piece> pieces = detail::pieces_nearest_to(sheet, tree, block->points);
+      std::vector<reconstruct_detail::Piece> pieces =
+          reconstruct_detail::pieces_nearest_to(sheet, tree, block->points);
       if (pieces.empty()) refuse_bare_ground(name_, 1.0);
       const std::string others = left_out(pieces);
       TriangleMesh rock = std::move(pieces.front().mesh);
-      detail::split_pinched_vertices(rock);
+      reconstruct_detail::split_pinched_vertices(rock);
       blocks.push_back(closed_block(std::move(rock), below(*block, own, ground), block->centre));
       if (!others.empty()) blocks.back().scan.notes.push_back(others);
     }
@@ -389,7 +394,7 @@ class Separation {
 
   /// Of the pieces of what stands at one place the first is the block. Said where another is no
   /// scrap.
-  static std::string left_out(const std::vector<detail::Piece>& pieces) {
+  static std::string left_out(const std::vector<reconstruct_detail::Piece>& pieces) {
     if (pieces.size() < 2 || pieces[1].area <= kScrapArea * pieces[0].area) return "";
     return "another piece of the scan that stands close to this block, with " +
            with_digits(100.0 * pieces[1].area / pieces[0].area, 3) + " % of its area, near " +
@@ -411,10 +416,10 @@ class Separation {
       }
     }
     if (mended.as_read.triangles > 0) {  // the surface of a cloud has no small holes
-      const std::vector<FilledHole> filled = detail::fill_holes(open, false);
+      const std::vector<FilledHole> filled = reconstruct_detail::fill_holes(open, false);
       take_fillings(mended, filled, surface_area(open));
     }
-    std::optional<detail::ScannedSurface> scanned;
+    std::optional<reconstruct_detail::ScannedSurface> scanned;
     if (margin != nullptr) {
       scanned.emplace(std::span<const Vec3>(open.vertices));
     } else if (was_changed(mended)) {
@@ -434,7 +439,7 @@ class Separation {
     FieldBlock block{cleaned_scan(side ? side->best : open, name_, options), {}, {}};
     block.scan.report = joined(std::move(mended), std::move(block.scan.report));
     if (!side) {
-      block.bounds = detail::closed_bounds(
+      block.bounds = reconstruct_detail::closed_bounds(
           {open, options.unit, scanned ? &*scanned : nullptr, margin}, block.scan.report);
     }
     block.scan.notes = repair_notes(block.scan.report);
@@ -461,7 +466,7 @@ class Separation {
     if (side) {
       notes.insert(notes.end(), side->notes.begin(), side->notes.end());
       block.underside = moved(std::move(*side), [&](const Vec3& p) { return turn * to_metres(p); });
-      block.bounds = detail::underside_bounds(*block.underside, block.scan.report);
+      block.bounds = reconstruct_detail::underside_bounds(*block.underside, block.scan.report);
     }
     return with_doubt(std::move(block));
   }
@@ -503,7 +508,7 @@ class Separation {
                      .dot((open.vertices[b] - middle).cross(open.vertices[c] - middle));
     }
     if (sixfold >= 0.0) return false;
-    detail::turn_over(open);
+    reconstruct_detail::turn_over(open);
     return true;
   }
 
@@ -552,7 +557,7 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
   } else {
     scan.raw = read_mesh_or_points(path);
   }
-  const std::string note = detail::digits_note(scan.raw, path, options.scan.unit);
+  const std::string note = reconstruct_detail::digits_note(scan.raw, path, options.scan.unit);
   scan.blocks = scan.raw.triangles.empty() ? field_blocks(scan.raw.vertices, path.string(), options)
                                            : field_blocks(scan.raw, path.string(), options);
   for (FieldBlock& block : scan.blocks) {

@@ -182,7 +182,7 @@ bool goes_on_around(std::span<const Vec3> points, const Plane& plane, double tol
 struct Ground::Surface {
   Quat turn;    ///< source axes to those of the plane
   Vec3 origin;  ///< of these, in source axes
-  detail::HeightGrid grid;
+  reconstruct_detail::HeightGrid grid;
 
   Vec3 flat(const Vec3& point) const { return turn * (point - origin); }
   double at(const Vec3& point) const { return grid.at(flat(point).head<2>()); }
@@ -253,7 +253,7 @@ std::optional<Ground> found_ground(std::span<const Vec3> points, const GroundOpt
   Bounds box;
   for (const Vec3& p : points) box.include(p);
   const double diagonal = points.empty() ? 0.0 : box.diagonal();
-  const std::vector<Vec3> thin = detail::thinned(points, kThinCell * diagonal);
+  const std::vector<Vec3> thin = reconstruct_detail::thinned(points, kThinCell * diagonal);
   if (thin.size() < 50) return std::nullopt;
   const double tolerance = options.tolerance * diagonal;
   const Plane plane = consensus_plane(thin, tolerance, options);
@@ -276,7 +276,7 @@ std::optional<Ground> found_ground(std::span<const Vec3> points, const GroundOpt
   }
   // To a narrower band each time: walls leave it, and slow undulations come in.
   std::vector<Vec3> held;
-  std::optional<detail::HeightGrid> grid;
+  std::optional<reconstruct_detail::HeightGrid> grid;
   double band = 2.0 * tolerance, roughness = 0.0;
   for (int fit = 0; fit < kFits; ++fit) {
     held.clear();

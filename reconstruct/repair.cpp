@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/detail/crossing_mends.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
@@ -16,7 +17,6 @@
 #include "reconstruct/detail/surface_copy.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/weld.hpp"
-#include "shapes/self_intersection.hpp"
 
 namespace clast {
 
@@ -69,8 +69,8 @@ class Route {
     for (Vec3& v : local.vertices) v -= origin_;
     weld(local);
     mend_soup();
-    std::vector<detail::Piece> pieces = detail::pieces_of(mesh_);
-    detail::put_best_copy_first(pieces);
+    std::vector<reconstruct_detail::Piece> pieces = reconstruct_detail::pieces_of(mesh_);
+    reconstruct_detail::put_best_copy_first(pieces);
     mesh_ = std::move(pieces.front().mesh);
     mend_block();
     turn_outward();
@@ -98,7 +98,7 @@ class Route {
     report_.defects.push_back({kind, count, area / area_as_read_, size, where});
   }
 
-  void note(DefectKind kind, const detail::Mended& mended) {
+  void note(DefectKind kind, const reconstruct_detail::Mended& mended) {
     note(kind, mended.count, mended.area, mended.place);
   }
 
@@ -137,17 +137,17 @@ class Route {
   /// After this every edge has one triangle or two, and neighbours face the same way.
   void mend_soup() {
     welded_ = mesh_;
-    detail::SoupMends mends;
+    reconstruct_detail::SoupMends mends;
     if (options_.invent) {
-      mends = detail::mend_soup(mesh_, detail::kFinArea);
+      mends = reconstruct_detail::mend_soup(mesh_, reconstruct_detail::kFinArea);
     } else {
-      mends.folded = detail::drop_opposite_pairs(mesh_);
-      mends.orientation = detail::orient_consistently(mesh_);
+      mends.folded = reconstruct_detail::drop_opposite_pairs(mesh_);
+      mends.orientation = reconstruct_detail::orient_consistently(mesh_);
     }
     if (mesh_.triangles.empty()) {
       fail("no surface is left: its triangles have no area or cancel each other");
     }
-    const detail::Orientation& facing = mends.orientation;
+    const reconstruct_detail::Orientation& facing = mends.orientation;
     if (!facing.orientable) {
       fail("the surface is one-sided near " + at(mesh_.vertices[facing.conflict]) +
            " (inside and outside can't be told apart)" + kAdvice);
@@ -157,8 +157,8 @@ class Route {
     note(DefectKind::kTouchingEdge, mends.touching);
     std::size_t turned = facing.turned;
     if (options_.invent) {
-      turned += detail::turn_hanging_scraps(mesh_);
-      report_.holes = detail::close_ragged_holes(mesh_);
+      turned += reconstruct_detail::turn_hanging_scraps(mesh_);
+      report_.holes = reconstruct_detail::close_ragged_holes(mesh_);
     }
     if (turned > 0) {
       note(DefectKind::kMixedWinding, turned, 0.0, mesh_.vertices[facing.first]);
@@ -167,14 +167,15 @@ class Route {
 
   /// The largest piece becomes closed and free of crossings.
   void mend_block() {
-    const detail::Mended split = detail::split_pinched_vertices(mesh_);
-    const detail::Spikes first = options_.invent ? detail::flatten_spikes(mesh_) : detail::Spikes{};
+    const reconstruct_detail::Mended split = reconstruct_detail::split_pinched_vertices(mesh_);
+    const reconstruct_detail::Spikes first =
+        options_.invent ? reconstruct_detail::flatten_spikes(mesh_) : reconstruct_detail::Spikes{};
     fill();
     if (!inspect(mesh_).closed()) fail_open();
-    const detail::Spikes second =
-        options_.invent ? detail::flatten_spikes(mesh_) : detail::Spikes{};
+    const reconstruct_detail::Spikes second =
+        options_.invent ? reconstruct_detail::flatten_spikes(mesh_) : reconstruct_detail::Spikes{};
     note(DefectKind::kPinchedVertex, split);
-    const detail::Spikes& highest = first.highest > second.highest ? first : second;
+    const reconstruct_detail::Spikes& highest = first.highest > second.highest ? first : second;
     note(DefectKind::kSpike, first.count + second.count, 0.0, highest.place, highest.highest);
     check_volume();
     if (options_.invent) free_of_crossings();
@@ -182,11 +183,12 @@ class Route {
 
   void fill() {
     std::vector<FilledHole>& holes = report_.holes;
-    for (const FilledHole& hole : detail::close_by_fans(mesh_, detail::kFanEdges)) {
+    for (const FilledHole& hole :
+         reconstruct_detail::close_by_fans(mesh_, reconstruct_detail::kFanEdges)) {
       holes.push_back(hole);
     }
     if (options_.invent && inspect(mesh_).boundary_edges > 0) {
-      for (const FilledHole& hole : detail::fill_holes(mesh_)) holes.push_back(hole);
+      for (const FilledHole& hole : reconstruct_detail::fill_holes(mesh_)) holes.push_back(hole);
     }
     const double area = surface_area(mesh_);
     for (FilledHole& hole : holes) {
@@ -206,7 +208,7 @@ class Route {
   }
 
   void check_volume() const {
-    const double volume = detail::signed_volume(mesh_);
+    const double volume = reconstruct_detail::signed_volume(mesh_);
     if (!(std::abs(volume) > kNoVolume * std::pow(bounds(mesh_).diagonal(), 3))) {
       fail("the surface encloses no volume; is it a folded sheet?");
     }
@@ -214,7 +216,7 @@ class Route {
 
   /// "88 open edges in 9 holes: 30 edges and 0.41 m round near (...), ..."
   std::string open_edges(TriangleMesh mesh) const {
-    detail::orient_consistently(mesh);  // or the borders would not chain into holes
+    reconstruct_detail::orient_consistently(mesh);  // or the borders would not chain into holes
     const std::size_t open = inspect(mesh).boundary_edges;
     if (open == 0) return "";
     std::string text = counted(open, "open edge", "open edges");
@@ -242,26 +244,28 @@ class Route {
     if (shared > 0) {
       text += text.empty() ? "" : "; ";
       text += counted(shared, "edge", "edges") + " shared by more than two triangles, near " +
-              at(welded_.vertices[detail::first_non_manifold_edge(welded_)[0]]);
+              at(welded_.vertices[reconstruct_detail::first_non_manifold_edge(welded_)[0]]);
     }
     fail("the surface is not closed: " + text + kAdvice);
   }
 
   /// Triangles that cross are replaced.
   void free_of_crossings() {
-    mesh_ = detail::on_grid(std::move(mesh_), origin_);
+    mesh_ = reconstruct_detail::on_grid(std::move(mesh_), origin_);
     const auto crossings = crossing_triangles(mesh_);
     if (crossings.empty()) return;
     const Vec3 where = mesh_.vertices[mesh_.triangles[crossings[0][0]][0]];
-    std::optional<detail::FreedSurface> freed = detail::freed_of_crossings(mesh_, origin_);
+    std::optional<reconstruct_detail::FreedSurface> freed =
+        reconstruct_detail::freed_of_crossings(mesh_, origin_);
     if (!freed) {
       fail("the surface passes through itself at " + std::to_string(crossings.size()) +
            " pairs of triangles, the first near " + at(where) +
            ", and can't be freed of that without changing its volume by more than " +
-           with_digits(100.0 * detail::kCrossingVolume, 2) + " %" + kAdvice);
+           with_digits(100.0 * reconstruct_detail::kCrossingVolume, 2) + " %" + kAdvice);
     }
-    report_.crossing_volume_change =
-        std::abs(detail::signed_volume(freed->mesh)) / std::abs(detail::signed_volume(mesh_)) - 1.0;
+    report_.crossing_volume_change = std::abs(reconstruct_detail::signed_volume(freed->mesh)) /
+                                         std::abs(reconstruct_detail::signed_volume(mesh_)) -
+                                     1.0;
     report_.wrap_bias = freed->wrap_bias;
     note(DefectKind::kCrossing, crossings.size(), 0.0, where);
     mesh_ = std::move(freed->mesh);
@@ -269,9 +273,9 @@ class Route {
 
   /// What the other pieces are, now that the block is closed: bubbles, sheets scanned twice,
   /// islands, or other blocks.
-  void take_pieces(const std::vector<detail::Piece>& pieces) {
+  void take_pieces(const std::vector<reconstruct_detail::Piece>& pieces) {
     if (pieces.size() == 1) return;
-    const detail::TriangleTree tree(mesh_);
+    const TriangleTree tree(mesh_);
     const double diagonal = bounds(mesh_).diagonal(), on_block = kDoubleSheet * diagonal;
     std::vector<const TriangleMesh*> shells;
     Dropped islands, sheets, copies;
@@ -281,20 +285,20 @@ class Route {
       const TriangleMesh& piece = pieces[i].mesh;
       const bool closed = inspect(piece).closed();
       if (pieces[i].area >= kIslandArea * pieces[0].area) {
-        if (const auto copy = detail::copy_of_surface(piece, tree, diagonal)) {
+        if (const auto copy = reconstruct_detail::copy_of_surface(piece, tree, diagonal)) {
           (closed ? copies : sheets).add(pieces[i]);
-          note_copy(detail::described_copy(*copy, pieces[i], mesh_, tree));
+          note_copy(reconstruct_detail::described_copy(*copy, pieces[i], mesh_, tree));
           continue;
         }
       }
-      const bool inside = detail::lies_inside(piece, mesh_, tree);
+      const bool inside = reconstruct_detail::lies_inside(piece, mesh_, tree);
       const auto holds_piece = [&](const TriangleMesh* shell) {
-        return detail::encloses(*shell, piece.vertices[0]);
+        return reconstruct_detail::encloses(*shell, piece.vertices[0]);
       };
       // What lies in a bubble has less area than the bubble, so that one comes first.
       if (inside && closed && std::none_of(shells.begin(), shells.end(), holds_piece)) {
         shells.push_back(&piece);
-      } else if (options_.invent && !closed && detail::lies_on(piece, tree, on_block)) {
+      } else if (options_.invent && !closed && reconstruct_detail::lies_on(piece, tree, on_block)) {
         sheets.add(pieces[i]);
       } else if (inside || pieces[i].area < kIslandArea * pieces[0].area) {
         islands.add(pieces[i]);
@@ -322,7 +326,7 @@ class Route {
     double area = 0.0;
     Vec3 place = Vec3::Zero();
 
-    void add(const detail::Piece& piece) {
+    void add(const reconstruct_detail::Piece& piece) {
       if (count++ == 0) place = piece.mesh.vertices[0];
       area += piece.area;
     }
@@ -340,26 +344,26 @@ class Route {
   /// Counts the shells; where they are to be kept, adds them facing the other way than the block.
   void take_shells(const std::vector<const TriangleMesh*>& shells) {
     if (shells.empty()) return;
-    const bool block_outward = detail::signed_volume(mesh_) > 0.0;
+    const bool block_outward = reconstruct_detail::signed_volume(mesh_) > 0.0;
     report_.inner_shells = shells.size();
     report_.inner_shells_kept = options_.keep_inner_shells;
     double area = 0.0;
     for (const TriangleMesh* shell : shells) {
-      const double volume = detail::signed_volume(*shell);
+      const double volume = reconstruct_detail::signed_volume(*shell);
       report_.inner_shell_volume += std::abs(volume);
       area += surface_area(*shell);
       if (!options_.keep_inner_shells) continue;
       TriangleMesh cavity = *shell;
-      detail::split_pinched_vertices(cavity);
-      if ((volume > 0.0) == block_outward) detail::turn_over(cavity);
+      reconstruct_detail::split_pinched_vertices(cavity);
+      if ((volume > 0.0) == block_outward) reconstruct_detail::turn_over(cavity);
       mesh_ = merged(std::move(mesh_), cavity);
     }
     note(DefectKind::kInnerShell, shells.size(), area, shells[0]->vertices[0]);
   }
 
   void turn_outward() {
-    if (detail::signed_volume(mesh_) > 0.0) return;
-    detail::turn_over(mesh_);
+    if (reconstruct_detail::signed_volume(mesh_) > 0.0) return;
+    reconstruct_detail::turn_over(mesh_);
     std::swap(report_.volume_below, report_.volume_above);
     for (FilledHole& hole : report_.holes) std::swap(hole.volume_below, hole.volume_above);
     note(DefectKind::kInward, 1);
@@ -391,11 +395,11 @@ class Route {
 
 void RepairOptions::check() const {
   if (!(weld_tolerance >= 0.0 && weld_tolerance <= 0.01)) {
-    throw InputError("weld_tolerance = " + std::to_string(weld_tolerance) +
+    throw InputError("weld_tolerance = " + with_digits(weld_tolerance, 6) +
                      ": a share of the diagonal between 0 and 0.01 is needed");
   }
   if (!(largest_hole > 0.0 && largest_hole < 1.0)) {
-    throw InputError("largest_hole = " + std::to_string(largest_hole) +
+    throw InputError("largest_hole = " + with_digits(largest_hole, 6) +
                      ": a share of the surface between 0 and 1 is needed");
   }
 }

@@ -2,8 +2,9 @@
 /// From any surface that a scanner wrote to one that bounds a block.
 #include <functional>
 
+#include "core/fields.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/repair_report.hpp"
-#include "shapes/triangle_mesh.hpp"
 
 namespace clast {
 
@@ -22,6 +23,16 @@ struct RepairOptions {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+template <class Visit>
+void visit_fields(const RepairOptions& options, Visit&& visit) {
+  const auto& [weld_tolerance, keep_inner_shells, invent, largest_hole, place_told] = options;
+  visit("weld_tolerance", weld_tolerance);
+  visit("keep_inner_shells", keep_inner_shells);
+  visit("invent", invent);
+  visit("largest_hole", largest_hole);
+  visit("place_told", NoInfluence{place_told});
+}
 
 /// Coordinates beyond this (m) are no place on Earth or any rock: the file is damaged. Squares and
 /// cubes of lengths stay finite below it.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "shapes/mesh_topology.hpp"
+#include "mesh/mesh_topology.hpp"
 
 namespace clast {
 

@@ -3,14 +3,15 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "mesh/mesh_io.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
-#include "shapes/mesh_io.hpp"
 
 namespace clast {
 
 void ScanOptions::check() const {
   if (!(unit > 0.0) || !std::isfinite(unit)) {
-    throw InputError("unit = " + std::to_string(unit) +
+    throw InputError("unit = " + with_digits(unit, 6) +
                      ": metres per unit of the file must be positive, for example 0.001 for mm");
   }
   if (up != "y" && up != "z") throw InputError("up = \"" + up + "\": must be \"y\" or \"z\"");
@@ -20,7 +21,7 @@ void ScanOptions::check() const {
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
   options.check();
   const TriangleMesh raw = read_mesh(path);
-  const std::string note = detail::digits_note(raw, path, options.unit);
+  const std::string note = reconstruct_detail::digits_note(raw, path, options.unit);
   Scan scan = cleaned_scan(raw, path.string(), options);
   if (!note.empty()) scan.notes.push_back(note);
   return scan;

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/repair.hpp"
-#include "shapes/triangle_mesh.hpp"
 
 namespace clast {
 
@@ -17,6 +18,14 @@ struct ScanOptions {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+template <class Visit>
+void visit_fields(const ScanOptions& options, Visit&& visit) {
+  const auto& [unit, up, repair] = options;
+  visit("unit", unit);
+  visit("up", up);
+  visit("repair", repair);
+}
 
 /// A scan that became a closed mesh, and what was done to it.
 struct Scan {

@@ -14,12 +14,12 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/detail/cgal_mesh.hpp"
+#include "mesh/edge_collapse.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/detail/crossing_mends.hpp"
 #include "reconstruct/detail/pieces.hpp"
-#include "shapes/detail/cgal_mesh.hpp"
-#include "shapes/detail/edge_collapse.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/self_intersection.hpp"
 
 namespace clast {
 
@@ -46,31 +46,31 @@ std::size_t edges_of(std::size_t vertices, long euler) {
   return static_cast<std::size_t>(3 * (static_cast<long>(vertices) - euler));
 }
 
-TriangleMesh collapsed_to(const detail::CgalMesh& start, std::size_t edges) {
-  using Placement = Simplification::LindstromTurk_placement<detail::CgalMesh>;
-  detail::CgalMesh mesh = start;
+TriangleMesh collapsed_to(const mesh_detail::CgalMesh& start, std::size_t edges) {
+  using Placement = Simplification::LindstromTurk_placement<mesh_detail::CgalMesh>;
+  mesh_detail::CgalMesh mesh = start;
   Simplification::edge_collapse(
-      mesh, Simplification::Count_stop_predicate<detail::CgalMesh>(edges + 1),
-      CGAL::parameters::get_cost(Simplification::LindstromTurk_cost<detail::CgalMesh>())
+      mesh, Simplification::Count_stop_predicate<mesh_detail::CgalMesh>(edges + 1),
+      CGAL::parameters::get_cost(Simplification::LindstromTurk_cost<mesh_detail::CgalMesh>())
           .get_placement(Placement())
           .filter(Simplification::Bounded_normal_change_filter<>()));
-  return detail::from_cgal(mesh);
+  return mesh_detail::from_cgal(mesh);
 }
 
 /// Draws crossing triangles together until none is left; none when that doesn't end or would cost
 /// more than a sliver of the block.
 std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
-  const double volume = detail::signed_volume(mesh);
+  const double volume = reconstruct_detail::signed_volume(mesh);
   for (int round = 0; round < kUntanglings; ++round) {
     std::vector<std::uint32_t> crossing;
     for (const auto& pair : crossing_triangles(mesh)) {
       crossing.insert(crossing.end(), pair.begin(), pair.end());
     }
     if (crossing.empty()) {
-      const double change = std::abs(detail::signed_volume(mesh) - volume);
+      const double change = std::abs(reconstruct_detail::signed_volume(mesh) - volume);
       return change <= kVolumeKept * volume ? std::optional(std::move(mesh)) : std::nullopt;
     }
-    if (detail::collapse_edges_of(mesh, crossing) == 0) break;
+    if (collapse_edges_of(mesh, crossing) == 0) break;
   }
   return std::nullopt;
 }
@@ -80,15 +80,16 @@ std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
 std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origin) {
   const std::vector<std::uint32_t> piece = triangle_components(mesh);
   if (*std::max_element(piece.begin(), piece.end()) > 0) return std::nullopt;
-  const TriangleMesh start = detail::on_grid(mesh, origin);
-  std::optional<detail::FreedSurface> freed = detail::freed_of_crossings(start, origin);
+  const TriangleMesh start = reconstruct_detail::on_grid(mesh, origin);
+  std::optional<reconstruct_detail::FreedSurface> freed =
+      reconstruct_detail::freed_of_crossings(start, origin);
   if (!freed || freed->wrap_bias ||
       static_cast<double>(freed->mesh.vertices.size()) >
           kMostRefill * static_cast<double>(mesh.vertices.size())) {
     return std::nullopt;
   }
-  const double volume = detail::signed_volume(start);
-  if (std::abs(detail::signed_volume(freed->mesh) - volume) > kRefillVolume * volume) {
+  const double volume = reconstruct_detail::signed_volume(start);
+  if (std::abs(reconstruct_detail::signed_volume(freed->mesh) - volume) > kRefillVolume * volume) {
     return std::nullopt;
   }
   return std::move(freed->mesh);
@@ -132,7 +133,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   const Vec3 origin = 0.5 * (box.low + box.high);
   TriangleMesh centred = mesh;
   for (Vec3& vertex : centred.vertices) vertex -= origin;
-  const detail::CgalMesh start = detail::to_cgal(centred);
+  const mesh_detail::CgalMesh start = mesh_detail::to_cgal(centred);
 
   TriangleMesh first;
   for (const double multiple : kMultiples) {

@@ -2,7 +2,7 @@
 /// Thinning a closed mesh.
 #include <cstddef>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

@@ -36,8 +36,9 @@ struct Wall {
 };
 
 Wall wall_near(const Vec3& point, const Vec3& block_centre, std::span<const Vec3> band,
-               const detail::NearestPoints& tree) {
-  const std::vector<detail::NearestPoints::Near> near = tree.nearest(point, kWallPoints);
+               const reconstruct_detail::NearestPoints& tree) {
+  const std::vector<reconstruct_detail::NearestPoints::Near> near =
+      tree.nearest(point, kWallPoints);
   Vec3 centre = Vec3::Zero();
   for (const auto& n : near) centre += band[n.point] / static_cast<double>(near.size());
   Mat3 scatter = Mat3::Zero();
@@ -91,8 +92,9 @@ class Standing {
       if (heights_[i] > clear_) above.push_back(points_[i]);
     }
     if (above.empty()) return;
-    const std::vector<Vec3> thin = detail::thinned(above, cell_);
-    for (const std::vector<std::uint32_t>& set : detail::clusters(thin, kReach * cell_, 10)) {
+    const std::vector<Vec3> thin = reconstruct_detail::thinned(above, cell_);
+    for (const std::vector<std::uint32_t>& set :
+         reconstruct_detail::clusters(thin, kReach * cell_, 10)) {
       if (!pieces_.empty() &&
           static_cast<double>(set.size()) <
               kLeastOfLargest * static_cast<double>(pieces_.front().points.size())) {
@@ -130,7 +132,7 @@ class Standing {
       piece_of.insert(piece_of.end(), piece.points.size(), k);
       result.blocks.push_back({{}, piece.centre, piece.height});
     }
-    const detail::NearestPoints tree(all);
+    const reconstruct_detail::NearestPoints tree(all);
     std::vector<std::int64_t> owner(points_.size(), -1);
     std::vector<std::uint32_t> strip;
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
@@ -167,7 +169,7 @@ class Standing {
         owner_of.push_back(owner[i]);
       }
       if (band.size() < kWallPoints) return;
-      const detail::NearestPoints walls(band);
+      const reconstruct_detail::NearestPoints walls(band);
       for (const std::uint32_t i : strip) {
         if (heights_[i] > top || heights_[i] <= top - step) continue;
         const auto near = walls.nearest(points_[i], 1).front();

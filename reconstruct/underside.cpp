@@ -6,13 +6,13 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/detail/film.hpp"
 #include "reconstruct/detail/hole_patch.hpp"
 #include "reconstruct/detail/sections.hpp"
 #include "reconstruct/detail/space_below.hpp"
 #include "reconstruct/detail/unseen_bounds.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/self_intersection.hpp"
 
 namespace clast {
 
@@ -130,9 +130,10 @@ class Closing {
     result_.first_invented = result_.lower.triangles.size();
     for (std::size_t i = 1; i < result_.open_sides; ++i) fill(rims[i]);
     first_vertex_ = result_.lower.vertices.size();
-    detail::HolePatch patch = fill(rims[0]);
+    reconstruct_detail::HolePatch patch = fill(rims[0]);
     describe(rims[0]);
-    bracket(rims, detail::Film(result_.lower, std::move(patch), first_vertex_, result_.down));
+    bracket(rims,
+            reconstruct_detail::Film(result_.lower, std::move(patch), first_vertex_, result_.down));
     return std::move(result_);
   }
 
@@ -153,8 +154,8 @@ class Closing {
                             " filled straight across");
   }
 
-  detail::HolePatch fill(const Rim& rim) {
-    detail::HolePatch patch = detail::filled_hole(result_.lower, rim.loop);
+  reconstruct_detail::HolePatch fill(const Rim& rim) {
+    reconstruct_detail::HolePatch patch = reconstruct_detail::filled_hole(result_.lower, rim.loop);
     TriangleMesh& mesh = result_.lower;
     mesh.vertices.insert(mesh.vertices.end(), patch.vertices.begin(), patch.vertices.end());
     mesh.triangles.insert(mesh.triangles.end(), patch.triangles.begin(), patch.triangles.end());
@@ -171,8 +172,8 @@ class Closing {
     result_.rim_length = rim.length;
   }
 
-  void bracket(const std::vector<Rim>& rims, const detail::Film& film) {
-    const detail::Sections sections(result_.lower, -result_.down);
+  void bracket(const std::vector<Rim>& rims, const reconstruct_detail::Film& film) {
+    const reconstruct_detail::Sections sections(result_.lower, -result_.down);
     film_volume_ = sections.volume_above(sections.lowest());
     if (!(film_volume_ > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
@@ -202,7 +203,7 @@ class Closing {
   }
 
   void bound(double bottom, double highest) {
-    detail::UnseenParts parts{films(), {}, options_.margin};
+    reconstruct_detail::UnseenParts parts{films(), {}, options_.margin};
     result_.assumption = "the unseen part lies within the planes of the flanks that were seen";
     if (faces_ground()) {
       parts.floor = Plane{options_.ground->normal, bottom};
@@ -210,7 +211,8 @@ class Closing {
       result_.assumption += " and reaches into the ground by no more than " +
                             with_digits(100.0 * std::max(0.0, depth), 2) + " % of its height";
     }
-    const detail::UnseenBounds bounds = detail::unseen_bounds(result_.lower, parts);
+    const reconstruct_detail::UnseenBounds bounds =
+        reconstruct_detail::unseen_bounds(result_.lower, parts);
     result_.lower_volume = bounds.lower_volume;
     result_.upper_volume = bounds.upper_volume;
     result_.sides = bounds.sides;
@@ -222,8 +224,8 @@ class Closing {
   }
 
   /// The shape that the sections make likeliest, no larger than the upper one.
-  void guess(const std::vector<double>& heights, const detail::Sections& sections, double bottom,
-             const detail::Film& film) {
+  void guess(const std::vector<double>& heights, const reconstruct_detail::Sections& sections,
+             double bottom, const reconstruct_detail::Film& film) {
     const auto quantile = [&](double share) {
       return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
     };
@@ -251,8 +253,8 @@ class Closing {
   void look_under(double bottom, double highest) {
     if (options_.through == nullptr || !(options_.through->side > 0.0) || !faces_ground()) return;
     const double ground = options_.ground->distance, sunk = kSunk * (highest - ground);
-    const detail::SpaceBelow below =
-        detail::space_below(result_.lower, *options_.ground, sunk, *options_.through);
+    const reconstruct_detail::SpaceBelow below =
+        reconstruct_detail::space_below(result_.lower, *options_.ground, sunk, *options_.through);
     const double share = below.foot_area / below.plan_area;
     const double buried = std::clamp((share - kFootShare) / (1.0 - kFootShare), 0.0, 1.0);
     const double depth = sunk + buried * std::max(0.0, ground - bottom - sunk);
@@ -270,7 +272,8 @@ class Closing {
     double largest_volume = 0.0, best_volume = 0.0;
   };
 
-  static Continued continued(const detail::Sections& sections, double level, double bottom) {
+  static Continued continued(const reconstruct_detail::Sections& sections, double level,
+                             double bottom) {
     const double height = sections.highest() - level;
     // Just above the level, where a flat filling does not count any more.
     const double root = std::sqrt(std::max(0.0, sections.area(level + 1e-6 * height)));
@@ -319,9 +322,9 @@ class Closing {
 
   /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
   /// more pointed, then drawn back, until it does not.
-  void settle_best(const detail::Film& film, double deepest) {
+  void settle_best(const reconstruct_detail::Film& film, double deepest) {
     const double added = result_.best_volume - film_volume_;
-    detail::Move start = film.holding(added, kBestPower, deepest);
+    reconstruct_detail::Move start = film.holding(added, kBestPower, deepest);
     if (faces_ground()) start = film.lying(*options_.ground, start, added, kMostPointedBest);
     deepest = std::max(deepest, start.depth);
     const std::size_t crossings = crossing_triangles(result_.lower).size();
@@ -343,7 +346,7 @@ class Closing {
       result_.notes.push_back("the filling was drawn back to " + number(100.0 * share) +
                               " % of its depth, where it does not meet the walls");
     }
-    const detail::Sections sections(result_.best, -result_.down);
+    const reconstruct_detail::Sections sections(result_.best, -result_.down);
     result_.best_volume = sections.volume_above(sections.lowest());
     if (result_.upper_volume) {
       result_.best_volume = std::min(result_.best_volume, *result_.upper_volume);

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/block_bounds.hpp"
 #include "reconstruct/seen_through.hpp"
 #include "reconstruct/surface_margin.hpp"
-#include "shapes/triangle_mesh.hpp"
 
 namespace clast {
 

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "shapes/detail/half_edges.hpp"
+#include "core/number_text.hpp"
+#include "mesh/half_edges.hpp"
 
 namespace clast {
 
@@ -124,7 +125,7 @@ std::vector<bool> repeated(const std::vector<TriangleMesh::Triangle>& triangles)
 
 TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
   if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
-    throw InputError("weld tolerance " + std::to_string(tolerance) + " m: must not be negative");
+    throw InputError("weld tolerance " + with_digits(tolerance, 6) + " m: must not be negative");
   }
   const Bounds box = bounds(mesh);
   std::vector<std::uint32_t> target = first_of_equals(mesh.vertices);
@@ -150,7 +151,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
   triangles.reserve(mesh.triangles.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     const TriangleMesh::Triangle joined = {target[t[0]], target[t[1]], target[t[2]]};
-    if (!detail::collapsed(joined)) triangles.push_back(joined);
+    if (!collapsed(joined)) triangles.push_back(joined);
   }
   const std::vector<bool> again = repeated(triangles);
   std::vector<bool> used(mesh.vertices.size(), false);

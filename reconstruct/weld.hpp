@@ -1,6 +1,6 @@
 #pragma once
 /// Joining vertices that a file stored more than once.
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "samples/rock_shapes.hpp"
-#include "shapes/mesh_topology.hpp"
 
 namespace clast {
 namespace {

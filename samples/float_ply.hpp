@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <span>
 
+#include "mesh/polygon.hpp"
 #include "shapes/detail/face_sides.hpp"
-#include "shapes/detail/polygon.hpp"
 
 namespace clast {
 
@@ -42,12 +42,14 @@ class Merger {
  private:
   void find_neighbours() {
     for (const Face& face : shape_.faces) neighbours_.emplace_back(face.size(), kNone);
-    const std::vector<detail::FaceSide> sides = detail::sorted_face_sides(shape_.faces);
-    detail::for_each_shared_edge(sides, [&](std::span<const detail::FaceSide> shared) {
-      if (!detail::are_neighbours(shared)) return;
-      neighbours_[shared[0].face][shared[0].corner] = shared[1].face;
-      neighbours_[shared[1].face][shared[1].corner] = shared[0].face;
-    });
+    const std::vector<shapes_detail::FaceSide> sides =
+        shapes_detail::sorted_face_sides(shape_.faces);
+    shapes_detail::for_each_shared_edge(
+        sides, [&](std::span<const shapes_detail::FaceSide> shared) {
+          if (!shapes_detail::are_neighbours(shared)) return;
+          neighbours_[shared[0].face][shared[0].corner] = shared[1].face;
+          neighbours_[shared[1].face][shared[1].corner] = shared[0].face;
+        });
   }
 
   void grow_regions() {
@@ -104,8 +106,8 @@ class Merger {
       if (polygons_[p].size() < 4 || kept_apart_[region]) continue;
       cut.triangles.clear();
       const std::vector<std::int64_t> corners(polygons_[p].begin(), polygons_[p].end());
-      bool sound = corners.size() <= detail::kMostEars;
-      if (sound) detail::append_polygon(cut, corners);
+      bool sound = corners.size() <= kMostEars;
+      if (sound) append_polygon(cut, corners);
       const Vec3 normal = face_normal(shape_, polygons_[p]);
       for (const auto& [a, b, c] : cut.triangles) {
         const Vec3 ab = shape_.vertices[b] - shape_.vertices[a];

@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "shapes/detail/edge_collapse.hpp"
+#include "core/number_text.hpp"
+#include "mesh/edge_collapse.hpp"
+#include "mesh/self_intersection.hpp"
+#include "mesh/surface_samples.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "shapes/detail/skin_distance.hpp"
-#include "shapes/detail/surface_samples.hpp"
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/self_intersection.hpp"
 
 namespace clast {
 
@@ -61,7 +62,7 @@ struct Pulls {
   std::vector<Pull> list;
   double largest = 0.0;
 
-  void add(const detail::TriangleTree::Signed& on_core, const Vec3& direction, double gap) {
+  void add(const TriangleTree::Signed& on_core, const Vec3& direction, double gap) {
     list.push_back({on_core.triangle, on_core.weights, direction, gap});
     largest = std::max(largest, std::abs(gap));
   }
@@ -75,7 +76,7 @@ class Fit {
         size_(bounds(scan.mesh()).diagonal()),
         options_(options),
         count_(std::clamp(kPointsPerVertex * start.vertices.size(), kFewestPoints, kMostPoints)),
-        points_(detail::spread_points(scan.mesh(), count_)),
+        points_(spread_points(scan.mesh(), count_)),
         core_(core_mesh(start)) {
     const std::vector<Vec3>& vertices = scan.mesh().vertices;
     const std::size_t stride = (vertices.size() + kScanVertices - 1) / kScanVertices;
@@ -118,12 +119,12 @@ class Fit {
 
  private:
   Pulls measured() {
-    const detail::TriangleTree tree(core_);
+    const TriangleTree tree(core_);
     Pulls pulls;
-    const detail::SkinDistance skin_distance(tree, radius_, 2.0 * size_);
+    const shapes_detail::SkinDistance skin_distance(tree, radius_, 2.0 * size_);
     std::uint32_t hint = 0;  // neighbours in the list are mostly neighbours in space
     for (const Vec3& point : points_) {
-      const detail::TriangleTree::Signed near = tree.signed_closest(point, hint);
+      const TriangleTree::Signed near = tree.signed_closest(point, hint);
       hint = near.triangle;
       double gap = near.distance - radius_;
       // Under a crease of the skin the next bare place is farther than the skin that is buried.
@@ -132,15 +133,15 @@ class Fit {
     }
 
     const TriangleMesh skin = skin_mesh(sphero_polyhedron(core_, radius_), kSkinSegments);
-    std::vector<Vec3> on_skin = detail::spread_points(skin, count_);
+    std::vector<Vec3> on_skin = spread_points(skin, count_);
     on_skin.insert(on_skin.end(), skin.vertices.begin(), skin.vertices.end());
     std::uint32_t scan_hint = 0;
     for (const Vec3& near_skin : on_skin) {
-      const detail::TriangleTree::Signed foot = tree.signed_closest(near_skin, hint);
+      const TriangleTree::Signed foot = tree.signed_closest(near_skin, hint);
       hint = foot.triangle;
       const Vec3 point = foot.foot + radius_ * foot.outward;
       if (tree.signed_distance(point, hint) < (1.0 - kOnSkin) * radius_) continue;
-      const detail::TriangleTree::Signed on_scan = scan_.tree().signed_closest(point, scan_hint);
+      const TriangleTree::Signed on_scan = scan_.tree().signed_closest(point, scan_hint);
       scan_hint = on_scan.triangle;
       pulls.add(foot, on_scan.outward, -on_scan.distance);
     }
@@ -208,8 +209,8 @@ class Fit {
   std::vector<std::uint32_t> in_the_way(const TriangleMesh& moved) const {
     std::vector<std::uint32_t> bad;
     for (std::uint32_t t = 0; t < core_.triangles.size(); ++t) {
-      const Vec3 before = detail::unit_normal(core_, core_.triangles[t]);
-      const Vec3 after = detail::unit_normal(moved, moved.triangles[t]);
+      const Vec3 before = unit_normal(core_, core_.triangles[t]);
+      const Vec3 after = unit_normal(moved, moved.triangles[t]);
       if (!(before.dot(after) > kTurn)) bad.push_back(t);
     }
     if (!bad.empty()) return bad;
@@ -222,7 +223,7 @@ class Fit {
 
   bool collapse(const std::vector<std::uint32_t>& bad) {
     TriangleMesh collapsed = core_;
-    if (detail::collapse_edges_of(collapsed, bad) == 0) return false;
+    if (collapse_edges_of(collapsed, bad) == 0) return false;
     if (!crossing_triangles(collapsed).empty()) return false;
     core_ = std::move(collapsed);
     return true;
@@ -275,8 +276,8 @@ void CoreFitOptions::check() const {
     throw InputError("rounds = " + std::to_string(rounds) + ": must be zero or more");
   }
   if (!(good_enough >= 0.0) || !(hopeless >= 0.0)) {
-    throw InputError("good_enough = " + std::to_string(good_enough) +
-                     " and hopeless = " + std::to_string(hopeless) + ": must be zero or more");
+    throw InputError("good_enough = " + with_digits(good_enough, 6) +
+                     " and hopeless = " + with_digits(hopeless, 6) + ": must be zero or more");
   }
 }
 

@@ -21,9 +21,9 @@ std::vector<EdgeBend> edge_bends(const SpheroPolyhedron& shape) {
     normals.push_back(face_normal(shape, face));
   }
   std::vector<EdgeBend> bends(shape.edges.size(), EdgeBend::kConvex);
-  const std::vector<detail::FaceSide> sides = detail::sorted_face_sides(shape.faces);
-  detail::for_each_shared_edge(sides, [&](std::span<const detail::FaceSide> shared) {
-    if (!detail::are_neighbours(shared)) return;
+  const std::vector<shapes_detail::FaceSide> sides = shapes_detail::sorted_face_sides(shape.faces);
+  shapes_detail::for_each_shared_edge(sides, [&](std::span<const shapes_detail::FaceSide> shared) {
+    if (!shapes_detail::are_neighbours(shared)) return;
     const SpheroPolyhedron::Edge edge = {shared[0].low, shared[0].high};
     const auto place = std::lower_bound(shape.edges.begin(), shape.edges.end(), edge);
     if (place == shape.edges.end() || *place != edge) return;

@@ -5,7 +5,7 @@
 #include <queue>
 
 #include "core/error.hpp"
-#include "shapes/detail/triangle_tree.hpp"
+#include "mesh/triangle_tree.hpp"
 
 namespace clast {
 namespace {
@@ -30,7 +30,7 @@ struct Cell {
 
 Ball largest_inscribed_ball(const TriangleMesh& mesh, double precision) {
   if (mesh.triangles.empty()) throw GeometryError("inscribed ball: the mesh has no triangles");
-  const detail::TriangleTree tree(mesh);
+  const TriangleTree tree(mesh);
   const Bounds around = bounds(mesh);
   if (tree.signed_distance(around.high + Vec3::Constant(around.diagonal())) < 0.0) {
     throw GeometryError("inscribed ball: the surface faces inward");

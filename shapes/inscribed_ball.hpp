@@ -1,6 +1,6 @@
 #pragma once
 /// The largest ball inside a closed surface.
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

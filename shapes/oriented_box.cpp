@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/detail/calipers.hpp"
 
@@ -40,7 +41,7 @@ void check_points(std::span<const Vec3> points, double radius) {
     if (!p.allFinite()) throw GeometryError("box: a point has coordinates that are not finite");
   }
   if (!(radius >= 0.0) || !std::isfinite(radius)) {
-    throw InputError("box: radius " + std::to_string(radius) + " m must be zero or positive");
+    throw InputError("box: radius " + with_digits(radius, 6) + " m must be zero or positive");
   }
 }
 

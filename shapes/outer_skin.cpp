@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "shapes/detail/cgal_mesh.hpp"
-#include "shapes/detail/triangle_tree.hpp"
+#include "mesh/detail/cgal_mesh.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "shapes/edge_bend.hpp"
 
 namespace clast {
@@ -43,11 +43,11 @@ TriangleMesh outer_skin(const SpheroPolyhedron& shape, int segments) {
   const std::optional<double> length = wrap_length(shape, segments);
   if (!length) return crossing;
   const TriangleMesh core = core_mesh(shape);
-  detail::CgalMesh wrap;
-  CGAL::alpha_wrap_3(detail::to_cgal(core), *length, shape.radius, wrap);
-  TriangleMesh skin = detail::from_cgal(wrap);
+  mesh_detail::CgalMesh wrap;
+  CGAL::alpha_wrap_3(mesh_detail::to_cgal(core), *length, shape.radius, wrap);
+  TriangleMesh skin = mesh_detail::from_cgal(wrap);
   // The wrap finds the offset surface to a share of its distance only.
-  const detail::TriangleTree tree(core);
+  const TriangleTree tree(core);
   for (Vec3& vertex : skin.vertices) {
     const Vec3 nearest = tree.closest(vertex).point;
     vertex = nearest + shape.radius * (vertex - nearest).normalized();

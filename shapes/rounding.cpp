@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "shapes/detail/edge_collapse.hpp"
-#include "shapes/detail/plane_fit.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/self_intersection.hpp"
+#include "mesh/edge_collapse.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/plane_fit.hpp"
+#include "mesh/self_intersection.hpp"
 
 namespace clast {
 
@@ -34,11 +34,11 @@ double signed_volume(const TriangleMesh& mesh) {
 /// Every vertex moved so that the planes around it come in by `depth`. Weights by corner angle
 /// don't depend on how a flat face is cut into triangles.
 TriangleMesh inset(const TriangleMesh& mesh, double depth) {
-  std::vector<detail::PlaneFit> fits(mesh.vertices.size());
+  std::vector<PlaneFit> fits(mesh.vertices.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    const Vec3 normal = detail::unit_normal(mesh, t);
+    const Vec3 normal = unit_normal(mesh, t);
     for (std::size_t k = 0; k < 3; ++k) {
-      fits[t[k]].add(normal, -depth, detail::corner_angle(mesh, t, k));
+      fits[t[k]].add(normal, -depth, corner_angle(mesh, t, k));
     }
   }
   TriangleMesh result = mesh;
@@ -49,8 +49,8 @@ TriangleMesh inset(const TriangleMesh& mesh, double depth) {
 std::vector<std::uint32_t> flipped(const TriangleMesh& before, const TriangleMesh& after) {
   std::vector<std::uint32_t> result;
   for (std::uint32_t t = 0; t < before.triangles.size(); ++t) {
-    const Vec3 old_normal = detail::unit_normal(before, before.triangles[t]);
-    const Vec3 new_normal = detail::unit_normal(after, after.triangles[t]);
+    const Vec3 old_normal = unit_normal(before, before.triangles[t]);
+    const Vec3 new_normal = unit_normal(after, after.triangles[t]);
     if (!(old_normal.dot(new_normal) > 0.0)) result.push_back(t);
   }
   return result;
@@ -80,7 +80,7 @@ std::optional<TriangleMesh> core_of(const TriangleMesh& scan, double radius) {
       bad = crossing(core);
       if (bad.empty()) return core;
     }
-    if (detail::collapse_edges_of(outer, bad) == 0) return std::nullopt;
+    if (collapse_edges_of(outer, bad) == 0) return std::nullopt;
   }
 }
 

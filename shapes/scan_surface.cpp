@@ -1,7 +1,7 @@
 #include "shapes/scan_surface.hpp"
 
 #include "core/error.hpp"
-#include "shapes/detail/triangle_tree.hpp"
+#include "mesh/triangle_tree.hpp"
 
 namespace clast {
 
@@ -9,7 +9,7 @@ ScanSurface::ScanSurface(const TriangleMesh& mesh) : mesh_(&mesh) {
   if (mesh.triangles.empty()) {
     throw GeometryError("nothing can be compared with a scan that has no triangles");
   }
-  tree_ = std::make_unique<detail::TriangleTree>(mesh);
+  tree_ = std::make_unique<TriangleTree>(mesh);
 }
 
 ScanSurface::~ScanSurface() = default;

@@ -2,13 +2,11 @@
 /// A closed scan made ready for many distance queries.
 #include <memory>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 
-namespace detail {
 class TriangleTree;
-}
 
 /// Built once per scan and used for every body that is fitted to it or judged against it. Refers to
 /// the mesh, which must stay.
@@ -23,11 +21,11 @@ class ScanSurface {
   ScanSurface& operator=(ScanSurface&&) noexcept;
 
   const TriangleMesh& mesh() const { return *mesh_; }
-  const detail::TriangleTree& tree() const { return *tree_; }
+  const TriangleTree& tree() const { return *tree_; }
 
  private:
   const TriangleMesh* mesh_;
-  std::unique_ptr<detail::TriangleTree> tree_;
+  std::unique_ptr<TriangleTree> tree_;
 };
 
 }  // namespace clast

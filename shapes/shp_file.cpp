@@ -72,7 +72,7 @@ void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shap
 
 std::vector<ShpShape> read_shp(const std::filesystem::path& path) {
   try {
-    return detail::shp_shapes(read_text_file(path));
+    return shapes_detail::shp_shapes(read_text_file(path));
   } catch (const InputError& error) {
     const std::string reason = error.what();
     if (reason.find(path.string()) != std::string::npos) throw;
@@ -84,9 +84,9 @@ bool is_map_file(const std::filesystem::path& path) {
   std::error_code code;
   if (!std::filesystem::is_regular_file(path, code)) return false;  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
-  std::string start(detail::kMapFileMark.size(), ' ');
+  std::string start(shapes_detail::kMapFileMark.size(), ' ');
   return file.read(start.data(), static_cast<std::streamsize>(start.size())) &&
-         start == detail::kMapFileMark;
+         start == shapes_detail::kMapFileMark;
 }
 
 }  // namespace clast

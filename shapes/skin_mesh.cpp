@@ -62,17 +62,19 @@ class SkinBuilder {
 
   void find_neighbours() {
     for (const SpheroPolyhedron::Face& face : shape_.faces) neighbours_.emplace_back(face.size());
-    const std::vector<detail::FaceSide> sides = detail::sorted_face_sides(shape_.faces);
-    detail::for_each_shared_edge(sides, [&](std::span<const detail::FaceSide> shared) {
-      if (!detail::are_neighbours(shared)) {
-        throw GeometryError("the core is not a closed surface at its edge between vertices " +
-                            std::to_string(shared[0].low + 1) + " and " +
-                            std::to_string(shared[0].high + 1) +
-                            "; only a closed core has a rounded skin");
-      }
-      neighbours_[shared[0].face][shared[0].corner] = {shared[1].face, shared[1].corner};
-      neighbours_[shared[1].face][shared[1].corner] = {shared[0].face, shared[0].corner};
-    });
+    const std::vector<shapes_detail::FaceSide> sides =
+        shapes_detail::sorted_face_sides(shape_.faces);
+    shapes_detail::for_each_shared_edge(
+        sides, [&](std::span<const shapes_detail::FaceSide> shared) {
+          if (!shapes_detail::are_neighbours(shared)) {
+            throw GeometryError("the core is not a closed surface at its edge between vertices " +
+                                std::to_string(shared[0].low + 1) + " and " +
+                                std::to_string(shared[0].high + 1) +
+                                "; only a closed core has a rounded skin");
+          }
+          neighbours_[shared[0].face][shared[0].corner] = {shared[1].face, shared[1].corner};
+          neighbours_[shared[1].face][shared[1].corner] = {shared[0].face, shared[0].corner};
+        });
   }
 
   Index point(Index core_vertex, const Vec3& direction) {

@@ -5,13 +5,14 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "shapes/detail/polygon.hpp"
+#include "core/number_text.hpp"
+#include "mesh/polygon.hpp"
 
 namespace clast {
 
 SpheroPolyhedron sphero_polyhedron(const TriangleMesh& core, double minkowski_radius) {
   if (!(minkowski_radius >= 0.0) || !std::isfinite(minkowski_radius)) {
-    throw InputError("Minkowski radius " + std::to_string(minkowski_radius) +
+    throw InputError("Minkowski radius " + with_digits(minkowski_radius, 6) +
                      " m: must be zero or positive");
   }
   if (core.triangles.empty()) {
@@ -62,7 +63,7 @@ TriangleMesh core_mesh(const SpheroPolyhedron& shape) {
       mesh.triangles.push_back({face[0], face[1], face[2]});
     } else {
       const std::vector<std::int64_t> corners(face.begin(), face.end());
-      detail::append_polygon(mesh, corners);
+      append_polygon(mesh, corners);
     }
   }
   return mesh;
@@ -75,7 +76,7 @@ SpheroPolyhedron transformed(SpheroPolyhedron shape, const Pose& to_from) {
 
 SpheroPolyhedron scaled(SpheroPolyhedron shape, double factor) {
   if (!(factor > 0.0) || !std::isfinite(factor)) {
-    throw InputError("scale factor " + std::to_string(factor) + ": must be positive and finite");
+    throw InputError("scale factor " + with_digits(factor, 6) + ": must be positive and finite");
   }
   for (Vec3& vertex : shape.vertices) vertex *= factor;
   shape.radius *= factor;

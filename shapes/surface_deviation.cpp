@@ -7,18 +7,16 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "shapes/detail/edge_collapse.hpp"
-#include "shapes/detail/half_edges.hpp"
+#include "mesh/edge_collapse.hpp"
+#include "mesh/half_edges.hpp"
+#include "mesh/surface_samples.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "shapes/detail/skin_distance.hpp"
-#include "shapes/detail/surface_samples.hpp"
-#include "shapes/detail/triangle_tree.hpp"
 #include "shapes/rounding.hpp"
 
 namespace clast {
 
 namespace {
-
-using detail::TriangleTree;
 
 /// The search for the largest distance ends when no patch can hold one larger than the largest met
 /// by more than this share of the scan's diagonal.
@@ -151,7 +149,7 @@ std::vector<Patch> skin_patches(const TriangleMesh& core, double radius) {
   std::vector<Patch> patches;
   std::vector<Vec3> normals;
   for (const TriangleMesh::Triangle& t : core.triangles) {
-    const Vec3 n = detail::unit_normal(core, t);
+    const Vec3 n = unit_normal(core, t);
     normals.push_back(n);
     if (n.isZero()) continue;
     patches.push_back({{core.vertices[t[0]], core.vertices[t[1]], core.vertices[t[2]]}, {n, n, n}});
@@ -162,8 +160,8 @@ std::vector<Patch> skin_patches(const TriangleMesh& core, double radius) {
     patches.push_back({{p, q, q}, {n1, n1, n2}});
     patches.push_back({{p, q, p}, {n1, n2, n2}});
   };
-  const std::vector<detail::HalfEdge> sorted = detail::sorted_half_edges(core);
-  detail::for_each_edge(sorted, [&](std::span<const detail::HalfEdge> sides) {
+  const std::vector<HalfEdge> sorted = sorted_half_edges(core);
+  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() != 2) return;
     const Vec3& p = core.vertices[sides[0].from()];
     const Vec3& q = core.vertices[sides[1].from()];
@@ -241,13 +239,12 @@ Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& bod
   const double gap = kGap * both.diagonal();
   for (const Vec3& vertex : core.vertices) both.include(vertex);
   const double in_plane = kInPlane * both.diagonal();
-  const detail::SkinDistance skin(tree, body.radius, both.diagonal() + body.radius);
+  const shapes_detail::SkinDistance skin(tree, body.radius, both.diagonal() + body.radius);
 
   Deviation result;
   double sum = 0.0, known = 0.0;
   std::uint32_t hint = 0;  // neighbours in the list are mostly neighbours in space
-  const std::vector<Vec3> on_scan =
-      detail::spread_points(scan.mesh(), std::max<std::size_t>(samples, 1));
+  const std::vector<Vec3> on_scan = spread_points(scan.mesh(), std::max<std::size_t>(samples, 1));
   for (const Vec3& point : on_scan) {
     const double distance = std::abs(skin(point, hint));
     sum += distance;

@@ -1,7 +1,7 @@
 #include "shapes/wall_thickness.hpp"
 
-#include "shapes/detail/edge_collapse.hpp"
-#include "shapes/detail/triangle_tree.hpp"
+#include "mesh/edge_collapse.hpp"
+#include "mesh/triangle_tree.hpp"
 
 namespace clast {
 
@@ -14,15 +14,15 @@ constexpr double kParallel = 0.8660254037844386;  ///< cosine of 30 degrees
 std::optional<ThinPlace> thinnest_wall(const TriangleMesh& mesh) {
   std::optional<ThinPlace> thinnest;
   if (mesh.triangles.empty()) return thinnest;
-  const detail::TriangleTree tree(mesh);
+  const TriangleTree tree(mesh);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
-    const Vec3 inward = -detail::unit_normal(mesh, mesh.triangles[t]);
+    const Vec3 inward = -unit_normal(mesh, mesh.triangles[t]);
     if (inward.isZero()) continue;
     const Vec3 middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
     const auto hit = tree.first_exit(middle, inward, t);
     if (!hit || (thinnest && hit->distance >= thinnest->thickness)) continue;
-    if (detail::unit_normal(mesh, mesh.triangles[hit->triangle]).dot(inward) < kParallel) continue;
+    if (unit_normal(mesh, mesh.triangles[hit->triangle]).dot(inward) < kParallel) continue;
     thinnest = ThinPlace{hit->distance, middle + 0.5 * hit->distance * inward};
   }
   return thinnest;

@@ -2,7 +2,7 @@
 /// How thin a body gets.
 #include <optional>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

@@ -24,9 +24,8 @@ struct BlockChoice {
 
 /// Selects, draws and scales as [blocks] and [[block_group]] ask.
 /// @throws InputError  a missing id; nothing selected; an unscaled block that is not brought to a
-///                     mass or a volume; a class that shall be drawn and has no
-/// block;
-///                     a group without a block, or a block in two groups
+///                     mass or a volume; a class that shall be drawn and has no block; a group
+///                     without a block, or a block in two groups
 BlockChoice choose_blocks(const Campaign& campaign);
 
 /// How many of `count` go to each share: whole numbers, largest remainders first.

@@ -112,8 +112,8 @@ struct Campaign {
 };
 
 /// @throws InputError  a key that is unknown, missing, of the wrong type or out of range: file,
-/// line,
-///                     key, value and what was expected; or a file it names that can't be read
+///                     line, key, value and what was expected; or a file it names that can't be
+///                     read
 Campaign read_campaign(const std::filesystem::path& file);
 
 /// The 4^3 rotations by 45 degrees: qz(c) qy(b) qx(a), a, b, c in 0, 45, 90, 135 degrees, c

@@ -4,6 +4,7 @@
 
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "study/campaign_ranges.hpp"
 #include "study/campaign_reading.hpp"
@@ -70,7 +71,7 @@ std::vector<std::pair<std::string, double>> read_shares(const TomlTable& draw,
     sum += *share;
   }
   if (!(std::abs(sum - 1.0) <= kShareSum)) {
-    draw.refuse("shares", *node, "the shares must add up to 1, not " + std::to_string(sum));
+    draw.refuse("shares", *node, "the shares must add up to 1, not " + with_digits(sum, 6));
   }
   for (auto& [name, share] : shares) share /= sum;
   return shares;

@@ -128,9 +128,8 @@ struct CompareOptions {
 };
 
 /// @throws InputError  no runs; results on terrains with different map frames or asking for
-/// different
-///                     downslope directions; records that do not fit together (a damaged file); a
-///                     column that there is not; measured stops that can't be read
+///                     different downslope directions; records that do not fit together (a damaged
+///                     file); a column that there is not; measured stops that can't be read
 Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options = {});
 
 /// A run's offset from its release point on the map.

@@ -6,7 +6,8 @@
 
 #include "core/error.hpp"
 #include "core/number_table.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "core/number_text.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "study/campaign_ranges.hpp"
 
 namespace clast {
@@ -40,7 +41,7 @@ std::vector<Quat> read_orientations(const std::filesystem::path& file) {
     const double norm = orientation.norm();
     if (!(std::abs(norm - 1.0) <= kNormTolerance)) {
       throw InputError(file.string() + ":" + std::to_string(row.line) + ": quaternion of length " +
-                       std::to_string(norm) + "; a rotation has length 1, written w x y z");
+                       with_digits(norm, 6) + "; a rotation has length 1, written w x y z");
     }
     orientation.normalize();
     orientations.push_back(orientation);

@@ -77,9 +77,9 @@ void check_near(const Vec2& mark, const Window& ground, const std::string& what)
       (mark.array() < ground.high.array() + reach).all()) {
     return;
   }
-  throw InputError(what + " at " + detail::place({mark.x(), mark.y(), 0.0}) +
+  throw InputError(what + " at " + terrain_detail::place({mark.x(), mark.y(), 0.0}) +
                    " is far off the ground, which begins at " +
-                   detail::place({ground.low.x(), ground.low.y(), 0.0}) +
+                   terrain_detail::place({ground.low.x(), ground.low.y(), 0.0}) +
                    "; bring both into one map system");
 }
 
@@ -132,7 +132,8 @@ void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
 std::vector<std::vector<Vec2>> read_barrier_lines(const std::filesystem::path& path,
                                                   const Terrain& terrain) {
   std::vector<std::vector<Vec2>> lines;
-  for (const detail::MapLine& line : detail::read_map_lines(path, terrain.frame.crs)) {
+  for (const terrain_detail::MapLine& line :
+       terrain_detail::read_map_lines(path, terrain.frame.crs)) {
     lines.emplace_back();
     for (const Vec3& point : line.points) lines.back().push_back(point.head<2>());
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dem/terrain_surface.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

@@ -2,8 +2,9 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
-#include "shapes/mesh_io.hpp"
+#include "mesh/mesh_io.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/relief.hpp"
@@ -15,17 +16,18 @@ namespace {
 constexpr double kMostCells = 1e9;
 
 /// Highest surface over the centres of square cells whose borders lie on multiples of `cell`.
-detail::HeightGrid sampled(const Terrain& terrain, double cell, const std::filesystem::path& path) {
+terrain_detail::HeightGrid sampled(const Terrain& terrain, double cell,
+                                   const std::filesystem::path& path) {
   const TriangleMesh& mesh = terrain.surface;
   const Bounds box = bounds(mesh);
   const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
   const Vec2 first = (low.head<2>() / cell).array().floor();
   const Vec2 count = (high.head<2>() / cell).array().ceil() - first.array();
   if (!(count.prod() < kMostCells)) {
-    throw InputError(path.string() + ": cells of " + std::to_string(cell) +
+    throw InputError(path.string() + ": cells of " + with_digits(cell, 6) +
                      " m are too many for this ground; use larger ones");
   }
-  detail::HeightGrid grid;
+  terrain_detail::HeightGrid grid;
   grid.columns = std::max<std::size_t>(1, static_cast<std::size_t>(count.x()));
   grid.rows = std::max<std::size_t>(1, static_cast<std::size_t>(count.y()));
   grid.step = {cell, cell};
@@ -53,23 +55,23 @@ void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
   if (extension == ".tif" || extension == ".tiff") {
     if (up == "y") throw InputError(path.string() + ": rasters are z up; leave out up = \"y\"");
     if (!(cell > 0.0 && std::isfinite(cell))) {
-      throw InputError("cell = " + std::to_string(cell) + " m; must be more than 0");
+      throw InputError("cell = " + with_digits(cell, 6) + " m; must be more than 0");
     }
-    detail::write_geotiff(path, sampled(terrain, cell, path), terrain.frame.crs, rules);
+    terrain_detail::write_geotiff(path, sampled(terrain, cell, path), terrain.frame.crs, rules);
     return;
   }
   const bool floats = extension == ".stl" || extension == ".glb";
   TriangleMesh mesh = terrain.surface;
   for (Vec3& vertex : mesh.vertices) {
     if (!floats) vertex = terrain.frame.map(vertex);
-    if (up == "y") vertex = detail::turned_y_up(vertex);
+    if (up == "y") vertex = terrain_detail::turned_y_up(vertex);
   }
   const auto origin_text = [&](const Vec3& subtracted) -> std::string {
     const Vec3 origin =
-        terrain.frame.origin + (up == "y" ? detail::turned_z_up(subtracted) : subtracted);
+        terrain.frame.origin + (up == "y" ? terrain_detail::turned_z_up(subtracted) : subtracted);
     if (!floats || origin.isZero(0.0)) return "";
     std::string text = "map coordinates (z up) = coordinates here (" + up + " up) + origin, m\n";
-    text += kOriginLine + detail::place(origin) + "\n";
+    text += kOriginLine + terrain_detail::place(origin) + "\n";
     if (!terrain.frame.crs.empty()) text += "map system " + terrain.frame.crs + "\n";
     return text;
   };

@@ -17,7 +17,7 @@ constexpr double kShortEdges = 0.05;  // of the smallest block
 /// Ends of the border edges, on the map.
 std::vector<std::pair<Vec2, Vec2>> border_edges(const Terrain& terrain) {
   const TriangleMesh& mesh = terrain.surface;
-  const detail::TriangleLinks links = detail::triangle_links(mesh);
+  const terrain_detail::TriangleLinks links = terrain_detail::triangle_links(mesh);
   std::vector<std::pair<Vec2, Vec2>> edges;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -49,24 +49,26 @@ double border_distance(const Terrain& terrain, const Vec2& place) {
 void check_over_ground(const Terrain& terrain, std::span<const Vec3> places,
                        const std::string& name) {
   const TriangleMesh& mesh = terrain.surface;
-  const detail::PlanIndex index(detail::plan_boxes(mesh));
+  const terrain_detail::PlanIndex index(terrain_detail::plan_boxes(mesh));
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Vec2 at = terrain.frame.local(places[i]).head<2>();
     const std::span<const std::uint32_t> near = index.near(at);
-    if (std::any_of(near.begin(), near.end(),
-                    [&](std::uint32_t t) { return detail::height_on(mesh, t, at).has_value(); })) {
+    if (std::any_of(near.begin(), near.end(), [&](std::uint32_t t) {
+          return terrain_detail::height_on(mesh, t, at).has_value();
+        })) {
       continue;
     }
     const Bounds box = bounds(mesh);
     const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
     const bool in_box = (at.array() >= box.low.head<2>().array()).all() &&
                         (at.array() <= box.high.head<2>().array()).all();
-    throw InputError(
-        name + ": release point " + std::to_string(i + 1) + " at " + detail::place(places[i]) +
-        (in_box ? " is over a hole or beside the ground" : " is off the ground") +
-        ", which lies in x " + with_digits(low.x(), 9) + " to " + with_digits(high.x(), 9) +
-        ", y " + with_digits(low.y(), 9) + " to " + with_digits(high.y(), 9) +
-        " (map, z up); move the point, or check its map system and up axis");
+    throw InputError(name + ": release point " + std::to_string(i + 1) + " at " +
+                     terrain_detail::place(places[i]) +
+                     (in_box ? " is over a hole or beside the ground" : " is off the ground") +
+                     ", which lies in x " + with_digits(low.x(), 9) + " to " +
+                     with_digits(high.x(), 9) + ", y " + with_digits(low.y(), 9) + " to " +
+                     with_digits(high.y(), 9) +
+                     " (map, z up); move the point, or check its map system and up axis");
   }
 }
 
@@ -88,12 +90,12 @@ std::optional<std::string> border_warning(const Terrain& terrain, std::span<cons
   return std::to_string(near) + " of " + std::to_string(places.size()) +
          " release points are nearer than " + with_digits(distance, 4) +
          " m to the border of the ground, the nearest, " + with_digits(nearest, 3) + " m, at " +
-         detail::place(nearest_at) + "; blocks may leave the survey there, extend it";
+         terrain_detail::place(nearest_at) + "; blocks may leave the survey there, extend it";
 }
 
 std::optional<std::string> cell_size_warning(const Terrain& terrain, double smallest,
                                              double largest) {
-  const double edge = detail::median_edge(terrain.surface);
+  const double edge = terrain_detail::median_edge(terrain.surface);
   const auto text = [&](const std::string& what, double block, const std::string& advice) {
     return "the edges of the ground, " + with_digits(edge, 3) + " m (median), are " + what +
            " than the blocks, " + with_digits(block, 3) + " m; " + advice;

@@ -8,8 +8,8 @@
 #include "core/input_file.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
-#include "shapes/mesh_io.hpp"
-#include "shapes/point_cloud.hpp"
+#include "mesh/mesh_io.hpp"
+#include "mesh/point_cloud.hpp"
 #include "terrain/detail/breaklines.hpp"
 #include "terrain/detail/cloud_input.hpp"
 #include "terrain/detail/cracks.hpp"
@@ -32,7 +32,7 @@ namespace clast {
 namespace {
 
 namespace fs = std::filesystem;
-using detail::RawSurface;
+using terrain_detail::RawSurface;
 
 // Beyond this, coordinates are moved to a local origin.
 constexpr double kLargeCoordinate = 1e4;  // m
@@ -50,7 +50,7 @@ enum class Kind { kMesh, kRaster, kCloud, kTerrain };
 Kind kind_of(const fs::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".h5" || extension == ".hdf5") return Kind::kTerrain;
-  if (detail::is_raster(path)) return Kind::kRaster;
+  if (terrain_detail::is_raster(path)) return Kind::kRaster;
   const std::vector<std::string>& clouds = cloud_extensions();
   if (std::find(clouds.begin(), clouds.end(), extension) != clouds.end()) return Kind::kCloud;
   const std::vector<std::string>& meshes = readable_mesh_extensions();
@@ -90,14 +90,14 @@ RawSurface read_meshes(const TerrainOptions& options) {
     surface.mesh = merged(std::move(surface.mesh), mesh);
   }
   if (options.up == "y") {
-    for (Vec3& vertex : surface.mesh.vertices) vertex = detail::turned_z_up(vertex);
+    for (Vec3& vertex : surface.mesh.vertices) vertex = terrain_detail::turned_z_up(vertex);
   }
   return surface;
 }
 
-RawSurface surface_of(const detail::HeightGrid& grid, const fs::path& path) {
+RawSurface surface_of(const terrain_detail::HeightGrid& grid, const fs::path& path) {
   RawSurface surface;
-  surface.mesh = detail::grid_surface(grid, path);
+  surface.mesh = terrain_detail::grid_surface(grid, path);
   surface.source.assign(surface.mesh.triangles.size(), 0);
   surface.cell = grid.step.minCoeff();
   const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
@@ -110,15 +110,10 @@ RawSurface surface_of(const detail::HeightGrid& grid, const fs::path& path) {
   return surface;
 }
 
-std::string cells_of(double size) {
-  std::string text = std::to_string(size);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return "cells of " + text + " m";
-}
+std::string cells_of(double size) { return "cells of " + with_digits(size, 6) + " m"; }
 
 /// Numbers that stand for "no height" in a file that does not say so make pits without a bottom.
-void check_heights(const detail::HeightGrid& grid, const fs::path& path) {
+void check_heights(const terrain_detail::HeightGrid& grid, const fs::path& path) {
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {
     const double height = grid.heights[i];
     if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData))
@@ -126,22 +121,23 @@ void check_heights(const detail::HeightGrid& grid, const fs::path& path) {
     const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
     const std::string number = with_digits(height, 9);
     throw InputError(path.string() + ": the height at " +
-                     detail::place({centre.x(), centre.y(), height}) + " m is none on earth. If " +
-                     number + " stands for no data, say so first: gdal_translate -a_nodata " +
-                     number + " " + path.filename().string() + " ground.tif");
+                     terrain_detail::place({centre.x(), centre.y(), height}) +
+                     " m is none on earth. If " + number +
+                     " stands for no data, say so first: gdal_translate -a_nodata " + number + " " +
+                     path.filename().string() + " ground.tif");
   }
 }
 
 RawSurface read_one_raster(const TerrainOptions& options) {
   const fs::path& path = options.surface.front();
-  detail::Raster raster = detail::read_raster(path);
+  terrain_detail::Raster raster = terrain_detail::read_raster(path);
   check_heights(raster.grid, path);
   std::vector<std::string> notes;
   if (options.resolution) {
-    const detail::HeightGrid& grid = raster.grid;
+    const terrain_detail::HeightGrid& grid = raster.grid;
     const double own = grid.step.maxCoeff();
     if (*options.resolution < own * (1.0 - 1e-9)) {
-      throw InputError(path.string() + ": resolution = " + std::to_string(*options.resolution) +
+      throw InputError(path.string() + ": resolution = " + with_digits(*options.resolution, 6) +
                        " m is finer than the raster, which has " + cells_of(own) +
                        "; leave it out");
     }
@@ -155,7 +151,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
       throw InputError(path.string() +
                        ": holds no heights, only nodata; check which value stands for no data");
     }
-    raster.grid = detail::binned(points, *options.resolution, path);
+    raster.grid = terrain_detail::binned(points, *options.resolution, path);
     notes.push_back(path.string() + ": made coarser, means over " + cells_of(*options.resolution));
   } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
                           [](double height) { return std::isfinite(height); })) {
@@ -163,7 +159,8 @@ RawSurface read_one_raster(const TerrainOptions& options) {
                      ": holds no heights, only nodata; check which value stands for no data");
   }
   if (options.fill) {
-    const detail::HolesFilled filled = detail::fill_holes(raster.grid, *options.fill);
+    const terrain_detail::HolesFilled filled =
+        terrain_detail::fill_holes(raster.grid, *options.fill);
     if (filled.cells > 0) {
       notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
                       " cells without a height were filled from their surroundings, in " +
@@ -177,7 +174,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
 }
 
 RawSurface read_clouds(const TerrainOptions& options) {
-  detail::CloudGrid cloud = detail::cloud_grid(options);
+  terrain_detail::CloudGrid cloud = terrain_detail::cloud_grid(options);
   RawSurface surface = surface_of(cloud.grid, options.surface.front());
   surface.crs = std::move(cloud.crs);
   surface.notes.insert(surface.notes.begin(), cloud.notes.begin(), cloud.notes.end());
@@ -187,17 +184,18 @@ RawSurface read_clouds(const TerrainOptions& options) {
 void mend(RawSurface& raw, const std::vector<std::string>& files,
           const std::vector<std::uint16_t>& zone_of_file, const TerrainOptions& options,
           TerrainReport& report) {
-  detail::weld(raw, report);
-  detail::drop_useless_triangles(raw, files, zone_of_file, report);
-  detail::level_spike_groups(raw.mesh, options.spike_steepness, options.crack, report);
-  detail::close_cracks(raw, options.crack, report);
-  detail::drop_unused_vertices(raw.mesh);
-  detail::orient_upwards(raw, report);
-  detail::drop_double_ground(raw, options.crack, report);
-  detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * detail::median_edge(raw.mesh)),
-                             options.crack, report);
-  detail::note_gaps(raw, detail::median_edge(raw.mesh), report);
-  detail::note_slivers(raw, report);
+  terrain_detail::weld(raw, report);
+  terrain_detail::drop_useless_triangles(raw, files, zone_of_file, report);
+  terrain_detail::level_spike_groups(raw.mesh, options.spike_steepness, options.crack, report);
+  terrain_detail::close_cracks(raw, options.crack, report);
+  terrain_detail::drop_unused_vertices(raw.mesh);
+  terrain_detail::orient_upwards(raw, report);
+  terrain_detail::drop_double_ground(raw, options.crack, report);
+  terrain_detail::fill_surface_holes(
+      raw, options.fill.value_or(kMeshHole * terrain_detail::median_edge(raw.mesh)), options.crack,
+      report);
+  terrain_detail::note_gaps(raw, terrain_detail::median_edge(raw.mesh), report);
+  terrain_detail::note_slivers(raw, report);
 }
 
 /// Zone of every surface file, and the names in order of first appearance.
@@ -252,12 +250,12 @@ void note_doubts(Terrain& terrain) {
   const Bounds box = bounds(terrain.surface);
   const double extent = (box.high - box.low).head<2>().maxCoeff();
   if (extent < kSmallGround || extent > kLargeGround) {
-    notes.push_back("the ground is " + std::to_string(extent) +
+    notes.push_back("the ground is " + with_digits(extent, 6) +
                     " m across; are its coordinates in metres?");
   }
   if (box.high.z() - box.low.z() > 3.0 * extent) {
-    notes.push_back("the ground is " + std::to_string(box.high.z() - box.low.z()) + " m high and " +
-                    std::to_string(extent) + " m across; is z its upward axis?");
+    notes.push_back("the ground is " + with_digits(box.high.z() - box.low.z(), 6) + " m high and " +
+                    with_digits(extent, 6) + " m across; is z its upward axis?");
   }
   std::size_t overhangs = 0;
   for (const auto& [a, b, c] : terrain.surface.triangles) {
@@ -315,7 +313,7 @@ Terrain read_terrain(const TerrainOptions& options) {
   options.check();
   const std::optional<ZoneFile> zones = zone_file(options.zones);
   const bool rules = are_zone_rules(options.zones);
-  if (options.cut_zones && !(zones && detail::is_polygon_file(zones->path))) {
+  if (options.cut_zones && !(zones && terrain_detail::is_polygon_file(zones->path))) {
     throw InputError(
         "cut_zones: only the borders of polygons can be cut into the ground; give a "
         "polygon file as zones");
@@ -375,30 +373,32 @@ Terrain read_terrain(const TerrainOptions& options) {
     for (const fs::path& file : options.surface) files.push_back(file.string());
     mend(raw, files, zone_of_file, options, terrain.report);
   } else {
-    detail::level_spike_groups(raw.mesh, options.spike_steepness, 0.0, terrain.report);
-    detail::orient_upwards(raw, terrain.report);
+    terrain_detail::level_spike_groups(raw.mesh, options.spike_steepness, 0.0, terrain.report);
+    terrain_detail::orient_upwards(raw, terrain.report);
   }
-  detail::level_spikes(raw, options.spike_steepness, terrain.report);
+  terrain_detail::level_spikes(raw, options.spike_steepness, terrain.report);
   if (options.resolution && kind == Kind::kMesh) {
-    raw = detail::resampled(raw, *options.resolution, options.surface.front(), terrain.report);
+    raw = terrain_detail::resampled(raw, *options.resolution, options.surface.front(),
+                                    terrain.report);
   }
-  detail::smooth(raw.mesh, options.smoothing, terrain.report);
+  terrain_detail::smooth(raw.mesh, options.smoothing, terrain.report);
   if (!options.breaklines.empty()) {
-    std::vector<detail::MapLine> lines;
+    std::vector<terrain_detail::MapLine> lines;
     for (const fs::path& file : options.breaklines) {
-      const std::vector<detail::MapLine> more = detail::read_map_lines(file, raw.crs);
+      const std::vector<terrain_detail::MapLine> more =
+          terrain_detail::read_map_lines(file, raw.crs);
       lines.insert(lines.end(), more.begin(), more.end());
     }
-    detail::add_breaklines(raw, lines, raw.cell, terrain.report);
+    terrain_detail::add_breaklines(raw, lines, raw.cell, terrain.report);
   }
-  if (options.tolerance) detail::thin(raw, *options.tolerance, terrain.report);
+  if (options.tolerance) terrain_detail::thin(raw, *options.tolerance, terrain.report);
   terrain.surface = std::move(raw.mesh);
   terrain.frame.crs = raw.crs;
   move_to_local_origin(terrain);
   if (zones) {
-    detail::assign_zones(terrain, *zones, options.cut_zones);
+    terrain_detail::assign_zones(terrain, *zones, options.cut_zones);
   } else if (rules) {
-    detail::assign_zones(terrain, options.zones);
+    terrain_detail::assign_zones(terrain, options.zones);
   } else {
     for (const std::uint16_t file : raw.source) terrain.zone.push_back(zone_of_file[file]);
   }

@@ -63,9 +63,10 @@ std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones) {
   } else if (zones.size() == 1) {
     file.path = zones.front();
   }
-  if (!detail::is_raster(file.path) && !detail::is_polygon_file(file.path)) return std::nullopt;
+  if (!terrain_detail::is_raster(file.path) && !terrain_detail::is_polygon_file(file.path))
+    return std::nullopt;
   read_names(names, file);
-  if (!names.empty() && detail::is_polygon_file(file.path)) {
+  if (!names.empty() && terrain_detail::is_polygon_file(file.path)) {
     throw InputError(file.path.string() +
                      ": polygons carry their names in the property \"zone\"; leave \"" + names +
                      "\" out");

@@ -15,8 +15,8 @@
 #include "core/printable.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
+#include "mesh/mesh_io.hpp"
 #include "shapes/coplanar_faces.hpp"
-#include "shapes/mesh_io.hpp"
 #include "shapes/outer_skin.hpp"
 #include "shapes/shp_file.hpp"
 

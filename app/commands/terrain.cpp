@@ -14,7 +14,7 @@
 #include "core/printable.hpp"
 #include "core/text_file.hpp"
 #include "library/block_ranges.hpp"
-#include "shapes/mesh_io.hpp"
+#include "mesh/mesh_io.hpp"
 #include "study/release_points.hpp"
 #include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"

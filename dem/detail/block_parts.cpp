@@ -5,7 +5,7 @@
 #include <numeric>
 #include <span>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 namespace {

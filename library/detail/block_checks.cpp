@@ -8,7 +8,7 @@
 #include "library/detail/hdf5_records.hpp"
 #include "massprops/sphero.hpp"
 
-namespace clast::detail {
+namespace clast::library_detail {
 
 namespace {
 
@@ -92,4 +92,4 @@ void check_agreement(const Block& block, const std::string& where) {
   check_volume(block, where);
 }
 
-}  // namespace clast::detail
+}  // namespace clast::library_detail

@@ -4,7 +4,7 @@
 
 #include "library/block.hpp"
 
-namespace clast::detail {
+namespace clast::library_detail {
 
 /// Refuses a block whose mass is not density times volume, whose moments no solid has or are not
 /// those of its inertia, whose box is not the one around its core, or, where a closed form gives
@@ -14,4 +14,4 @@ namespace clast::detail {
 /// @throws InputError  with both numbers
 void check_agreement(const Block& block, const std::string& where);
 
-}  // namespace clast::detail
+}  // namespace clast::library_detail

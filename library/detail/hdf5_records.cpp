@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
-namespace clast::detail {
+namespace clast::library_detail {
 
 void require(bool fine, const std::string& where, const std::string& what) {
   if (!fine) {
@@ -49,7 +50,7 @@ double read_scalar(const Hdf5Group& group, const std::string& name, double least
                    const std::string& where) {
   const double value = group.attribute<double>(name);
   require(std::isfinite(value) && value >= least, where,
-          name + " can't be " + std::to_string(value));
+          name + " can't be " + with_digits(value, 6));
   return value;
 }
 
@@ -80,4 +81,4 @@ void check_indices(const std::vector<std::uint32_t>& indices, std::size_t vertic
   }
 }
 
-}  // namespace clast::detail
+}  // namespace clast::library_detail

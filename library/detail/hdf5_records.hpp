@@ -9,7 +9,7 @@
 #include "core/hdf5_file.hpp"
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::library_detail {
 
 /// @throws InputError  not `fine`: a value of the file can't be
 void require(bool fine, const std::string& where, const std::string& what);
@@ -56,4 +56,4 @@ std::vector<std::array<std::uint32_t, N>> read_indices(const Hdf5Group& group,
   return rows;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::library_detail

@@ -7,7 +7,7 @@
 #include "shapes/convex_hull.hpp"
 #include "shapes/oriented_box.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -162,4 +162,4 @@ SideBounds box_ranges(std::span<const Vec3> seen, std::span<const Vec3> possible
   return {bounds.lower - gaps, bounds.upper + gaps};
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

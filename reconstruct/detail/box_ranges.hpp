@@ -4,7 +4,7 @@
 
 #include "reconstruct/block_bounds.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Bounds of the sides of the smallest box of every body that holds all of `seen` and nothing
 /// outside the convex hull of `possible`.
@@ -18,4 +18,4 @@ namespace clast::detail {
 /// @param possible  `seen` among them
 SideBounds box_ranges(std::span<const Vec3> seen, std::span<const Vec3> possible);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -145,4 +145,4 @@ double spacing(std::span<const Vec3> points) {
   return sum / static_cast<double>(count);
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -8,7 +8,7 @@
 
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Numbers of the points that are no outliers: those whose mean distance to their `neighbours`
 /// nearest is at most `deviations` standard deviations above the mean of all. In order.
@@ -48,4 +48,4 @@ class NearestPoints {
 /// Mean distance of a point to its nearest, over up to 2000 points spread over the list. m
 double spacing(std::span<const Vec3> points);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

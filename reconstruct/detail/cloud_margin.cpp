@@ -7,7 +7,7 @@
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/local_surface.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -107,4 +107,4 @@ SurfaceMargin cloud_margin(const TriangleMesh& surface, const KnownPoints& point
   return Margin(surface, points).run();
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -2,10 +2,10 @@
 /// How far the true surface may lie from the one through points.
 #include <span>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/surface_margin.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Points on a surface, and how well they are known.
 struct KnownPoints {
@@ -22,4 +22,4 @@ struct KnownPoints {
 /// @param surface  closed, outward; its vertices are the points
 SurfaceMargin cloud_margin(const TriangleMesh& surface, const KnownPoints& points);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -9,7 +9,7 @@
 
 #include "reconstruct/detail/cloud.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::size_t correct_normals(std::vector<Vec3>& normals, const TriangleMesh& surf
   return corrected;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Orients the normals from neighbour to neighbour along the spanning tree with the least change of
 /// direction, starting at the point farthest from the centre, whose normal faces away from it.
@@ -19,4 +19,4 @@ void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points);
 /// @param surface  outward; its vertices are the points the normals are of
 std::size_t correct_normals(std::vector<Vec3>& normals, const TriangleMesh& surface);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

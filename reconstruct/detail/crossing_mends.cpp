@@ -4,15 +4,15 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/detail/crossings.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/detail/wrap.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/self_intersection.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::optional<FreedSurface> freed_of_crossings(const TriangleMesh& mesh, const V
   return CrossingMends(mesh, origin).freed();
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

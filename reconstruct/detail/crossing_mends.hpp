@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Relative change of the volume by replacing crossings above which that did harm.
 inline constexpr double kCrossingVolume = 0.02;
@@ -30,4 +30,4 @@ struct FreedSurface {
 ///         none where no way gave such a surface
 std::optional<FreedSurface> freed_of_crossings(const TriangleMesh& mesh, const Vec3& origin);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

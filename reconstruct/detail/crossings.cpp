@@ -6,20 +6,20 @@
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/exceptions.h>
 
-#include "shapes/detail/cgal_mesh.hpp"
+#include "mesh/detail/cgal_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 bool remove_crossings(TriangleMesh& mesh) {
-  CgalMesh work = to_cgal(mesh);
+  mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
   try {
     if (!CGAL::Polygon_mesh_processing::remove_degenerate_faces(work)) return false;
     if (!CGAL::Polygon_mesh_processing::experimental::remove_self_intersections(work)) return false;
   } catch (const CGAL::Failure_exception&) {  // met something that it takes for impossible
     return false;
   }
-  mesh = from_cgal(work);
+  mesh = mesh_detail::from_cgal(work);
   return true;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

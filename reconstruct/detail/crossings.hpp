@@ -1,8 +1,8 @@
 #pragma once
 /// Surfaces that pass through themselves, made ones that don't.
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Triangles that cross are smoothed, or cut out and filled anew, with more and more of their
 /// neighbours; triangles without area are collapsed. Topology is kept.
@@ -10,4 +10,4 @@ namespace clast::detail {
 /// @return false: some cross still; the mesh is then undefined
 bool remove_crossings(TriangleMesh& mesh);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "mesh/half_edges.hpp"
 #include "reconstruct/detail/soup.hpp"
-#include "shapes/detail/half_edges.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::vector<Piece> pieces_nearest_to(const TriangleMesh& sheet, const NearestPoi
   return pieces_of(without_ears(rock));
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/pieces.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// About 60,000 points spread over the surface by area; the same for the same mesh.
 std::vector<Vec3> points_over(const TriangleMesh& mesh);
@@ -20,4 +20,4 @@ std::vector<Vec3> points_over(const TriangleMesh& mesh);
 std::vector<Piece> pieces_nearest_to(const TriangleMesh& sheet, const NearestPoints& tree,
                                      std::span<const std::uint32_t> block);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

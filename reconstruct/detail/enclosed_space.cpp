@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::optional<EnclosedSpace> enclosed_space(std::span<const Corners> film, const
   return std::move(space.result);
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -7,7 +7,7 @@
 
 #include "reconstruct/underside.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 using Corners = std::array<Vec3, 3>;  ///< of a triangle, m
 
@@ -24,4 +24,4 @@ struct EnclosedSpace {
 std::optional<EnclosedSpace> enclosed_space(std::span<const Corners> film, const Vec3& centre,
                                             std::span<const Plane> planes, double farthest);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -63,4 +63,4 @@ double Film::column(double power) const {
   return volume;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

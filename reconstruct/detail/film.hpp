@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <utility>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/detail/hole_patch.hpp"
 #include "reconstruct/underside.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// How the film is moved: every vertex by `depth` (m) times its bulge to a power. The larger the
 /// power, the more pointed what hangs below.
@@ -47,4 +47,4 @@ class Film {
   Vec3 down_;
 };
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

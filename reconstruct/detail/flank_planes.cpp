@@ -7,7 +7,7 @@
 
 #include "shapes/convex_hull.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -143,4 +143,4 @@ FlankPlanes flank_planes(const TriangleMesh& closed, std::size_t seen,
   return found;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

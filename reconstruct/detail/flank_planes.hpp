@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/underside.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Half-spaces n . p <= d, normals outward.
 struct FlankPlanes {
@@ -25,4 +25,4 @@ struct FlankPlanes {
 FlankPlanes flank_planes(const TriangleMesh& closed, std::size_t seen,
                          std::span<const std::uint32_t> rims);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

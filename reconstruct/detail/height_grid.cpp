@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 HeightGrid::HeightGrid(std::span<const Vec3> points, const Eigen::AlignedBox2d& extent, int nodes,
                        double stiffness) {
@@ -84,4 +84,4 @@ double HeightGrid::at(const Vec2& place) const {
   return height;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

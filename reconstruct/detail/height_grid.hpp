@@ -6,7 +6,7 @@
 
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Heights at the nodes of a square grid, in between bilinear. Fitted by least squares to points,
 /// with the bending of a thin plate as a penalty: it averages roughness, and carries on smoothly
@@ -34,4 +34,4 @@ class HeightGrid {
   std::vector<double> heights_;
 };
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "core/types.hpp"
+#include "mesh/half_edges.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/soup.hpp"
-#include "shapes/detail/half_edges.hpp"
-#include "shapes/mesh_topology.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -229,4 +229,4 @@ std::vector<std::vector<std::uint32_t>> hole_loops(const TriangleMesh& mesh) {
   return loops;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Flips fragments that are attached at single vertices and face the opposite way to most of the
 /// surface they are attached to. Returns the number of triangles that were flipped.
@@ -22,4 +22,4 @@ std::size_t turn_hanging_scraps(TriangleMesh& mesh);
 /// @param mesh  no edge of more than two triangles, neighbours over edges agree
 std::vector<std::vector<std::uint32_t>> hole_loops(const TriangleMesh& mesh);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

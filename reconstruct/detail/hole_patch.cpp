@@ -8,9 +8,9 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "shapes/detail/cgal_mesh.hpp"
+#include "mesh/detail/cgal_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -23,15 +23,16 @@ constexpr double kSmallestWeight = 1e-3;
 
 HolePatch triangulated(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop,
                        double density) {
-  CgalMesh work = to_cgal(mesh);
-  const auto first = CgalMesh::Vertex_index(loop[0]), second = CgalMesh::Vertex_index(loop[1]);
-  const CgalMesh::Halfedge_index border = work.halfedge(first, second);
+  mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
+  const auto first = mesh_detail::CgalMesh::Vertex_index(loop[0]),
+             second = mesh_detail::CgalMesh::Vertex_index(loop[1]);
+  const mesh_detail::CgalMesh::Halfedge_index border = work.halfedge(first, second);
   if (!border.is_valid() || !work.is_border(border)) {
     throw GeometryError("no border runs from " + place(mesh.vertices[loop[0]]) + " to " +
                         place(mesh.vertices[loop[1]]));
   }
-  std::vector<CgalMesh::Face_index> faces;
-  std::vector<CgalMesh::Vertex_index> vertices;
+  std::vector<mesh_detail::CgalMesh::Face_index> faces;
+  std::vector<mesh_detail::CgalMesh::Vertex_index> vertices;
   namespace pmp = CGAL::Polygon_mesh_processing;
   pmp::triangulate_and_refine_hole(
       work, border, std::back_inserter(faces), std::back_inserter(vertices),
@@ -39,14 +40,16 @@ HolePatch triangulated(const TriangleMesh& mesh, const std::vector<std::uint32_t
           true));
   HolePatch patch;
   for (std::size_t v = mesh.vertices.size(); v < work.number_of_vertices(); ++v) {
-    const CgalPoint& p = work.point(CgalMesh::Vertex_index(static_cast<std::uint32_t>(v)));
+    const mesh_detail::CgalPoint& p =
+        work.point(mesh_detail::CgalMesh::Vertex_index(static_cast<std::uint32_t>(v)));
     patch.vertices.emplace_back(p.x(), p.y(), p.z());
   }
   std::sort(faces.begin(), faces.end());
-  for (const CgalMesh::Face_index face : faces) {
+  for (const mesh_detail::CgalMesh::Face_index face : faces) {
     TriangleMesh::Triangle triangle{};
     std::size_t corner = 0;
-    for (const CgalMesh::Vertex_index v : work.vertices_around_face(work.halfedge(face))) {
+    for (const mesh_detail::CgalMesh::Vertex_index v :
+         work.vertices_around_face(work.halfedge(face))) {
       triangle[corner++] = v.idx();
     }
     patch.triangles.push_back(triangle);
@@ -127,4 +130,4 @@ HolePatch filled_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>
   return patch;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

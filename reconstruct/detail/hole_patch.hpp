@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Triangles across a rim and the new vertices among them.
 struct HolePatch {
@@ -28,4 +28,4 @@ struct HolePatch {
 /// @cite liepa2003
 HolePatch filled_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -18,21 +18,21 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/detail/cgal_mesh.hpp"
+#include "mesh/half_edges.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/loop_filling.hpp"
 #include "reconstruct/detail/soup.hpp"
-#include "shapes/detail/cgal_mesh.hpp"
-#include "shapes/detail/half_edges.hpp"
-#include "shapes/mesh_topology.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
 namespace Processing = CGAL::Polygon_mesh_processing;
 using Triangle = TriangleMesh::Triangle;
-using Halfedge = CgalMesh::Halfedge_index;
-using Face = CgalMesh::Face_index;
-using Vertex = CgalMesh::Vertex_index;
+using Halfedge = mesh_detail::CgalMesh::Halfedge_index;
+using Face = mesh_detail::CgalMesh::Face_index;
+using Vertex = mesh_detail::CgalMesh::Vertex_index;
 
 /// Above this many border edges the search of all triangulations, cubic in them, takes minutes.
 constexpr std::size_t kMostForAllTriangulations = 400;
@@ -58,13 +58,13 @@ double area_of(const TriangleMesh& mesh, const std::vector<Triangle>& triangles)
   return area;
 }
 
-Vec3 point_of(const CgalMesh& mesh, Vertex v) {
-  const CgalPoint& p = mesh.point(v);
+Vec3 point_of(const mesh_detail::CgalMesh& mesh, Vertex v) {
+  const mesh_detail::CgalPoint& p = mesh.point(v);
   return {p.x(), p.y(), p.z()};
 }
 
 /// Makes a star over the middle of the border and returns its middle.
-Vertex star_over(CgalMesh& mesh, Halfedge border) {
+Vertex star_over(mesh_detail::CgalMesh& mesh, Halfedge border) {
   std::vector<Vec3> points;
   for (const Vertex v : CGAL::vertices_around_face(border, mesh)) {
     points.push_back(point_of(mesh, v));
@@ -72,12 +72,13 @@ Vertex star_over(CgalMesh& mesh, Halfedge border) {
   CGAL::Euler::fill_hole(border, mesh);
   const Vertex middle = mesh.target(CGAL::Euler::add_center_vertex(border, mesh));
   const Vec3 centre = measured_hole(points).centre;
-  mesh.point(middle) = CgalPoint(centre.x(), centre.y(), centre.z());
+  mesh.point(middle) = mesh_detail::CgalPoint(centre.x(), centre.y(), centre.z());
   return middle;
 }
 
 /// Six times the volume under faces, over `origin`.
-double sixfold_volume(const CgalMesh& mesh, const std::vector<Face>& faces, const Vec3& origin) {
+double sixfold_volume(const mesh_detail::CgalMesh& mesh, const std::vector<Face>& faces,
+                      const Vec3& origin) {
   double sum = 0.0;
   for (const Face f : faces) {
     std::array<Vec3, 3> corner;
@@ -90,7 +91,7 @@ double sixfold_volume(const CgalMesh& mesh, const std::vector<Face>& faces, cons
   return sum;
 }
 
-double area_of(const CgalMesh& mesh, const std::vector<Face>& faces) {
+double area_of(const mesh_detail::CgalMesh& mesh, const std::vector<Face>& faces) {
   double area = 0.0;
   for (const Face f : faces) area += Processing::face_area(f, mesh);
   return area;
@@ -98,8 +99,8 @@ double area_of(const CgalMesh& mesh, const std::vector<Face>& faces) {
 
 /// Moves the vertices to a surface that is smooth at the border, but no farther from a membrane
 /// over it than half its width. Returns six times the volume under the film.
-double bulge(CgalMesh& mesh, const std::vector<Face>& patch, const std::vector<Vertex>& added,
-             const FilledHole& hole) {
+double bulge(mesh_detail::CgalMesh& mesh, const std::vector<Face>& patch,
+             const std::vector<Vertex>& added, const FilledHole& hole) {
   Processing::fair(mesh, added, CGAL::parameters::fairing_continuity(0));
   const double film_volume = sixfold_volume(mesh, patch, hole.centre);
   const double limit = kMostBulge * 2.0 * area_of(mesh, patch) / hole.perimeter;
@@ -113,13 +114,13 @@ double bulge(CgalMesh& mesh, const std::vector<Face>& patch, const std::vector<V
   if (highest <= limit) return film_volume;
   for (std::size_t i = 0; i < added.size(); ++i) {
     const Vec3 p = film[i] + limit / highest * (point_of(mesh, added[i]) - film[i]);
-    mesh.point(added[i]) = CgalPoint(p.x(), p.y(), p.z());
+    mesh.point(added[i]) = mesh_detail::CgalPoint(p.x(), p.y(), p.z());
   }
   return film_volume;
 }
 
 /// Unit normals of the triangles beyond the sides of a border, in the order of its vertices.
-std::vector<Vec3> normals_beyond(const CgalMesh& mesh, Halfedge border) {
+std::vector<Vec3> normals_beyond(const mesh_detail::CgalMesh& mesh, Halfedge border) {
   std::vector<Vec3> normals;
   for (const Halfedge h : CGAL::halfedges_around_face(border, mesh)) {
     const Halfedge inner = mesh.opposite(mesh.next(h));
@@ -133,7 +134,8 @@ std::vector<Vec3> normals_beyond(const CgalMesh& mesh, Halfedge border) {
 /// Fills one hole and adds to what is known of it its area, 0 when it stays open, and how much its
 /// volume is open.
 /// @param points  of the border
-void fill(CgalMesh& mesh, Halfedge border, const std::vector<Vec3>& points, FilledHole& hole) {
+void fill(mesh_detail::CgalMesh& mesh, Halfedge border, const std::vector<Vec3>& points,
+          FilledHole& hole) {
   const TangentCones cones = tangent_cones(points, normals_beyond(mesh, border));
   std::vector<Face> patch, more;
   std::vector<Vertex> added;
@@ -225,7 +227,7 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
 
 std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides) {
   const double area = surface_area(mesh);
-  CgalMesh work = to_cgal(mesh);
+  mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
   std::vector<Halfedge> starts;
   Processing::extract_boundary_cycles(work, std::back_inserter(starts));
   std::vector<FilledHole> filled;
@@ -245,8 +247,8 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides) {
     }
     if (hole.area > 0.0) filled.push_back(hole);
   }
-  mesh = from_cgal(work);
+  mesh = mesh_detail::from_cgal(work);
   return filled;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

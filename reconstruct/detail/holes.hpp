@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/repair_report.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Holes of at most this many edges are closed by a fan, exactly where they lie in a plane.
 inline constexpr std::size_t kFanEdges = 4;
@@ -35,4 +35,4 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
 /// @cite liepa2003
 std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides = true);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -160,4 +160,4 @@ std::vector<Vec3> LocalSurface::smoothed(double noise) const {
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -6,7 +6,7 @@
 #include "core/types.hpp"
 #include "reconstruct/detail/cloud.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Moving least squares: planes and quadrics fitted to the nearest points that face the same way.
 /// @cite levin2004
@@ -40,4 +40,4 @@ class LocalSurface {
   NearestPoints tree_;
 };
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -6,7 +6,7 @@
 
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -220,4 +220,4 @@ TangentCones tangent_cones(std::span<const Vec3> border, std::span<const Vec3> n
   return cones;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

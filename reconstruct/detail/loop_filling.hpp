@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// How a loop was filled, and how much other fillings would differ.
 struct LoopFilling {
@@ -48,4 +48,4 @@ struct TangentCones {
 };
 TangentCones tangent_cones(std::span<const Vec3> border, std::span<const Vec3> normals);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

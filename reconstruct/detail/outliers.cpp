@@ -8,7 +8,7 @@
 
 #include "reconstruct/detail/cloud.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -180,4 +180,4 @@ std::vector<std::uint32_t> without_isolated(std::span<const Vec3> points) {
   return kept;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -6,7 +6,7 @@
 
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Every place once, in the order given: scanners and merged files repeat points to the bit, and of
 /// such the spacing would be none.
@@ -23,4 +23,4 @@ std::vector<double> local_spacings(std::span<const Vec3> points);
 /// an outlier. No fixed share of the points is discarded: of a clean cloud every point is kept.
 std::vector<std::uint32_t> without_isolated(std::span<const Vec3> points);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

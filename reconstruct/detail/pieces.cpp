@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/types.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/soup.hpp"
-#include "shapes/mesh_topology.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -105,4 +105,4 @@ bool lies_on(const TriangleMesh& piece, const TriangleTree& tree, double distanc
   });
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -2,10 +2,10 @@
 /// The pieces of a surface, and which lies in or on which.
 #include <vector>
 
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "mesh/triangle_tree.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 struct Piece {
   TriangleMesh mesh;
@@ -29,4 +29,4 @@ bool lies_inside(const TriangleMesh& piece, const TriangleMesh& block, const Tri
 /// Is every vertex of the piece within `distance` of the surface of the tree?
 bool lies_on(const TriangleMesh& piece, const TriangleTree& tree, double distance);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

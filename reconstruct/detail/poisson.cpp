@@ -16,29 +16,30 @@
 #include <utility>
 #include <vector>
 
-#include "shapes/detail/cgal_mesh.hpp"
+#include "mesh/detail/cgal_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
 enum class Side : std::uint8_t { kOutside, kInside, kReached };
 
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, CgalKernel>;
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<Side, CgalKernel>;
+using VertexBase =
+    CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, mesh_detail::CgalKernel>;
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<Side, mesh_detail::CgalKernel>;
 using Delaunay =
-    CGAL::Delaunay_triangulation_3<CgalKernel,
+    CGAL::Delaunay_triangulation_3<mesh_detail::CgalKernel,
                                    CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 using Cell = Delaunay::Cell_handle;
-using Oriented = std::pair<CgalPoint, CgalKernel::Vector_3>;
-using Function = CGAL::Poisson_reconstruction_function<CgalKernel>;
+using Oriented = std::pair<mesh_detail::CgalPoint, mesh_detail::CgalKernel::Vector_3>;
+using Function = CGAL::Poisson_reconstruction_function<mesh_detail::CgalKernel>;
 
 /// Where a cell is asked for its side: its circumcentre, or, of a flat one whose circumcentre is
 /// nowhere, its middle.
-CgalPoint asked_at(const Cell& cell) {
-  const CgalPoint &a = cell->vertex(0)->point(), &b = cell->vertex(1)->point(),
-                  &c = cell->vertex(2)->point(), &d = cell->vertex(3)->point();
-  const CgalPoint centre = CGAL::circumcenter(a, b, c, d);
+mesh_detail::CgalPoint asked_at(const Cell& cell) {
+  const mesh_detail::CgalPoint &a = cell->vertex(0)->point(), &b = cell->vertex(1)->point(),
+                               &c = cell->vertex(2)->point(), &d = cell->vertex(3)->point();
+  const mesh_detail::CgalPoint centre = CGAL::circumcenter(a, b, c, d);
   return std::isfinite(CGAL::squared_distance(centre, a)) ? centre : CGAL::centroid(a, b, c, d);
 }
 
@@ -159,8 +160,8 @@ struct Indicator::Impl {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3 p = points[i] - points[0];
       const Vec3& n = normals[i];
-      result.emplace_back(CgalPoint(p.x(), p.y(), p.z()),
-                          CgalKernel::Vector_3(n.x(), n.y(), n.z()));
+      result.emplace_back(mesh_detail::CgalPoint(p.x(), p.y(), p.z()),
+                          mesh_detail::CgalKernel::Vector_3(n.x(), n.y(), n.z()));
     }
     return result;
   }
@@ -196,21 +197,21 @@ bool Indicator::found() const { return impl_ != nullptr; }
 
 double Indicator::at(const Vec3& place) const {
   const Vec3 p = place - impl_->origin;
-  return facing_ * impl_->function(CgalPoint(p.x(), p.y(), p.z()));
+  return facing_ * impl_->function(mesh_detail::CgalPoint(p.x(), p.y(), p.z()));
 }
 
 TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator,
                              std::span<const double> spacings) {
   if (points.empty()) return {};
   const Vec3 origin = points[0];
-  std::vector<std::pair<CgalPoint, std::uint32_t>> numbered;
+  std::vector<std::pair<mesh_detail::CgalPoint, std::uint32_t>> numbered;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Vec3 p = points[i] - origin;
-    numbered.emplace_back(CgalPoint(p.x(), p.y(), p.z()), i);
+    numbered.emplace_back(mesh_detail::CgalPoint(p.x(), p.y(), p.z()), i);
   }
   Delaunay delaunay(numbered.begin(), numbered.end());
   const auto is_inside = [&](const Cell& cell) {
-    const CgalPoint p = asked_at(cell);
+    const mesh_detail::CgalPoint p = asked_at(cell);
     return indicator.at(origin + Vec3(p.x(), p.y(), p.z())) < 0.0;
   };
   for (const Cell cell : delaunay.all_cell_handles()) {
@@ -225,4 +226,4 @@ TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indi
   return {std::vector<Vec3>(points.begin(), points.end()), border(delaunay)};
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -3,9 +3,9 @@
 #include <memory>
 #include <span>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// A function that is negative inside and positive outside the body whose surface oriented points
 /// lie on, solved for over all of them [kazhdan2006]: single points off the surface, gaps and
@@ -40,4 +40,4 @@ class Indicator {
 TriangleMesh surface_between(std::span<const Vec3> points, const Indicator& indicator,
                              std::span<const double> spacings = {});
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -4,13 +4,13 @@
 #include <map>
 #include <set>
 
+#include "mesh/half_edges.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/loop_filling.hpp"
 #include "reconstruct/detail/soup.hpp"
-#include "shapes/detail/half_edges.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::vector<FilledHole> close_ragged_holes(TriangleMesh& mesh) {
   return filled;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

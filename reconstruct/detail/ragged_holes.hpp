@@ -3,10 +3,10 @@
 /// there.
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/repair_report.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Twice the area over the length round a hole, in mean sides of its border, up to which no vertex
 /// need be missing inside: n - 2 even triangles between n corners have less, and a hexagon that
@@ -23,4 +23,4 @@ inline constexpr double kWidthOfMissingTriangles = 1.0;
 /// @returns the fillings, shares of the area left at 0
 std::vector<FilledHole> close_ragged_holes(TriangleMesh& mesh);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -85,4 +85,4 @@ double Sections::volume_above(double height) const {
   return volume;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

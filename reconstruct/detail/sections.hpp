@@ -1,8 +1,8 @@
 #pragma once
 /// Level sections of a closed mesh.
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Areas and volumes over the height along a direction. Keeps the heights and plan coordinates of
 /// the mesh about its own middle.
@@ -26,4 +26,4 @@ class Sections {
   double lowest_ = 0.0, highest_ = 0.0;
 };
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -5,10 +5,10 @@
 #include <cstdint>
 
 #include "core/statistics.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/soup.hpp"
-#include "shapes/mesh_topology.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -138,4 +138,4 @@ SeenSurface seen_surface(const TriangleMesh& closed, std::span<const double> spa
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 struct SeenSurface {
   std::vector<bool> seen;         ///< of each triangle
@@ -25,4 +25,4 @@ struct SeenSurface {
 /// @param rim       radius of the ball at which a hole ends, in spacings
 SeenSurface seen_surface(const TriangleMesh& closed, std::span<const double> spacings, double rim);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/outliers.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -70,4 +70,4 @@ NearAndFar near_and_far(std::span<const Vec3> points) {
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -6,7 +6,7 @@
 
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// The largest set of points and what lies near it, apart from the rest.
 struct NearAndFar {
@@ -21,4 +21,4 @@ struct NearAndFar {
 /// sides were not seen may well be two sets, near to each other.
 NearAndFar near_and_far(std::span<const Vec3> points);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -7,11 +7,11 @@
 #include <optional>
 #include <span>
 
+#include "mesh/half_edges.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
-#include "shapes/detail/half_edges.hpp"
-#include "shapes/mesh_topology.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -316,4 +316,4 @@ SoupMends mend_soup(TriangleMesh& mesh, double largest_fin) {
   return mends;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

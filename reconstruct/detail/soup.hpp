@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// What a mend took out or changed.
 struct Mended {
@@ -78,4 +78,4 @@ struct SoupMends {
 /// @param largest_fin  share of the area that a fin may have
 SoupMends mend_soup(TriangleMesh& mesh, double largest_fin);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -95,4 +95,4 @@ SpaceBelow space_below(const TriangleMesh& closed, const Plane& ground, double s
   return below;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -1,10 +1,10 @@
 #pragma once
 /// How much rock may hide under what was seen of a block.
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/seen_through.hpp"
 #include "reconstruct/underside.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// What nobody looked through under the lowest sheet of a closed mesh. What lies beside its plan is
 /// not counted: rock there would have been seen. In m, m^2, m^3 if the mesh is in metres.
@@ -21,4 +21,4 @@ struct SpaceBelow {
 SpaceBelow space_below(const TriangleMesh& closed, const Plane& ground, double strip,
                        const SeenThrough& through);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/types.hpp"
-#include "shapes/detail/half_edges.hpp"
+#include "mesh/half_edges.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -240,4 +240,4 @@ Spikes flatten_spikes(TriangleMesh& mesh) {
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

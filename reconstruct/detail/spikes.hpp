@@ -2,9 +2,9 @@
 /// Vertices that stand out of their neighbourhood.
 #include <cstddef>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 struct Spikes {
   std::size_t count = 0;
@@ -20,4 +20,4 @@ struct Spikes {
 /// @param mesh  neighbours over edges face the same way
 Spikes flatten_spikes(TriangleMesh& mesh);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -8,7 +8,7 @@
 #include "reconstruct/weld.hpp"
 #include "shapes/oriented_box.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -115,4 +115,4 @@ BlockBounds underside_bounds(const Underside& side, const RepairReport& report) 
   return bounds;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

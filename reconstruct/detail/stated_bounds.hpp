@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/block_bounds.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/repair_report.hpp"
 #include "reconstruct/surface_margin.hpp"
 #include "reconstruct/underside.hpp"
-#include "shapes/detail/triangle_tree.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// What was scanned of a surface that was repaired since.
 class ScannedSurface {
@@ -49,4 +49,4 @@ std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairRep
 /// @param report  of the repair, in metres: copies of the surface widen the bounds
 BlockBounds underside_bounds(const Underside& side, const RepairReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -9,7 +9,7 @@
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::string digits_note(const TriangleMesh& mesh, const std::filesystem::path& p
   throw InputError(path.string() + ": " + text + ", so that its shape is lost" + advice);
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 struct CoordinateStep {
   double step = 0.0;     ///< the coarsest distance of neighbouring numbers of an axis
@@ -23,4 +23,4 @@ std::optional<CoordinateStep> coordinate_step(const TriangleMesh& mesh);
 /// @throws InputError  the shape of the block is lost
 std::string digits_note(const TriangleMesh& mesh, const std::filesystem::path& path, double unit);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "shapes/mesh_topology.hpp"
+#include "mesh/mesh_topology.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -218,4 +218,4 @@ DoubledSurface described_copy(const SurfaceCopy& copy, const Piece& dropped,
   return doubled;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

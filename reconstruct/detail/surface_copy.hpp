@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/repair_report.hpp"
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// The position of a copy relative to the surface that it copies.
 struct SurfaceCopy {
@@ -40,4 +40,4 @@ void put_best_copy_first(std::vector<Piece>& pieces);
 DoubledSurface described_copy(const SurfaceCopy& copy, const Piece& dropped,
                               const TriangleMesh& kept, const TriangleTree& tree);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -176,4 +176,4 @@ void part_touching_vertices(TriangleMesh& mesh, double distance) {
   for (const auto& [v, move] : moves) mesh.vertices[v] += move;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

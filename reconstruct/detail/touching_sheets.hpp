@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
+#include "mesh/half_edges.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/detail/soup.hpp"
-#include "shapes/detail/half_edges.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Directions from an edge into its triangles, square to the edge.
 /// @param sides  those of one edge, one at least
@@ -27,4 +27,4 @@ Mended split_pinched_vertices(TriangleMesh& mesh);
 /// @param mesh  closed, outward
 void part_touching_vertices(TriangleMesh& mesh, double distance);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/box_ranges.hpp"
 #include "reconstruct/detail/enclosed_space.hpp"
 #include "reconstruct/detail/flank_planes.hpp"
-#include "shapes/mesh_topology.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 namespace {
 
@@ -247,4 +247,4 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
   return bounds;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

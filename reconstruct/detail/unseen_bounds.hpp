@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/block_bounds.hpp"
 #include "reconstruct/surface_margin.hpp"
 #include "reconstruct/underside.hpp"
-#include "shapes/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// Bounds of a body whose seen flanks continue as they are, m^3 and m.
 struct UnseenBounds {
@@ -31,4 +31,4 @@ struct UnseenParts {
 /// @param closed  outward, with the films
 UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "shapes/detail/cgal_mesh.hpp"
-#include "shapes/mesh_topology.hpp"
+#include "mesh/detail/cgal_mesh.hpp"
+#include "mesh/mesh_topology.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 TriangleMesh wrapped(const TriangleMesh& closed, const WrapShares& shares) {
   const MeshReport report = inspect(closed);
@@ -17,13 +17,13 @@ TriangleMesh wrapped(const TriangleMesh& closed, const WrapShares& shares) {
     throw GeometryError("only a closed surface can be wrapped, this one has " + report.summary() +
                         "; repair it first");
   }
-  std::vector<CgalPoint> points;
+  std::vector<mesh_detail::CgalPoint> points;
   for (const Vec3& v : closed.vertices) points.emplace_back(v.x(), v.y(), v.z());
   const double diagonal = bounds(closed).diagonal();
-  CgalMesh wrap;
+  mesh_detail::CgalMesh wrap;
   CGAL::alpha_wrap_3(points, closed.triangles, shares.bridged * diagonal,
                      shares.distance * diagonal, wrap);
-  return from_cgal(wrap);
+  return mesh_detail::from_cgal(wrap);
 }
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

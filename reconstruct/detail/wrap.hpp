@@ -1,8 +1,8 @@
 #pragma once
 /// The last resort: a surface around a surface.
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::reconstruct_detail {
 
 /// How closely a wrap follows, as shares of the diagonal. Its cost goes with the square.
 struct WrapShares {
@@ -22,4 +22,4 @@ inline constexpr WrapShares kFineWrap{1.0 / 60.0, 1.0 / 1500.0},
 /// @cite portaneri2022
 TriangleMesh wrapped(const TriangleMesh& closed, const WrapShares& shares);
 
-}  // namespace clast::detail
+}  // namespace clast::reconstruct_detail

@@ -26,17 +26,17 @@ void CharucoBoard::check() const {
                      " m don't fit in squares of " + with_digits(square, 6) +
                      " m; check both lengths");
   }
-  const int size = detail::dictionary_size(dictionary);
+  const int size = photos_detail::dictionary_size(dictionary);
   if (columns * rows / 2 > size) {
     throw InputError("ChArUco board: " + std::to_string(columns) + " x " + std::to_string(rows) +
                      " squares need " + std::to_string(columns * rows / 2) +
                      " markers, but the dictionary " + dictionary + " has " + std::to_string(size));
   }
-  if (rows % 2 == 0 && !detail::knows_pattern(older_pattern)) {
+  if (rows % 2 == 0 && !photos_detail::knows_pattern(older_pattern)) {
     throw InputError("ChArUco board: with an even number of rows (" + std::to_string(rows) +
                      ") boards of OpenCV before 4.6 and of later versions differ, and clast was "
                      "built with OpenCV " +
-                     detail::opencv_version() + ", which knows the " +
+                     photos_detail::opencv_version() + ", which knows the " +
                      (older_pattern ? "later" : "older") +
                      " ones only; use a board with an odd number of rows, or say older_pattern = " +
                      (older_pattern ? "false" : "true") + " if that is what it is");
@@ -47,27 +47,28 @@ std::vector<BoardCorner> found_board_corners(const PhotoModel& model, const Char
                                              const MarkerOptions& options) {
   options.check();
   board.check();
-  const detail::SingleThreaded guard;
-  std::vector<std::vector<detail::CornerInPhoto>> seen(model.photos.size());
+  const photos_detail::SingleThreaded guard;
+  std::vector<std::vector<photos_detail::CornerInPhoto>> seen(model.photos.size());
   parallel_for(model.photos.size(), options.threads, [&](std::size_t i) {
-    const cv::Mat grey = detail::read_grey_photo(model.photos[i].file);
-    seen[i] = detail::charuco_corners_in(grey, board);
+    const cv::Mat grey = photos_detail::read_grey_photo(model.photos[i].file);
+    seen[i] = photos_detail::charuco_corners_in(grey, board);
     const double to_original =
         static_cast<double>(model.lenses[model.photos[i].lens].width) / grey.cols;
-    for (detail::CornerInPhoto& corner : seen[i]) {
+    for (photos_detail::CornerInPhoto& corner : seen[i]) {
       corner.pixel = to_original * (corner.pixel + Vec2(0.5, 0.5)) - Vec2(0.5, 0.5);
     }
   });
-  std::vector<std::vector<detail::Sighting>> sightings(
+  std::vector<std::vector<photos_detail::Sighting>> sightings(
       static_cast<std::size_t>((board.columns - 1) * (board.rows - 1)));
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    for (const detail::CornerInPhoto& corner : seen[i]) {
+    for (const photos_detail::CornerInPhoto& corner : seen[i]) {
       sightings[static_cast<std::size_t>(corner.number)].push_back({i, corner.pixel});
     }
   }
   std::vector<BoardCorner> found;
   for (std::size_t number = 0; number < sightings.size(); ++number) {
-    const auto corner = detail::triangulated(model, sightings[number], options.largest_error);
+    const auto corner =
+        photos_detail::triangulated(model, sightings[number], options.largest_error);
     if (!corner || corner->agreeing < options.fewest_photos) continue;
     found.push_back({static_cast<int>(number), corner->place, corner->agreeing,
                      std::sqrt(corner->squared_error / static_cast<double>(corner->agreeing))});

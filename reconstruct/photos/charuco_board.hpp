@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.hpp"
 #include "reconstruct/photos/photo_markers.hpp"
 
 namespace clast {
@@ -23,6 +24,17 @@ struct CharucoBoard {
   ///                     the OpenCV clast was built with doesn't know
   void check() const;
 };
+
+template <class Visit>
+void visit_fields(const CharucoBoard& options, Visit&& visit) {
+  const auto& [dictionary, columns, rows, square, marker, older_pattern] = options;
+  visit("dictionary", dictionary);
+  visit("columns", columns);
+  visit("rows", rows);
+  visit("square", square);
+  visit("marker", marker);
+  visit("older_pattern", older_pattern);
+}
 
 /// A corner that several photos agree on.
 struct BoardCorner {

@@ -73,7 +73,7 @@ class ColmapJob {
     // One camera for all photos of a size: what a phone gives. Others get one each.
     std::set<std::pair<int, int>> sizes;
     for (const fs::path& file : files) {
-      const detail::PhotoSize size = detail::photo_size(file);
+      const photos_detail::PhotoSize size = photos_detail::photo_size(file);
       sizes.insert({size.width, size.height});
     }
     std::string list;
@@ -156,7 +156,7 @@ class ColmapJob {
     for (std::size_t i = 0; i < files.size(); ++i) {
       const fs::path target = work_ / "masks" / (fs::relative(files[i], photos_).string() + ".png");
       fs::create_directories(target.parent_path());
-      detail::write_plain_mask(masks[i], target);
+      photos_detail::write_plain_mask(masks[i], target);
     }
     return work_ / "masks";
   }
@@ -172,9 +172,9 @@ class ColmapJob {
   bool try_step(const std::string& told, const std::string& command,
                 const std::vector<std::string>& arguments) {
     if (stage_) stage_(told);
-    const detail::ChildEnd end =
-        detail::run_child(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
-                          work_ / (command + ".log"), options_.seconds);
+    const photos_detail::ChildEnd end =
+        photos_detail::run_child(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
+                                 work_ / (command + ".log"), options_.seconds);
     if (end.timed_out) {
       throw InputError("colmap " + command + " was ended after " +
                        with_digits(options_.seconds / 60.0, 3) +
@@ -295,7 +295,7 @@ PhotoModel colmap_cameras(const fs::path& folder, const ColmapOptions& options,
     judge({model}, files.size(), options);
     return finished(std::move(model));
   }
-  const fs::path program = detail::program_named(options.program);
+  const fs::path program = photos_detail::program_named(options.program);
   if (program.empty()) {
     throw InputError("cameras of photos are found by the program colmap, and " + options.program +
                      " isn't there: install the package colmap (Debian, Ubuntu: apt-get install "

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "core/fields.hpp"
 #include "reconstruct/photos/photo_model.hpp"
 
 namespace clast {
@@ -24,6 +25,20 @@ struct ColmapOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
+template <class Visit>
+void visit_fields(const ColmapOptions& options, Visit&& visit) {
+  const auto& [program, cache, masks, seconds, features, most_pixels, exhaustive_up_to,
+               least_share] = options;
+  visit("program", program);
+  visit("cache", NoInfluence{cache});
+  visit("masks", masks);
+  visit("seconds", NoInfluence{seconds});
+  visit("features", features);
+  visit("most_pixels", most_pixels);
+  visit("exhaustive_up_to", exhaustive_up_to);
+  visit("least_share", least_share);
+}
+
 /// clast/photos in the folder for caches of this user (XDG_CACHE_HOME, else ~/.cache), or in that
 /// for temporary files.
 std::filesystem::path default_photo_cache();
@@ -40,8 +55,8 @@ std::string photo_set_digest(const std::filesystem::path& folder);
 /// The largest group of photos that hang together is returned, with files.
 /// @param stage  called with what is being done
 /// @throws InputError  what `masks_of` throws; colmap isn't installed (names the package); fewer
-/// than three photos; the
-///                     photos don't hang together, or only in groups; it failed or took too long
+///                     than three photos; the photos don't hang together, or only in groups; it
+///                     failed or took too long
 /// @cite schoenberger2016
 PhotoModel colmap_cameras(const std::filesystem::path& folder, const ColmapOptions& options = {},
                           const std::function<void(const std::string&)>& stage = {});

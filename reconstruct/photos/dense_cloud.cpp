@@ -18,10 +18,10 @@ namespace clast {
 
 namespace {
 
-using detail::kNoShift;
-using detail::kShiftUnit;
-using detail::PairDepths;
-using View = detail::PairView;
+using photos_detail::kNoShift;
+using photos_detail::kShiftUnit;
+using photos_detail::PairDepths;
+using View = photos_detail::PairView;
 
 /// Pairs that look in directions farther apart see different sides.
 constexpr double kSameSide = 0.5;  ///< cosine
@@ -43,7 +43,7 @@ std::vector<Fused> fused(const std::vector<View>& views, std::size_t own,
   for (std::size_t j = 0; j < views.size(); ++j) {
     if (j != own && views[j].direction.dot(view.direction) > kSameSide) others.push_back(&views[j]);
   }
-  const detail::Rectification& r = view.depths->view;
+  const photos_detail::Rectification& r = view.depths->view;
   const double through = kSeenThrough * options.tolerance;
   std::vector<Fused> points;
   agreed = cv::Mat::zeros(r.height, r.width, CV_8U);
@@ -166,7 +166,7 @@ void DenseOptions::check() const {
 DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
                        const std::function<void(std::size_t, std::size_t)>& progress) {
   options.check();
-  const detail::SingleThreaded guard;
+  const photos_detail::SingleThreaded guard;
   DenseCloud cloud;
   cloud.region = region_of(model);
   const std::vector<std::filesystem::path> masks = chosen_masks(model, options.masks);
@@ -179,7 +179,7 @@ DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
   std::size_t done = 0;
   parallel_for(count, options.threads, [&](std::size_t i) {
     depths[i] =
-        detail::pair_depths(model, cloud.pairs[i], cloud.region, options.most_pixels, masks);
+        photos_detail::pair_depths(model, cloud.pairs[i], cloud.region, options.most_pixels, masks);
     const std::lock_guard lock(mutex);
     if (progress) progress(++done, count + count / 4);
   });
@@ -204,8 +204,8 @@ DenseCloud dense_cloud(const PhotoModel& model, const DenseOptions& options,
     if (progress) progress(count + (first + points.size()) / 4, count + count / 4);
   }
   cells.hand_over(cloud);
-  cloud.through =
-      detail::looked_through(views, agreed, cloud.region, options.tolerance, options.threads);
+  cloud.through = photos_detail::looked_through(views, agreed, cloud.region, options.tolerance,
+                                                options.threads);
   if (cloud.points.size() < kFewestPoints) {
     throw InputError("the photos agree on " + std::to_string(cloud.points.size()) +
                      " points only, from " + std::to_string(count) +

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.hpp"
 #include "reconstruct/photos/stereo_pairs.hpp"
 #include "reconstruct/seen_through.hpp"
 
@@ -25,6 +26,20 @@ struct DenseOptions {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+template <class Visit>
+void visit_fields(const DenseOptions& options, Visit&& visit) {
+  const auto& [pairs, most_pixels, agreeing, tolerance, cell, skip_blurred, masks, threads] =
+      options;
+  visit("pairs", pairs);
+  visit("most_pixels", most_pixels);
+  visit("agreeing", agreeing);
+  visit("tolerance", tolerance);
+  visit("cell", cell);
+  visit("skip_blurred", skip_blurred);
+  visit("masks", masks);
+  visit("threads", NoInfluence{threads});
+}
 
 struct DenseCloud {
   std::vector<Vec3> points;                          ///< in the frame and units of the model

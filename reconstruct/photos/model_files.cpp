@@ -39,16 +39,16 @@ fs::path model_at(const fs::path& path) {
 }
 
 PhotoModel read_at(const fs::path& path, const fs::path& photos) {
-  if (holds_colmap(path, ".txt")) return detail::read_colmap_text(path);
-  if (holds_colmap(path, ".bin")) return detail::read_colmap_binary(path);
+  if (holds_colmap(path, ".txt")) return photos_detail::read_colmap_text(path);
+  if (holds_colmap(path, ".bin")) return photos_detail::read_colmap_binary(path);
   const std::string extension = extension_of(path);
-  if (extension == ".xml") return detail::read_metashape(path);
-  if (extension == ".out") return detail::read_bundler(path, photos);
-  if (extension == ".sfm") return detail::read_alicevision(path);
+  if (extension == ".xml") return photos_detail::read_metashape(path);
+  if (extension == ".out") return photos_detail::read_bundler(path, photos);
+  if (extension == ".sfm") return photos_detail::read_alicevision(path);
   if (extension == ".json") {
     // Both programs use the extension; only OpenMVG has a root_path.
     const bool openmvg = read_text_file(path).find("\"root_path\"") != std::string::npos;
-    return openmvg ? detail::read_openmvg(path) : detail::read_alicevision(path);
+    return openmvg ? photos_detail::read_openmvg(path) : photos_detail::read_alicevision(path);
   }
   throw InputError(path.string() +
                    ": not a camera model; known are folders of COLMAP (cameras, images and "
@@ -73,7 +73,7 @@ PhotoModel read_photo_model(const fs::path& path, const fs::path& photos) {
   }
   if (!fs::is_directory(found, code)) check_input_file(found);
   try {
-    PhotoModel model = detail::in_order_of_names(read_at(found, photos));
+    PhotoModel model = photos_detail::in_order_of_names(read_at(found, photos));
     model.check();
     return model;
   } catch (const InputError& error) {
@@ -84,7 +84,7 @@ PhotoModel read_photo_model(const fs::path& path, const fs::path& photos) {
   }
 }
 
-namespace detail {
+namespace photos_detail {
 
 PhotoModel in_order_of_names(PhotoModel model) {
   std::vector<std::uint32_t> order(model.photos.size()), number(model.photos.size());
@@ -120,6 +120,6 @@ Quat rotation_from(const Mat3& matrix, const std::string& what) {
   return Quat(matrix).normalized();
 }
 
-}  // namespace detail
+}  // namespace photos_detail
 
 }  // namespace clast

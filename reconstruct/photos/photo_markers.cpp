@@ -21,7 +21,7 @@ constexpr std::size_t kTriedPhotos = 8;
 /// Fewer sightings in those are chance: what looks like a marker on a rock.
 constexpr std::size_t kFewestSightings = 3;
 
-using detail::MarkerInPhoto;
+using photos_detail::MarkerInPhoto;
 
 Lens lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) {
   const Photo& p = model.photos[photo];
@@ -35,13 +35,13 @@ Lens lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) 
 /// The dictionary with the most markers on some photos; empty when none has enough.
 std::string likely_dictionary(const PhotoModel& model, unsigned threads) {
   const std::size_t tried = std::min(kTriedPhotos, model.photos.size());
-  const std::vector<std::string>& names = detail::dictionary_names();
+  const std::vector<std::string>& names = photos_detail::dictionary_names();
   std::vector<std::vector<std::size_t>> counts(tried, std::vector<std::size_t>(names.size()));
   parallel_for(tried, threads, [&](std::size_t i) {
     const cv::Mat grey =
-        detail::read_grey_photo(model.photos[i * model.photos.size() / tried].file);
+        photos_detail::read_grey_photo(model.photos[i * model.photos.size() / tried].file);
     for (std::size_t k = 0; k < names.size(); ++k) {
-      counts[i][k] = detail::markers_in(grey, names[k]).size();
+      counts[i][k] = photos_detail::markers_in(grey, names[k]).size();
     }
   });
   std::string best;
@@ -65,13 +65,13 @@ std::optional<FoundMarker> placed(const PhotoModel& model,
   FoundMarker marker{id, {}, model.photos.size(), 0.0};
   double squares = 0.0, count = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
-    std::vector<detail::Sighting> sightings;
+    std::vector<photos_detail::Sighting> sightings;
     for (std::size_t i = 0; i < seen.size(); ++i) {
       for (const MarkerInPhoto& one : seen[i]) {
         if (one.id == id) sightings.push_back({i, one.corners[k]});
       }
     }
-    const auto corner = detail::triangulated(model, sightings, options.largest_error);
+    const auto corner = photos_detail::triangulated(model, sightings, options.largest_error);
     if (!corner || corner->agreeing < options.fewest_photos) return std::nullopt;
     marker.corners[k] = corner->place;
     marker.photos = std::min(marker.photos, corner->agreeing);
@@ -85,7 +85,7 @@ std::optional<FoundMarker> placed(const PhotoModel& model,
 }  // namespace
 
 void MarkerOptions::check() const {
-  if (dictionary != "auto" && dictionary != "none") detail::dictionary_number(dictionary);
+  if (dictionary != "auto" && dictionary != "none") photos_detail::dictionary_number(dictionary);
   if (fewest_photos < 2) throw InputError("fewest_photos must be 2 at least");
   if (!(largest_error > 0.0 && largest_error < 100.0)) {
     throw InputError("largest_error = " + with_digits(largest_error, 4) + " px is out of range");
@@ -102,7 +102,7 @@ double FoundMarker::side() const {
   return 0.25 * sum;
 }
 
-std::vector<std::string> marker_dictionaries() { return detail::dictionary_names(); }
+std::vector<std::string> marker_dictionaries() { return photos_detail::dictionary_names(); }
 
 std::vector<FoundMarker> found_markers(const PhotoModel& model, const MarkerOptions& options) {
   return search_markers(model, options).markers;
@@ -112,19 +112,19 @@ MarkerSearch search_markers(const PhotoModel& model, const MarkerOptions& option
   options.check();
   MarkerSearch search;
   if (options.dictionary == "none" || model.photos.empty()) return search;
-  const detail::SingleThreaded guard;
+  const photos_detail::SingleThreaded guard;
   const std::string dictionary =
       options.dictionary == "auto" ? likely_dictionary(model, options.threads) : options.dictionary;
   if (dictionary.empty()) return search;
   search.dictionary = dictionary;
   std::vector<std::vector<MarkerInPhoto>> seen(model.photos.size());
   parallel_for(model.photos.size(), options.threads, [&](std::size_t i) {
-    const cv::Mat grey = detail::read_grey_photo(model.photos[i].file);
+    const cv::Mat grey = photos_detail::read_grey_photo(model.photos[i].file);
     const Lens lens = lens_for(model, i, grey);
     const Lens& original = model.lenses[model.photos[i].lens];
     const double to_original = static_cast<double>(original.width) / lens.width;
-    for (const MarkerInPhoto& raw : detail::markers_in(grey, dictionary)) {
-      std::optional<MarkerInPhoto> fine = detail::with_edge_corners(raw, grey, lens);
+    for (const MarkerInPhoto& raw : photos_detail::markers_in(grey, dictionary)) {
+      std::optional<MarkerInPhoto> fine = photos_detail::with_edge_corners(raw, grey, lens);
       if (!fine) continue;
       for (Vec2& corner : fine->corners) {
         corner = to_original * (corner + Vec2(0.5, 0.5)) - Vec2(0.5, 0.5);

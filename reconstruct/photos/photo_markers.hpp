@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.hpp"
 #include "reconstruct/photos/photo_model.hpp"
 
 namespace clast {
@@ -19,6 +20,15 @@ struct MarkerOptions {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+template <class Visit>
+void visit_fields(const MarkerOptions& options, Visit&& visit) {
+  const auto& [dictionary, fewest_photos, largest_error, threads] = options;
+  visit("dictionary", dictionary);
+  visit("fewest_photos", fewest_photos);
+  visit("largest_error", largest_error);
+  visit("threads", NoInfluence{threads});
+}
 
 /// A marker that several photos agree on.
 struct FoundMarker {

@@ -18,7 +18,8 @@ std::string pixels(const cv::Mat& image) {
 }
 
 void check_mask(const fs::path& file, const fs::path& photo) {
-  const cv::Mat mask = detail::read_grey_photo(file), image = detail::read_grey_photo(photo);
+  const cv::Mat mask = photos_detail::read_grey_photo(file),
+                image = photos_detail::read_grey_photo(photo);
   if (mask.size() != image.size()) {
     throw InputError("mask " + file.string() + " has " + pixels(mask) + " and its photo " +
                      photo.filename().string() + " " + pixels(image) +
@@ -26,10 +27,10 @@ void check_mask(const fs::path& file, const fs::path& photo) {
   }
   double darkest = 0.0, brightest = 0.0;
   cv::minMaxLoc(mask, &darkest, &brightest);
-  if (brightest >= detail::kMaskWhite) return;
+  if (brightest >= photos_detail::kMaskWhite) return;
   throw InputError("mask " + file.string() + " is all black (its brightest pixel is " +
                    std::to_string(static_cast<int>(brightest)) + ", and " +
-                   std::to_string(detail::kMaskWhite) +
+                   std::to_string(photos_detail::kMaskWhite) +
                    " to 255 counts as white): nothing of its photo would be used. Draw it anew, or "
                    "take the photo away");
 }

@@ -74,7 +74,8 @@ std::optional<PhotoRegion> standing_region(const PhotoModel& model, const Vec3& 
   }
   if (near.size() < kFewestPoints) return std::nullopt;
   std::vector<Vec3> points;
-  for (const std::uint32_t i : detail::without_outliers(near, kNeighbours, kDeviations)) {
+  for (const std::uint32_t i :
+       reconstruct_detail::without_outliers(near, kNeighbours, kDeviations)) {
     points.push_back(near[i]);
   }
   const std::optional<Ground> ground = found_ground(points);

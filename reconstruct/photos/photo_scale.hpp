@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.hpp"
 #include "reconstruct/photos/scale_board.hpp"
 
 namespace clast {
@@ -13,6 +14,14 @@ struct ScaleBar {
   int first = 0, second = 0;  ///< ids
   double length = 0.0;        ///< m
 };
+
+template <class Visit>
+void visit_fields(const ScaleBar& options, Visit&& visit) {
+  const auto& [first, second, length] = options;
+  visit("first", first);
+  visit("second", second);
+  visit("length", length);
+}
 
 /// What is known of sizes. Distances between centres come first: they are longer than sides.
 struct ScaleOptions {
@@ -24,6 +33,15 @@ struct ScaleOptions {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+template <class Visit>
+void visit_fields(const ScaleOptions& options, Visit&& visit) {
+  const auto& [bars, board, marker_side, largest_disagreement] = options;
+  visit("bars", bars);
+  visit("board", board);
+  visit("marker_side", marker_side);
+  visit("largest_disagreement", largest_disagreement);
+}
 
 /// One size that was compared with the model.
 struct ScaleMeasure {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.hpp"
 #include "reconstruct/photos/colmap_run.hpp"
 #include "reconstruct/photos/dense_cloud.hpp"
 #include "reconstruct/photos/photo_scale.hpp"
@@ -26,6 +27,18 @@ struct PhotoScanOptions {
 
   void check() const;  ///< throws what its members throw
 };
+
+template <class Visit>
+void visit_fields(const PhotoScanOptions& options, Visit&& visit) {
+  const auto& [model, colmap, markers, scale, metres_per_unit, allow_unscaled, dense] = options;
+  visit("model", model);
+  visit("colmap", colmap);
+  visit("markers", markers);
+  visit("scale", scale);
+  visit("metres_per_unit", metres_per_unit);
+  visit("allow_unscaled", allow_unscaled);
+  visit("dense", dense);
+}
 
 /// A photographed block as points, with what a report tells of it.
 struct PhotoScan {

@@ -57,10 +57,10 @@ double detail_of(const cv::Mat& grey) {
 
 std::vector<Sharpness> sharpness_of(const PhotoModel& model, const PhotoRegion& region,
                                     unsigned threads) {
-  const detail::SingleThreaded guard;
+  const photos_detail::SingleThreaded guard;
   std::vector<double> kept(model.photos.size());
   parallel_for(model.photos.size(), threads, [&](std::size_t i) {
-    cv::Mat grey = detail::read_grey_photo(model.photos[i].file);
+    cv::Mat grey = photos_detail::read_grey_photo(model.photos[i].file);
     grey = grey(about_block(model, i, region, grey)).clone();
     if (grey.cols > kWidth) {
       cv::resize(grey, grey, {}, static_cast<double>(kWidth) / grey.cols,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.hpp"
 #include "core/number_range.hpp"
 #include "reconstruct/photos/charuco_board.hpp"
 
@@ -14,6 +15,13 @@ struct BoardMarker {
   int id = 0;
   Vec3 centre = Vec3::Zero();  ///< m, in any frame
 };
+
+template <class Visit>
+void visit_fields(const BoardMarker& options, Visit&& visit) {
+  const auto& [id, centre] = options;
+  visit("id", id);
+  visit("centre", centre);
+}
 
 /// The side of a printed marker or of a square of a board.
 inline constexpr NumberRange kMarkerSide{1e-4, 100.0, "m"};
@@ -29,6 +37,15 @@ struct ScaleBoard {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+template <class Visit>
+void visit_fields(const ScaleBoard& options, Visit&& visit) {
+  const auto& [dictionary, markers, marker_side, charuco] = options;
+  visit("dictionary", dictionary);
+  visit("markers", markers);
+  visit("marker_side", marker_side);
+  visit("charuco", charuco);
+}
 
 /// A length that is known in metres and in the model.
 struct KnownLength {

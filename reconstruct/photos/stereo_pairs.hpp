@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fields.hpp"
 #include "reconstruct/photos/photo_region.hpp"
 
 namespace clast {
@@ -24,6 +25,16 @@ struct PairOptions {
 
   void check() const;  ///< throws InputError naming the field and its value
 };
+
+template <class Visit>
+void visit_fields(const PairOptions& options, Visit&& visit) {
+  const auto& [least_angle, best_angle, largest_angle, partners, fewest_pairs] = options;
+  visit("least_angle", least_angle);
+  visit("best_angle", best_angle);
+  visit("largest_angle", largest_angle);
+  visit("partners", partners);
+  visit("fewest_pairs", fewest_pairs);
+}
 
 /// For each photo that shows the middle of the region, the partners nearest to the best angle, on
 /// both sides of it where there are some. In order of photos.

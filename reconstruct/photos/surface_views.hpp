@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "reconstruct/photos/photo_scan.hpp"
-#include "shapes/triangle_mesh.hpp"
 
 namespace clast {
 

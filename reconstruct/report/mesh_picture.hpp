@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/png.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

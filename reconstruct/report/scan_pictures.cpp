@@ -7,9 +7,9 @@
 
 #include "core/html_page.hpp"
 #include "core/number_text.hpp"
+#include "mesh/half_edges.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/weld.hpp"
-#include "shapes/detail/half_edges.hpp"
-#include "shapes/detail/triangle_tree.hpp"
 
 namespace clast {
 
@@ -117,8 +117,8 @@ std::string three_views(const Cameras& cameras, const Draw& draw, const std::str
 
 std::vector<std::array<Vec3, 2>> border_of(const TriangleMesh& mesh) {
   std::vector<std::array<Vec3, 2>> lines;
-  const auto sides = detail::sorted_half_edges(mesh);
-  detail::for_each_edge(sides, [&](std::span<const detail::HalfEdge> edge) {
+  const auto sides = sorted_half_edges(mesh);
+  for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
     if (edge.size() == 1)
       lines.push_back({mesh.vertices[edge[0].low], mesh.vertices[edge[0].high]});
   });
@@ -154,10 +154,10 @@ class Invented {
  public:
   Invented(const TriangleMesh& raw, const FieldBlock& block)
       : mesh_(block.scan.mesh), reach_(kNew * bounds(block.scan.mesh).diagonal()) {
-    if (!raw.triangles.empty()) scanned_ = std::make_unique<detail::TriangleTree>(raw);
+    if (!raw.triangles.empty()) scanned_ = std::make_unique<TriangleTree>(raw);
     if (!block.underside) return;
     first_ = block.underside->first_invented;
-    best_ = std::make_unique<detail::TriangleTree>(block.underside->best);
+    best_ = std::make_unique<TriangleTree>(block.underside->best);
   }
 
   bool operator()(std::uint32_t triangle) {
@@ -184,7 +184,7 @@ class Invented {
 
   const TriangleMesh& mesh_;
   double reach_;
-  std::unique_ptr<detail::TriangleTree> scanned_, best_;
+  std::unique_ptr<TriangleTree> scanned_, best_;
   std::size_t first_ = 0;
   std::uint32_t scan_hint_ = 0, best_hint_ = 0;
   std::vector<signed char> answers_;  ///< -1: not asked yet
@@ -282,7 +282,7 @@ std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options
 
 std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
                           bool metric) {
-  const detail::TriangleTree tree(scan);
+  const TriangleTree tree(scan);
   std::uint32_t hint = 0;
   return three_views(
              cameras_on(scan.vertices),

@@ -8,7 +8,7 @@
 
 #include "shapes/sphero_polyhedron.hpp"
 
-namespace clast::detail {
+namespace clast::shapes_detail {
 
 /// One side of a face, from its corner `corner` to the next. `forward`: it runs from low to high.
 struct FaceSide {
@@ -55,4 +55,4 @@ inline bool are_neighbours(std::span<const FaceSide> shared) {
          shared[0].low != shared[0].high;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::shapes_detail

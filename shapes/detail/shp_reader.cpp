@@ -6,9 +6,9 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "shapes/detail/text_scanner.hpp"
+#include "core/text_scanner.hpp"
 
-namespace clast::detail {
+namespace clast::shapes_detail {
 
 namespace {
 
@@ -331,4 +331,4 @@ std::vector<ShpShape> shp_shapes(std::string_view content) {
   return ShpReader(content).shapes();
 }
 
-}  // namespace clast::detail
+}  // namespace clast::shapes_detail

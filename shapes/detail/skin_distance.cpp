@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace clast::detail {
+namespace clast::shapes_detail {
 
 namespace {
 
@@ -52,4 +52,4 @@ double SkinDistance::way_out(const Vec3& point, const Vec3& direction, double lo
   return longest;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::shapes_detail

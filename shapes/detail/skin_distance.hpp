@@ -1,8 +1,8 @@
 #pragma once
 /// Distance of points from the rounded surface of a body.
-#include "shapes/detail/triangle_tree.hpp"
+#include "mesh/triangle_tree.hpp"
 
-namespace clast::detail {
+namespace clast::shapes_detail {
 
 /// Refers to the tree, which must stay.
 class SkinDistance {
@@ -29,4 +29,4 @@ class SkinDistance {
   double radius_, farthest_;
 };
 
-}  // namespace clast::detail
+}  // namespace clast::shapes_detail

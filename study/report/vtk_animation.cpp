@@ -9,7 +9,7 @@
 
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
-#include "shapes/mesh_io.hpp"
+#include "mesh/mesh_io.hpp"
 #include "study/path_samples.hpp"
 
 namespace clast {

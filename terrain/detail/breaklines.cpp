@@ -8,7 +8,7 @@
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/zone_cut.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr double kSnap = 0.25;        // cells
@@ -96,4 +96,4 @@ void add_breaklines(RawSurface& surface, std::span<const MapLine> lines, double 
                          std::to_string(on_lines) + " vertices");
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -6,7 +6,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Makes the lines edges of a grid's surface, at the heights of the lines. Vertices nearer than a
 /// quarter of a cell move onto the line (no triangle of a grid turns over by that); the rest is
@@ -17,4 +17,4 @@ namespace clast::detail {
 void add_breaklines(RawSurface& surface, std::span<const MapLine> lines, double cell,
                     TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

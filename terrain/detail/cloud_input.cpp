@@ -6,11 +6,11 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "shapes/point_cloud.hpp"
+#include "mesh/point_cloud.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/grid_holes.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,8 +31,8 @@ struct Cells {
       : size(cell), first((low / cell).array().floor()) {
     const Vec2 count = (high / cell).array().floor() - first.array() + 1.0;
     if (!(count.prod() < kMostCells)) {
-      throw InputError(path.string() + ": cells of " + std::to_string(cell) + " m over " +
-                       std::to_string((high - low).x()) + " x " + std::to_string((high - low).y()) +
+      throw InputError(path.string() + ": cells of " + with_digits(cell, 6) + " m over " +
+                       with_digits((high - low).x(), 6) + " x " + with_digits((high - low).y(), 6) +
                        " m are too many; use a larger --resolution");
     }
     columns = static_cast<std::size_t>(count.x());
@@ -315,4 +315,4 @@ CloudGrid cloud_grid(const TerrainOptions& options) {
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -9,7 +9,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain_input.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Heights of one or more clouds, with what was left out, in words.
 struct CloudGrid {
@@ -33,4 +33,4 @@ HeightGrid covering_grid(const Vec2& low, const Vec2& high, double cell,
 /// Mean height per square cell; cells lie on multiples of `cell`.
 HeightGrid binned(std::span<const Vec3> points, double cell, const std::filesystem::path& path);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

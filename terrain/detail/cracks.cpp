@@ -9,7 +9,7 @@
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 using Triangle = TriangleMesh::Triangle;
@@ -312,4 +312,4 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
                          "crack as wide as the gap");
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

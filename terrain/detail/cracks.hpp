@@ -3,7 +3,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Closes gaps up to `width` between border edges: border vertices that near become one, and a
 /// border vertex that near to a border edge (a T-junction) becomes a corner of the triangle behind
@@ -16,4 +16,4 @@ void close_cracks(RawSurface& surface, double width, TerrainReport& report);
 /// @param surface  oriented, all mended
 void note_gaps(const RawSurface& surface, double reach, TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -7,7 +7,7 @@
 #include "core/number_text.hpp"
 #include "terrain/detail/mending.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 // Of the area of the largest piece: a flap larger than this may be the ground itself.
@@ -74,4 +74,4 @@ bool drop_fins(RawSurface& surface, const TriangleLinks& links, TerrainReport& r
   return true;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -4,7 +4,7 @@
 #include "terrain/detail/triangle_links.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Drops fins: small parts that edges of three or more triangles part from the rest, and without
 /// which two triangles are left at each of these. What is not so clear stays, to be refused.
@@ -12,4 +12,4 @@ namespace clast::detail {
 /// @return  whether any was dropped
 bool drop_fins(RawSurface& surface, const TriangleLinks& links, TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

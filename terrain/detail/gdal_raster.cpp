@@ -8,11 +8,12 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/text_file.hpp"
 #include "terrain/detail/gdal_session.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr double kNoData = -9999.0;
@@ -28,14 +29,14 @@ void check_units(const std::string& name, const OGRSpatialReference& system,
   if (system.IsCompound()) {
     const double height_unit = system.GetTargetLinearUnits("VERT_CS");
     if (std::abs(height_unit - 1.0) > 1e-9) {
-      throw InputError(name + ": its heights are in units of " + std::to_string(height_unit) +
+      throw InputError(name + ": its heights are in units of " + with_digits(height_unit, 6) +
                        " m; bring them to metres first, with a system of heights in metres (" +
                        way + "+CODE)");
     }
   }
   const double metres = system.GetLinearUnits();
   if (std::abs(metres - 1.0) > 1e-9) {
-    throw InputError(name + ": its map unit is " + std::to_string(metres) +
+    throw InputError(name + ": its map unit is " + with_digits(metres, 6) +
                      " m; project it to a system in metres first (" + way + ")");
   }
 }
@@ -72,8 +73,8 @@ std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesy
     }
   }
   if (!(transform[1] > 0.0) || transform[5] == 0.0) {
-    throw InputError(path.string() + ": cell size " + std::to_string(transform[1]) + " x " +
-                     std::to_string(transform[5]) +
+    throw InputError(path.string() + ": cell size " + with_digits(transform[1], 6) + " x " +
+                     with_digits(transform[5], 6) +
                      "; columns must run east, cells have a size (gdalwarp turns it)");
   }
   return transform;
@@ -241,4 +242,4 @@ bool is_raster(const std::filesystem::path& path) {
   return kKnown.contains(extension_of(path));
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -7,7 +7,7 @@
 #include "core/output_file.hpp"
 #include "terrain/detail/raw_surface.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// One band on a north-up grid. Heights of a digital elevation model, or class numbers.
 struct Raster {
@@ -37,4 +37,4 @@ bool same_crs(const std::string& one, const std::string& other);
 /// Extensions that are taken for rasters.
 bool is_raster(const std::filesystem::path& path);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// While it lives, GDAL prints nothing; `message` is what it would have said last.
 class GdalSession {
@@ -37,4 +37,4 @@ using DatasetPointer = std::unique_ptr<GDALDataset, CloseDataset>;
 /// "EPSG:25832" when the system has a code, else its WKT; empty for none.
 std::string crs_name(const OGRSpatialReference* system);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

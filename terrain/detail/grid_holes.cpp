@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
@@ -113,4 +113,4 @@ HolesFilled fill_holes(HeightGrid& grid, double widest) {
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -4,7 +4,7 @@
 
 #include "terrain/detail/raw_surface.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 struct HolesFilled {
   std::size_t holes = 0;
@@ -20,4 +20,4 @@ struct HolesFilled {
 /// cells): a membrane, which leaves a plane as it is and rises or sinks nowhere beyond the rim.
 HolesFilled fill_holes(HeightGrid& grid, double widest);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -9,7 +9,7 @@
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr double kSmallPiece = 0.05;   // of the plan area of the largest piece
@@ -123,4 +123,4 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
       " m2 in plan that lie over other ground were dropped, the first at " + place(dropped_at));
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -3,7 +3,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// On a vertical through sound ground, faces that face up and faces that face down alternate: two
 /// that face up over each other are two surfaces of the same place. Looked for over the centroid of
@@ -14,4 +14,4 @@ namespace clast::detail {
 /// @throws GeometryError  any other double ground: its area and a place
 void drop_double_ground(RawSurface& surface, double width, TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "terrain/detail/vector_layer.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 void add_line(const OGRLineString& line, const std::string& name, std::vector<MapLine>& lines) {
@@ -51,4 +51,4 @@ std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std
   return lines;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

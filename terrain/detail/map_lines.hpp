@@ -6,7 +6,7 @@
 
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 struct MapLine {
   std::vector<Vec3> points;  ///< on the map, m; z 0 when there are no heights
@@ -19,4 +19,4 @@ struct MapLine {
 /// @throws InputError  unreadable, empty, or something that is not a line
 std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std::string& crs);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

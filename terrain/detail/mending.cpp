@@ -9,7 +9,7 @@
 #include "terrain/detail/fins.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr double kWeldDistance = 1e-6;  // m
@@ -238,4 +238,4 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
   }
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

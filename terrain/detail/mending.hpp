@@ -6,7 +6,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Vertices within 1e-6 m become one. Real ground has edges under 1 mm: only copies are joined.
 void weld(RawSurface& surface, TerrainReport& report);
@@ -26,4 +26,4 @@ void drop_unused_vertices(TriangleMesh& mesh);
 /// @throws GeometryError  an edge with more than two triangles, or a piece with one side only
 void orient_upwards(RawSurface& surface, TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -1,6 +1,6 @@
 #include "terrain/detail/plan_clip.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -33,4 +33,4 @@ double area_within(std::span<const Vec2> ring, const PlanTriangle& triangle) {
   return signed_area(kept);
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -6,7 +6,7 @@
 
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 using PlanTriangle = std::array<Vec2, 3>;
 
@@ -20,4 +20,4 @@ double signed_area(std::span<const Vec2> ring);
 /// @cite sutherland1974
 double area_within(std::span<const Vec2> ring, const PlanTriangle& triangle);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -1,6 +1,6 @@
 #include "terrain/detail/plan_index.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr double kMostCells = 4e7;
@@ -100,4 +100,4 @@ std::optional<double> height_on(const TriangleMesh& mesh, std::uint32_t triangle
   return a.z() + v * ab.z() + w * ac.z();
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// A box in plan, m.
 struct PlanBox {
@@ -54,4 +54,4 @@ std::vector<PlanBox> plan_boxes(const TriangleMesh& mesh);
 /// belong to it) and for upright triangles.
 std::optional<double> height_on(const TriangleMesh& mesh, std::uint32_t triangle, const Vec2& at);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

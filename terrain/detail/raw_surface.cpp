@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 TriangleMesh grid_surface(const HeightGrid& grid, const std::filesystem::path& path) {
   constexpr std::uint32_t kNone = 0xffffffffu;
@@ -58,4 +58,4 @@ std::string place(const Vec3& point) {
   return text.data();
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 struct RawSurface {
   TriangleMesh mesh;
@@ -43,4 +43,4 @@ inline Vec3 turned_y_up(const Vec3& p) { return {p.x(), p.z(), -p.y()}; }
 /// "x 652013.25, y 5203000.00" for messages; `point` on the map.
 std::string place(const Vec3& point);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

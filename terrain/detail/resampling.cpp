@@ -14,7 +14,7 @@
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 /// What is smaller than a cell, as the sides of a crack that was filled, no grid would show anyway.
@@ -150,4 +150,4 @@ RawSurface resampled(const RawSurface& surface, double cell, const std::filesyst
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -5,7 +5,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Heights of a mesh over the centres of square cells on multiples of `cell`, joined as a raster's
 /// are. A new triangle has the source that covers most of its plan area. Cells without ground under
@@ -14,10 +14,9 @@ namespace clast::detail {
 /// @param surface  oriented
 /// @param path     for messages
 /// @throws GeometryError  a wall or an overhang larger than a cell, with its place: a grid has one
-/// height
-///                        over a place
+///                        height over a place
 /// @throws InputError     too many cells, or no four neighbouring ones with ground
 RawSurface resampled(const RawSurface& surface, double cell, const std::filesystem::path& path,
                      TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -1,6 +1,6 @@
 #include "terrain/detail/ring_plane.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const std::uint32_t> ring,
                                     std::uint32_t vertex) {
@@ -30,4 +30,4 @@ std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const st
   return plane;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -3,9 +3,9 @@
 #include <optional>
 #include <span>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// The plane z = height + slope . (x, y) about a vertex, by least squares through its neighbours.
 struct RingPlane {
@@ -21,4 +21,4 @@ struct RingPlane {
 std::optional<RingPlane> ring_plane(const TriangleMesh& mesh, std::span<const std::uint32_t> ring,
                                     std::uint32_t vertex);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -12,7 +12,7 @@
 #include "terrain/detail/ring_plane.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 // More vertices than that are a tower, a tree or a rock.
@@ -306,4 +306,4 @@ void level_spike_groups(TriangleMesh& mesh, double steepness, double width, Terr
                          with_digits(levelled.farthest, 3) + " m, at " + place(levelled.at));
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -3,7 +3,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Levels what `level_spikes` can't tell: a few vertices side by side that stand far off the ground
 /// around all of them, and single ones on the border, in the rim of a hole or at a cut between
@@ -14,4 +14,4 @@ namespace clast::detail {
 /// @param width  in plan, up to which border vertices of two tiles are the same place, m
 void level_spike_groups(TriangleMesh& mesh, double steepness, double width, TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

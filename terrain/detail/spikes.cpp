@@ -9,7 +9,7 @@
 #include "terrain/detail/ring_plane.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr double kSuspect = 0.5;  // of the steepness, from which a vertex is looked at closely
@@ -227,4 +227,4 @@ void smooth(TriangleMesh& mesh, int rounds, TerrainReport& report) {
                          with_digits(largest, 3) + " m, is at " + place(largest_at));
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -3,7 +3,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Levels spikes and pits: inner vertices farther from the plane through their neighbours than
 /// `steepness` times the mean distance of these in plan, and than three times the farthest of them
@@ -20,4 +20,4 @@ void note_slivers(const RawSurface& surface, TerrainReport& report);
 /// of the border and of overhangs stay. Notes the largest change.
 void smooth(TriangleMesh& mesh, int rounds, TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -8,7 +8,7 @@
 #include "core/number_text.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 using Triangle = TriangleMesh::Triangle;
@@ -207,4 +207,4 @@ void fill_surface_holes(RawSurface& surface, double widest, double slit, Terrain
   }
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -3,7 +3,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Triangulates the holes whose bounds are at most `widest` in every direction, and reports those
 /// that are wider. A hole is a loop of border sides that runs the other way round than the outer
@@ -14,4 +14,4 @@ namespace clast::detail {
 /// @param slit     mean width of what counts as narrow, m
 void fill_surface_holes(RawSurface& surface, double widest, double slit, TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

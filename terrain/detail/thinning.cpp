@@ -18,7 +18,7 @@
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr double kSteep = 0.05;  // cosine to the vertical: walls steeper than 87 degrees stay
@@ -337,4 +337,4 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
   surface = std::move(result);
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

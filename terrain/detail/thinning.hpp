@@ -3,7 +3,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/terrain.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Triangulates anew, from as few of its points as a greedy choice finds, the part of the ground
 /// that has one height over every place. Everywhere the new surface is within `tolerance` of the
@@ -16,4 +16,4 @@ namespace clast::detail {
 /// @throws GeometryError  border edges that cross in plan
 void thin(RawSurface& surface, double tolerance, TerrainReport& report);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

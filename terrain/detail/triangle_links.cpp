@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 /// A side of a triangle, filed under the lower of its two vertices.
@@ -106,4 +106,4 @@ double median_edge(const TriangleMesh& mesh) {
   return *middle;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

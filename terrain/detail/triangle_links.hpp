@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
@@ -38,4 +38,4 @@ Vec3 centroid(const TriangleMesh& mesh, std::uint32_t triangle);
 /// The median length of all edges, m.
 double median_edge(const TriangleMesh& mesh);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 DatasetPointer open_features(const std::filesystem::path& path, const std::string& what) {
   check_input_file(path);
@@ -67,4 +67,4 @@ std::string feature_name(const OGRFeature& feature, const std::filesystem::path&
   return path.string() + ": feature " + std::to_string(feature.GetFID());
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

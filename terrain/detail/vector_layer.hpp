@@ -8,7 +8,7 @@
 
 #include "terrain/detail/gdal_session.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 struct DestroyFeature {
   void operator()(OGRFeature* feature) const { OGRFeature::DestroyFeature(feature); }
@@ -43,4 +43,4 @@ Transformation transformation(OGRLayer& layer, const std::string& crs,
 /// "lines.geojson: feature 3"
 std::string feature_name(const OGRFeature& feature, const std::filesystem::path& path);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -7,7 +7,7 @@
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/triangle_links.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr double kNear = 1e-6;  // m
@@ -222,4 +222,4 @@ std::size_t cut_along(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> s
   return mesh.triangles.size() - before;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Divides triangles until every segment, seen from above, runs along edges wherever it lies over
 /// the mesh, on every layer of it. New vertices lie on the triangles they divide: the surface stays
@@ -14,4 +14,4 @@ namespace clast::detail {
 /// @return  how many triangles were added
 std::size_t cut_along(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -11,7 +11,7 @@
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/detail/vector_layer.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 void add_rings(const OGRPolygon& polygon, ZonePolygon& zone) {
@@ -163,4 +163,4 @@ bool is_polygon_file(const std::filesystem::path& path) {
   return kKnown.contains(extension_of(path));
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

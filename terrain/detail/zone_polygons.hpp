@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// A zone polygon with holes: a point is inside when a ray from it crosses the rings an odd number
 /// of times. A point on an edge shared by two polygons is in exactly one of them.
@@ -30,4 +30,4 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
 
 bool is_polygon_file(const std::filesystem::path& path);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

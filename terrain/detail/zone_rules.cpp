@@ -9,7 +9,7 @@
 #include "terrain/terrain_input.hpp"
 
 namespace clast {
-namespace detail {
+namespace terrain_detail {
 namespace {
 
 ZoneRule::Condition condition_of(const std::string& text, const std::string& rule) {
@@ -65,7 +65,7 @@ std::vector<ZoneRule> zone_rules(const std::vector<std::string>& texts) {
   return rules;
 }
 
-}  // namespace detail
+}  // namespace terrain_detail
 
 bool are_zone_rules(const std::vector<std::string>& zones) {
   for (const std::string& zone : zones) {

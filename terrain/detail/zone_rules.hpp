@@ -5,7 +5,7 @@
 
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// One zone and when it applies: all conditions hold.
 struct ZoneRule {
@@ -26,4 +26,4 @@ struct ZoneRule {
 /// @throws InputError  a rule that can't be read
 std::vector<ZoneRule> zone_rules(const std::vector<std::string>& texts);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

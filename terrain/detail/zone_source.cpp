@@ -14,7 +14,7 @@
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_rules.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
@@ -52,7 +52,7 @@ std::map<long, std::uint32_t> classes_of(const HeightGrid& grid, const ZoneFile&
     if (std::isnan(value)) continue;
     const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
     if (value != std::round(value) || std::abs(value) > 1e9) {
-      throw InputError(source.path.string() + ": " + std::to_string(value) + " at " +
+      throw InputError(source.path.string() + ": " + with_digits(value, 6) + " at " +
                        place({centre.x(), centre.y(), 0.0}) +
                        "; a zone raster holds whole class numbers");
     }
@@ -207,7 +207,7 @@ void refuse_bare(const Bare& bare, const Terrain& terrain, const std::string& wh
   if (bare.triangles == 0) return;
   throw GeometryError(who + ": leaves " + std::to_string(bare.triangles) + " of " +
                       std::to_string(terrain.surface.triangles.size()) + " triangles (" +
-                      std::to_string(bare.area) + " m2 in plan) without a zone, the first at " +
+                      with_digits(bare.area, 6) + " m2 in plan) without a zone, the first at " +
                       place(bare.at) + "; " + advice);
 }
 
@@ -322,4 +322,4 @@ void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
   number_zones(terrain, labels, label);
 }
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

@@ -2,7 +2,7 @@
 /// Where the ground zone of every triangle comes from.
 #include "terrain/terrain_input.hpp"
 
-namespace clast::detail {
+namespace clast::terrain_detail {
 
 /// Gives every triangle the zone that covers most of its plan area; an upright one the zone under
 /// its centroid. With `cut`, borders of polygons are made edges first.
@@ -19,4 +19,4 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut);
 /// @throws GeometryError  triangles that no rule is for: their area and a place
 void assign_zones(Terrain& terrain, const std::vector<std::string>& rules);
 
-}  // namespace clast::detail
+}  // namespace clast::terrain_detail

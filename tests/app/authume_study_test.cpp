@@ -81,7 +81,7 @@ class AuthumeStudy : public testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-  /// Equal bytes of the table, which is what DESIGN calls equal results.
+  /// Equal bytes of the table.
   std::string runs_csv_of(const std::string& file) {
     run({"compare", file, "-o", "out-" + file});
     return read_text_file(folder / ("out-" + file) / "runs.csv");

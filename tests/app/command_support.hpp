@@ -10,8 +10,8 @@
 
 #include "core/random.hpp"
 #include "core/text_file.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "shapes/convex_hull.hpp"
-#include "shapes/triangle_mesh.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/scratch_folder.hpp"

@@ -3,10 +3,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "mesh/mesh_io.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "shapes/convex_hull.hpp"
-#include "shapes/mesh_io.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/self_intersection.hpp"
 #include "shapes/shp_file.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/shapes/shape_samples.hpp"

@@ -1,5 +1,5 @@
 # Fails where clang-format would change a source; its output names file, line and column.
-set(folders app benchmarks classify core dem library massprops reconstruct samples shapes study
+set(folders app benchmarks classify core dem library massprops mesh reconstruct samples shapes study
     terrain tests)
 set(files)
 foreach(folder ${folders})

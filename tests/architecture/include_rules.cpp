@@ -14,7 +14,8 @@ using Folders = std::set<std::string>;
 /// The arrows: a folder may include these and what follows them.
 const std::map<std::string, Folders> kArrows = {
     {"core", {}},
-    {"shapes", {"core"}},
+    {"mesh", {"core"}},
+    {"shapes", {"mesh"}},
     {"reconstruct", {"shapes"}},
     {"massprops", {"shapes"}},
     {"classify", {"massprops"}},
@@ -43,11 +44,12 @@ struct Package {
 };
 
 const std::vector<Package> kHeavyPackages = {
-    {"CGAL", {"CGAL/"}, {"CGAL::"}, {"shapes", "reconstruct", "terrain"}},
-    {"assimp", {"assimp/"}, {"assimp::"}, {"shapes"}},
+    {"CGAL", {"CGAL/"}, {"CGAL::"}, {"mesh", "shapes", "reconstruct", "terrain"}},
+    {"assimp", {"assimp/"}, {"assimp::"}, {"mesh"}},
     {"PCL", {"pcl/"}, {"pcl"}, {"reconstruct"}},
     {"OpenCV", {"opencv2/"}, {"opencv"}, {"reconstruct"}},
     {"HDF5", {"hdf5", "H5"}, {"hdf5::", "HDF5::"}, {"core"}},
+    {"OpenSSL", {"openssl/"}, {"OpenSSL::"}, {"core"}},
     {"zlib", {"zlib.h"}, {"ZLIB::"}, {"core"}},
     {"GDAL", {"gdal", "ogr", "cpl_"}, {"GDAL::"}, {"terrain", "study"}},
     {"MPI", {"mpi.h"}, {"MPI::"}, {"study"}},

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "mesh/remeshing.hpp"
 #include "shapes/inscribed_ball.hpp"
-#include "shapes/remeshing.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 #include "tests/shapes/shape_samples.hpp"
 

@@ -51,14 +51,14 @@ Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
   Moments sum;
   for (int j = 0; j < per_side; ++j) {
     const double y = all.low.y() + (j + 0.5) * step.y();
-    std::vector<Interval> chords(per_side, Interval{1e300, -1e300});
+    std::vector<LineInterval> chords(per_side, LineInterval{1e300, -1e300});
     for (std::size_t part = 0; part < lines.size(); ++part) {
-      const Interval reach = lines.reach(part, y);
+      const LineInterval reach = lines.reach(part, y);
       const int first = int(std::ceil((reach.low - all.low.x()) / step.x() - 0.5));
       for (int i = std::max(first, 0); i < per_side; ++i) {
         const double x = all.low.x() + (i + 0.5) * step.x();
         if (x > reach.high) break;
-        const Interval cut = lines.cut(part, x, y);
+        const LineInterval cut = lines.cut(part, x, y);
         if (!(cut.low < cut.high)) continue;
         chords[i].low = std::min(chords[i].low, cut.low);
         chords[i].high = std::max(chords[i].high, cut.high);

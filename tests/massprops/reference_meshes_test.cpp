@@ -7,9 +7,9 @@
 
 #include "core/random.hpp"
 #include "massprops/solid.hpp"
+#include "mesh/mesh_io.hpp"
 #include "reconstruct/scan.hpp"
 #include "reconstruct/weld.hpp"
-#include "shapes/mesh_io.hpp"
 #include "tests/support/reference_data.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -8,8 +8,8 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "massprops/solid.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/outliers.hpp"
-#include "shapes/mesh_topology.hpp"
 #include "tests/support/field_scene.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -137,26 +137,26 @@ TEST(CloudSurface, PointsTooFarApartForAThinBodyAreRefused) {
 
 TEST(Outliers, OfACompleteCloudNoPointIsGivenUp) {
   const std::vector<Vec3> even = sampled_cloud(unit_sphere(20), {.points = 8000}, 7);
-  EXPECT_EQ(detail::without_isolated(even).size(), even.size());
+  EXPECT_EQ(reconstruct_detail::without_isolated(even).size(), even.size());
   // Where the density falls to a twentieth in one step, a few at the step look like outliers.
   const std::vector<Vec3> step =
       sampled_cloud(unit_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 7);
-  EXPECT_GE(detail::without_isolated(step).size(), step.size() - 20);
+  EXPECT_GE(reconstruct_detail::without_isolated(step).size(), step.size() - 20);
 }
 
 TEST(Outliers, PointsThatAreRepeatedCountOnce) {
   const std::vector<Vec3> once = sampled_cloud(unit_sphere(20), {.points = 2000}, 7);
   std::vector<Vec3> many;
   for (const Vec3& p : once) many.insert(many.end(), 8, p);
-  EXPECT_EQ(detail::without_repeats(many), once);
-  EXPECT_EQ(detail::without_repeats(once), once);
+  EXPECT_EQ(reconstruct_detail::without_repeats(many), once);
+  EXPECT_EQ(reconstruct_detail::without_repeats(once), once);
 }
 
 TEST(Outliers, NearlyAllThatLieOffTheSurfaceAreFound) {
   const std::vector<Vec3> points =
       sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
   std::size_t rock = 0, off = 0;
-  for (const std::uint32_t i : detail::without_isolated(points)) {
+  for (const std::uint32_t i : reconstruct_detail::without_isolated(points)) {
     rock += i < 8000;
     off += i >= 8000 && std::abs(points[i].norm() - 1.0) > 0.1;  // 2.5 spacings of 0.04
   }
@@ -168,7 +168,8 @@ TEST(CloudSurface, OutliersThatAreLeftDoNotDecide) {
   const std::vector<Vec3> points =
       sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
   std::vector<Vec3> kept;
-  for (const std::uint32_t i : detail::without_isolated(points)) kept.push_back(points[i]);
+  for (const std::uint32_t i : reconstruct_detail::without_isolated(points))
+    kept.push_back(points[i]);
   ASSERT_GT(kept.size(), 8000u);
   const CloudSurface surface = cloud_surface(kept);
   EXPECT_TRUE(inspect(surface.mesh).closed());

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "core/error.hpp"
+#include "mesh/self_intersection.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/repair.hpp"
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/self_intersection.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/damage.hpp"
 
@@ -16,7 +16,7 @@ namespace clast {
 namespace {
 
 double one_way(const TriangleMesh& from, const TriangleMesh& to) {
-  const detail::TriangleTree tree(to);
+  const TriangleTree tree(to);
   double farthest = 0.0;
   std::uint32_t hint = 0;
   for (const Vec3& v : from.vertices) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

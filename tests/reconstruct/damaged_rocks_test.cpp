@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "core/parallel.hpp"
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/scan.hpp"
-#include "shapes/self_intersection.hpp"
 #include "tests/reconstruct/damage_study.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/reference_data.hpp"

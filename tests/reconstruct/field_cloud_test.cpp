@@ -7,9 +7,9 @@
 
 #include "core/error.hpp"
 #include "massprops/solid.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "reconstruct/field_scan.hpp"
 #include "samples/rock_shapes.hpp"
-#include "shapes/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/field_scene.hpp"
 #include "tests/support/reference_data.hpp"

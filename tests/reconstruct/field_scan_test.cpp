@@ -7,8 +7,8 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "shapes/mesh_io.hpp"
-#include "shapes/mesh_topology.hpp"
+#include "mesh/mesh_io.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/cut_blocks.hpp"
 #include "tests/support/field_scene.hpp"

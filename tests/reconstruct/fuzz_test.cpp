@@ -8,8 +8,8 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/field_scan.hpp"
-#include "shapes/self_intersection.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/fuzzing.hpp"
 #include "tests/support/mesh_bytes.hpp"

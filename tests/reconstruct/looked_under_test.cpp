@@ -6,10 +6,10 @@
 #include <iostream>
 
 #include "massprops/solid.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/underside.hpp"
-#include "shapes/detail/triangle_tree.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/rock_mesh.hpp"
 
@@ -45,8 +45,10 @@ class Photographed {
       keep[t] = middle.z() > 0.0 && seen(middle, tree_.face_normal(t), t);
     }
     TriangleMesh mesh =
-        std::move(detail::pieces_of(detail::with_triangles(body_, keep)).front().mesh);
-    detail::split_pinched_vertices(mesh);
+        std::move(reconstruct_detail::pieces_of(reconstruct_detail::with_triangles(body_, keep))
+                      .front()
+                      .mesh);
+    reconstruct_detail::split_pinched_vertices(mesh);
     return mesh;
   }
   /// Cubes that are clear of rock and ground, and seen by a camera.
@@ -83,7 +85,7 @@ class Photographed {
   }
 
   TriangleMesh body_;
-  detail::TriangleTree tree_;
+  TriangleTree tree_;
 };
 
 TriangleMesh standing(TriangleMesh body, double buried) {

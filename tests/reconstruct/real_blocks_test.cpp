@@ -1,10 +1,10 @@
 /// Real scans all the way to rounded blocks.
 #include <gtest/gtest.h>
 
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/scan.hpp"
 #include "reconstruct/simplify.hpp"
 #include "shapes/rounding.hpp"
-#include "shapes/self_intersection.hpp"
 #include "tests/reconstruct/reference_meshes.hpp"
 #include "tests/shapes/shape_samples.hpp"
 

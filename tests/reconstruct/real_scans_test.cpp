@@ -5,9 +5,9 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/scan.hpp"
 #include "shapes/oriented_box.hpp"
-#include "shapes/self_intersection.hpp"
 #include "tests/reconstruct/reference_meshes.hpp"
 #include "tests/shapes/shape_samples.hpp"
 

@@ -9,8 +9,8 @@
 
 #include "core/error.hpp"
 #include "core/types.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/self_intersection.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "tests/reconstruct/damage_study.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/damage.hpp"

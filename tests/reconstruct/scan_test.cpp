@@ -6,8 +6,8 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "shapes/detail/mesh_writers.hpp"
-#include "shapes/mesh_io.hpp"
+#include "mesh/detail/mesh_writers.hpp"
+#include "mesh/mesh_io.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -305,7 +305,7 @@ TEST(Scan, FilesAreNamedInRefusals) {
 
 /// As programs write it that don't care: `write_mesh` would take an origin off first.
 void write_as_floats(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  write_text_file(path, detail::stl_content(mesh));
+  write_text_file(path, mesh_detail::stl_content(mesh));
 }
 
 TEST(Scan, DigitsLostInTheFileAreToldOfOrRefused) {

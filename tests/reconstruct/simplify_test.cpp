@@ -5,8 +5,8 @@
 #include <array>
 
 #include "core/error.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/self_intersection.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/refusal.hpp"
 

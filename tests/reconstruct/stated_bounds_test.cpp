@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "massprops/solid.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "reconstruct/cloud_surface.hpp"
 #include "reconstruct/detail/poisson.hpp"
 #include "reconstruct/detail/stated_bounds.hpp"
 #include "reconstruct/field_scan.hpp"
-#include "shapes/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/rock_mesh.hpp"
 #include "tests/support/sampled_cloud.hpp"
@@ -108,7 +108,7 @@ TEST(ScannedSurface, HoldsItsTrianglesAndNotWhatSpansAHole) {
   TriangleMesh sheet = unit_sphere(10);
   std::erase_if(sheet.triangles,
                 [&](const TriangleMesh::Triangle& t) { return sheet.vertices[t[0]].z() > 0.8; });
-  const detail::ScannedSurface scanned(sheet);
+  const reconstruct_detail::ScannedSurface scanned(sheet);
   const auto& [a, b, c] = sheet.triangles[0];
   EXPECT_TRUE(scanned.holds((sheet.vertices[a] + sheet.vertices[b] + sheet.vertices[c]) / 3.0));
   EXPECT_FALSE(scanned.holds(Vec3(0.0, 0.0, 0.8)));
@@ -117,7 +117,7 @@ TEST(ScannedSurface, HoldsItsTrianglesAndNotWhatSpansAHole) {
 TEST(ScannedSurface, OfPointsHoldsWhatLiesAmongThem) {
   std::vector<Vec3> points = sampled_cloud(unit_sphere(20), {.points = 5000}, 3);
   std::erase_if(points, [](const Vec3& p) { return p.z() > 0.9; });
-  const detail::ScannedSurface scanned{std::span<const Vec3>(points)};
+  const reconstruct_detail::ScannedSurface scanned{std::span<const Vec3>(points)};
   EXPECT_TRUE(scanned.holds(Vec3(1.0, 0.0, 0.0)));
   EXPECT_FALSE(scanned.holds(Vec3(0.0, 0.0, 1.0)));
 }

@@ -8,8 +8,8 @@
 
 #include "core/parallel.hpp"
 #include "massprops/solid.hpp"
+#include "mesh/mesh_io.hpp"
 #include "reconstruct/field_scan.hpp"
-#include "shapes/mesh_io.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/reconstruct/reference_meshes.hpp"
 #include "tests/support/torn_mesh.hpp"

@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/loop_filling.hpp"
 #include "reconstruct/detail/ragged_holes.hpp"
 #include "reconstruct/field_scan.hpp"
-#include "shapes/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
-#include "shapes/self_intersection.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/cut_blocks.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -75,10 +75,10 @@ TEST(HoleLoops, TrianglesMissingAroundAVertexAreHolesOfTheirOwn) {
   TriangleMesh torn = sphere;
   for (const std::size_t k : {0u, 2u, 4u}) torn.triangles[ring[k]] = {0, 0, 0};
   std::erase_if(torn.triangles, [](const Triangle& t) { return t[0] == t[1]; });
-  const auto loops = detail::hole_loops(torn);
+  const auto loops = reconstruct_detail::hole_loops(torn);
   ASSERT_EQ(loops.size(), 3u);
   for (const auto& loop : loops) EXPECT_EQ(loop.size(), 3u);
-  EXPECT_EQ(detail::close_ragged_holes(torn).size(), 3u);
+  EXPECT_EQ(reconstruct_detail::close_ragged_holes(torn).size(), 3u);
   expect_sound(torn);
   EXPECT_NEAR(volume(torn), volume(sphere), 1e-12);
 }
@@ -102,11 +102,11 @@ TEST(HoleLoops, AScrapThatHangsAtACornerIsKeptAndTurned) {
   for (Triangle& t : torn.triangles) {
     if (t == scrap) std::swap(t[1], t[2]);
   }
-  EXPECT_EQ(detail::turn_hanging_scraps(torn), 1u);
-  const auto loops = detail::hole_loops(torn);
+  EXPECT_EQ(reconstruct_detail::turn_hanging_scraps(torn), 1u);
+  const auto loops = reconstruct_detail::hole_loops(torn);
   ASSERT_EQ(loops.size(), 1u);
   EXPECT_EQ(std::count(loops[0].begin(), loops[0].end(), kept), 2);
-  const std::vector<FilledHole> filled = detail::close_ragged_holes(torn);
+  const std::vector<FilledHole> filled = reconstruct_detail::close_ragged_holes(torn);
   EXPECT_EQ(filled.size(), 1u);
   expect_sound(torn);
   EXPECT_NEAR(volume(torn) / volume(sphere), 1.0, 5e-3);
@@ -117,17 +117,17 @@ TEST(LoopFilling, ASquareIsBetweenItsTwoTriangulations) {
   saddle.vertices = {{0, 0, 0.2}, {1, 0, 0}, {1, 1, 0.2}, {0, 1, 0}};
   const std::vector<std::uint32_t> loop = {0, 1, 2, 3};
   const std::vector<Vec3> level(4, Vec3::UnitZ());
-  const auto filling = detail::filled_loop(saddle, loop, level, {});
+  const auto filling = reconstruct_detail::filled_loop(saddle, loop, level, {});
   ASSERT_TRUE(filling);
   // The two diagonals are a tetrahedron apart: base 1/2, height 0.4.
   EXPECT_NEAR(filling->volume_below + filling->volume_above, 0.5 * 0.4 / 3.0, 1e-12);
   // Joined by an edge already, two corners are not joined again.
-  const auto other = detail::filled_loop(saddle, loop, level, {{0, 2}});
+  const auto other = reconstruct_detail::filled_loop(saddle, loop, level, {{0, 2}});
   ASSERT_TRUE(other);
   for (const Triangle& t : other->triangles) {
     EXPECT_TRUE(std::count(t.begin(), t.end(), 1u) == 1 && std::count(t.begin(), t.end(), 3u) == 1);
   }
-  EXPECT_FALSE(detail::filled_loop(saddle, loop, level, {{0, 2}, {1, 3}}));
+  EXPECT_FALSE(reconstruct_detail::filled_loop(saddle, loop, level, {{0, 2}, {1, 3}}));
 }
 
 /// The cap of a ball lies under the cone of the tangents at its rim: A h / 3 with h the height at
@@ -144,7 +144,7 @@ TEST(LoopFilling, TangentConesHoldTheCapOfABall) {
     border.push_back(at(2.0 * kPi * i / kCorners));
     normals.push_back(at(2.0 * kPi * (i + 0.5) / kCorners));
   }
-  const detail::TangentCones cones = detail::tangent_cones(border, normals);
+  const reconstruct_detail::TangentCones cones = reconstruct_detail::tangent_cones(border, normals);
   const double rim = std::sin(angle), height = rim * std::tan(angle);
   EXPECT_NEAR(cones.above, kPi * rim * rim * height / 3.0, 1e-3 * cones.above);
   EXPECT_EQ(cones.below, 0.0);
@@ -249,11 +249,11 @@ TEST(TornSurface, AnUnseenSideIsLargeAndWide) {
   const auto seen_area = [](double radius, double share) {
     return kPi * radius * radius * (1.0 / share - 1.0);
   };
-  EXPECT_TRUE(detail::is_unseen_side(round_border(60, 1.0), seen_area(1.0, 0.02)));
-  EXPECT_FALSE(detail::is_unseen_side(round_border(60, 1.0), seen_area(1.0, 0.005)));
+  EXPECT_TRUE(reconstruct_detail::is_unseen_side(round_border(60, 1.0), seen_area(1.0, 0.02)));
+  EXPECT_FALSE(reconstruct_detail::is_unseen_side(round_border(60, 1.0), seen_area(1.0, 0.005)));
   // 12 sides round: two triangles wide.
-  EXPECT_FALSE(detail::is_unseen_side(round_border(12, 1.0), seen_area(1.0, 0.02)));
-  EXPECT_TRUE(detail::is_unseen_side(round_border(12, 1.0), seen_area(1.0, 0.06)));
+  EXPECT_FALSE(reconstruct_detail::is_unseen_side(round_border(12, 1.0), seen_area(1.0, 0.02)));
+  EXPECT_TRUE(reconstruct_detail::is_unseen_side(round_border(12, 1.0), seen_area(1.0, 0.06)));
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <iostream>
 
 #include "core/error.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
-#include "shapes/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
-#include "shapes/self_intersection.hpp"
 #include "tests/support/cut_blocks.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -114,7 +114,7 @@ TEST(Underside, ABlockThatLeansIsBuriedFromTheGroundOn) {
     const Vec3 middle = (open.vertices[a] + open.vertices[b] + open.vertices[c]) / 3.0;
     keep.push_back(middle.z() > 0.3 || middle.x() < -0.2);
   }
-  open = detail::with_triangles(open, keep);
+  open = reconstruct_detail::with_triangles(open, keep);
   const Underside side = *closed_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
   EXPECT_GT(side.gap, 0.1);
   EXPECT_TRUE(!side.upper_volume ||
@@ -215,8 +215,9 @@ TriangleMesh without_overhangs(const TriangleMesh& body, double steepest) {
     const Vec3 normal = (q - p).cross(r - p).normalized();
     keep[t] = normal.z() > -steepest || (p.z() + q.z() + r.z()) / 3.0 > middle;
   }
-  TriangleMesh seen = detail::pieces_of(detail::with_triangles(body, keep)).front().mesh;
-  detail::split_pinched_vertices(seen);
+  TriangleMesh seen =
+      reconstruct_detail::pieces_of(reconstruct_detail::with_triangles(body, keep)).front().mesh;
+  reconstruct_detail::split_pinched_vertices(seen);
   return seen;
 }
 

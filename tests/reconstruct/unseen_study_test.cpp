@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "massprops/solid.hpp"
-#include "shapes/mesh_topology.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/unseen_cases.hpp"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/error.hpp"
-#include "shapes/mesh_topology.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "core/text_file.hpp"
-#include "shapes/mesh_io.hpp"
+#include "mesh/mesh_io.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/reference_data.hpp"
 

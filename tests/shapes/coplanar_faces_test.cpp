@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "mesh/mesh_topology.hpp"
 #include "shapes/edge_bend.hpp"
-#include "shapes/mesh_topology.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "shapes/mesh_topology.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "shapes/rounding.hpp"
-#include "shapes/self_intersection.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/remeshing.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/remeshing.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/mesh_topology.hpp"
-#include "shapes/self_intersection.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {
@@ -44,7 +44,7 @@ TEST(OuterSkin, OfConcaveRocksIsCleanWithItsVerticesAtTheRadius) {
     const double r = 0.1;
     const TriangleMesh skin = outer_skin(sphero_polyhedron(rock, r), 2);
     expect_clean(skin, 2);
-    const detail::TriangleTree tree(rock);
+    const TriangleTree tree(rock);
     for (const Vec3& point : skin.vertices) EXPECT_NEAR(tree.signed_distance(point), r, 1e-3 * r);
   }
 }

@@ -281,7 +281,8 @@ TEST(ShpFile, MissingFilesAreNamed) {
 TEST(ShpFile, AnyCutIsRefused) {
   const std::string text = tetrahedron_with("preCompDone y\nvolume 1\nI/m 1 1 1");
   for (std::size_t length = 0; length + 2 < text.size(); ++length) {
-    EXPECT_FALSE(refusal([&] { detail::shp_shapes(text.substr(0, length)); }).empty()) << length;
+    EXPECT_FALSE(refusal([&] { shapes_detail::shp_shapes(text.substr(0, length)); }).empty())
+        << length;
   }
 }
 
@@ -296,7 +297,7 @@ TEST(ShpFile, DamagedBytesAreRefusedOrGiveAShapeWhosePartsAreThere) {
       damaged[at] = static_cast<char>(random.uniform(0, 256));
     }
     try {
-      for (const ShpShape& shape : detail::shp_shapes(damaged)) {
+      for (const ShpShape& shape : shapes_detail::shp_shapes(damaged)) {
         for (const SpheroPolyhedron::Face& face : shape.body.faces) {
           ASSERT_GE(face.size(), 3u);
           for (const std::uint32_t v : face) ASSERT_LT(v, shape.body.vertices.size());

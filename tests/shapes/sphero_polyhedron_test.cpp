@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/coplanar_faces.hpp"
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/mesh_topology.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {
@@ -173,7 +173,7 @@ TEST(Skin, OfANonConvexCoreGoesRoundTheBodyAndNothingElse) {
     const double r = 0.05;
     const SpheroPolyhedron shape = sphero_polyhedron(core, r);
     const TriangleMesh skin = skin_mesh(shape, kSegments);
-    const detail::TriangleTree tree(core);
+    const TriangleTree tree(core);
     Bounds box = bounds(skin);
     Random random(5);
     int inside = 0, outside = 0;

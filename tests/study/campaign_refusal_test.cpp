@@ -239,7 +239,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"select = [\"B1\", \"B2\"]",
                 "draw = { count = 5, shares = { compact = 0.5, elongated = 0.4 } }",
                 "campaign.toml:3: [blocks] draw shares = { compact = 0.5, elongated = 0.4 }: the "
-                "shares must add up to 1, not 0.900000"},
+                "shares must add up to 1, not 0.9"},
         Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 5 }\nscale = \"equal-mass\"",
                 "campaign.toml:4: [blocks] scale = \"equal-mass\": drawn blocks are scaled by "
                 "mass_kg of draw; leave scale out"},
@@ -359,9 +359,9 @@ TEST_F(CampaignFile, QuaternionsAreNormalisedOrRefused) {
     return refusal(kCampaign);
   };
   EXPECT_EQ(refused_turns("1 0 0 0\n1 1 0 0\n"),
-            "turns.txt:2: quaternion of length 1.414214; a rotation has length 1, written w x y z");
+            "turns.txt:2: quaternion of length 1.41421; a rotation has length 1, written w x y z");
   EXPECT_EQ(refused_turns("0 0 0 0\n"),
-            "turns.txt:1: quaternion of length 0.000000; a rotation has length 1, written w x y z");
+            "turns.txt:1: quaternion of length 0; a rotation has length 1, written w x y z");
   EXPECT_EQ(refused_turns("1 0 0\n"),
             "turns.txt:1: 3 numbers; a line must be a quaternion, w x y z");
   // Columns by their names, in any order, and decimal commas.

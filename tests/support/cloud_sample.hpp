@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "shapes/mesh_topology.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "tests/support/rock_mesh.hpp"
 
 namespace clast {

@@ -2,7 +2,7 @@
 /// What scanning and its software do to the surface of a rock.
 #include <cstdint>
 
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

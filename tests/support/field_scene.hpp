@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "mesh/triangle_tree.hpp"
 
 namespace clast {
 
@@ -110,7 +110,7 @@ inline FieldScene field_scene(const std::vector<TriangleMesh>& blocks, const Fie
       ++i;
     }
   }
-  std::vector<detail::TriangleTree> trees;
+  std::vector<TriangleTree> trees;
   trees.reserve(blocks.size());
   for (const TriangleMesh& mesh : blocks) trees.emplace_back(mesh);
   for (int i = 0; i < counts.ground;) {
@@ -118,7 +118,7 @@ inline FieldScene field_scene(const std::vector<TriangleMesh>& blocks, const Fie
     const double y = random.uniform(-counts.half, counts.half);
     const Vec3 p(x, y, ground.at(x, y));
     bool hidden = false;
-    for (const detail::TriangleTree& tree : trees) hidden |= tree.signed_distance(p) < 0.0;
+    for (const TriangleTree& tree : trees) hidden |= tree.signed_distance(p) < 0.0;
     if (hidden) continue;
     add(p, -1);
     ++i;

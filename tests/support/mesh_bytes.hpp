@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/text_file.hpp"
-#include "shapes/mesh_io.hpp"
+#include "mesh/mesh_io.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "shapes/detail/triangle_tree.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "tests/support/cut_mesh.hpp"
 #include "tests/support/rock_mesh.hpp"
 
@@ -77,8 +77,8 @@ TriangleMesh without_loose_vertices(const TriangleMesh& mesh) {
 
 /// A point with `clearance` to the surface, inside or outside and not farther from the box than a
 /// quarter of its diagonal.
-Vec3 clear_point(const TriangleMesh& mesh, const detail::TriangleTree& tree, bool inside,
-                 double clearance, Random& random) {
+Vec3 clear_point(const TriangleMesh& mesh, const TriangleTree& tree, bool inside, double clearance,
+                 Random& random) {
   constexpr int kTrials = 10000;
   const Bounds box = bounds(mesh);
   const Vec3 border = Vec3::Constant(inside ? 0.0 : 0.25 * box.diagonal());
@@ -200,7 +200,7 @@ TriangleMesh in_two_halves(const TriangleMesh& mesh, const Vec3& direction, doub
 
 TriangleMesh with_islands(TriangleMesh mesh, std::size_t count, double radius, Random& random) {
   const TriangleMesh rock = mesh;
-  const detail::TriangleTree tree(rock);
+  const TriangleTree tree(rock);
   for (std::size_t i = 0; i < count; ++i) {
     const double size = radius * random.uniform(0.2, 1.0);
     TriangleMesh scrap = ball(clear_point(rock, tree, false, size, random), size);
@@ -212,7 +212,7 @@ TriangleMesh with_islands(TriangleMesh mesh, std::size_t count, double radius, R
 
 TriangleMesh with_bubbles(TriangleMesh mesh, std::size_t count, double radius, Random& random) {
   const TriangleMesh rock = mesh;
-  const detail::TriangleTree tree(rock);
+  const TriangleTree tree(rock);
   for (std::size_t i = 0; i < count; ++i) {
     const double size = radius * random.uniform(0.5, 1.0);
     TriangleMesh shell = ball(clear_point(rock, tree, true, size, random), size);

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "core/random.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast {
 

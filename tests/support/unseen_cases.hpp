@@ -137,7 +137,7 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
         level(kind == "plane" ? random.uniform(0.05, 0.6) : random.uniform(0.05, 0.22));
     found.open = above_level(mesh, cut);
     if (kind == "buried") found.ground = Plane{Vec3::UnitZ(), cut};
-    if (detail::pieces_of(found.open).size() != 1) return std::nullopt;
+    if (reconstruct_detail::pieces_of(found.open).size() != 1) return std::nullopt;
   } else {
     std::vector<bool> keep(mesh.triangles.size(), true);
     double lowest = -1e300;
@@ -163,8 +163,9 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
       keep[t] = z > lowest && !(faces_down && z < level(0.5));
     }
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) return std::nullopt;
-    found.open = detail::pieces_of(detail::with_triangles(mesh, keep)).front().mesh;
-    detail::split_pinched_vertices(found.open);
+    found.open =
+        reconstruct_detail::pieces_of(reconstruct_detail::with_triangles(mesh, keep)).front().mesh;
+    reconstruct_detail::split_pinched_vertices(found.open);
   }
   found.missing = 1.0 - surface_area(found.open) / surface_area(mesh);
   return found;

@@ -25,7 +25,7 @@ class CloudGround : public testing::Test {
 };
 
 /// Points at quarter and three quarters of 1 m cells: four per cell, their mean at its centre.
-std::string plane_points(const Plane& plane, int cells) {
+std::string plane_points(const SlopedGround& plane, int cells) {
   std::ostringstream text;
   text.precision(17);
   for (int j = 0; j < 2 * cells; ++j) {
@@ -39,7 +39,7 @@ std::string plane_points(const Plane& plane, int cells) {
 
 // The second and third form of a plane, against the formula that made it.
 TEST_F(CloudGround, APlaneIsTheSameAsRasterTinAndCloud) {
-  const Plane plane;
+  const SlopedGround plane;
   const auto z = [&](double x, double y) { return plane.at(x, y); };
   write_mesh(folder_ / "tin.ply", squares(9, 1.0, z));
   const Terrain tin = read_terrain({.surface = {folder_ / "tin.ply"}});
@@ -83,7 +83,8 @@ TEST_F(CloudGround, HeightIsTheMeanOverTheCell) {
 }
 
 /// The points of a 20 x 20 m plane, one per square metre, without those that `left_out` names.
-std::string plane_without(const Plane& plane, const std::function<bool(int, int)>& left_out) {
+std::string plane_without(const SlopedGround& plane,
+                          const std::function<bool(int, int)>& left_out) {
   std::ostringstream text;
   text.precision(17);
   for (int j = 0; j < 20; ++j) {
@@ -96,7 +97,7 @@ std::string plane_without(const Plane& plane, const std::function<bool(int, int)
 }
 
 TEST_F(CloudGround, PinholesAreFilledAndAPlaneStaysOne) {
-  const Plane plane;
+  const SlopedGround plane;
   const auto pinholes = [](int i, int j) { return i % 5 == 2 && (j % 5 == 2 || j % 5 == 3); };
   const Terrain terrain =
       read_terrain({.surface = {cloud(plane_without(plane, pinholes))}, .resolution = 1.0});
@@ -116,7 +117,7 @@ TEST_F(CloudGround, GapsStayOpen) {
 }
 
 TEST_F(CloudGround, HolesUpToTheAskedWidthAreFilledAndAPlaneStaysOne) {
-  const Plane plane;
+  const SlopedGround plane;
   const auto pond = [](int i, int j) {
     return (i >= 2 && i < 7 && j >= 3 && j < 5) || (i >= 10 && i < 18 && j >= 6 && j < 14);
   };
@@ -188,7 +189,7 @@ TEST_F(CloudGround, APercentileOfCrowdedCellsIsThatOfAnEvenSample) {
 }
 
 TEST_F(CloudGround, OutliersAreLeftOutWithTheirNumberAndAPlace) {
-  const Plane plane;
+  const SlopedGround plane;
   std::string text = plane_points(plane, 20);
   text += "3.5 3.5 20\n7.5 9.5 140\n7.6 9.5 139\n12.5 12.5 -50\n";
   const Terrain terrain =

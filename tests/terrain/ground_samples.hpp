@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "shapes/mesh_io.hpp"
+#include "mesh/mesh_io.hpp"
 #include "terrain/terrain_input.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -19,7 +19,7 @@ inline std::string refusal(const TerrainOptions& options) {
 }
 
 /// A plane that no symmetry of a grid hides: z over x and y on the map.
-struct Plane {
+struct SlopedGround {
   double height = 100.0, slope_x = -0.37, slope_y = 0.21;
   double at(double x, double y) const { return height + slope_x * x + slope_y * y; }
 };

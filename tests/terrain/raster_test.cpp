@@ -41,7 +41,7 @@ class RasterGround : public testing::Test {
 };
 
 TEST_F(RasterGround, CellCentresCarryTheHeights) {
-  const Plane plane;
+  const SlopedGround plane;
   const auto path = asc(
       5, 4, [&](double x, double y) { return plane.at(x, y); }, 10, -20, 2.5);
   const Terrain terrain = read_terrain({.surface = {path}});
@@ -69,7 +69,7 @@ TEST_F(RasterGround, CellsWithoutHeightLeaveAHole) {
 }
 
 TEST_F(RasterGround, ResolutionMakesItCoarserByMeans) {
-  const Plane plane;
+  const SlopedGround plane;
   const auto path = asc(8, 8, [&](double x, double y) { return plane.at(x, y); });
   const Terrain terrain = read_terrain({.surface = {path}, .resolution = 2.0});
   EXPECT_EQ(terrain.surface.vertices.size(), 16u);

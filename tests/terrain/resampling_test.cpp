@@ -21,7 +21,7 @@ class Resampling : public testing::Test {
 // Centres lie half a cell off multiples of the cell: over 0 to 20 m there are 20 / cell of them,
 // and one square less between.
 TEST_F(Resampling, APlaneStaysAPlaneAtTheCentresOfCells) {
-  const Plane plane;
+  const SlopedGround plane;
   TriangleMesh mesh = squares(10, 2.0, [&](double x, double y) { return plane.at(x, y); });
   for (const double cell : {0.5, 1.0, 4.0}) {
     const Terrain terrain = read(mesh, cell);

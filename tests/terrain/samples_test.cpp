@@ -10,9 +10,9 @@
 #include "classify/schemes.hpp"
 #include "core/text_file.hpp"
 #include "massprops/solid.hpp"
+#include "mesh/mesh_io.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "shapes/convex_hull.hpp"
-#include "shapes/mesh_io.hpp"
-#include "shapes/mesh_topology.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -111,7 +111,7 @@ TEST_F(Zones, RastersThatDoNotFitAreRefused) {
       contains(refused({raster([](double x, double) { return x; })}), "whole class numbers"));
   const std::string holed =
       refused({raster([](double x, double y) { return x > 8.0 && y > 9.0 ? -9999.0 : 2.0; })});
-  EXPECT_TRUE(contains(holed, "leaves 4 of 200 triangles (2.0"));
+  EXPECT_TRUE(contains(holed, "leaves 4 of 200 triangles (2 m2"));
   EXPECT_TRUE(contains(holed, "x 8."));
 }
 
@@ -205,7 +205,7 @@ TEST_F(Zones, PolygonsThatDoNotFitAreRefused) {
   EXPECT_EQ(
       refused({geojson(box_feature("a", 0, 0, 6, 10) + "," + box_feature("a", 5, 0, 10, 10))}), "");
   const std::string bare = refused({geojson(box_feature("a", 0, 0, 10, 9))});
-  EXPECT_TRUE(contains(bare, "leaves 20 of 200 triangles (10.0"));
+  EXPECT_TRUE(contains(bare, "leaves 20 of 200 triangles (10 m2"));
   EXPECT_TRUE(contains(bare, "y 9."));
   EXPECT_TRUE(contains(refused({geojson("")}), "zones.geojson"));
   EXPECT_TRUE(contains(refused({geojson(R"({"type":"Feature","properties":{"zone":"a"},)"
@@ -358,7 +358,7 @@ TEST_F(Zones, RulesBySlopeAndHeight) {
   EXPECT_NEAR(areas.at("rock"), 48.0, 1e-9);
   EXPECT_NEAR(areas.at("scree"), 24.0, 1e-9);
   EXPECT_EQ(refused({"rock=slope>60", "scree=height>2&slope>=30"}),
-            "the zone rules: leaves 144 of 288 triangles (72.000000 m2 in plan) without a zone, "
+            "the zone rules: leaves 144 of 288 triangles (72 m2 in plan) without a zone, "
             "the first at x 0.667, y 0.333, z 0.000; end them with NAME=else");
   EXPECT_TRUE(contains(refused({"rock=slope>steep"}), "\"rock=slope>steep\" is no rule"));
   EXPECT_TRUE(contains(refused({"rock=aspect>60", "soil=else"}), "is no rule; write for example"));

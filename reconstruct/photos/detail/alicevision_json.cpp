@@ -3,7 +3,7 @@
 #include "reconstruct/photos/detail/json_model.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -123,4 +123,4 @@ PhotoModel model_of(const json& root) {
 
 PhotoModel read_alicevision(const std::filesystem::path& file) { return json_read(file, model_of); }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

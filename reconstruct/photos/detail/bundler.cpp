@@ -7,7 +7,7 @@
 #include "reconstruct/photos/detail/model_readers.hpp"
 #include "reconstruct/photos/detail/photo_image.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -121,4 +121,4 @@ PhotoModel read_bundler(const std::filesystem::path& file, const std::filesystem
   return sized;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

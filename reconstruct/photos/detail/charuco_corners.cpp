@@ -11,7 +11,7 @@
 #include <opencv2/aruco/charuco.hpp>
 #endif
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -66,4 +66,4 @@ bool knows_pattern([[maybe_unused]] bool older) {
 
 std::string opencv_version() { return CV_VERSION; }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

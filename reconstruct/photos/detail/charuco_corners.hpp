@@ -6,7 +6,7 @@
 
 #include "reconstruct/photos/charuco_board.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 /// A corner as one photo shows it.
 struct CornerInPhoto {
@@ -24,4 +24,4 @@ bool knows_pattern(bool older);
 /// "4.6.0"
 std::string opencv_version();
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

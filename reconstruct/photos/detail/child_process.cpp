@@ -17,7 +17,7 @@
 
 #include "core/error.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -108,4 +108,4 @@ ChildEnd run_child(const std::vector<std::string>& words,
   return end;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

@@ -7,7 +7,7 @@
 #include "core/text_file.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -135,4 +135,4 @@ PhotoModel read_colmap_binary(const std::filesystem::path& folder) {
   return model;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 Lens colmap_lens(const std::string& model, int width, int height, const std::vector<double>& p) {
   // Parameters of each of COLMAP's models, in its order: one focal length or two, the centre, and
@@ -50,4 +50,4 @@ Lens colmap_lens(const std::string& model, int width, int height, const std::vec
   return lens;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

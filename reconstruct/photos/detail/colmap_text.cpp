@@ -6,7 +6,7 @@
 #include "core/text_file.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -126,4 +126,4 @@ PhotoModel read_colmap_text(const std::filesystem::path& folder) {
   return model;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

@@ -3,7 +3,7 @@
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 nlohmann::json json_of(const std::filesystem::path& file) {
   return nlohmann::json::parse(read_text_file(file));
@@ -24,4 +24,4 @@ std::string json_id(const nlohmann::json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

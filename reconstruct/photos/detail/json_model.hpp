@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/types.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 /// The file's content. @throws nlohmann::json::exception  it is no JSON
 nlohmann::json json_of(const std::filesystem::path& file);
@@ -31,4 +31,4 @@ auto json_read(const std::filesystem::path& file, const Read& read) {
   }
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

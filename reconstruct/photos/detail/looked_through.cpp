@@ -6,7 +6,7 @@
 
 #include "core/parallel.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -68,4 +68,4 @@ SeenThrough looked_through(const std::vector<PairView>& views, const std::vector
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

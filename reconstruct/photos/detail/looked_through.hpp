@@ -5,7 +5,7 @@
 #include "reconstruct/photos/detail/pair_view.hpp"
 #include "reconstruct/seen_through.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 /// Cubes of the region that pairs looked through: all that such a pair knows about where the cube
 /// is in its picture lies behind the cube by more than depths err, and most of it is what other
@@ -15,4 +15,4 @@ namespace clast::detail {
 SeenThrough looked_through(const std::vector<PairView>& views, const std::vector<cv::Mat>& agreed,
                            const PhotoRegion& region, double tolerance, unsigned threads);
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

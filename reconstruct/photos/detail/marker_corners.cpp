@@ -13,7 +13,7 @@
 #include <opencv2/aruco.hpp>
 #endif
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -216,4 +216,4 @@ std::optional<MarkerInPhoto> with_edge_corners(const MarkerInPhoto& marker, cons
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

@@ -8,7 +8,7 @@
 
 #include "reconstruct/photos/lens.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 /// A marker as one photo shows it.
 struct MarkerInPhoto {
@@ -33,4 +33,4 @@ std::vector<MarkerInPhoto> markers_in(const cv::Mat& grey, const std::string& di
 std::optional<MarkerInPhoto> with_edge_corners(const MarkerInPhoto& marker, const cv::Mat& grey,
                                                const Lens& lens);
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

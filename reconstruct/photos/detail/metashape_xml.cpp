@@ -6,7 +6,7 @@
 #include "core/number_text.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -163,4 +163,4 @@ PhotoModel read_metashape(const std::filesystem::path& file) {
   return model;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

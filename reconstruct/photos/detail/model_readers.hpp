@@ -6,7 +6,7 @@
 
 #include "reconstruct/photos/photo_model.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 PhotoModel read_colmap_text(const std::filesystem::path& folder);
 PhotoModel read_colmap_binary(const std::filesystem::path& folder);
@@ -25,4 +25,4 @@ PhotoModel in_order_of_names(PhotoModel model);
 /// A rotation from a matrix; @throws InputError with `what` where it is none.
 Quat rotation_from(const Mat3& matrix, const std::string& what);
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

@@ -3,7 +3,7 @@
 #include "reconstruct/photos/detail/json_model.hpp"
 #include "reconstruct/photos/detail/model_readers.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -94,4 +94,4 @@ PhotoModel model_of(const json& root) {
 
 PhotoModel read_openmvg(const std::filesystem::path& file) { return json_read(file, model_of); }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

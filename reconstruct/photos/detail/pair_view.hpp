@@ -2,7 +2,7 @@
 /// How a compared pair of photos sees places.
 #include "reconstruct/photos/detail/rectified_pair.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 /// OpenCV's shifts are in sixteenths of a pixel.
 inline constexpr double kShiftUnit = 16.0;
@@ -28,4 +28,4 @@ struct PairView {
   }
 };
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -47,4 +47,4 @@ void write_plain_mask(const std::filesystem::path& mask, const std::filesystem::
 SingleThreaded::SingleThreaded() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
 SingleThreaded::~SingleThreaded() { cv::setNumThreads(before_); }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 struct PhotoSize {
   int width = 0;
@@ -36,4 +36,4 @@ class SingleThreaded {
   int before_;
 };
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

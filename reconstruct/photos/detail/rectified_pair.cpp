@@ -7,7 +7,7 @@
 
 #include "reconstruct/photos/detail/photo_image.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -134,4 +134,4 @@ PairDepths pair_depths(const PhotoModel& model, const StereoPair& pair, const Ph
   return result;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

@@ -5,7 +5,7 @@
 #include "reconstruct/photos/photo_region.hpp"
 #include "reconstruct/photos/stereo_pairs.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 /// Two pinhole cameras side by side, and how they see the ball of the region.
 ///
@@ -47,4 +47,4 @@ inline constexpr short kNoShift = -32768;
 PairDepths pair_depths(const PhotoModel& model, const StereoPair& pair, const PhotoRegion& region,
                        int most_pixels, const std::vector<std::filesystem::path>& masks);
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::optional<Triangulated> triangulated(const PhotoModel& model,
   return best;
 }
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

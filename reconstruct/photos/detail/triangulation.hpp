@@ -5,7 +5,7 @@
 
 #include "reconstruct/photos/photo_model.hpp"
 
-namespace clast::detail {
+namespace clast::photos_detail {
 
 /// A place that was seen in a photo.
 struct Sighting {
@@ -27,4 +27,4 @@ std::optional<Triangulated> triangulated(const PhotoModel& model,
                                          const std::vector<Sighting>& sightings,
                                          double largest_error);
 
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

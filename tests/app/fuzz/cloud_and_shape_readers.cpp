@@ -1,6 +1,6 @@
 #include "core/number_text.hpp"
-#include "shapes/mesh_io.hpp"
-#include "shapes/point_cloud.hpp"
+#include "mesh/mesh_io.hpp"
+#include "mesh/point_cloud.hpp"
 #include "shapes/shp_file.hpp"
 #include "tests/app/fuzz/readers.hpp"
 #include "tests/shapes/shape_samples.hpp"

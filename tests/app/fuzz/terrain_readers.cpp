@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "shapes/mesh_io.hpp"
+#include "mesh/mesh_io.hpp"
 #include "terrain/hillshade.hpp"
 #include "terrain/terrain_file.hpp"
 #include "terrain/terrain_input.hpp"

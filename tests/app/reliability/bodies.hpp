@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "classify/form.hpp"
-#include "shapes/triangle_mesh.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace clast::reliability {
 

@@ -8,7 +8,7 @@
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "core/text_file.hpp"
-#include "shapes/mesh_io.hpp"
+#include "mesh/mesh_io.hpp"
 #include "tests/app/reliability/cases.hpp"
 #include "tests/app/reliability/table.hpp"
 #include "tests/support/run_program.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "massprops/solid.hpp"
-#include "shapes/mesh_topology.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "tests/app/reliability/cases.hpp"
 #include "tests/support/cloud_sample.hpp"
 #include "tests/support/rock_mesh.hpp"

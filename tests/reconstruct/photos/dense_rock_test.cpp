@@ -7,10 +7,10 @@
 #include <fstream>
 #include <iostream>
 
+#include "mesh/mesh_io.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/photos/dense_cloud.hpp"
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/mesh_io.hpp"
 #include "tests/reconstruct/photos/synthetic_rock.hpp"
 
 namespace clast {
@@ -28,7 +28,7 @@ struct Errors {
 /// within half a per cent of L.
 Errors errors_of(const DenseCloud& cloud, const ToTruth& to_truth) {
   const TriangleMesh rock = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
-  const detail::TriangleTree tree(rock);
+  const TriangleTree tree(rock);
   std::vector<Vec3> near;
   std::vector<double> distances;
   for (const Vec3& p : cloud.points) {
@@ -42,7 +42,7 @@ Errors errors_of(const DenseCloud& cloud, const ToTruth& to_truth) {
   for (const double d : distances) errors.mean += d / static_cast<double>(distances.size());
   std::sort(distances.begin(), distances.end());
   errors.p95 = distances[distances.size() * 95 / 100];
-  const detail::NearestPoints points(near);
+  const reconstruct_detail::NearestPoints points(near);
   double seen = 0.0, all = 0.0;
   for (const auto& [a, b, c] : rock.triangles) {
     const Vec3 &p = rock.vertices[a], &q = rock.vertices[b], &r = rock.vertices[c];
@@ -59,7 +59,7 @@ Errors errors_of(const DenseCloud& cloud, const ToTruth& to_truth) {
 /// cube; and that fewer than one in 100,000 are inside at all.
 double deepest_cube(const DenseCloud& cloud, const ToTruth& to_truth) {
   const TriangleMesh rock = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
-  const detail::TriangleTree tree(rock);
+  const TriangleTree tree(rock);
   std::size_t inside = 0, all = 0;
   double deepest = 0.0;
   for (std::size_t i = 0; i < cloud.through.empty.size(); ++i) {
@@ -105,7 +105,7 @@ TEST(DenseRock, MasksLeaveTheBlockAlone) {
   const auto masks = test_data("photos/synthetic_rock/masks");
   const DenseCloud cloud = dense_cloud(model, {.most_pixels = 500, .masks = masks, .threads = 2});
   const TriangleMesh rock = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
-  const detail::TriangleTree tree(rock);
+  const TriangleTree tree(rock);
   std::size_t off = 0;
   for (const Vec3& p : cloud.points) {
     off += std::sqrt(tree.closest(to_truth * p).squared_distance) > 0.02 * kLength ? 1 : 0;

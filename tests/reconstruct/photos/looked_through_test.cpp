@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace clast::detail {
+namespace clast::photos_detail {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
@@ -104,4 +104,4 @@ TEST_F(LookedThrough, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace clast::detail
+}  // namespace clast::photos_detail

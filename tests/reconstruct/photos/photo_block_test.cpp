@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "shapes/mesh_topology.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "tests/reconstruct/photos/rock_block.hpp"
 #include "tests/support/refusal.hpp"
 

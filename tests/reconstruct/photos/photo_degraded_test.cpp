@@ -6,10 +6,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "mesh/mesh_io.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/photos/dense_cloud.hpp"
 #include "reconstruct/photos/photo_sharpness.hpp"
-#include "shapes/detail/triangle_tree.hpp"
-#include "shapes/mesh_io.hpp"
 #include "tests/reconstruct/photos/synthetic_rock.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -46,7 +46,7 @@ std::vector<std::size_t> every(std::size_t step, std::size_t count) {
 /// Mean distance of the points of the rock, above its foot, to its true surface, in shares of L.
 double mean_error(const DenseCloud& cloud, const ToTruth& to_truth) {
   const TriangleMesh rock = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
-  const detail::TriangleTree tree(rock);
+  const TriangleTree tree(rock);
   double sum = 0.0, count = 0.0;
   for (std::size_t i = 0; i < cloud.points.size(); i += 7) {
     const Vec3 place = to_truth * cloud.points[i];

@@ -113,17 +113,17 @@ TEST(Triangulation, PlacesComeBackThoughAThirdOfTheSightingsAreWrong) {
   }
   const Vec3 truth(0.1, -0.2, 0.15);
   Random random(8);
-  std::vector<detail::Sighting> sightings;
+  std::vector<photos_detail::Sighting> sightings;
   for (std::size_t i = 0; i < 12; ++i) {
     Vec2 pixel = *seen_at(model, i, truth);
     if (i % 3 == 0) pixel += Vec2(random.uniform(10.0, 90.0), random.uniform(-70.0, 70.0));
     sightings.push_back({i, pixel});
   }
-  const auto found = detail::triangulated(model, sightings, 2.0);
+  const auto found = photos_detail::triangulated(model, sightings, 2.0);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->agreeing, 8u);
   EXPECT_NEAR((found->place - truth).norm(), 0.0, 1e-9);
-  EXPECT_FALSE(detail::triangulated(model, {sightings[1]}, 2.0).has_value());
+  EXPECT_FALSE(photos_detail::triangulated(model, {sightings[1]}, 2.0).has_value());
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ inline cv::Mat drawn_board(const CharucoBoard& board) {
   const cv::Size size(static_cast<int>(board.columns * board.square * kDrawingPixels) + 2 * margin,
                       static_cast<int>(board.rows * board.square * kDrawingPixels) + 2 * margin);
   const auto dictionary =
-      cv::aruco::getPredefinedDictionary(detail::dictionary_number(board.dictionary));
+      cv::aruco::getPredefinedDictionary(photos_detail::dictionary_number(board.dictionary));
   const auto square = static_cast<float>(board.square), marker = static_cast<float>(board.marker);
   cv::Mat drawing;
 #if CV_VERSION_MAJOR * 100 + CV_VERSION_MINOR >= 407
@@ -44,7 +44,8 @@ inline cv::Mat drawn_markers(const std::string& dictionary, double side,
                              const std::vector<Vec2>& centres, double width, double height) {
   cv::Mat drawing(static_cast<int>(height * kDrawingPixels),
                   static_cast<int>(width * kDrawingPixels), CV_8UC1, cv::Scalar(255));
-  const auto known = cv::aruco::getPredefinedDictionary(detail::dictionary_number(dictionary));
+  const auto known =
+      cv::aruco::getPredefinedDictionary(photos_detail::dictionary_number(dictionary));
   const int pixels = static_cast<int>(side * kDrawingPixels);
   for (std::size_t id = 0; id < centres.size(); ++id) {
     cv::Mat marker;

@@ -2,9 +2,9 @@
 /// A block made of the rendered photos, against the truth.
 #include <iostream>
 
+#include "mesh/mesh_io.hpp"
 #include "reconstruct/field_scan.hpp"
 #include "reconstruct/photos/photo_scan.hpp"
-#include "shapes/mesh_io.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/reconstruct/photos/synthetic_rock.hpp"
 

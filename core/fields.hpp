@@ -1,0 +1,100 @@
+#pragma once
+/// The fields of options structs, by name: one list that prints and hashes them.
+///
+/// A struct is listed by a function beside it that takes it apart with a structured binding, so
+/// that a field that is added to the struct and not to its list does not compile:
+///
+///     template <class Visit>
+///     void visit_fields(const CloudSurfaceOptions& options, Visit&& visit) {
+///       const auto& [cell, trim, fewest] = options;
+///       visit("cell", cell), visit("trim", trim), visit("fewest", fewest);
+///     }
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/number_text.hpp"
+#include "core/types.hpp"
+
+namespace clast {
+
+/// A field that changes no result, such as a number of threads: `field_text` leaves it out.
+template <class T>
+struct NoInfluence {
+  using HasNoInfluence = void;
+  const T& value;
+};
+template <class T>
+NoInfluence(const T&) -> NoInfluence<T>;
+
+template <class T>
+concept HasFields = requires(const T& options) {
+  visit_fields(options, [](const char*, const auto&) {});
+};
+
+inline std::string field_text(const std::string& value) { return '"' + value + '"'; }
+inline std::string field_text(const std::filesystem::path& value) {
+  return field_text(value.string());
+}
+inline std::string field_text(const Vec3& value) {
+  return with_digits(value.x(), 17) + " " + with_digits(value.y(), 17) + " " +
+         with_digits(value.z(), 17);
+}
+
+template <class T>
+requires std::is_arithmetic_v<T> std::string field_text(T value) {
+  if constexpr (std::is_floating_point_v<T>) return with_digits(value, 17);
+  return std::to_string(value);
+}
+
+template <HasFields T>
+std::string field_text(const T& options);
+template <class T>
+std::string field_text(const std::optional<T>& value);
+template <class T>
+std::string field_text(const std::vector<T>& values);
+template <class T, std::size_t n>
+std::string field_text(const std::array<T, n>& values);
+
+namespace core_detail {
+
+template <class Values>
+std::string listed(const Values& values) {
+  std::string text;
+  for (const auto& value : values) text += (text.empty() ? "" : ", ") + field_text(value);
+  return "[" + text + "]";
+}
+
+}  // namespace core_detail
+
+template <class T>
+std::string field_text(const std::optional<T>& value) {
+  return value ? field_text(*value) : "none";
+}
+template <class T>
+std::string field_text(const std::vector<T>& values) {
+  return core_detail::listed(values);
+}
+template <class T, std::size_t n>
+std::string field_text(const std::array<T, n>& values) {
+  return core_detail::listed(values);
+}
+
+/// Every field that has an influence, with those of structs inside: "{unit=1, up="z", ...}". Equal
+/// for equal options alone.
+template <HasFields T>
+std::string field_text(const T& options) {
+  std::string text;
+  const auto visit = [&]<class Value>(const char* name, const Value& value) {
+    if constexpr (!requires { typename Value::HasNoInfluence; }) {
+      text += (text.empty() ? "" : ", ") + std::string(name) + "=" + field_text(value);
+    }
+  };
+  visit_fields(options, visit);
+  return "{" + text + "}";
+}
+
+}  // namespace clast

@@ -1,0 +1,184 @@
+// LAS 1.0 to 1.4 (ASPRS LAS Specification 1.4 R15); all numbers in it are little-endian.
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "mesh/detail/cloud_readers.hpp"
+
+namespace clast::mesh_detail {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "LAS is read as it lies in the file");
+
+constexpr std::size_t kSmallestHeader = 227, kHeader14 = 375;
+constexpr std::size_t kRecordHead = 54;  ///< bytes before the content of a variable-length record
+constexpr std::uint8_t kNoise = 7, kHighNoise = 18;
+/// Smallest record of each point format 0 to 10.
+constexpr std::array<std::size_t, 11> kRecordSizes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+constexpr std::size_t kRecordsPerRead = 16384;
+
+template <class T>
+T number_at(std::string_view bytes, std::size_t offset) {
+  T value;
+  std::memcpy(&value, bytes.data() + offset, sizeof(T));
+  return value;
+}
+
+std::string read_bytes(std::istream& stream, std::size_t count) {
+  std::string bytes(count, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return bytes;
+}
+
+struct Header {
+  std::uint64_t count = 0;
+  std::uint64_t data_offset = 0;
+  std::uint16_t header_size = 0;
+  std::uint32_t records = 0;  ///< variable-length ones
+  std::size_t format = 0;
+  std::size_t record_size = 0;
+  Vec3 scale = Vec3::Ones();
+  Vec3 offset = Vec3::Zero();
+};
+
+Header read_header(std::istream& stream, std::uint64_t file_size) {
+  const std::string bytes = read_bytes(stream, kHeader14);
+  if (!bytes.starts_with("LASF")) {
+    throw InputError("is not a LAS file: it does not start with LASF; export it as LAS or as text");
+  }
+  if (bytes.size() < kSmallestHeader) {
+    throw InputError("ends within the LAS header; copy or export it again");
+  }
+  Header header;
+  const int minor = number_at<std::uint8_t>(bytes, 25);
+  header.header_size = number_at<std::uint16_t>(bytes, 94);
+  header.data_offset = number_at<std::uint32_t>(bytes, 96);
+  header.records = number_at<std::uint32_t>(bytes, 100);
+  const std::uint8_t format = number_at<std::uint8_t>(bytes, 104);
+  header.record_size = number_at<std::uint16_t>(bytes, 105);
+  header.count = number_at<std::uint32_t>(bytes, 107);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    header.scale[k] = number_at<double>(bytes, 131 + 8 * axis);
+    header.offset[k] = number_at<double>(bytes, 155 + 8 * axis);
+  }
+  if (minor >= 4 && bytes.size() >= kHeader14 && header.header_size >= kHeader14) {
+    header.count = number_at<std::uint64_t>(bytes, 247);
+  }
+  if ((format & 0xC0) != 0) {
+    throw InputError(
+        "its points are compressed (LAZ), which can't be read; unpack it first, for example with "
+        "laszip -i cloud.laz -o cloud.las, or save it as LAS in CloudCompare");
+  }
+  header.format = format;
+  if (header.format >= kRecordSizes.size()) {
+    throw InputError("has LAS point format " + std::to_string(header.format) +
+                     "; 0 to 10 can be read, export it as one of these");
+  }
+  if (header.record_size < kRecordSizes[header.format]) {
+    throw InputError("has point records of " + std::to_string(header.record_size) +
+                     " bytes, less than format " + std::to_string(header.format) +
+                     " needs; it is damaged, export it again");
+  }
+  if (!header.scale.allFinite() || !header.offset.allFinite() ||
+      header.scale.cwiseAbs().minCoeff() == 0.0) {
+    throw InputError("its scale or offset of coordinates is zero or not finite; it is corrupt");
+  }
+  if (header.data_offset < kSmallestHeader || header.data_offset > file_size) {
+    throw InputError("its points are said to start at byte " + std::to_string(header.data_offset) +
+                     ", outside the file; it is corrupt");
+  }
+  const std::uint64_t room = (file_size - header.data_offset) / header.record_size;
+  if (header.count > room) {
+    throw InputError("its header says " + std::to_string(header.count) + " points, the file has " +
+                     std::to_string(room) + "; it was cut short");
+  }
+  return header;
+}
+
+/// The code of a projected or geographic system in a GeoTIFF key directory, 0 without one.
+int epsg_in(std::string_view keys) {
+  constexpr std::uint16_t kProjected = 3072, kGeographic = 2048, kUserDefined = 32767;
+  int geographic = 0;
+  for (std::size_t at = 8; at + 8 <= keys.size(); at += 8) {
+    const auto key = number_at<std::uint16_t>(keys, at);
+    const auto code = number_at<std::uint16_t>(keys, at + 6);
+    if (code == 0 || code == kUserDefined) continue;
+    if (key == kProjected) return code;
+    if (key == kGeographic) geographic = code;
+  }
+  return geographic;
+}
+
+/// The coordinate system named in the variable-length records.
+std::string read_crs(std::istream& stream, const Header& header) {
+  constexpr std::uint16_t kWkt = 2112, kGeoKeys = 34735;
+  std::string wkt;
+  int epsg = 0;
+  std::uint64_t at = header.header_size;
+  stream.clear();
+  stream.seekg(static_cast<std::streamoff>(at));
+  for (std::uint32_t i = 0; i < header.records && at + kRecordHead <= header.data_offset; ++i) {
+    const std::string head = read_bytes(stream, kRecordHead);
+    if (head.size() < kRecordHead) break;
+    const auto id = number_at<std::uint16_t>(head, 18);
+    const std::size_t size = number_at<std::uint16_t>(head, 20);
+    const std::string content = read_bytes(stream, size);
+    at += kRecordHead + size;
+    if (std::string_view(head).substr(2).starts_with("LASF_Projection")) {
+      if (id == kWkt) wkt = content.substr(0, content.find('\0'));
+      if (id == kGeoKeys) epsg = epsg_in(content);
+    }
+  }
+  return epsg != 0 ? "EPSG:" + std::to_string(epsg) : wkt;
+}
+
+struct Flags {
+  std::uint8_t asprs_class;
+  bool withheld;
+};
+
+Flags flags_of(std::string_view record, std::size_t format) {
+  const auto byte = number_at<std::uint8_t>(record, 15);
+  if (format < 6) return {static_cast<std::uint8_t>(byte & 0x1F), (byte & 0x80) != 0};
+  return {number_at<std::uint8_t>(record, 16), (byte & 0x04) != 0};
+}
+
+}  // namespace
+
+CloudSummary read_las(std::istream& stream, PointSink& sink) {
+  stream.seekg(0, std::ios::end);
+  const auto file_size = static_cast<std::uint64_t>(stream.tellg());
+  stream.seekg(0);
+  const Header header = read_header(stream, file_size);
+  CloudSummary summary;
+  summary.crs = read_crs(stream, header);
+  stream.clear();
+  stream.seekg(static_cast<std::streamoff>(header.data_offset));
+  for (std::uint64_t done = 0; done < header.count;) {
+    const std::size_t now = std::min<std::uint64_t>(kRecordsPerRead, header.count - done);
+    const std::string bytes = read_bytes(stream, now * header.record_size);
+    if (bytes.size() < now * header.record_size) throw InputError("can't be read to its end");
+    for (std::size_t i = 0; i < now; ++i) {
+      const std::string_view record =
+          std::string_view(bytes).substr(i * header.record_size, header.record_size);
+      const Flags flags = flags_of(record, header.format);
+      if (flags.withheld || flags.asprs_class == kNoise || flags.asprs_class == kHighNoise) {
+        ++summary.withheld;
+        continue;
+      }
+      const Vec3 steps(number_at<std::int32_t>(record, 0), number_at<std::int32_t>(record, 4),
+                       number_at<std::int32_t>(record, 8));
+      sink.add(steps.cwiseProduct(header.scale) + header.offset, flags.asprs_class);
+    }
+    done += now;
+  }
+  return sink.finish(summary);
+}
+
+}  // namespace clast::mesh_detail

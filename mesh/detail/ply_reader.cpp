@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/text_scanner.hpp"
+#include "mesh/detail/mesh_readers.hpp"
+#include "mesh/polygon.hpp"
+
+namespace clast::mesh_detail {
+
+namespace {
+
+enum class Format { kAscii, kLittle, kBig };
+
+struct Type {
+  char kind = 'i';  ///< i: signed, u: unsigned, f: floating point
+  std::size_t bytes = 4;
+};
+
+struct Property {
+  std::string name;
+  Type type;
+  bool is_list = false;
+  Type count_type;
+};
+
+struct Element {
+  std::string name;
+  std::int64_t count = 0;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  Format format = Format::kAscii;
+  std::vector<Element> elements;
+};
+
+Type parsed_type(const TextScanner& text, std::string_view name) {
+  static const std::map<std::string_view, Type> kTypes = {
+      {"char", {'i', 1}},  {"int8", {'i', 1}},    {"uchar", {'u', 1}},  {"uint8", {'u', 1}},
+      {"short", {'i', 2}}, {"int16", {'i', 2}},   {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
+      {"int", {'i', 4}},   {"int32", {'i', 4}},   {"uint", {'u', 4}},   {"uint32", {'u', 4}},
+      {"float", {'f', 4}}, {"float32", {'f', 4}}, {"double", {'f', 8}}, {"float64", {'f', 8}}};
+  const auto found = kTypes.find(name);
+  if (found == kTypes.end()) {
+    throw InputError(text.here() + "unknown type \"" + std::string(name.substr(0, 40)) + "\"");
+  }
+  return found->second;
+}
+
+Header read_header(TextScanner& text) {
+  if (!text.next_line() || text.word() != "ply") {
+    throw InputError("is not a PLY file: it does not start with \"ply\"");
+  }
+  Header header;
+  bool has_format = false;
+  while (text.next_line()) {
+    const std::string_view keyword = text.word();
+    if (keyword == "end_header") {
+      if (!has_format) throw InputError("the PLY header has no \"format\" line");
+      return header;
+    }
+    if (keyword == "format") {
+      const std::string_view name = text.word();
+      has_format = true;
+      if (name == "ascii") {
+        header.format = Format::kAscii;
+      } else if (name == "binary_little_endian") {
+        header.format = Format::kLittle;
+      } else if (name == "binary_big_endian") {
+        header.format = Format::kBig;
+      } else {
+        throw InputError(text.here() + "unknown PLY format");
+      }
+    } else if (keyword == "element") {
+      Element element;
+      element.name = text.word();
+      element.count = text.integer();
+      if (element.count < 0) throw InputError(text.here() + "a negative number of elements");
+      header.elements.push_back(element);
+    } else if (keyword == "property") {
+      if (header.elements.empty()) throw InputError(text.here() + "a property of no element");
+      Property property;
+      std::string_view type = text.word();
+      if (type == "list") {
+        property.is_list = true;
+        property.count_type = parsed_type(text, text.word());
+        type = text.word();
+      }
+      property.type = parsed_type(text, type);
+      property.name = text.word();
+      header.elements.back().properties.push_back(property);
+    }
+  }
+  throw InputError("the PLY header has no end; the file was cut short");
+}
+
+/// The values after the header, one at a time.
+class Body {
+ public:
+  Body(std::string_view bytes, Format format) : bytes_(bytes), format_(format) {}
+
+  double value(const Type& type) { return format_ == Format::kAscii ? word() : binary(type); }
+
+  std::size_t count(const Type& type) {
+    const double number = value(type);
+    if (!(number >= 0.0) || number > static_cast<double>(bytes_.size())) {
+      throw InputError("a list claims more entries than the file holds; it is corrupt");
+    }
+    return static_cast<std::size_t>(number);
+  }
+
+  /// Throws when `element` can't fit in what is left of the file.
+  void check_room(const Element& element) const {
+    std::size_t each = 0;
+    for (const Property& p : element.properties) {
+      // A word of text takes a character and a blank; the last one may end the file.
+      each += format_ == Format::kAscii ? 2 : p.is_list ? p.count_type.bytes : p.type.bytes;
+    }
+    const double needed = static_cast<double>(each) * static_cast<double>(element.count);
+    if (needed > static_cast<double>(bytes_.size()) + 1.0) {
+      throw InputError("its header says " + std::to_string(element.count) + " of element \"" +
+                       element.name + "\", more than the " + std::to_string(bytes_.size()) +
+                       " bytes after the header can hold; it was cut short");
+    }
+  }
+
+ private:
+  [[noreturn]] static void fail_short() {
+    throw InputError("the file ends before all its elements; it was cut short");
+  }
+
+  double binary(const Type& type) {
+    if (bytes_.size() < type.bytes) fail_short();
+    std::array<char, 8> raw{};
+    std::copy_n(bytes_.begin(), type.bytes, raw.begin());
+    bytes_.remove_prefix(type.bytes);
+    const bool file_is_little = format_ == Format::kLittle;
+    if (file_is_little != (std::endian::native == std::endian::little)) {
+      std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(type.bytes));
+    }
+    const auto as = [&]<class T>(T) {
+      T number;
+      std::memcpy(&number, raw.data(), sizeof(T));
+      return static_cast<double>(number);
+    };
+    if (type.kind == 'f') return type.bytes == 4 ? as(float{}) : as(double{});
+    switch (type.bytes) {
+      case 1:
+        return type.kind == 'i' ? as(std::int8_t{}) : as(std::uint8_t{});
+      case 2:
+        return type.kind == 'i' ? as(std::int16_t{}) : as(std::uint16_t{});
+      default:
+        return type.kind == 'i' ? as(std::int32_t{}) : as(std::uint32_t{});
+    }
+  }
+
+  double word() {
+    constexpr std::string_view kBlank = " \t\r\n\v\f";
+    const std::size_t begin = bytes_.find_first_not_of(kBlank);
+    if (begin == std::string_view::npos) fail_short();
+    bytes_.remove_prefix(begin);
+    const std::string_view text = bytes_.substr(0, bytes_.find_first_of(kBlank));
+    bytes_.remove_prefix(text.size());
+    if (const std::optional<double> number = parsed_number(text)) return *number;
+    throw InputError("\"" + std::string(text.substr(0, 40)) + "\" stands where a number is needed" +
+                     (text.find(',') == std::string_view::npos
+                          ? ""
+                          : "; PLY has decimal points, export it with these"));
+  }
+
+  std::string_view bytes_;
+  Format format_;
+};
+
+std::int64_t vertex_number(double value) {
+  if (value != std::floor(value) || std::abs(value) > 9e15) {
+    throw InputError("a face names vertex " + std::to_string(value) + "; it is corrupt");
+  }
+  return static_cast<std::int64_t>(value);
+}
+
+void read_vertices(Body& body, const Element& element, TriangleMesh& mesh) {
+  const std::array<std::string_view, 3> axes = {"x", "y", "z"};
+  for (const std::string_view axis : axes) {
+    const bool has = std::any_of(element.properties.begin(), element.properties.end(),
+                                 [&](const Property& p) { return p.name == axis && !p.is_list; });
+    if (!has) throw InputError("its vertices have no property \"" + std::string(axis) + "\"");
+  }
+  mesh.vertices.reserve(static_cast<std::size_t>(element.count));
+  for (std::int64_t i = 0; i < element.count; ++i) {
+    Vec3 point = Vec3::Zero();
+    for (const Property& property : element.properties) {
+      for (std::size_t left = property.is_list ? body.count(property.count_type) : 1; left > 0;
+           --left) {
+        const double value = body.value(property.type);
+        for (int axis = 0; axis < 3; ++axis) {
+          if (property.name == axes[static_cast<std::size_t>(axis)]) point[axis] = value;
+        }
+      }
+    }
+    mesh.vertices.push_back(point);
+  }
+}
+
+bool is_corner_list(const Property& property) {
+  return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/// Lists of corners of the faces; those of other elements are passed over.
+void read_lists(Body& body, const Element& element, std::vector<std::vector<std::int64_t>>* faces) {
+  if (element.properties.empty()) return;
+  for (std::int64_t i = 0; i < element.count; ++i) {
+    for (const Property& property : element.properties) {
+      const std::size_t count = property.is_list ? body.count(property.count_type) : 1;
+      const bool corners = faces && is_corner_list(property);
+      if (corners) faces->emplace_back();
+      for (std::size_t k = 0; k < count; ++k) {
+        const double value = body.value(property.type);
+        if (corners) faces->back().push_back(vertex_number(value));
+      }
+    }
+  }
+}
+
+/// Replaces the strips from `first` on by their triangles; -1 ends a strip, every second triangle
+/// is turned.
+void split_strips(std::vector<std::vector<std::int64_t>>& faces, std::size_t first) {
+  std::vector<std::vector<std::int64_t>> triangles;
+  for (std::size_t s = first; s < faces.size(); ++s) {
+    const std::vector<std::int64_t>& strip = faces[s];
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < strip.size(); ++k) {
+      if (strip[k] == -1) begin = k + 1;
+      if (k < begin + 2) continue;
+      const bool turned = (k - begin) % 2 == 1;
+      triangles.push_back({strip[k - (turned ? 1 : 2)], strip[k - (turned ? 2 : 1)], strip[k]});
+    }
+  }
+  faces.resize(first);
+  faces.insert(faces.end(), triangles.begin(), triangles.end());
+}
+
+}  // namespace
+
+std::optional<TriangleMesh> read_ply(std::string_view content) {
+  TextScanner text(content);
+  const Header header = read_header(text);
+  Body body(text.after_line(), header.format);
+  TriangleMesh mesh;
+  std::vector<std::vector<std::int64_t>> faces;
+  for (const Element& element : header.elements) {
+    body.check_room(element);
+    if (element.name == "vertex") {
+      read_vertices(body, element, mesh);
+    } else {
+      const bool surface = element.name == "face" || element.name == "tristrips";
+      const std::size_t before = faces.size();
+      read_lists(body, element, surface ? &faces : nullptr);
+      if (element.name == "tristrips") split_strips(faces, before);
+    }
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    try {
+      append_polygon(mesh, faces[f]);
+    } catch (const InputError& error) {
+      throw InputError("face " + std::to_string(f + 1) + ": " + error.what());
+    }
+  }
+  return mesh;
+}
+
+}  // namespace clast::mesh_detail

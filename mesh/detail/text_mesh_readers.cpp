@@ -1,0 +1,165 @@
+/// OBJ, OFF and the asteroid table: formats that are plain lists of numbers.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/text_scanner.hpp"
+#include "mesh/detail/mesh_readers.hpp"
+#include "mesh/polygon.hpp"
+
+namespace clast::mesh_detail {
+
+namespace {
+
+Vec3 read_point(TextScanner& text) {
+  const double x = text.number(), y = text.number();
+  return {x, y, text.number()};
+}
+
+/// A face line; the vertices it names may come later in the file.
+struct PendingFace {
+  std::size_t line = 0;
+  std::vector<std::int64_t> corners;
+};
+
+void append_pending(TriangleMesh& mesh, const std::vector<PendingFace>& faces) {
+  for (const PendingFace& face : faces) {
+    try {
+      append_polygon(mesh, face.corners);
+    } catch (const InputError& error) {
+      throw InputError("line " + std::to_string(face.line) + ": " + error.what());
+    }
+  }
+}
+
+/// The next line that holds something other than a comment.
+bool next_content_line(TextScanner& text) {
+  while (text.next_line()) {
+    const std::string_view line = text.rest_of_line();
+    const std::size_t first = line.find_first_not_of(" \t\v\f");
+    if (first != std::string_view::npos && line[first] != '#') return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<TriangleMesh> read_obj(std::string_view content) {
+  TriangleMesh mesh;
+  std::vector<PendingFace> faces;
+  TextScanner text(content);
+  bool recognised = false;
+  while (text.next_line()) {
+    const std::string_view keyword = text.word();
+    if (keyword == "v") {
+      recognised = true;
+      mesh.vertices.push_back(read_point(text));
+    } else if (keyword == "f") {
+      recognised = true;
+      PendingFace face{text.line_number(), {}};
+      std::string_view corner = text.word();
+      while (!corner.empty()) {
+        if (corner == "\\") {  // the line goes on below
+          if (!text.next_line()) break;
+          corner = text.word();
+          continue;
+        }
+        const auto number = parsed_integer(corner.substr(0, corner.find('/')));
+        if (!number || *number == 0) {
+          throw InputError(text.here() + "\"" + std::string(corner.substr(0, 40)) +
+                           "\" is not a vertex number (they start at 1)");
+        }
+        // Negative numbers count back from the last vertex read so far.
+        face.corners.push_back(*number > 0 ? *number - 1
+                                           : std::int64_t(mesh.vertices.size()) + *number);
+        corner = text.word();
+      }
+      faces.push_back(std::move(face));
+    }
+  }
+  if (!recognised) throw InputError("is not an OBJ file: it has no \"v\" and no \"f\" lines");
+  append_pending(mesh, faces);
+  return mesh;
+}
+
+std::optional<TriangleMesh> read_off(std::string_view content) {
+  TextScanner text(content);
+  if (!next_content_line(text)) throw InputError("is not an OFF file");
+  std::string_view keyword = text.word();
+  if (!keyword.ends_with("OFF")) throw InputError("is not an OFF file: it starts without \"OFF\"");
+  // 4OFF and nOFF have other coordinates, BINARY is not text: assimp may know them.
+  keyword.remove_suffix(3);
+  if (keyword.find_first_not_of("STCN") != std::string_view::npos) return std::nullopt;
+  if (text.rest_of_line().find("BINARY") != std::string_view::npos) return std::nullopt;
+
+  std::string_view first = text.word();
+  if (first.empty() || first[0] == '#') {
+    if (!next_content_line(text)) throw InputError("the file ends before the numbers of vertices");
+    first = text.word();
+  }
+  const std::optional<std::int64_t> vertices = parsed_integer(first);
+  if (!vertices) throw InputError(text.here() + "the number of vertices is needed here");
+  const std::int64_t faces = text.integer();
+  // Every vertex and face takes a line of at least two bytes: a wrong count ends here.
+  const auto lines = static_cast<std::int64_t>(content.size() / 2);
+  if (*vertices < 0 || faces < 0 || *vertices > lines || faces > lines) {
+    throw InputError(text.here() + "says " + std::to_string(*vertices) + " vertices and " +
+                     std::to_string(faces) + " faces, more than the file can hold");
+  }
+  TriangleMesh mesh;
+  mesh.vertices.reserve(static_cast<std::size_t>(*vertices));
+  for (std::int64_t v = 0; v < *vertices; ++v) {
+    if (!next_content_line(text)) {
+      throw InputError("the file ends after " + std::to_string(v) + " of " +
+                       std::to_string(*vertices) + " vertices; it was cut short");
+    }
+    mesh.vertices.push_back(read_point(text));
+  }
+  std::vector<PendingFace> pending;
+  for (std::int64_t f = 0; f < faces; ++f) {
+    if (!next_content_line(text)) {
+      throw InputError("the file ends after " + std::to_string(f) + " of " + std::to_string(faces) +
+                       " faces; it was cut short");
+    }
+    const std::int64_t count = text.integer();
+    if (count < 0 || count > static_cast<std::int64_t>(text.rest_of_line().size())) {
+      throw InputError(text.here() + "a face of " + std::to_string(count) + " corners");
+    }
+    if (count < 3) continue;  // points and lines of a mixed file
+    pending.push_back({text.line_number(), {}});
+    for (std::int64_t k = 0; k < count; ++k) pending.back().corners.push_back(text.integer());
+  }
+  append_pending(mesh, pending);
+  return mesh;
+}
+
+std::optional<TriangleMesh> read_tab(std::string_view content) {
+  TriangleMesh mesh;
+  std::vector<PendingFace> faces;
+  TextScanner text(content);
+  std::int64_t smallest = 1, largest = 0;
+  while (next_content_line(text)) {
+    const std::string_view keyword = text.word();
+    if (keyword == "v") {
+      mesh.vertices.push_back(read_point(text));
+    } else if (keyword == "f") {
+      const std::int64_t i = text.integer(), j = text.integer(), k = text.integer();
+      faces.push_back({text.line_number(), {i, j, k}});
+      smallest = std::min({smallest, i, j, k});
+      largest = std::max({largest, i, j, k});
+    } else {
+      throw InputError(text.here() + "is not a line \"v x y z\" or \"f i j k\"");
+    }
+  }
+  // Tables count from 0 or from 1; only the latter reach the number of vertices.
+  if (smallest > 0 && largest == static_cast<std::int64_t>(mesh.vertices.size())) {
+    for (PendingFace& face : faces) {
+      for (std::int64_t& corner : face.corners) --corner;
+    }
+  }
+  append_pending(mesh, faces);
+  return mesh;
+}
+
+}  // namespace clast::mesh_detail

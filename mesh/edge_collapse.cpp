@@ -1,0 +1,197 @@
+#include "mesh/edge_collapse.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "mesh/half_edges.hpp"
+#include "mesh/plane_fit.hpp"
+
+namespace clast {
+
+namespace {
+
+using Triangle = TriangleMesh::Triangle;
+using Indices = std::vector<std::uint32_t>;
+
+/// Cosine between a face's normals before and after a collapse below which it counts as folded.
+constexpr double kFold = 0.2;
+/// A meeting point farther from the edge's middle than this many edge lengths is not trusted.
+constexpr double kFarthest = 1.5;
+
+/// How far around triangles that can't be collapsed themselves their neighbours are tried.
+constexpr int kRings = 3;
+
+bool has_corner(const Triangle& t, std::uint32_t vertex) {
+  return t[0] == vertex || t[1] == vertex || t[2] == vertex;
+}
+
+class Collapser {
+ public:
+  explicit Collapser(TriangleMesh& mesh)
+      : mesh_(mesh), at_(mesh.vertices.size()), locked_(mesh.vertices.size(), false) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (const std::uint32_t v : mesh.triangles[t]) at_[v].push_back(t);
+    }
+  }
+
+  bool collapse_shortest(std::uint32_t triangle) {
+    const Triangle& t = mesh_.triangles[triangle];
+    std::array<std::size_t, 3> order = {0, 1, 2};
+    const auto length = [&](std::size_t k) {
+      return (mesh_.vertices[t[(k + 1) % 3]] - mesh_.vertices[t[k]]).squaredNorm();
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return length(a) < length(b); });
+    for (const std::size_t k : order) {
+      if (collapse(t[k], t[(k + 1) % 3])) return true;
+    }
+    return false;
+  }
+
+  void compact() {
+    std::vector<Triangle> kept;
+    for (const Triangle& t : mesh_.triangles) {
+      if (!collapsed(t)) kept.push_back(t);
+    }
+    std::vector<bool> used(mesh_.vertices.size(), false);
+    for (const Triangle& t : kept) {
+      for (const std::uint32_t v : t) used[v] = true;
+    }
+    Indices number(mesh_.vertices.size());
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < used.size(); ++v) {
+      if (!used[v]) continue;
+      number[v] = count;
+      const Vec3 point = mesh_.vertices[v];
+      mesh_.vertices[count++] = point;
+    }
+    mesh_.vertices.resize(count);
+    for (Triangle& t : kept) t = {number[t[0]], number[t[1]], number[t[2]]};
+    mesh_.triangles = std::move(kept);
+  }
+
+ private:
+  Indices neighbours(std::uint32_t vertex) const {
+    Indices ring;
+    for (const std::uint32_t t : at_[vertex]) {
+      for (const std::uint32_t v : mesh_.triangles[t]) {
+        if (v != vertex) ring.push_back(v);
+      }
+    }
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    return ring;
+  }
+
+  Vec3 meeting_point(std::uint32_t u, std::uint32_t v) const {
+    const Vec3 middle = 0.5 * (mesh_.vertices[u] + mesh_.vertices[v]);
+    PlaneFit fit;
+    for (const std::uint32_t vertex : {u, v}) {
+      for (const std::uint32_t t : at_[vertex]) {
+        const Triangle& corners = mesh_.triangles[t];
+        const Vec3 normal = unit_normal(mesh_, corners);
+        const std::size_t k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+        fit.add(normal, normal.dot(mesh_.vertices[vertex] - middle),
+                corner_angle(mesh_, corners, k));
+      }
+    }
+    const Vec3 step = fit.step();
+    const double longest = kFarthest * (mesh_.vertices[u] - mesh_.vertices[v]).norm();
+    return step.norm() < longest ? Vec3(middle + step) : middle;
+  }
+
+  /// Would a triangle that keeps area turn over when `from` moves to `place`?
+  bool folds(std::uint32_t from, std::uint32_t other, const Vec3& place) const {
+    for (const std::uint32_t t : at_[from]) {
+      const Triangle& corners = mesh_.triangles[t];
+      if (has_corner(corners, other)) continue;
+      std::array<Vec3, 3> points;
+      for (std::size_t k = 0; k < 3; ++k) {
+        points[k] = corners[k] == from ? place : mesh_.vertices[corners[k]];
+      }
+      const Vec3 after = (points[1] - points[0]).cross(points[2] - points[0]);
+      const Vec3 before = unit_normal(mesh_, corners);
+      if (before.isZero()) continue;
+      if (!(after.dot(before) > kFold * after.norm())) return true;
+    }
+    return false;
+  }
+
+  bool collapse(std::uint32_t u, std::uint32_t v) {
+    if (locked_[u] || locked_[v]) return false;
+    const Indices ring_u = neighbours(u), ring_v = neighbours(v);
+    Indices shared;
+    std::set_intersection(ring_u.begin(), ring_u.end(), ring_v.begin(), ring_v.end(),
+                          std::back_inserter(shared));
+    // Only then the surface stays a manifold; a vertex of three triangles would fold them flat.
+    if (shared.size() != 2 || locked_[shared[0]] || locked_[shared[1]]) return false;
+    if (at_[shared[0]].size() < 4 || at_[shared[1]].size() < 4) return false;
+    const Vec3 place = meeting_point(u, v);
+    if (folds(u, v, place) || folds(v, u, place)) return false;
+    for (const Indices* ring : {&ring_u, &ring_v}) {
+      for (const std::uint32_t vertex : *ring) locked_[vertex] = true;
+    }
+    mesh_.vertices[u] = place;
+    for (const std::uint32_t t : at_[v]) {
+      for (std::uint32_t& corner : mesh_.triangles[t]) {
+        if (corner == v) corner = u;
+      }
+    }
+    return true;
+  }
+
+  TriangleMesh& mesh_;
+  std::vector<Indices> at_;  ///< triangles at each vertex; stale only where locked
+  std::vector<bool> locked_;
+};
+
+/// The triangles and all that touch them.
+Indices widened(const TriangleMesh& mesh, const Indices& triangles) {
+  std::vector<bool> touched(mesh.vertices.size(), false);
+  for (const std::uint32_t t : triangles) {
+    for (const std::uint32_t v : mesh.triangles[t]) touched[v] = true;
+  }
+  Indices result;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (touched[a] || touched[b] || touched[c]) result.push_back(t);
+  }
+  return result;
+}
+
+}  // namespace
+
+Vec3 unit_normal(const TriangleMesh& mesh, const Triangle& t) {
+  const Vec3 area =
+      (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
+  const double norm = area.norm();
+  return norm > 0.0 ? Vec3(area / norm) : Vec3(Vec3::Zero());
+}
+
+double corner_angle(const TriangleMesh& mesh, const Triangle& t, std::size_t k) {
+  const Vec3 a = mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]];
+  const Vec3 b = mesh.vertices[t[(k + 2) % 3]] - mesh.vertices[t[k]];
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+std::size_t collapse_edges_of(TriangleMesh& mesh, std::span<const std::uint32_t> wanted) {
+  Indices tried(wanted.begin(), wanted.end());
+  for (int ring = 0; ring <= kRings; ++ring) {
+    Collapser collapser(mesh);
+    std::size_t count = 0;
+    for (const std::uint32_t triangle : tried) {
+      // Vertices of an earlier collapse are locked: a changed triangle is left for the next call.
+      if (!collapsed(mesh.triangles[triangle]) && collapser.collapse_shortest(triangle)) ++count;
+    }
+    if (count > 0) {
+      collapser.compact();
+      return count;
+    }
+    tried = widened(mesh, tried);
+  }
+  return 0;
+}
+
+}  // namespace clast

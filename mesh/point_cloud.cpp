@@ -1,0 +1,128 @@
+#include "mesh/point_cloud.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "core/input_file.hpp"
+#include "core/text_file.hpp"
+#include "mesh/detail/cloud_readers.hpp"
+#include "mesh/detail/mesh_readers.hpp"
+#include "mesh/mesh_io.hpp"
+
+namespace clast {
+
+namespace mesh_detail {
+
+namespace {
+constexpr std::size_t kBatch = 65536;
+}
+
+bool PointSink::usable(const Vec3& point) {
+  if (point.allFinite()) return true;
+  ++without_place_;
+  return false;
+}
+
+void PointSink::add(const Vec3& point) {
+  if (!usable(point)) return;
+  batch_.points.push_back(point);
+  if (batch_.points.size() >= kBatch) hand_over();
+}
+
+void PointSink::add(const Vec3& point, std::uint8_t asprs_class) {
+  if (!usable(point)) return;
+  batch_.points.push_back(point);
+  batch_.classes.push_back(asprs_class);
+  if (batch_.points.size() >= kBatch) hand_over();
+}
+
+void PointSink::hand_over() {
+  points_ += batch_.points.size();
+  if (!batch_.points.empty()) take_(batch_);
+  batch_.points.clear();
+  batch_.classes.clear();
+}
+
+CloudSummary PointSink::finish(CloudSummary summary) {
+  hand_over();
+  summary.points = points_;
+  summary.without_place = without_place_;
+  return summary;
+}
+
+}  // namespace mesh_detail
+
+namespace {
+
+bool is_text_cloud(const std::string& extension) {
+  return extension == ".xyz" || extension == ".txt" || extension == ".csv" || extension == ".pts" ||
+         extension == ".asc";
+}
+
+CloudSummary read_by_format(const std::filesystem::path& path, const std::string& extension,
+                            mesh_detail::PointSink& sink) {
+  if (extension == ".pcd") return mesh_detail::read_pcd(read_text_file(path), sink);
+  if (is_text_cloud(extension) || extension == ".las" || extension == ".laz") {
+    check_input_file(path);
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw InputError("can't be read; check its permissions");
+    return is_text_cloud(extension) ? mesh_detail::read_text_cloud(stream, sink)
+                                    : mesh_detail::read_las(stream, sink);
+  }
+  const std::optional<TriangleMesh> mesh =
+      extension == ".ply" ? mesh_detail::read_ply(read_text_file(path)) : read_mesh(path);
+  if (!mesh) throw InputError("its points can't be read");
+  for (const Vec3& vertex : mesh->vertices) sink.add(vertex);
+  return sink.finish({});
+}
+
+/// Why a file that could be read gives no point.
+std::string nothing_in(const CloudSummary& summary) {
+  if (summary.withheld > 0) {
+    return "holds no points that count: " + std::to_string(summary.withheld) +
+           " are flagged as withheld or classed as noise; classify them anew";
+  }
+  if (summary.without_place > 0) {
+    return "holds no points that count: " + std::to_string(summary.without_place) +
+           " have a coordinate that is not finite; export it again";
+  }
+  return "holds no points; export it again";
+}
+
+}  // namespace
+
+CloudSummary stream_cloud(const std::filesystem::path& path,
+                          const std::function<void(const PointBatch&)>& take) {
+  mesh_detail::PointSink sink(take);
+  CloudSummary summary;
+  try {
+    std::error_code code;
+    if (std::filesystem::is_regular_file(path, code) && std::filesystem::is_empty(path, code)) {
+      throw InputError("holds no points: the file is empty; copy or export it again");
+    }
+    summary = read_by_format(path, extension_of(path), sink);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    const std::string name = path.string() + ": ";
+    throw InputError(message.starts_with(name) ? message : name + message);
+  }
+  if (summary.points == 0) throw InputError(path.string() + ": " + nothing_in(summary));
+  return summary;
+}
+
+std::vector<Vec3> read_cloud(const std::filesystem::path& path) {
+  std::vector<Vec3> points;
+  stream_cloud(path, [&](const PointBatch& batch) {
+    points.insert(points.end(), batch.points.begin(), batch.points.end());
+  });
+  return points;
+}
+
+const std::vector<std::string>& cloud_extensions() {
+  static const std::vector<std::string> kExtensions = {".csv", ".las", ".laz", ".pcd",
+                                                       ".pts", ".txt", ".xyz"};
+  return kExtensions;
+}
+
+}  // namespace clast

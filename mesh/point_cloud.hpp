@@ -1,0 +1,49 @@
+#pragma once
+/// Points of lidar and photogrammetry from files.
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace clast {
+
+/// Some points of a cloud, in the units and axes of its file.
+struct PointBatch {
+  std::vector<Vec3> points;
+  std::vector<std::uint8_t> classes;  ///< ASPRS class of each point of a LAS file; else empty
+};
+
+/// ASPRS class of points on the ground (LAS 1.4 R15, table 17).
+inline constexpr std::uint8_t kGroundClass = 2;
+
+/// What a cloud file holds beside its points.
+struct CloudSummary {
+  std::size_t points = 0;         ///< handed over
+  std::size_t without_place = 0;  ///< left out: a coordinate is not finite
+  std::size_t withheld = 0;       ///< left out: flagged as withheld, or classed as noise (LAS)
+  std::string crs;                ///< "EPSG:25832", else WKT; empty when the file does not say
+};
+
+/// Reads a cloud and hands it over in batches, in the order of the file, so that it need not fit
+/// into memory: .xyz, .txt, .csv, .pts, .asc (text), .las (1.0 to 1.4), .pcd (ascii, binary,
+/// compressed), .ply and other meshes (their vertices).
+///
+/// Text: columns named x, y, z in a heading, else the first three; separated by semicolons, tabs,
+/// commas or blanks (the first of these that the first line of points holds), with a decimal comma
+/// where commas do not separate. Lines that start with # or // are skipped, and so is a first line
+/// with nothing but the number of points.
+/// @throws InputError  missing, corrupt, cut short, compressed (.laz) or without points; the
+///                     message names the file, and the line of a text
+CloudSummary stream_cloud(const std::filesystem::path& path,
+                          const std::function<void(const PointBatch&)>& take);
+
+/// All points of a file at once. @throws as `stream_cloud`
+std::vector<Vec3> read_cloud(const std::filesystem::path& path);
+
+/// Formats that hold points and never triangles, as lower-case extensions with the dot.
+const std::vector<std::string>& cloud_extensions();
+
+}  // namespace clast

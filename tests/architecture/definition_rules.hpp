@@ -1,0 +1,19 @@
+#pragma once
+/// The one definition rule, for types: two types of one name in one namespace, in one program, are
+/// undefined behaviour that no compiler of this project reports.
+#include "tests/architecture/source_tree.hpp"
+
+namespace clast::architecture {
+
+/// A class, struct or enum with its body, outside of unnamed namespaces and of other types.
+struct TypeDefinition {
+  std::string name;  ///< with its namespaces: "clast::terrain_detail::HeightGrid"
+  std::size_t line = 0;
+};
+
+std::vector<TypeDefinition> type_definitions(const SourceFile& file);
+
+/// Types that are defined in more than one file; the first file is where they may be.
+Findings repeated_type_findings(const std::vector<SourceFile>& files);
+
+}  // namespace clast::architecture
