@@ -13,6 +13,7 @@
 #include "classify/dimension_table.hpp"
 #include "classify/population_notes.hpp"
 #include "core/digest.hpp"
+#include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
 #include "library/block_library.hpp"

@@ -20,6 +20,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/fields.hpp"
+#include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
 #include "library/library_update.hpp"

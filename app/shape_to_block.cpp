@@ -21,14 +21,13 @@ constexpr double kStandardErrors = 2.0;
 /// Relative difference below which nothing is said however many points were sampled.
 constexpr double kRounding = 1e-5;
 
-std::string number(double value) { return with_digits(value, 5); }
-
 double radius_of(const ShpShape& shape, const ScanToBlockOptions& options) {
   const double radius = shape.body.radius * options.scan.unit;
   const std::optional<double>& asked = options.block.radius;
   if (asked && std::abs(*asked - radius) > kSameRadius * std::max(*asked, radius)) {
-    throw InputError("--radius " + number(*asked) + " m contradicts the radius of the shape, " +
-                     number(radius) + " m; leave --radius out");
+    throw InputError("--radius " + with_digits(*asked, 5) +
+                     " m contradicts the radius of the shape, " + with_digits(radius, 5) +
+                     " m; leave --radius out");
   }
   return radius;
 }
@@ -52,7 +51,7 @@ void warn_of_gap(Block& block, const std::string& what, double gap, double error
 }
 
 std::string numbers(const Vec3& v) {
-  return number(v.x()) + " " + number(v.y()) + " " + number(v.z());
+  return with_digits(v.x(), 5) + " " + with_digits(v.y(), 5) + " " + with_digits(v.z(), 5);
 }
 
 void compare_with_file(Block& block, const ShpShape& shape, double unit) {
@@ -60,7 +59,8 @@ void compare_with_file(Block& block, const ShpShape& shape, double unit) {
   if (shape.volume != 0.0) {
     const double file = shape.volume * unit * unit * unit;
     warn_of_gap(block,
-                "a volume of " + number(file) + " m3, its shape has " + number(block.mass.volume),
+                "a volume of " + with_digits(file, 5) + " m3, its shape has " +
+                    with_digits(block.mass.volume, 5),
                 std::abs(file / block.mass.volume - 1.0), volume_error);
   }
   if (shape.inertia_per_mass.isZero()) return;

@@ -9,8 +9,6 @@ namespace clast {
 std::string rounded(double value, int digits = 4);
 /// With so many digits after the point.
 std::string with_decimals(double value, int decimals);
-/// "1 block", "3 blocks".
-std::string counted(std::size_t count, const std::string& noun);
 
 /// Columns under headings, as wide as their longest entry. The first column is text, on the left;
 /// others are on the right when they hold numbers. What cells hold is made `printable`.

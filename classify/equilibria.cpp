@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <vector>
 
+#include "core/disjoint_sets.hpp"
 #include "shapes/convex_hull.hpp"
 
 namespace clast {
@@ -26,11 +26,6 @@ struct Polytope {
   std::vector<Ridge> ridges;
 };
 
-std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 Polytope polytope(const TriangleMesh& hull) {
   const auto count = static_cast<std::uint32_t>(hull.triangles.size());
   std::vector<Vec3> area(count);
@@ -43,25 +38,24 @@ Polytope polytope(const TriangleMesh& hull) {
     }
   }
   std::sort(sides.begin(), sides.end());
-  std::vector<std::uint32_t> parent(count);
-  std::iota(parent.begin(), parent.end(), 0u);
+  DisjointSets faces(count);
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
     const std::uint32_t t = sides[i][3], u = sides[i + 1][3];
     if (area[t].cross(area[u]).norm() <= kOneFace * area[t].norm() * area[u].norm()) {
-      parent[root(parent, t)] = root(parent, u);
+      faces.join(t, u);
     }
   }
   Polytope result;
   result.vertices = hull.vertices;
   result.normals.assign(count, Vec3::Zero());
   for (std::uint32_t t = 0; t < count; ++t) {
-    result.normals[root(parent, t)] += area[t];
+    result.normals[faces.find(t)] += area[t];
   }
   for (Vec3& normal : result.normals) {
     if (normal.squaredNorm() > 0.0) normal.normalize();
   }
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-    const std::uint32_t f = root(parent, sides[i][3]), g = root(parent, sides[i + 1][3]);
+    const std::uint32_t f = faces.find(sides[i][3]), g = faces.find(sides[i + 1][3]);
     if (f != g) result.ridges.push_back({sides[i][0], sides[i][1], f, g});
   }
   return result;

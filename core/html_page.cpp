@@ -173,7 +173,7 @@ HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
   constexpr std::size_t kLongText = 24;  // broken anywhere from here on, if there is no room
   rows_ += "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const bool is_text = i < text_columns_, is_long = cells[i].size() > kLongText;
+    const bool is_text = i<text_columns_, is_long = cells[i].size()> kLongText;
     add_cell(is_text, is_long, escaped(cells[i]));
   }
   rows_ += "</tr>\n";

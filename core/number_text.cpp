@@ -22,6 +22,14 @@ std::string with_digits(double value, int digits) {
   return {text.data(), end.ptr};
 }
 
+std::string counted(std::size_t count, const std::string& noun) {
+  return counted(count, noun, noun + "s");
+}
+
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
+  return std::to_string(count) + " " + (count == 1 ? singular : plural);
+}
+
 std::string place(const Vec3& point) {
   const auto text = [](double value) { return with_digits(value, 9); };
   return "(" + text(point.x()) + ", " + text(point.y()) + ", " + text(point.z()) + ")";

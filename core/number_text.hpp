@@ -15,7 +15,12 @@ std::optional<double> number_in(std::string_view text);
 /// `value` with so many significant digits and no zeros at the end, as for messages: "0.0254".
 std::string with_digits(double value, int digits);
 
-/// "(x, y, z)", nine significant digits each: to the centimetre on a map, which is enough to find
+/// "1 point", "2 points".
+std::string counted(std::size_t count, const std::string& noun);
+/// The same of a noun whose plural is not its singular with an "s".
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural);
+
+/// "(x, y, z), nine significant digits each: to the centimetre on a map, which is enough to find
 /// the place in a viewer.
 std::string place(const Vec3& point);
 

@@ -47,8 +47,6 @@ double largest_mobility(const RigidBody& body) {
   return largest;
 }
 
-std::string number(double value) { return with_digits(value, 3); }
-
 }  // namespace
 
 ContactBody contact_body(const RigidBody& body) {
@@ -115,9 +113,9 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   const double most = std::min(kUnstable / frequency, travel);
   if (chosen.time_step > most) {
     throw SimulationError(
-        "time step " + number(chosen.time_step) + " s is too long: beyond " + number(most) +
-        " s contacts make energy or blocks pass through the ground; " + number(resolved) +
-        " s resolves every contact: give that, or leave it out");
+        "time step " + with_digits(chosen.time_step, 3) + " s is too long: beyond " +
+        with_digits(most, 3) + " s contacts make energy or blocks pass through the ground; " +
+        with_digits(resolved, 3) + " s resolves every contact: give that, or leave it out");
   }
 
   double worst_rest_share = 0.0;
@@ -134,21 +132,23 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   }
   if (chosen.normal < 0.999 * normal) {
     choice.warnings.push_back(
-        "k_n = " + number(chosen.normal) + " N/m is softer than the " + number(normal) +
-        " N/m that \"auto\" would take: rest is " + number(choice.settled_depth) + " m deep (" +
-        number(100.0 * worst_rest_share) + " % of S) and the fastest impact goes " +
-        number(choice.impact_depth) + " m deep");
+        "k_n = " + with_digits(chosen.normal, 3) + " N/m is softer than the " +
+        with_digits(normal, 3) + " N/m that \"auto\" would take: rest is " +
+        with_digits(choice.settled_depth, 3) + " m deep (" +
+        with_digits(100.0 * worst_rest_share, 3) + " % of S) and the fastest impact goes " +
+        with_digits(choice.impact_depth, 3) + " m deep");
   }
   if (!options.normal && rest_share < kDearRestShare) {
     choice.warnings.push_back(
-        "energy_restitution = " + number(rest_share) +
+        "energy_restitution = " + with_digits(rest_share, 3) +
         " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +
-        number(chosen.normal) + " N/m and steps of " + number(chosen.time_step) +
-        " s: " + number(std::sqrt(kUsualRestShare / rest_share)) + " times the work of 0.01");
+        with_digits(chosen.normal, 3) + " N/m and steps of " + with_digits(chosen.time_step, 3) +
+        " s: " + with_digits(std::sqrt(kUsualRestShare / rest_share), 3) +
+        " times the work of 0.01");
   }
   if (chosen.time_step * frequency > 0.5) {
-    choice.warnings.push_back("time step " + number(chosen.time_step) +
-                              " s is long for this stiffness; " + number(resolved) +
+    choice.warnings.push_back("time step " + with_digits(chosen.time_step, 3) +
+                              " s is long for this stiffness; " + with_digits(resolved, 3) +
                               " s resolves every contact");
   }
   return choice;

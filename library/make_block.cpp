@@ -35,15 +35,13 @@ constexpr double kShallower[] = {0.7, 0.5, 0.35};
 /// swells it by more.
 constexpr double kLargestVolumeGap = 0.03;
 
-std::string number(double value) { return with_digits(value, 4); }
-
 bool near_enough(const Block& block, const BlockOptions& options) {
   return block.deviation.hausdorff <= options.tolerance * block.box.lengths[0];
 }
 
 void check_positive(double value, const char* name, const char* unit) {
   if (!(value > 0.0) || !std::isfinite(value)) {
-    throw InputError(std::string(name) + " is " + number(value) + " " + unit +
+    throw InputError(std::string(name) + " is " + with_digits(value, 4) + " " + unit +
                      "; it must be a positive number");
   }
 }
@@ -106,7 +104,7 @@ SpheroPolyhedron first_core(const TriangleMesh& surface, double radius, bool adv
   }
   if (advise) rounded_core(surface, radius);  // throws, and says which radius works
   throw GeometryError(
-      "a Minkowski radius of " + number(radius) +
+      "a Minkowski radius of " + with_digits(radius, 4) +
       " m is too large for this block: its core would vanish or turn inside out; give a "
       "smaller one");
 }
@@ -126,9 +124,10 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
   if (std::abs(gap) > kLargestVolumeGap) {
     // Says what is wrong in nearly all cases; else the surface is not the scan's.
     if (options.advise) rounded_core(surface, radius);
-    throw GeometryError("rounded with a radius of " + number(radius) + " m, " +
+    throw GeometryError("rounded with a radius of " + with_digits(radius, 4) + " m, " +
                         std::to_string(surface.vertices.size()) + " vertices have a volume " +
-                        number(100.0 * std::abs(gap)) + " % " + (gap > 0.0 ? "above" : "below") +
+                        with_digits(100.0 * std::abs(gap), 4) + " % " +
+                        (gap > 0.0 ? "above" : "below") +
                         " the scan's, and 3 % is the most that scaling mends; give a smaller "
                         "radius or more --vertices");
   }
@@ -138,9 +137,9 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
 void warn_of_thin_walls(Block& block) {
   const std::optional<ThinPlace> wall = thinnest_wall(block.surface);
   if (!wall || block.body.radius <= 0.5 * wall->thickness) return;
-  block.warnings.push_back("the radius " + number(block.body.radius) +
-                           " m is more than half the thinnest wall, " + number(wall->thickness) +
-                           " m near " + place(wall->place) +
+  block.warnings.push_back("the radius " + with_digits(block.body.radius, 4) +
+                           " m is more than half the thinnest wall, " +
+                           with_digits(wall->thickness, 4) + " m near " + place(wall->place) +
                            ": the block is thicker there than the rock");
 }
 
@@ -149,9 +148,10 @@ void warn_of_density(Block& block) {
   if (block.density >= kLightestRock && block.density <= kHeaviestRock) return;
   std::string advice = "; check mass and scale";
   if (block.density >= 1e-3 * kLightestRock && block.density <= 1e-3 * kHeaviestRock) {
-    advice = "; if that is in g/cm3 or t/m3, give --density " + number(1000.0 * block.density);
+    advice =
+        "; if that is in g/cm3 or t/m3, give --density " + with_digits(1000.0 * block.density, 4);
   }
-  block.warnings.push_back("the density " + number(block.density) +
+  block.warnings.push_back("the density " + with_digits(block.density, 4) +
                            " kg/m3 is not that of a rock, 500 to 8000 kg/m3" + advice);
 }
 
@@ -165,33 +165,36 @@ void add_warnings(Block& block, const BlockOptions& options) {
   }
   if (block.mass.relative_error > options.accuracy) {
     block.warnings.push_back("volume and inertia are known to " +
-                             number(block.mass.relative_error) + " and not to the " +
-                             number(options.accuracy) +
+                             with_digits(block.mass.relative_error, 4) + " and not to the " +
+                             with_digits(options.accuracy, 4) +
                              " asked for; thin the scan, or ask for less with --accuracy");
   }
   if (block.body.radius > kLargestRadiusShare * S) {
-    block.warnings.push_back("the radius " + number(block.body.radius) +
-                             " m is more than a quarter of S (" + number(S) +
+    block.warnings.push_back("the radius " + with_digits(block.body.radius, 4) +
+                             " m is more than a quarter of S (" + with_digits(S, 4) +
                              " m): corners and edges are mostly rounding");
   }
   if (!block.from_core) warn_of_thin_walls(block);
   warn_of_density(block);
   if (block.deviation.moments_relative > kMomentsTolerance) {
     block.warnings.push_back(
-        "a principal moment differs by " + number(100.0 * block.deviation.moments_relative) +
+        "a principal moment differs by " +
+        with_digits(100.0 * block.deviation.moments_relative, 4) +
         " % from the scan's; give more --vertices or a smaller --radius-share");
   }
   if (!near_enough(block, options)) {
-    block.warnings.push_back("the block lies up to " + number(block.deviation.hausdorff) +
-                             " m off the scan, " + number(100.0 * block.deviation.hausdorff / L) +
+    block.warnings.push_back("the block lies up to " + with_digits(block.deviation.hausdorff, 4) +
+                             " m off the scan, " +
+                             with_digits(100.0 * block.deviation.hausdorff / L, 4) +
                              " % of L; give more --vertices or a smaller --radius-share");
   }
   if (options.mass && options.density_given) {
     const double gap = block.mass.mass / *options.mass - 1.0;
     if (std::abs(gap) > kLargestMassGap) {
-      block.warnings.push_back("volume times density gives " + number(block.mass.mass) + " kg, " +
-                               number(std::abs(100.0 * gap)) + " % " + (gap > 0 ? "more" : "less") +
-                               " than the " + number(*options.mass) +
+      block.warnings.push_back("volume times density gives " + with_digits(block.mass.mass, 4) +
+                               " kg, " + with_digits(std::abs(100.0 * gap), 4) + " % " +
+                               (gap > 0 ? "more" : "less") + " than the " +
+                               with_digits(*options.mass, 4) +
                                " kg weighed; check scale, density and closed bottom");
     }
   }
@@ -199,13 +202,14 @@ void add_warnings(Block& block, const BlockOptions& options) {
 
 std::string described(const BlockOptions& options, const Block& block) {
   std::string text = options.core ? "core=yes" : "core=no";
-  text += (is_unscaled(block) ? " radius_units=" : " radius_m=") + number(block.body.radius);
-  if (!options.radius) text += " radius_share=" + number(options.radius_share);
-  text += " density_kg_m3=" + number(block.density);
-  if (options.mass) text += " mass_kg=" + number(*options.mass);
-  if (!options.core) text += " tolerance=" + number(options.tolerance);
+  text +=
+      (is_unscaled(block) ? " radius_units=" : " radius_m=") + with_digits(block.body.radius, 4);
+  if (!options.radius) text += " radius_share=" + with_digits(options.radius_share, 4);
+  text += " density_kg_m3=" + with_digits(block.density, 4);
+  if (options.mass) text += " mass_kg=" + with_digits(*options.mass, 4);
+  if (!options.core) text += " tolerance=" + with_digits(options.tolerance, 4);
   if (options.convex) text += " convex=yes";
-  return text + " accuracy=" + number(options.accuracy);
+  return text + " accuracy=" + with_digits(options.accuracy, 4);
 }
 
 /// Everything that follows from a body and its unit mass properties.
@@ -282,19 +286,21 @@ void BlockOptions::check() const {
     throw InputError("a core needs its Minkowski radius: give --radius in metres beside --core");
   }
   if (radius && (!(*radius >= 0.0) || !std::isfinite(*radius))) {
-    throw InputError("radius is " + number(*radius) + " m; it must be zero or a positive number");
+    throw InputError("radius is " + with_digits(*radius, 4) +
+                     " m; it must be zero or a positive number");
   }
   if (!(radius_share >= 0.0) || radius_share > kLargestRadiusShare) {
-    throw InputError("radius share is " + number(radius_share) +
+    throw InputError("radius share is " + with_digits(radius_share, 4) +
                      " of S; it must be between 0 and 0.25");
   }
   check_positive(density, "density", "kg/m3");
   if (mass) check_positive(*mass, "mass", "kg");
   if (!(accuracy >= 1e-6 && accuracy <= 1e-2)) {
-    throw InputError("accuracy is " + number(accuracy) + "; it must be between 1e-6 and 1e-2");
+    throw InputError("accuracy is " + with_digits(accuracy, 4) +
+                     "; it must be between 1e-6 and 1e-2");
   }
   if (!(tolerance > 0.0 && tolerance <= 1.0)) {
-    throw InputError("tolerance is " + number(tolerance) +
+    throw InputError("tolerance is " + with_digits(tolerance, 4) +
                      " of L; it must be more than 0 and at most 1");
   }
 }

@@ -20,8 +20,4 @@ MassProperties solid_mass_properties(const TriangleMesh& mesh, double density) {
   return result;
 }
 
-double signed_volume(const TriangleMesh& mesh) {
-  return polyhedron_moments(mesh, vertex_mean(mesh)).volume;
-}
-
 }  // namespace clast

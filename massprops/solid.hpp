@@ -14,7 +14,4 @@ namespace clast {
 /// @cite mirtich1996
 MassProperties solid_mass_properties(const TriangleMesh& mesh, double density);
 
-/// Signed volume of the triangles about their own centre, m^3; no check of any kind.
-double signed_volume(const TriangleMesh& mesh);
-
 }  // namespace clast

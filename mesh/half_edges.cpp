@@ -1,8 +1,9 @@
 #include "mesh/half_edges.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
+
+#include "core/disjoint_sets.hpp"
 
 namespace clast {
 
@@ -21,24 +22,6 @@ std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh) {
     return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
   });
   return sides;
-}
-
-DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
-  std::iota(parent_.begin(), parent_.end(), 0u);
-}
-
-std::uint32_t DisjointSets::find(std::uint32_t item) {
-  while (parent_[item] != item) {
-    parent_[item] = parent_[parent_[item]];
-    item = parent_[item];
-  }
-  return item;
-}
-
-void DisjointSets::join(std::uint32_t a, std::uint32_t b) {
-  a = find(a);
-  b = find(b);
-  parent_[std::max(a, b)] = std::min(a, b);
 }
 
 std::vector<std::uint32_t> corner_fans(const TriangleMesh& mesh, std::span<const HalfEdge> sorted) {

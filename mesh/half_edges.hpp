@@ -38,17 +38,6 @@ void for_each_edge(std::span<const HalfEdge> sorted, Use&& use) {
   }
 }
 
-/// Sets of numbers 0..n-1 that are joined pair by pair; the smallest of a set stands for it.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count);
-  std::uint32_t find(std::uint32_t item);
-  void join(std::uint32_t a, std::uint32_t b);
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// The triangles at each vertex, grouped into fans connected over shared edges. Corner 3 t + k is
 /// vertex k of triangle t; the value is the smallest corner of its fan.
 std::vector<std::uint32_t> corner_fans(const TriangleMesh& mesh, std::span<const HalfEdge> sorted);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/disjoint_sets.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "mesh/half_edges.hpp"
 
 namespace clast {
@@ -30,10 +32,6 @@ bool has_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
   const double longest =
       std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return (b - a).cross(c - a).norm() > kFlatTriangle * longest;
-}
-
-std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
-  return std::to_string(count) + " " + (count == 1 ? singular : plural);
 }
 
 /// Boundary half-edges turned round, sorted by where they start.

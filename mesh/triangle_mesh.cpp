@@ -14,6 +14,12 @@ Bounds bounds(const TriangleMesh& mesh) {
   return box;
 }
 
+double triangle_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
+  return 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]])
+                   .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
+                   .norm();
+}
+
 double surface_area(const TriangleMesh& mesh) {
   double doubled = 0.0;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
@@ -22,6 +28,17 @@ double surface_area(const TriangleMesh& mesh) {
     doubled += ab.cross(ac).norm();
   }
   return 0.5 * doubled;
+}
+
+double signed_volume(const TriangleMesh& mesh) {
+  const Bounds box = bounds(mesh);
+  const Vec3 origin = 0.5 * (box.low + box.high);
+  double sixfold = 0.0;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    sixfold += (mesh.vertices[t[0]] - origin)
+                   .dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
+  }
+  return sixfold / 6.0;
 }
 
 TriangleMesh transformed(TriangleMesh mesh, const Pose& to_from) {

@@ -30,7 +30,11 @@ struct Bounds {
 };
 
 Bounds bounds(const TriangleMesh& mesh);
-double surface_area(const TriangleMesh& mesh);  ///< m^2
+double triangle_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);  ///< m^2
+double surface_area(const TriangleMesh& mesh);                                           ///< m^2
+/// Volume of the space that the triangles enclose, summed about the middle of their bounds: below
+/// zero where they face inwards, without meaning where they are not closed. m^3
+double signed_volume(const TriangleMesh& mesh);
 TriangleMesh transformed(TriangleMesh mesh, const Pose& to_from);
 TriangleMesh scaled(TriangleMesh mesh, double factor);  ///< about the origin; factor > 0
 /// Vertices of `other` appended to those of `mesh`, triangles renumbered.

@@ -166,8 +166,7 @@ Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) 
 double unseen_share(const Body& body) {
   double area = 0.0;
   for (std::size_t t = 0; t < body.seen.seen.size(); ++t) {
-    if (!body.seen.seen[t])
-      area += reconstruct_detail::triangle_area(body.surface, body.surface.triangles[t]);
+    if (!body.seen.seen[t]) area += triangle_area(body.surface, body.surface.triangles[t]);
   }
   return area / surface_area(body.surface);
 }
@@ -216,12 +215,12 @@ void add_volumes(SurfaceMargin& margin, const Body& body) {
   Random random(kSeed);
   std::array<std::vector<Vec3>, 2> halves;
   for (const Vec3& p : body.points) halves[random.below(2)].push_back(p);
-  const double whole = reconstruct_detail::signed_volume(body.surface);
+  const double whole = signed_volume(body.surface);
   std::array<double, 2> less{};
   for (std::size_t k = 0; k < 2; ++k) {
     const TriangleMesh surface = reconstruct_detail::surface_between(
         halves[k], *body.indicator, reconstruct_detail::local_spacings(halves[k]));
-    less[k] = whole - reconstruct_detail::signed_volume(surface);
+    less[k] = whole - signed_volume(surface);
   }
   const double mean = 0.5 * (less[0] + less[1]), apart = 0.5 * std::abs(less[0] - less[1]);
   const double rough = kNoiseShare * body.noise * surface_area(body.surface);

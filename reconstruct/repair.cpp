@@ -40,10 +40,6 @@ const char* const kAdvice =
     "; close and clean the scan first, for example in MeshLab (Filters > Remeshing > Close Holes, "
     "or Screened Poisson) or CloudCompare (PoissonRecon)";
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /// Near the middle of a mesh that lies far from the origin, and such that taking it from the
 /// coordinates and adding it again loses no bit of them; zero for other meshes.
 Vec3 local_origin(const Bounds& box) {
@@ -208,7 +204,7 @@ class Route {
   }
 
   void check_volume() const {
-    const double volume = reconstruct_detail::signed_volume(mesh_);
+    const double volume = signed_volume(mesh_);
     if (!(std::abs(volume) > kNoVolume * std::pow(bounds(mesh_).diagonal(), 3))) {
       fail("the surface encloses no volume; is it a folded sheet?");
     }
@@ -263,9 +259,8 @@ class Route {
            ", and can't be freed of that without changing its volume by more than " +
            with_digits(100.0 * reconstruct_detail::kCrossingVolume, 2) + " %" + kAdvice);
     }
-    report_.crossing_volume_change = std::abs(reconstruct_detail::signed_volume(freed->mesh)) /
-                                         std::abs(reconstruct_detail::signed_volume(mesh_)) -
-                                     1.0;
+    report_.crossing_volume_change =
+        std::abs(signed_volume(freed->mesh)) / std::abs(signed_volume(mesh_)) - 1.0;
     report_.wrap_bias = freed->wrap_bias;
     note(DefectKind::kCrossing, crossings.size(), 0.0, where);
     mesh_ = std::move(freed->mesh);
@@ -344,12 +339,12 @@ class Route {
   /// Counts the shells; where they are to be kept, adds them facing the other way than the block.
   void take_shells(const std::vector<const TriangleMesh*>& shells) {
     if (shells.empty()) return;
-    const bool block_outward = reconstruct_detail::signed_volume(mesh_) > 0.0;
+    const bool block_outward = signed_volume(mesh_) > 0.0;
     report_.inner_shells = shells.size();
     report_.inner_shells_kept = options_.keep_inner_shells;
     double area = 0.0;
     for (const TriangleMesh* shell : shells) {
-      const double volume = reconstruct_detail::signed_volume(*shell);
+      const double volume = signed_volume(*shell);
       report_.inner_shell_volume += std::abs(volume);
       area += surface_area(*shell);
       if (!options_.keep_inner_shells) continue;
@@ -362,7 +357,7 @@ class Route {
   }
 
   void turn_outward() {
-    if (reconstruct_detail::signed_volume(mesh_) > 0.0) return;
+    if (signed_volume(mesh_) > 0.0) return;
     reconstruct_detail::turn_over(mesh_);
     std::swap(report_.volume_below, report_.volume_above);
     for (FilledHole& hole : report_.holes) std::swap(hole.volume_below, hole.volume_above);

@@ -13,10 +13,6 @@ namespace {
 constexpr double kWorthTelling = 1e-3;
 constexpr std::size_t kFanEdges = 4;  ///< a hole with more is closed by more than a fan
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 std::string percent(double share) { return with_digits(100.0 * share, 3) + " %"; }
 
 std::string change(double relative) {

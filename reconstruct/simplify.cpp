@@ -60,14 +60,14 @@ TriangleMesh collapsed_to(const mesh_detail::CgalMesh& start, std::size_t edges)
 /// Draws crossing triangles together until none is left; none when that doesn't end or would cost
 /// more than a sliver of the block.
 std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
-  const double volume = reconstruct_detail::signed_volume(mesh);
+  const double volume = signed_volume(mesh);
   for (int round = 0; round < kUntanglings; ++round) {
     std::vector<std::uint32_t> crossing;
     for (const auto& pair : crossing_triangles(mesh)) {
       crossing.insert(crossing.end(), pair.begin(), pair.end());
     }
     if (crossing.empty()) {
-      const double change = std::abs(reconstruct_detail::signed_volume(mesh) - volume);
+      const double change = std::abs(signed_volume(mesh) - volume);
       return change <= kVolumeKept * volume ? std::optional(std::move(mesh)) : std::nullopt;
     }
     if (collapse_edges_of(mesh, crossing) == 0) break;
@@ -88,8 +88,8 @@ std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origi
           kMostRefill * static_cast<double>(mesh.vertices.size())) {
     return std::nullopt;
   }
-  const double volume = reconstruct_detail::signed_volume(start);
-  if (std::abs(reconstruct_detail::signed_volume(freed->mesh) - volume) > kRefillVolume * volume) {
+  const double volume = signed_volume(start);
+  if (std::abs(signed_volume(freed->mesh) - volume) > kRefillVolume * volume) {
     return std::nullopt;
   }
   return std::move(freed->mesh);

@@ -51,8 +51,6 @@ constexpr double kFootShare = 0.5;
 constexpr double kFacesDown = 0.5;  // cos 60 degrees
 constexpr int kWithdrawals = 6;     ///< halvings of a cap that meets the walls
 
-std::string number(double value) { return with_digits(value, 3); }
-
 struct Rim {
   std::vector<std::uint32_t> loop;
   Vec3 area = Vec3::Zero();  ///< vector, along the outward normal of the filling
@@ -144,7 +142,7 @@ class Closing {
         "the largest piece is the ground, or one side of a block: a sheet whose "
         "border of " +
         std::to_string(rim.loop.size()) + " edges near " +
-        place(result_.lower.vertices[rim.loop[0]]) + " spans " + number(100.0 * share) +
+        place(result_.lower.vertices[rim.loop[0]]) + " spans " + with_digits(100.0 * share, 3) +
         " % of what a closed surface would have; scan the block from all sides");
   }
 
@@ -177,7 +175,7 @@ class Closing {
     film_volume_ = sections.volume_above(sections.lowest());
     if (!(film_volume_ > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
-                          number(film_volume_) +
+                          with_digits(film_volume_, 3) +
                           " m3); turn its faces outward, and check that it is one side of a block");
     }
     const std::vector<double> heights = rim_heights(rims[0]);
@@ -260,9 +258,9 @@ class Closing {
     const double depth = sunk + buried * std::max(0.0, ground - bottom - sunk);
     const double hull = film_volume_ + below.volume + below.foot_area * depth;
     if (hull >= *result_.upper_volume) return;
-    result_.notes.push_back("photos show " + number(100.0 * (1.0 - share)) +
+    result_.notes.push_back("photos show " + with_digits(100.0 * (1.0 - share), 3) +
                             " % of its plan to be clear of the ground: that takes " +
-                            number(100.0 * (1.0 - hull / *result_.upper_volume)) +
+                            with_digits(100.0 * (1.0 - hull / *result_.upper_volume), 3) +
                             " % off the largest volume");
     result_.upper_volume = hull;
   }
@@ -343,7 +341,7 @@ class Closing {
       }
     }
     if (share < 1.0) {
-      result_.notes.push_back("the filling was drawn back to " + number(100.0 * share) +
+      result_.notes.push_back("the filling was drawn back to " + with_digits(100.0 * share, 3) +
                               " % of its depth, where it does not meet the walls");
     }
     const reconstruct_detail::Sections sections(result_.best, -result_.down);
@@ -363,16 +361,17 @@ class Closing {
 
 void UndersideOptions::check() const {
   if (ground && !(std::abs(ground->normal.norm() - 1.0) < 1e-6)) {
-    throw InputError("ground normal has length " + number(ground->normal.norm()) +
+    throw InputError("ground normal has length " + with_digits(ground->normal.norm(), 3) +
                      "; it must be 1");
   }
   if (!(deepest > 0.0 && deepest <= 10.0)) {
-    throw InputError("deepest = " + number(deepest) +
+    throw InputError("deepest = " + with_digits(deepest, 3) +
                      ": the share of the seen height that may be buried must be above 0, up to 10");
   }
   if (!(smallest_share > 0.0 && smallest_share < largest_share && largest_share < 1.0)) {
-    throw InputError("smallest_share = " + number(smallest_share) + " and largest_share = " +
-                     number(largest_share) + ": shares between 0 and 1 in that order are needed");
+    throw InputError("smallest_share = " + with_digits(smallest_share, 3) +
+                     " and largest_share = " + with_digits(largest_share, 3) +
+                     ": shares between 0 and 1 in that order are needed");
   }
 }
 

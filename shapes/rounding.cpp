@@ -21,16 +21,6 @@ constexpr double kVolumeKept = 0.97;
 /// Halvings and bisections in search of the largest radius that works, for the message.
 constexpr int kHalvings = 12, kBisections = 6;
 
-double signed_volume(const TriangleMesh& mesh) {
-  const Vec3& origin = mesh.vertices[0];
-  double sixfold = 0.0;
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    sixfold += (mesh.vertices[t[0]] - origin)
-                   .dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
-  }
-  return sixfold / 6.0;
-}
-
 /// Every vertex moved so that the planes around it come in by `depth`. Weights by corner angle
 /// don't depend on how a flat face is cut into triangles.
 TriangleMesh inset(const TriangleMesh& mesh, double depth) {

@@ -141,8 +141,6 @@ std::map<std::pair<GroupKind, std::string>, std::vector<std::size_t>> families(
   return kinds;
 }
 
-std::string number(double value) { return with_digits(value, 3); }
-
 }  // namespace
 
 std::vector<Difference> differences(const Comparison& comparison) {
@@ -177,23 +175,24 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
   const std::string& a = comparison.groups[difference.first].name;
   const std::string& b = comparison.groups[difference.second].name;
   const double gap = difference.first_mean - difference.second_mean;
-  std::string words = difference.quantity + " of " + a + " is " + number(difference.first_mean) +
-                      " on average (" + std::to_string(difference.first_runs) + " runs), of " + b +
-                      " " + number(difference.second_mean) + " (" +
-                      std::to_string(difference.second_runs) + "): a difference of " + number(gap);
+  std::string words =
+      difference.quantity + " of " + a + " is " + with_digits(difference.first_mean, 3) +
+      " on average (" + std::to_string(difference.first_runs) + " runs), of " + b + " " +
+      with_digits(difference.second_mean, 3) + " (" + std::to_string(difference.second_runs) +
+      "): a difference of " + with_digits(gap, 3);
   if (difference.interval) {
-    words += " (95 % interval " + number(difference.interval->low) + " to " +
-             number(difference.interval->high) + ", " +
+    words += " (95 % interval " + with_digits(difference.interval->low, 3) + " to " +
+             with_digits(difference.interval->high, 3) + ", " +
              (!difference.by_runs ? "from " + std::to_string(difference.points) + " release points"
               : difference.points > 1 ? "from the runs of one release point each"
                                       : "from the runs of one release point") +
              ")";
   }
   words += ". The effect is " + std::string(words_for_delta(difference.cliffs_delta)) +
-           " (Cliff's delta " + number(difference.cliffs_delta) + "). ";
-  const std::string evidence = "Kolmogorov-Smirnov D " + number(difference.ks_distance) + ", p " +
-                               with_digits(difference.p_holm, 2) + " after Holm's correction for " +
-                               std::to_string(difference.tests) +
+           " (Cliff's delta " + with_digits(difference.cliffs_delta, 3) + "). ";
+  const std::string evidence = "Kolmogorov-Smirnov D " + with_digits(difference.ks_distance, 3) +
+                               ", p " + with_digits(difference.p_holm, 2) +
+                               " after Holm's correction for " + std::to_string(difference.tests) +
                                (difference.tests == 1 ? " test" : " tests") + ").";
   return words + (difference.found() ? "The distributions differ (" : "No difference is shown (") +
          evidence;

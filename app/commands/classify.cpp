@@ -12,6 +12,7 @@
 #include "app/population_reading.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/output_folder.hpp"
 #include "core/printable.hpp"
 #include "library/block_ranges.hpp"

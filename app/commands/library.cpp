@@ -7,6 +7,7 @@
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
 #include "library/block_ranges.hpp"

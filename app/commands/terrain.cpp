@@ -10,6 +10,7 @@
 #include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "core/file_kind.hpp"
+#include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/printable.hpp"
 #include "core/text_file.hpp"

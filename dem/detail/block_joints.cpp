@@ -4,40 +4,23 @@
 #include <array>
 #include <numeric>
 
+#include "core/disjoint_sets.hpp"
+
 namespace clast {
 namespace {
 
-/// Sets of numbers that are joined pairwise; each is named by its smallest member.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t name(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t a = name(i), b = name(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 std::vector<std::uint32_t> planes(const SurfaceFeatures& block) {
-  Joined joined(block.faces.size());
+  DisjointSets joined(block.faces.size());
   for (const SurfaceEdge& edge : block.edges) {
     if (edge.kind == EdgeKind::kFlat) joined.join(edge.faces[0], edge.faces[1]);
   }
   std::vector<std::uint32_t> names;
-  for (std::uint32_t f = 0; f < block.faces.size(); ++f) names.push_back(joined.name(f));
+  for (std::uint32_t f = 0; f < block.faces.size(); ++f) names.push_back(joined.find(f));
   return names;
 }
 
 std::vector<std::uint32_t> lines(const SurfaceFeatures& block) {
-  Joined joined(block.edges.size());
+  DisjointSets joined(block.edges.size());
   for (std::uint32_t v = 0; v < block.vertices.size(); ++v) {
     std::vector<std::uint32_t> sharp;
     for (const std::uint32_t e : block.edges_at(v)) {
@@ -49,7 +32,7 @@ std::vector<std::uint32_t> lines(const SurfaceFeatures& block) {
   }
   std::vector<std::uint32_t> names;
   for (std::uint32_t e = 0; e < block.edges.size(); ++e) {
-    names.push_back(static_cast<std::uint32_t>(block.faces.size()) + joined.name(e));
+    names.push_back(static_cast<std::uint32_t>(block.faces.size()) + joined.find(e));
   }
   return names;
 }

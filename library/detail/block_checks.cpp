@@ -15,12 +15,11 @@ namespace {
 /// Relative; far above the rounding of these numbers and far below any measurement error.
 constexpr double kRounding = 1e-6;
 
-std::string number(double value) { return with_digits(value, 9); }
-
 void require_equal(double stored, double expected, double tolerance, const std::string& what,
                    const std::string& where) {
   require(std::abs(stored - expected) <= tolerance * std::abs(expected), where,
-          what + " is " + number(stored) + ", but " + number(expected) + " follows from the rest");
+          what + " is " + with_digits(stored, 9) + ", but " + with_digits(expected, 9) +
+              " follows from the rest");
 }
 
 void check_moments(const Block& block, const std::string& where) {
@@ -53,10 +52,10 @@ void check_box(const Block& block, const std::string& where) {
   const Vec3 sides = 2.0 * (reach + Vec3::Constant(block.body.radius));
   const double slack = kRounding * (box.lengths[0] + kRounding * box.centre.norm());
   require((sides - box.lengths).cwiseAbs().maxCoeff() <= slack, where,
-          "the box is not around the core: its sides are " + number(box.lengths[0]) + ", " +
-              number(box.lengths[1]) + ", " + number(box.lengths[2]) +
-              " m, those of the core with its radius " + number(sides[0]) + ", " +
-              number(sides[1]) + ", " + number(sides[2]) + " m");
+          "the box is not around the core: its sides are " + with_digits(box.lengths[0], 9) + ", " +
+              with_digits(box.lengths[1], 9) + ", " + with_digits(box.lengths[2], 9) +
+              " m, those of the core with its radius " + with_digits(sides[0], 9) + ", " +
+              with_digits(sides[1], 9) + ", " + with_digits(sides[2], 9) + " m");
 }
 
 /// Of a convex core, by the closed form; none for others, whose integration takes long.
@@ -71,8 +70,8 @@ std::optional<MassProperties> exact_properties(const Block& block) {
 
 void check_volume(const Block& block, const std::string& where) {
   require(block.mass.volume <= (1.0 + kRounding) * block.box.volume(), where,
-          "volume_m3 is " + number(block.mass.volume) + ", more than the box's, " +
-              number(block.box.volume()));
+          "volume_m3 is " + with_digits(block.mass.volume, 9) + ", more than the box's, " +
+              with_digits(block.box.volume(), 9));
   const std::optional<MassProperties> exact = exact_properties(block);
   if (!exact) return;
   require_equal(block.mass.volume, exact->volume, kRounding, "volume_m3", where);

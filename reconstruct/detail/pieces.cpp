@@ -57,17 +57,6 @@ std::vector<Piece> pieces_of(const TriangleMesh& mesh) {
   return pieces;
 }
 
-double signed_volume(const TriangleMesh& closed) {
-  const Bounds box = bounds(closed);
-  const Vec3 origin = 0.5 * (box.low + box.high);
-  double sixfold = 0.0;
-  for (const TriangleMesh::Triangle& t : closed.triangles) {
-    sixfold += (closed.vertices[t[0]] - origin)
-                   .dot((closed.vertices[t[1]] - origin).cross(closed.vertices[t[2]] - origin));
-  }
-  return sixfold / 6.0;
-}
-
 bool encloses(const TriangleMesh& closed, const Vec3& point) {
   const Bounds box = bounds(closed);
   if ((point.array() < box.low.array()).any() || (point.array() > box.high.array()).any()) {

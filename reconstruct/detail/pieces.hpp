@@ -15,9 +15,6 @@ struct Piece {
 /// Pieces connected over edges, largest area first, without unused vertices.
 std::vector<Piece> pieces_of(const TriangleMesh& mesh);
 
-/// Volume by signed tetrahedra about the middle of the bounds; negative when facing inwards.
-double signed_volume(const TriangleMesh& closed);
-
 /// Is `point` inside the closed surface? By its winding number, so that it holds for any point and
 /// either orientation.
 bool encloses(const TriangleMesh& closed, const Vec3& point);

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "core/disjoint_sets.hpp"
 #include "mesh/half_edges.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "core/disjoint_sets.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
@@ -107,12 +108,6 @@ Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop) {
   }
   if (result.count > 0) mesh = compacted(mesh, kept);
   return result;
-}
-
-double triangle_area(const TriangleMesh& mesh, const Triangle& t) {
-  return 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                   .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
-                   .norm();
 }
 
 std::array<std::uint32_t, 2> first_non_manifold_edge(const TriangleMesh& mesh) {

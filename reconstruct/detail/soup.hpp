@@ -28,8 +28,6 @@ TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& k
 /// @pre one flag for each triangle
 Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop);
 
-double triangle_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
-
 /// Vertices of the first edge with more than two triangles.
 /// @pre there is one
 std::array<std::uint32_t, 2> first_non_manifold_edge(const TriangleMesh& mesh);

@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "core/disjoint_sets.hpp"
+
 namespace clast::reconstruct_detail {
 
 namespace {

@@ -32,10 +32,6 @@ constexpr std::array<ViewColour, 5> kViewColours = {{{0, {213, 94, 0}, "none"},
 
 std::string degrees(double angle) { return fixed(angle * 180.0 / kPi, 0) + "\xC2\xB0"; }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;

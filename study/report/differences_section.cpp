@@ -7,8 +7,6 @@
 namespace clast {
 namespace {
 
-std::string number(double value) { return with_digits(value, 3); }
-
 std::string measured_table(const Comparison& comparison) {
   HtmlTable table(
       {"group", "measured", "simulated", "measured runout mean, m", "simulated runout mean, m",
@@ -22,7 +20,7 @@ std::string measured_table(const Comparison& comparison) {
                fixed(group.simulated_quartiles.median, 1),
                fixed(group.quartiles.median - group.simulated_quartiles.median, 1),
                fixed(group.median_difference.low, 1), fixed(group.median_difference.high, 1),
-               number(group.cliffs_delta), number(group.ks_distance),
+               with_digits(group.cliffs_delta, 3), with_digits(group.ks_distance, 3),
                with_digits(group.p_holm, 2)});
   }
   return "<h3>Against stops measured in the field</h3>\n" + table.html();
@@ -60,12 +58,14 @@ std::string differences_section(const Comparison& comparison) {
     const Group& first = comparison.groups[one.first];
     // Pairs of blocks are many; the table differences.csv has them.
     if (first.kind != GroupKind::kGarcia && first.kind != GroupKind::kColumn) continue;
-    table.row({first.name, comparison.groups[one.second].name, one.quantity, number(one.first_mean),
-               number(one.second_mean), number(one.first_mean - one.second_mean),
-               one.interval ? number(one.interval->low) : "-",
-               one.interval ? number(one.interval->high) : "-", number(one.cliffs_delta),
-               one.hedges_g ? number(*one.hedges_g) : "-", number(one.ks_distance),
-               with_digits(one.p_holm, 2), one.found() ? "yes" : "no"});
+    table.row({first.name, comparison.groups[one.second].name, one.quantity,
+               with_digits(one.first_mean, 3), with_digits(one.second_mean, 3),
+               with_digits(one.first_mean - one.second_mean, 3),
+               one.interval ? with_digits(one.interval->low, 3) : "-",
+               one.interval ? with_digits(one.interval->high, 3) : "-",
+               with_digits(one.cliffs_delta, 3), one.hedges_g ? with_digits(*one.hedges_g, 3) : "-",
+               with_digits(one.ks_distance, 3), with_digits(one.p_holm, 2),
+               one.found() ? "yes" : "no"});
     if (first.kind == GroupKind::kGarcia) sentences += paragraph(in_words(one, comparison));
   }
   std::string html;

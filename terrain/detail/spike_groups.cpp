@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
+#include "core/disjoint_sets.hpp"
 #include "core/number_text.hpp"
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/ring_plane.hpp"
@@ -22,29 +22,9 @@ constexpr double kAlone = 3.0;       // times the farthest of the ground around,
 constexpr double kSamePlace = 1e-6;  // m, in plan, of vertices that nothing joins
 constexpr std::size_t kFewAround = 4;  // from which one ring is enough to know the ground
 
-/// Vertices that gentle edges join, by the number of one of them.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t root(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Vertices that steep edges part from all but a few others.
 std::vector<bool> loose_vertices(const TriangleMesh& mesh, double steepness) {
-  Joined joined(mesh.vertices.size());
+  DisjointSets joined(mesh.vertices.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 d = mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]];
@@ -54,27 +34,27 @@ std::vector<bool> loose_vertices(const TriangleMesh& mesh, double steepness) {
     }
   }
   std::vector<std::uint32_t> size(mesh.vertices.size(), 0);
-  for (std::uint32_t v = 0; v < size.size(); ++v) ++size[joined.root(v)];
+  for (std::uint32_t v = 0; v < size.size(); ++v) ++size[joined.find(v)];
   std::vector<bool> loose(mesh.vertices.size());
   for (std::uint32_t v = 0; v < size.size(); ++v) {
-    loose[v] = size[joined.root(v)] <= kLargestGroup;
+    loose[v] = size[joined.find(v)] <= kLargestGroup;
   }
   return loose;
 }
 
 /// The loose vertices of which no more than a group's are joined by edges: not the many on cliffs.
 std::vector<bool> few_together(const TriangleMesh& mesh, const std::vector<bool>& loose) {
-  Joined joined(mesh.vertices.size());
+  DisjointSets joined(mesh.vertices.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (loose[t[k]] && loose[t[(k + 1) % 3]]) joined.join(t[k], t[(k + 1) % 3]);
     }
   }
   std::vector<std::uint32_t> size(mesh.vertices.size(), 0);
-  for (std::uint32_t v = 0; v < size.size(); ++v) ++size[joined.root(v)];
+  for (std::uint32_t v = 0; v < size.size(); ++v) ++size[joined.find(v)];
   std::vector<bool> few(mesh.vertices.size());
   for (std::uint32_t v = 0; v < size.size(); ++v) {
-    few[v] = loose[v] && size[joined.root(v)] <= kLargestGroup;
+    few[v] = loose[v] && size[joined.find(v)] <= kLargestGroup;
   }
   return few;
 }

@@ -116,4 +116,21 @@ Findings repeated_type_findings(const std::vector<SourceFile>& files) {
   return findings;
 }
 
+Findings repeated_function_findings(const std::vector<SourceFile>& files, const std::string& name) {
+  // A definition begins in the first column with its return type; a declaration ends on its line.
+  const std::regex definition(R"(^\w[\w:<>&* ]*[ >&*])" + name + R"(\([^;]*$)");
+  Findings findings;
+  std::string first;
+  for (const SourceFile& file : files) {
+    if (!file.is_source() || file.folder() == "tests") continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      if (!std::regex_match(file.lines[i], definition)) continue;
+      if (first.empty()) first = file.path;
+      if (first == file.path) continue;
+      findings.push_back(finding(file, i + 1, name + " is defined in " + first + " too"));
+    }
+  }
+  return findings;
+}
+
 }  // namespace clast::architecture

@@ -16,4 +16,8 @@ std::vector<TypeDefinition> type_definitions(const SourceFile& file);
 /// Types that are defined in more than one file; the first file is where they may be.
 Findings repeated_type_findings(const std::vector<SourceFile>& files);
 
+/// Functions named `name` that are defined in more than one file, in any namespace: what each part
+/// of the program needs is written once. The first file is where it may be.
+Findings repeated_function_findings(const std::vector<SourceFile>& files, const std::string& name);
+
 }  // namespace clast::architecture

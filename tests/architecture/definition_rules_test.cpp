@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace clast::architecture {
 namespace {
 
@@ -16,6 +18,32 @@ std::vector<std::string> names_in(const std::string& text) {
 TEST(DefinitionRules, NoTypeOfTheProjectIsDefinedTwice) {
   const Findings findings = repeated_type_findings(project());
   EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+TEST(DefinitionRules, WhatManyPartsNeedIsWrittenOnce) {
+  for (const std::string name :
+       {"signed_volume", "surface_area", "triangle_area", "counted", "with_digits",
+        "sorted_half_edges", "triangle_components", "boundary_loops", "sha256"}) {
+    const Findings findings = repeated_function_findings(project(), name);
+    EXPECT_TRUE(findings.empty()) << lines(findings);
+  }
+  EXPECT_TRUE(std::none_of(project().begin(), project().end(), [](const SourceFile& file) {
+    return file.path != "core/disjoint_sets.cpp" && file.folder() != "tests" &&
+           std::any_of(file.lines.begin(), file.lines.end(), [](const std::string& line) {
+             return line.find("parent_[") != std::string::npos;
+           });
+  })) << "sets joined pair by pair are DisjointSets of core/disjoint_sets.hpp";
+}
+
+TEST(DefinitionRules, AFunctionInTwoFilesIsFoundInTheSecond) {
+  const std::vector<SourceFile> files = {
+      source_file("mesh/a.hpp", "double signed_volume(const TriangleMesh& mesh);\n"),
+      source_file("mesh/a.cpp", "double signed_volume(const TriangleMesh& mesh) {\n"),
+      source_file("shapes/b.cpp",
+                  "namespace {\ndouble signed_volume(const TriangleMesh& m) {\n"
+                  "  return signed_volume(m);\n")};
+  EXPECT_EQ(repeated_function_findings(files, "signed_volume"),
+            Findings{"shapes/b.cpp:2: signed_volume is defined in mesh/a.cpp too"});
 }
 
 TEST(DefinitionRules, TypesAreFoundWithTheirNamespaces) {
