@@ -29,7 +29,7 @@ constexpr double kDoubleSheet = 0.02;
 /// Welds tried on an open surface, as multiples of the tolerance, while each halves its borders.
 constexpr double kWelds[] = {1.0, 10.0, 100.0};
 /// ... and joins no more vertices than so many for each open edge.
-constexpr std::size_t kJoinedPerOpenEdge = 2;
+constexpr std::size_t kJoinedPerOpenEdge = 8;
 /// Volume over diagonal cubed below which a surface encloses nothing: a folded sheet.
 constexpr double kNoVolume = 1e-9;
 /// Above this many diagonals from the origin, the work is done about a nearer one.
