@@ -35,7 +35,13 @@ concept HasFields = requires(const T& options) {
   visit_fields(options, [](const char*, const auto&) {});
 };
 
-inline std::string field_text(const std::string& value) { return '"' + value + '"'; }
+/// In quotes, with those inside escaped, so that no text looks like two fields.
+inline std::string field_text(const std::string& value) {
+  std::string text = "\"";
+  for (const char c : value)
+    text += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  return text + '"';
+}
 inline std::string field_text(const std::filesystem::path& value) {
   return field_text(value.string());
 }

@@ -63,8 +63,9 @@ class Separation {
     if (drop_copies(pieces)) return {cleaned(raw)};
     if (!mended_.doubled.empty()) {
       sheet = TriangleMesh{};
-      for (const reconstruct_detail::Piece& piece : pieces)
+      for (const reconstruct_detail::Piece& piece : pieces) {
         *sheet = merged(std::move(*sheet), piece.mesh);
+      }
     }
     if (options_.find_ground && !only_small_holes(*sheet)) {
       const std::vector<Vec3> points = reconstruct_detail::points_over(*sheet);
@@ -99,8 +100,9 @@ class Separation {
     }
     std::vector<Vec3> points;
     const std::vector<Vec3> once = reconstruct_detail::without_repeats(raw);
-    for (const std::uint32_t i : reconstruct_detail::without_isolated(once))
+    for (const std::uint32_t i : reconstruct_detail::without_isolated(once)) {
       points.push_back(once[i]);
+    }
     notes_.push_back("made from " + std::to_string(raw.size()) + " points, " +
                      std::to_string(once.size() - points.size()) + " of them outliers");
     if (once.size() < raw.size()) {

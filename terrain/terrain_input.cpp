@@ -116,8 +116,9 @@ std::string cells_of(double size) { return "cells of " + with_digits(size, 6) + 
 void check_heights(const terrain_detail::HeightGrid& grid, const fs::path& path) {
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {
     const double height = grid.heights[i];
-    if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData))
+    if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData)) {
       continue;
+    }
     const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
     const std::string number = with_digits(height, 9);
     throw InputError(path.string() + ": the height at " +

@@ -63,8 +63,9 @@ std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones) {
   } else if (zones.size() == 1) {
     file.path = zones.front();
   }
-  if (!terrain_detail::is_raster(file.path) && !terrain_detail::is_polygon_file(file.path))
+  if (!terrain_detail::is_raster(file.path) && !terrain_detail::is_polygon_file(file.path)) {
     return std::nullopt;
+  }
   read_names(names, file);
   if (!names.empty() && terrain_detail::is_polygon_file(file.path)) {
     throw InputError(file.path.string() +

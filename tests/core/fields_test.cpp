@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace clast {
 namespace {
 
@@ -41,6 +43,8 @@ TEST(Fields, TextChangesWithEveryFieldThatHasAnInfluence) {
   EXPECT_NE(field_text(Camera{.lens = {.names = {"a"}}}), before);
   EXPECT_NE(field_text(Camera{.lens = {.names = {"a", "b"}}}),
             field_text(Camera{.lens = {.names = {"a, b"}}}));
+  EXPECT_NE(field_text(Camera{.lens = {.names = {"a", "b"}}}),
+            field_text(Camera{.lens = {.names = {"a\", \"b"}}}));
   EXPECT_NE(field_text(Camera{.shots = 0}), before);
   EXPECT_NE(field_text(Camera{.is_old = true}), before);
   EXPECT_NE(field_text(Camera{.ends = {Vec3::Zero(), Vec3::Zero()}}), before);

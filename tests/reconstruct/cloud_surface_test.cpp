@@ -168,8 +168,9 @@ TEST(CloudSurface, OutliersThatAreLeftDoNotDecide) {
   const std::vector<Vec3> points =
       sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
   std::vector<Vec3> kept;
-  for (const std::uint32_t i : reconstruct_detail::without_isolated(points))
+  for (const std::uint32_t i : reconstruct_detail::without_isolated(points)) {
     kept.push_back(points[i]);
+  }
   ASSERT_GT(kept.size(), 8000u);
   const CloudSurface surface = cloud_surface(kept);
   EXPECT_TRUE(inspect(surface.mesh).closed());
