@@ -38,8 +38,10 @@ concept HasFields = requires(const T& options) {
 /// In quotes, with those inside escaped, so that no text looks like two fields.
 inline std::string field_text(const std::string& value) {
   std::string text = "\"";
-  for (const char c : value)
-    text += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  for (const char c : value) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
   return text + '"';
 }
 inline std::string field_text(const std::filesystem::path& value) {
