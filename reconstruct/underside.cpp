@@ -179,10 +179,10 @@ class Closing {
                           " m3); turn its faces outward, and check that it is one side of a block");
     }
     const std::vector<double> heights = rim_heights(rims[0]);
-    const double bottom =
-        lowest_bottom(heights, heights[(heights.size() - 1) / 2], sections.highest());
-    bound(bottom, sections.highest());
-    guess(heights, sections, bottom, film);
+    const Bottom bottom =
+        bottom_below(heights, heights[(heights.size() - 1) / 2], sections.highest());
+    bound(bottom.lowest, sections.highest());
+    guess(heights, sections, bottom.likely, film);
     const double filling = area_from(result_.best, result_.first_invented);
     result_.invented_share = filling / surface_area(result_.best);
   }
@@ -296,16 +296,20 @@ class Closing {
 
   bool faces_ground() const { return options_.ground && result_.down == -options_.ground->normal; }
 
-  /// The height below which nothing of the block is looked for. A rim that is clear of the ground
-  /// nearly all around shows that the block lies on it; else nothing tells how deep it goes. In
-  /// between it is in between, so that a hair's breadth of the rim decides nothing.
+  /// Heights below which nothing of the block is looked for.
+  struct Bottom {
+    double lowest = 0.0;  ///< by the bounds
+    double likely = 0.0;  ///< by the best shape
+  };
+
+  /// A rim that is clear of the ground nearly all around shows that the block lies on it; else
+  /// nothing tells how deep it goes. In between it is in between, so that a hair's breadth of the
+  /// rim decides nothing.
   /// @param rim  heights, ascending
-  double lowest_bottom(const std::vector<double>& rim, double mean_rim, double highest) {
-    if (!faces_ground()) return mean_rim - options_.deepest * (highest - mean_rim);
+  Bottom bottom_below(const std::vector<double>& rim, double mean_rim, double highest) {
+    const auto below = [&](double level) { return level - options_.deepest * (highest - level); };
+    if (!faces_ground()) return {below(mean_rim), below(mean_rim)};
     const double ground = options_.ground->distance, height = highest - mean_rim;
-    // Of a block that leans, most of the rim may hang far above the ground that an end is in.
-    const double into = std::min(mean_rim, ground);
-    const double buried = into - options_.deepest * (highest - into);
     result_.gap = mean_rim - ground;
     double hanging = 0.0;
     for (const double z : rim) {
@@ -315,7 +319,10 @@ class Closing {
     hanging /= static_cast<double>(rim.size());
     const double share = std::clamp((hanging - kFewHang) / (kManyHang - kFewHang), 0.0, 1.0);
     // Something holds it up: under an overhang it reaches the ground however far below that is.
-    return std::lerp(ground - kSunk * height, buried, share);
+    const double sunk = ground - kSunk * height;
+    // Of a block that leans, most of the rim may hang far above the ground that an end is in.
+    return {std::lerp(sunk, below(std::min(mean_rim, ground)), share),
+            std::lerp(sunk, std::min(below(mean_rim), sunk), share)};
   }
 
   /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
