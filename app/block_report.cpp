@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "app/text_table.hpp"
 #include "classify/equilibria.hpp"
 #include "classify/roundness.hpp"
 #include "classify/surface_indices.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
 #include "mesh/remeshing.hpp"

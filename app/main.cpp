@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/option_flags.hpp"
 #include "core/error.hpp"
 #include "core/printable.hpp"
 #include "core/version.hpp"
@@ -72,7 +73,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     const CLI::App* command = named_command(&app);
-    std::cerr << "clast: " << clast::printable(described(error, *command))
+    std::cerr << "clast: " << clast::shown(described(error, *command))
               << "\nSee: " << full_name(command) << " --help\n";
     return kMisused;
   }
@@ -95,7 +96,7 @@ int main(int argc, char** argv) {
   try {
     return checked(run(argc, argv));
   } catch (const clast::Error& error) {
-    std::cerr << "clast: " << clast::printable(error.what()) << "\n";
+    std::cerr << "clast: " << clast::shown(error.what()) << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << "clast: not enough memory; close other programs or use a smaller input\n";
   } catch (const std::filesystem::filesystem_error& error) {

@@ -1,7 +1,7 @@
 #include "app/photo_options.hpp"
 
-#include "app/board_file.hpp"
 #include "app/option_values.hpp"
+#include "pipeline/board_file.hpp"
 
 namespace clast {
 

@@ -4,6 +4,7 @@
 #include "classify/box_convention.hpp"
 #include "classify/certainty.hpp"
 #include "classify/surface_indices.hpp"
+#include "core/number_text.hpp"
 #include "core/printable.hpp"
 
 namespace clast {

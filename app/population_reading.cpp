@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/block_report.hpp"
+#include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "classify/certainty.hpp"
@@ -103,7 +104,7 @@ void add_library(ReadPopulation& source, const BlockReading& reading, const std:
 std::string notes_text(const std::string& input, const DimensionTable& table) {
   std::string text;
   for (std::size_t i = 0; i < std::min(kMostNotes, table.notes.size()); ++i) {
-    text += printable(input + ": " + table.notes[i]) + "\n";
+    text += shown(input + ": " + table.notes[i]) + "\n";
   }
   if (table.notes.size() > kMostNotes) {
     text += printable(input) + ": and " + std::to_string(table.notes.size() - kMostNotes) +
@@ -196,7 +197,7 @@ ReadPopulation read_population(const PopulationFiles& files, const BlockReading&
   }
   for (const std::string& note : notes) {
     reported.notes.push_back(note);
-    source.said += printable(reported.population.name + ": " + note) + "\n";
+    source.said += shown(reported.population.name + ": " + note) + "\n";
   }
   return source;
 }

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/block_report.hpp"
-#include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
@@ -31,7 +30,7 @@ constexpr const char* kSummary = "block,outcome,scan,";
 
 std::string scale_in_words(const ScanToBlockOptions& options) {
   std::string text = "one unit of the file is " + with_digits(options.scan.unit, 6) + " m";
-  text += options.scale_points ? " (from a measured length" : " (--units " + options.unit_name;
+  text += options.scale_points ? " (from a measured length" : " (--units " + options.units;
   if (options.scale_factor != 1.0) {
     text += ", times --scale-factor " + with_digits(options.scale_factor, 6);
   }

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/scan_to_block.hpp"
 #include "core/csv_text.hpp"
 #include "core/html_page.hpp"
 #include "core/output_file.hpp"
+#include "pipeline/scan_to_block.hpp"
 
 namespace clast {
 

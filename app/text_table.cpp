@@ -1,10 +1,7 @@
 #include "app/text_table.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
-#include "core/number_text.hpp"
 #include "core/printable.hpp"
 
 namespace clast {
@@ -22,23 +19,6 @@ bool is_number(const std::string& text) {
 }
 
 }  // namespace
-
-std::string rounded(double value, int digits) {
-  char text[64];
-  const double size = std::abs(value);
-  if (size != 0.0 && (size < 1e-4 || size >= 1e7)) {
-    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-    return text;
-  }
-  const int before = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
-  return with_decimals(value, std::max(0, digits - before));
-}
-
-std::string with_decimals(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 std::string TextTable::text() const {
   std::vector<std::vector<std::string>> shown = rows;

@@ -1,6 +1,6 @@
 #pragma once
 /// The exception family. A message says what failed, on which item, with the values, and what to
-/// do next: "block B017: mesh has 3 open boundaries; repair it or use --close".
+/// do next: "block B017: mesh has 3 open boundaries; repair it first".
 #include <stdexcept>
 #include <string>
 

@@ -1,7 +1,10 @@
 #include "core/number_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
 
 namespace clast {
 
@@ -20,6 +23,23 @@ std::string with_digits(double value, int digits) {
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
                                  std::chars_format::general, digits);
   return {text.data(), end.ptr};
+}
+
+std::string rounded(double value, int digits) {
+  char text[64];
+  const double size = std::abs(value);
+  if (size != 0.0 && (size < 1e-4 || size >= 1e7)) {
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+    return text;
+  }
+  const int before = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  return with_decimals(value, std::max(0, digits - before));
+}
+
+std::string with_decimals(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
 }
 
 std::string counted(std::size_t count, const std::string& noun) {

@@ -15,6 +15,11 @@ std::optional<double> number_in(std::string_view text);
 /// `value` with so many significant digits and no zeros at the end, as for messages: "0.0254".
 std::string with_digits(double value, int digits);
 
+/// `value` with so many significant digits, without an exponent where it stays readable.
+std::string rounded(double value, int digits = 4);
+/// With so many digits after the point.
+std::string with_decimals(double value, int decimals);
+
 /// "1 point", "2 points".
 std::string counted(std::size_t count, const std::string& noun);
 /// The same of a noun whose plural is not its singular with an "s".

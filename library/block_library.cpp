@@ -283,7 +283,7 @@ void BlockLibrary::add(Block block, bool replace) {
     this->block(block.id) = std::move(block);
   } else {
     throw InputError("block " + block.id +
-                     " is in the library already; use --replace to put the "
+                     " is in the library already; use `replace` to put the "
                      "new one in its place");
   }
 }

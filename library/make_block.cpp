@@ -128,8 +128,8 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
                         std::to_string(surface.vertices.size()) + " vertices have a volume " +
                         with_digits(100.0 * std::abs(gap), 4) + " % " +
                         (gap > 0.0 ? "above" : "below") +
-                        " the scan's, and 3 % is the most that scaling mends; give a smaller "
-                        "radius or more --vertices");
+                        " the scan's, and 3 % is the most that scaling corrects; give a smaller "
+                        "`radius` or more `vertices`");
   }
   return body;
 }
@@ -149,7 +149,7 @@ void warn_of_density(Block& block) {
   std::string advice = "; check mass and scale";
   if (block.density >= 1e-3 * kLightestRock && block.density <= 1e-3 * kHeaviestRock) {
     advice =
-        "; if that is in g/cm3 or t/m3, give --density " + with_digits(1000.0 * block.density, 4);
+        "; if that is in g/cm3 or t/m3, give `density` " + with_digits(1000.0 * block.density, 4);
   }
   block.warnings.push_back("the density " + with_digits(block.density, 4) +
                            " kg/m3 is not that of a rock, 500 to 8000 kg/m3" + advice);
@@ -167,7 +167,7 @@ void add_warnings(Block& block, const BlockOptions& options) {
     block.warnings.push_back("volume and inertia are known to " +
                              with_digits(block.mass.relative_error, 4) + " and not to the " +
                              with_digits(options.accuracy, 4) +
-                             " asked for; thin the scan, or ask for less with --accuracy");
+                             " asked for; simplify the scan, or ask for less with `accuracy`");
   }
   if (block.body.radius > kLargestRadiusShare * S) {
     block.warnings.push_back("the radius " + with_digits(block.body.radius, 4) +
@@ -180,13 +180,13 @@ void add_warnings(Block& block, const BlockOptions& options) {
     block.warnings.push_back(
         "a principal moment differs by " +
         with_digits(100.0 * block.deviation.moments_relative, 4) +
-        " % from the scan's; give more --vertices or a smaller --radius-share");
+        " % from the scan's; give more `vertices` or a smaller `radius_share`");
   }
   if (!near_enough(block, options)) {
     block.warnings.push_back("the block lies up to " + with_digits(block.deviation.hausdorff, 4) +
                              " m off the scan, " +
                              with_digits(100.0 * block.deviation.hausdorff / L, 4) +
-                             " % of L; give more --vertices or a smaller --radius-share");
+                             " % of L; give more `vertices` or a smaller `radius_share`");
   }
   if (options.mass && options.density_given) {
     const double gap = block.mass.mass / *options.mass - 1.0;
@@ -283,7 +283,7 @@ Block named_block(const std::string& id, Make&& make) {
 
 void BlockOptions::check() const {
   if (core && !radius) {
-    throw InputError("a core needs its Minkowski radius: give --radius in metres beside --core");
+    throw InputError("a core needs its Minkowski radius: give `radius` in metres beside `core`");
   }
   if (radius && (!(*radius >= 0.0) || !std::isfinite(*radius))) {
     throw InputError("radius is " + with_digits(*radius, 4) +

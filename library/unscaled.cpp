@@ -4,8 +4,8 @@ namespace clast {
 
 std::string unscaled_reason() {
   return "its photographs gave no scale: lengths are in units of the cameras' model, shape and "
-         "classes are usable, and there is no mass. Make it again with --scale-bar, --board, "
-         "--marker-size, --scale-length or --scale-factor, and --replace";
+         "classes are usable, and there is no mass. Make it again with `bars`, `board`, "
+         "`marker_side`, `scale_points` or `scale_factor`, and `replace`";
 }
 
 }  // namespace clast

@@ -60,7 +60,7 @@ std::vector<Vec3> local_points(const Campaign& campaign, const ReleasePlan& rele
                        (inside ? " is over a hole in the terrain" : " is off the terrain") +
                        ", which lies in x " + metres(low.x()) + " to " + metres(high.x()) + ", y " +
                        metres(low.y()) + " to " + metres(high.y()) +
-                       " m on the map, z up; check the point, the map frame and `up`");
+                       " m on the map, z up; check the point, the map frame and \"up\"");
     }
     points.push_back(point);
   }

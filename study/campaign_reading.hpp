@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/campaign.hpp"
-#include "study/toml_reader.hpp"
+#include "core/toml_reader.hpp"
 
 namespace clast {
 

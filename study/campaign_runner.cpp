@@ -103,7 +103,7 @@ StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned,
   return output;
 }
 
-// Keeps finished runs, one at a time, and tells of progress.
+// Keeps finished runs, one at a time, and reports progress.
 class Collector {
  public:
   Collector(ResultsWriter& writer, std::size_t planned, const RunOptions& options)
@@ -113,7 +113,7 @@ class Collector {
     const std::lock_guard lock(one_at_a_time_);
     writer_.add(run);
     ++done_;
-    if (options_.progress) options_.progress(done_, planned_);
+    if (options_.progress) options_.progress({.done = done_, .total = planned_});
   }
 
  private:

@@ -1,9 +1,9 @@
 #pragma once
 /// Runs a campaign.
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "library/block_library.hpp"
 #include "study/block_choice.hpp"
 #include "study/campaign.hpp"
@@ -71,7 +71,7 @@ struct RunOptions {
   /// The runs are shared among its processes; only the one that leads writes. None: this one alone.
   ProcessTeam* team = nullptr;
   /// Called after each run with runs done and planned, from any thread, one at a time.
-  std::function<void(std::size_t done, std::size_t planned)> progress = {};
+  Progress progress = {};
 };
 
 /// Runs everything that is not stored yet and writes `target`. A run that fails is stored with stop

@@ -52,8 +52,8 @@ void check_given_once(const std::vector<CampaignResults>& results, std::size_t f
         a.program_version == b.program_version) {
       if (share_no_run(a, b)) {
         throw InputError(label(results, file) + " and " + label(results, other) +
-                         ": are parts of one campaign; join all its parts first, with clast "
-                         "simulate --merge PARTS -o ALL");
+                         ": are parts of one campaign; join all its parts first with "
+                         "`merge_results`");
       }
       throw InputError(label(results, file) + ": holds the same runs as " + label(results, other) +
                        " (same campaign, inputs and program), which would count twice; give it "
@@ -83,7 +83,7 @@ void check_results(const std::vector<CampaignResults>& results) {
   }
   if (runs == 0) {
     throw InputError((results.empty() ? std::string("no results file") : label(results, 0)) +
-                     ": there are no runs to compare; run `clast simulate` first");
+                     ": there are no runs to compare; run clast simulate first");
   }
 }
 

@@ -28,8 +28,7 @@ void warn_of_unfinished(const Comparison& comparison, std::vector<std::string>& 
     warnings.push_back(
         "file " + std::to_string(file + 1) +
         " is unfinished: " + of(results.runs.size(), results.planned_runs) +
-        " planned runs are stored; if it is a shard, join it with the others: `clast "
-        "simulate --merge`");
+        " planned runs are stored; if it is a shard, join it with the others with `merge_results`");
   }
 }
 
@@ -210,7 +209,7 @@ void warn_of_measured(const Comparison& comparison, std::vector<std::string>& wa
                          ")");
     }
   };
-  name("name a block that no run has, so they are in the group `all` alone",
+  name("name a block that no run has, so they are in the group \"all\" alone",
        [&](const MeasuredStop& stop) {
          return blocks.contains(stop.block) ? std::string() : stop.block;
        });

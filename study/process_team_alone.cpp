@@ -13,7 +13,7 @@ ProcessTeam::ProcessTeam() {
     if (size && std::string(size) != "1") {
       throw InputError("started as one of " + std::string(size) +
                        " processes, but this clast was built without MPI, so each would run the "
-                       "whole campaign; install MPI and configure again, or use --shard");
+                       "whole campaign; install MPI and configure again, or use `shard`");
     }
   }
 }

@@ -186,7 +186,7 @@ void check_same_campaign(const fs::path& path, const Identity& stored, const Ide
   }
   if (difference.empty()) return;
   throw InputError(path.string() + ": was begun with " + difference +
-                   "; delete it and start without --resume");
+                   "; delete it and start without `resume`");
 }
 
 std::fstream opened(const fs::path& path) {
@@ -229,7 +229,7 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
   if (magic != kMagic || !content) {
     throw InputError(path.string() +
                      ": is not the journal of an interrupted campaign; delete it and start "
-                     "without --resume");
+                     "without `resume`");
   }
   Identity stored;
   Unpacker unpacker(*content);
@@ -255,7 +255,7 @@ void ResultsJournal::add(const StoredRun& run) {
   file_.flush();
   if (!file_) {
     throw InputError(path_.string() +
-                     ": writing failed; is the disk full? Free some space and go on with --resume");
+                     ": writing failed; is the disk full? Free some space and go on with `resume`");
   }
   runs_.push_back(run.record.run);
   begins_.push_back(end_);
@@ -266,7 +266,7 @@ StoredRun ResultsJournal::read(std::size_t index) {
   const std::optional<std::string> content = read_record(file_, begins_[index], end_);
   if (!content) {
     throw InputError(path_.string() +
-                     ": was changed by another program; go on with --resume, which repeats the "
+                     ": was changed by another program; go on with `resume`, which repeats the "
                      "runs that were lost");
   }
   return unpacked(*content);

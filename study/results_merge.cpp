@@ -88,7 +88,7 @@ void check_complete(const std::vector<Part>& parts, const std::vector<Place>& pl
 }  // namespace
 
 void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
-  if (files.empty()) throw InputError("no parts to join; name the files that --shard wrote");
+  if (files.empty()) throw InputError("no parts to join; name the files that the shards wrote");
   std::vector<Part> parts;
   for (const fs::path& file : files) {
     parts.push_back({read_results(file), TrajectoryFile(file)});

@@ -339,7 +339,7 @@ CampaignResults read_results(const fs::path& path) {
   if (path.extension() == ".part" && fs::is_regular_file(path)) {
     throw InputError(path.string() +
                      ": holds the runs of a campaign that is not finished; go on with it first, "
-                     "with clast simulate --resume");
+                     "by clast simulate with `resume`");
   }
   const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
   const Reader root{path.string(), "", file.root()};

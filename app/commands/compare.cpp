@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
@@ -46,7 +47,7 @@ void compare_results(const CompareArgs& args) {
   }
   folder.commit();
   for (const std::string& warning : comparison.warnings) {
-    std::cerr << "clast: warning: " << printable(warning) << "\n";
+    std::cerr << "clast: warning: " << shown(warning) << "\n";
   }
   for (const Difference& difference : comparison.differences) {
     // Classes are what the study is about; the rest is in the table.

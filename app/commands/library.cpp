@@ -5,7 +5,6 @@
 
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
-#include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"

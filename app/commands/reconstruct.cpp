@@ -2,32 +2,35 @@
 #include <memory>
 #include <utility>
 
+#include "app/batch_printer.hpp"
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/photo_options.hpp"
-#include "app/scan_batch.hpp"
 #include "library/block_ranges.hpp"
 
 namespace clast {
 
 namespace {
 
-struct ReconstructArgs : ScanBatch {
-  std::string units = "m";
+struct ReconstructArgs {
+  std::vector<std::string> scans;  ///< files and folders
+  BatchOptions batch;
+  bool json = false;
+  std::string report;  ///< folder of pages; empty: none are written
   std::string scale_length;
   double scale_factor = 1.0;
   std::string ground = "auto";
   PhotoArgs photos;
 };
 
-void reconstruct(ReconstructArgs args) {
-  ScanToBlockOptions& options = args.options;
-  options.unit_name = args.units;
+void reconstruct(const ReconstructArgs& args) {
+  BatchOptions batch = args.batch;
+  ScanToBlockOptions& options = batch.scan;
   options.photos = args.photos.parsed();
   options.scale_factor = args.scale_factor;
   double unit = 1.0;
   if (args.scale_length.empty()) {
-    unit = length_unit(args.units);
+    unit = length_unit(options.units);
   } else {
     const MeasuredLength length = measured_length(args.scale_length);
     options.scale_points = length.points;
@@ -38,17 +41,25 @@ void reconstruct(ReconstructArgs args) {
   if (options.block.mass && options.split) {
     throw CLI::ValidationError("--mass", "is the mass of one block, but --split may make several");
   }
-  add_to_library(args);
+  const std::vector<ScanFile> scans = list_scans(args.scans);
+  if (options.block.mass && scans.size() > 1) {
+    throw CLI::ValidationError("--mass", "is the mass of one block, but " +
+                                             std::to_string(scans.size()) + " scans are given");
+  }
+  BatchPrinter printer(scans.size(), batch, args.report, args.json);
+  const BatchResult result = reconstruct_batch(
+      scans, batch, printer, [&](const ProgressStep& step) { printer.show(step); });
+  printer.finish(result);
 }
 
 }  // namespace
 
 void add_reconstruct(CLI::App& app) {
   const auto args = std::make_shared<ReconstructArgs>();
-  ScanToBlockOptions& options = args->options;
+  ScanToBlockOptions& options = args->batch.scan;
   CLI::App* command = app.add_subcommand(
       "reconstruct",
-      "Turn scans (meshes, point clouds, photographs) into blocks of a library, mending what is "
+      "Turn scans (meshes, point clouds, photographs) into blocks of a library, repairing what is "
       "dirty");
   command
       ->add_option("scans", args->scans,
@@ -58,14 +69,14 @@ void add_reconstruct(CLI::App& app) {
       ->required()
       ->type_name("SCAN");
   command
-      ->add_option("-o,--output", args->library,
+      ->add_option("-o,--output", args->batch.library,
                    "Block library; blocks are added to one that is there")
       ->type_name("FILE")
       ->capture_default_str();
-  command->add_flag("--replace", args->replace,
+  command->add_flag("--replace", args->batch.replace,
                     "Replace blocks whose id is in the library already");
   command
-      ->add_option("--units", args->units,
+      ->add_option("--units", options.units,
                    "Length unit of the scans: m, cm, mm, km, in, ft, or metres per unit")
       ->type_name("UNIT")
       ->capture_default_str();
@@ -160,13 +171,13 @@ void add_reconstruct(CLI::App& app) {
       ->excludes("--convex");
   command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");
   command
-      ->add_option("--jobs", args->jobs,
+      ->add_option("--jobs", args->batch.jobs,
                    "Scans that are worked on at the same time, 0: one per core; each takes its own "
                    "memory, and the results are the same for any number")
       ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
-  command->add_flag("--resume", args->resume,
+  command->add_flag("--resume", args->batch.resume,
                     "Skip scans whose block is in the library already, made of the same file with "
                     "the same options");
   command
@@ -187,10 +198,11 @@ void add_reconstruct(CLI::App& app) {
       "  clast reconstruct photos/B017 -o blocks.h5 --scale-bar 0,3,1.254 --marker-size 0.2\n"
       "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
   command->callback([args, density, radius, share, up] {
-    args->options.up_given = up->count() > 0;
-    args->options.find_ground = args->ground == "auto";
-    args->options.radius_given = radius->count() + share->count() > 0;
-    args->options.block.density_given = density->count() > 0;
+    ScanToBlockOptions& given = args->batch.scan;
+    given.up_given = up->count() > 0;
+    given.find_ground = args->ground == "auto";
+    given.radius_given = radius->count() + share->count() > 0;
+    given.block.density_given = density->count() > 0;
     reconstruct(*args);
   });
 }

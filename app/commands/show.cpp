@@ -5,8 +5,10 @@
 
 #include "app/block_report.hpp"
 #include "app/commands/commands.hpp"
+#include "app/option_flags.hpp"
 #include "app/text_table.hpp"
 #include "classify/equilibria.hpp"
+#include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
@@ -93,8 +95,8 @@ std::vector<std::array<std::string, 2>> unseen_lines(const Block& block) {
 std::string details(const Block& block) {
   std::string text = "\n" + printable(block.id) + "\n";
   const auto line = [&](const std::string& name, const std::string& value) {
-    text += "  " + name + std::string(name.size() < 26 ? 26 - name.size() : 1, ' ') +
-            printable(value) + "\n";
+    text += "  " + name + std::string(name.size() < 26 ? 26 - name.size() : 1, ' ') + shown(value) +
+            "\n";
   };
   line("source", block.source.file);
   line("source sha256", block.source.sha256);

@@ -12,8 +12,9 @@
 #include <streambuf>
 
 #include "app/commands/commands.hpp"
+#include "app/option_flags.hpp"
 #include "app/option_values.hpp"
-#include "app/progress.hpp"
+#include "app/progress_bar.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "core/file_kind.hpp"
@@ -138,7 +139,7 @@ void print_plan(const PreparedCampaign& prepared) {
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
             << stiffness_table(prepared).text();
   for (const std::string& warning : prepared.header.warnings) {
-    std::cout << "warning: " << printable(warning) << "\n";
+    std::cout << "warning: " << shown(warning) << "\n";
   }
 }
 
@@ -189,7 +190,7 @@ void print_outcome(const CampaignResults& results) {
         << " lose or gain more than 10 % of the energy they dissipate where contacts change, at "
            "most "
         << rounded(100.0 * outcome.largest_reassigned, 2)
-        << " %; `clast compare` says which and what to try\n";
+        << " %; clast compare says which and what to try\n";
   }
 }
 
@@ -202,7 +203,7 @@ void check_outcome(const CampaignResults& results, const std::filesystem::path& 
       std::to_string(outcome.errors()) + " of " + counted(results.runs.size(), "run") +
       " ended with an error, the first: " + outcome.first_error + ". All runs are in " +
       file.string() +
-      "; `clast compare` lists the failed ones and leaves them out of its statistics. Try a "
+      "; clast compare lists the failed ones and leaves them out of its statistics. Try a "
       "smaller "
       "[contact] time_step_s, or stiffness = \"auto\", and look at the ground at the place named");
 }
@@ -319,25 +320,26 @@ void simulate(const SimulateArgs& args) {
                                   (args.shard.empty() ? "" : " --shard " + args.shard) +
                                   " --resume";
   std::cout.flush();
-  Progress progress("runs", shard.runs_of(prepared.runs.size()));
+  ProgressBar bar("runs", shard.runs_of(prepared.runs.size()));
   RunOptions options;
   options.threads = args.threads;
   options.resume = args.resume;
   options.shard = shard;
   options.team = &team;
-  options.progress = [&](std::size_t done, std::size_t planned) {
-    progress.update(done);
-    if (!interrupted || done == planned) return;
-    progress.clear();
-    throw SimulationError("interrupted; " + std::to_string(done) + " of " +
-                          std::to_string(planned) + " runs are kept. Go on with: " + resume_hint);
+  options.progress = [&](const ProgressStep& step) {
+    bar.update(step.done);
+    if (!interrupted || step.done == step.total) return;
+    bar.clear();
+    throw SimulationError("interrupted; " + std::to_string(step.done) + " of " +
+                          std::to_string(step.total) +
+                          " runs are kept. Go on with: " + resume_hint);
   };
   std::signal(SIGINT, stop_politely);
   std::signal(SIGTERM, stop_politely);
   run_campaign(prepared, output, options);
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
-  progress.clear();
+  bar.clear();
   if (team.leads()) print_results(output, args, summary);
 }
 

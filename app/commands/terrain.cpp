@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
+#include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
 #include "core/error.hpp"
@@ -88,7 +89,7 @@ void print_report(const Terrain& terrain) {
   }
   std::cout << zones.text();
   for (const std::string& note : report.notes) {
-    std::cout << "note: " << printable(note) << "\n";
+    std::cout << "note: " << shown(note) << "\n";
   }
 }
 

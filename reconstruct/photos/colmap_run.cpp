@@ -59,7 +59,7 @@ class ColmapJob {
     fs::remove_all(work_, code);
     if (!fs::create_directories(work_ / "sparse", code)) {
       throw InputError(work_.string() + ": can't be made (" + code.message() +
-                       "); choose another folder with --photo-cache");
+                       "); choose another folder with `cache`");
     }
   }
   ~ColmapJob() {
@@ -179,7 +179,7 @@ class ColmapJob {
       throw InputError("colmap " + command + " was ended after " +
                        with_digits(options_.seconds / 60.0, 3) +
                        " minutes: use fewer or smaller photos, or give it more time with "
-                       "--colmap-minutes");
+                       "`seconds`");
     }
     return end.exit_code == 0;
   }
@@ -299,7 +299,7 @@ PhotoModel colmap_cameras(const fs::path& folder, const ColmapOptions& options,
   if (program.empty()) {
     throw InputError("cameras of photos are found by the program colmap, and " + options.program +
                      " isn't there: install the package colmap (Debian, Ubuntu: apt-get install "
-                     "colmap), or give cameras of another program with --model");
+                     "colmap), or give cameras of another program with `model`");
   }
   ColmapJob job(program, fs::absolute(folder), kept.string() + "." + std::to_string(::getpid()),
                 options, stage);

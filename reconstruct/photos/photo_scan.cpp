@@ -138,11 +138,10 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
     scan.scale_source = "none";
   } else {
     throw InputError(
-        "no scale: the units of the cameras are arbitrary. Give the distance between "
-        "two markers with --scale-bar, a board with --board, the side of markers with "
-        "--marker-size, or a measured "
-        "length with --scale-length; --allow-unscaled goes on without: shapes are "
-        "usable then, masses are not");
+        "no scale: the units of the cameras are arbitrary. Give the distance between two markers "
+        "with `bars`, a board with `board`, the side of markers with `marker_side`, or a measured "
+        "length with `metres_per_unit`; `allow_unscaled` goes on without: shapes are usable then, "
+        "masses are not");
   }
   scan.model = scaled(std::move(scan.model), factor);
   for (FoundMarker& marker : scan.markers.markers) {

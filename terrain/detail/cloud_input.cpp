@@ -33,7 +33,7 @@ struct Cells {
     if (!(count.prod() < kMostCells)) {
       throw InputError(path.string() + ": cells of " + with_digits(cell, 6) + " m over " +
                        with_digits((high - low).x(), 6) + " x " + with_digits((high - low).y(), 6) +
-                       " m are too many; use a larger --resolution");
+                       " m are too many; use a larger `resolution`");
     }
     columns = static_cast<std::size_t>(count.x());
     rows = static_cast<std::size_t>(count.y());
@@ -212,7 +212,7 @@ void drop_outliers(CellHeights& stored, const Cells& cells, double distance, con
   stored.offsets.back() = write;
   if (write == 0) {
     throw InputError(path.string() + ": all points are outliers by more than " +
-                     with_digits(distance, 6) + " m; use a larger --outliers");
+                     with_digits(distance, 6) + " m; use a larger `outliers`");
   }
   if (low + high == 0) return;
   notes.push_back(path.string() + ": " + std::to_string(low) + " points more than " +

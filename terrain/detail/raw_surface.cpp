@@ -13,7 +13,7 @@ TriangleMesh grid_surface(const HeightGrid& grid, const std::filesystem::path& p
   constexpr std::uint32_t kNone = 0xffffffffu;
   if (grid.heights.size() >= kNone) {
     throw InputError(path.string() + ": " + std::to_string(grid.heights.size()) +
-                     " cells are more than can be numbered; cut the area or use --resolution");
+                     " cells are more than can be numbered; cut the area or use `resolution`");
   }
   TriangleMesh mesh;
   std::vector<std::uint32_t> number(grid.heights.size(), kNone);

@@ -3,35 +3,15 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "shapes/convex_hull.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/support/cut_mesh.hpp"
-#include "tests/support/test_rock.hpp"
+#include "tests/support/rocks_on_ground.hpp"
 
 namespace clast {
 namespace {
 
 using Json = nlohmann::json;
-
-/// A level square of so many cells a side.
-TriangleMesh grid(std::uint32_t cells, double half) {
-  TriangleMesh mesh;
-  const double step = 2.0 * half / cells;
-  for (std::uint32_t j = 0; j <= cells; ++j) {
-    for (std::uint32_t i = 0; i <= cells; ++i) {
-      mesh.vertices.emplace_back(step * i - half, step * j - half, 0.0);
-    }
-  }
-  for (std::uint32_t j = 0; j < cells; ++j) {
-    for (std::uint32_t i = 0; i < cells; ++i) {
-      const std::uint32_t a = (cells + 1) * j + i;
-      mesh.triangles.push_back({a, a + 1, a + cells + 2});
-      mesh.triangles.push_back({a, a + cells + 2, a + cells + 1});
-    }
-  }
-  return mesh;
-}
 
 class Scans : public testing::Test {
  protected:
@@ -101,18 +81,8 @@ TEST_F(Scans, AnOpenScanGivesABlockThatSaysWhatIsNotKnown) {
   EXPECT_TRUE(contains(full.out, "mass kg")) << full.out;
 }
 
-TriangleMesh two_rocks_on_the_ground() {
-  TriangleMesh scene = grid(60, 3.0);
-  for (const double x : {1.5, -1.4}) {
-    TriangleMesh rock = noisy_ellipsoid(x > 0 ? 5 : 6, {0.6, 0.5, 0.4});
-    for (Vec3& v : rock.vertices) v += Vec3(x, 0.2, 0.3);
-    scene = merged(std::move(scene), rock);
-  }
-  return scene;
-}
-
 TEST_F(Scans, BlocksOnAGroundAreSplitAndNumbered) {
-  write_obj(folder / "scene.obj", two_rocks_on_the_ground());
+  write_obj(folder / "scene.obj", two_rocks_on_ground());
   const ProgramRun run = run_clast(
       {"reconstruct", "scene.obj", "--split", "--vertices", "60", "--json"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -125,25 +95,6 @@ TEST_F(Scans, BlocksOnAGroundAreSplitAndNumbered) {
   expect_refused(folder, {"reconstruct", "scene.obj", "--ground", "none"}, 1, "scene.obj");
 }
 
-TEST_F(Scans, OneBlockOfASplitThatIsThereAlreadyCostsNeitherTheOthersNorTheFolder) {
-  write_obj(folder / "scene.obj", two_rocks_on_the_ground());
-  write_obj(folder / "scene_2.obj", cuboid(1, 0.8, 0.6));
-  ASSERT_EQ(run_clast({"reconstruct", "scene_2.obj"}, folder.path()).exit_code, 0);
-  write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
-  const ProgramRun run = run_clast(
-      {"reconstruct", "scene.obj", "cube.obj", "--split", "--vertices", "60"}, folder.path());
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_TRUE(contains(run.err, "block scene_2 is in the library already")) << run.err;
-  EXPECT_TRUE(contains(run.err, "1 of 2 scans gave no block, or not all of theirs")) << run.err;
-  EXPECT_TRUE(contains(run.out, "2 blocks written, 3 in all")) << run.out;
-  // A split into fewer than before leaves the others, and says so.
-  write_obj(folder / "scene.obj", cuboid(1, 0.9, 0.8));
-  const ProgramRun fewer =
-      run_clast({"reconstruct", "scene.obj", "--split", "--replace"}, folder.path());
-  EXPECT_EQ(fewer.exit_code, 0) << fewer.err;
-  EXPECT_TRUE(contains(fewer.err, "still holds block scene_2 of an earlier split")) << fewer.err;
-}
-
 TEST_F(Scans, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
   write_obj(folder / "mm.obj", cuboid(620, 500, 400));
   refuse("mm.obj",
@@ -154,28 +105,6 @@ TEST_F(Scans, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json block = Json::parse(run.out)["blocks"][0];
   EXPECT_NEAR(block["volume_m3"], 0.62 * 0.5 * 0.4, 1e-4 * 0.124);
-  EXPECT_EQ(
-      run_clast({"reconstruct", "mm.obj", "--any-size", "-o", "huge.h5"}, folder.path()).exit_code,
-      0);
-  write_obj(folder / "tiny.obj", cuboid(1.0, 0.8, 0.6));
-  expect_refused(folder, {"reconstruct", "tiny.obj", "--units", "0.0001", "-o", "t.h5"}, 1,
-                 "it is probably in m: try --units m, which makes it 1.00 m; --any-size");
-}
-
-TEST_F(Scans, ACoreKeepsItsVerticesAndTheFormulaHolds) {
-  const double r = 0.1;
-  write_obj(folder / "cube.obj", cuboid(1, 1, 1));
-  const ProgramRun run = run_clast(
-      {"reconstruct", "cube.obj", "--core", "--radius", "0.1", "--mass", "4000", "--json"},
-      folder.path());
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const Json block = Json::parse(run.out)["blocks"][0];
-  const double volume = 1 + 6 * r + 3 * kPi * r * r + 4 * kPi / 3 * r * r * r;
-  EXPECT_EQ(block["vertices"], 8);
-  EXPECT_EQ(block["radius_m"], r);
-  EXPECT_NEAR(block["volume_m3"], volume, 1e-12 * volume);
-  EXPECT_NEAR(block["density_kg_m3"], 4000.0 / volume, 1e-9);
-  EXPECT_EQ(block["deviation_m"]["hausdorff"], 0.0);
 }
 
 TEST_F(Scans, ASmallHoleIsClosedAndSaid) {
@@ -231,55 +160,6 @@ TEST_F(Scans, ALengthThatWasMeasuredSetsTheScale) {
                  "--units");
 }
 
-TEST_F(Scans, APointOfTheMeasuredLengthThatIsOffTheScanIsToldOf) {
-  write_obj(folder / "box.obj", cuboid(1, 0.9, 0.8));
-  const auto out = [&](const std::string& length) {
-    const ProgramRun run =
-        run_clast({"reconstruct", "box.obj", "--replace", "--scale-length", length}, folder.path());
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return run.out;
-  };
-  const std::string note = "a point of --scale-length lies ";
-  EXPECT_TRUE(contains(out("0,0,0;100,0,0;100"), note + "99")) << "half a side is on the scan";
-  EXPECT_FALSE(contains(out("-0.5,0,0 0.5,0,0 1"), note));
-}
-
-TEST_F(Scans, AMassThatContradictsTheVolumeIsToldOf) {
-  write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
-  const ProgramRun run =
-      run_clast({"reconstruct", "cube.obj", "--density", "2650", "--mass", "1500"}, folder.path());
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out,
-                       "note: volume times density gives 1908 kg, 27.2 % more than the "
-                       "1500 kg weighed; check scale, density and closed bottom"));
-}
-
-TEST_F(Scans, InnerShellsAreDroppedOrKeptAndToldOfEitherWay) {
-  TriangleMesh cavity = cuboid(0.3, 0.3, 0.3);
-  for (TriangleMesh::Triangle& t : cavity.triangles) std::swap(t[0], t[1]);
-  write_obj(folder / "hollow.obj", merged(cuboid(1, 0.9, 0.8), cavity));
-  const ProgramRun dropped = run_clast({"reconstruct", "hollow.obj"}, folder.path());
-  ASSERT_EQ(dropped.exit_code, 0) << dropped.err;
-  EXPECT_TRUE(contains(dropped.out, "0.7200 m3"));
-  EXPECT_TRUE(contains(dropped.out, "1 inner shell (bubbles) of 0.027 m3 in all dropped"));
-  const ProgramRun kept =
-      run_clast({"reconstruct", "hollow.obj", "--keep-inner-shells", "-o", "k.h5"}, folder.path());
-  ASSERT_EQ(kept.exit_code, 0) << kept.err;
-  EXPECT_TRUE(contains(kept.out, "0.6930 m3"));
-  EXPECT_TRUE(contains(kept.out, "1 inner shell (bubbles) of 0.027 m3 in all kept as cavities"));
-  const ProgramRun shown = run_clast({"show", "k.h5", "hollow"}, folder.path());
-  EXPECT_TRUE(contains(shown.out, "kept as cavities"));
-  EXPECT_TRUE(contains(shown.out, "inner_shells=kept"));
-}
-
-TEST_F(Scans, NearlyEqualMomentsAreToldOf) {
-  write_obj(folder / "cube.obj", cuboid(1, 1, 1));
-  const ProgramRun made = run_clast({"reconstruct", "cube.obj"}, folder.path());
-  EXPECT_TRUE(contains(made.out, "principal moments are nearly equal")) << made.err;
-  const ProgramRun shown = run_clast({"show", "blocks.h5", "cube"}, folder.path());
-  EXPECT_TRUE(contains(shown.out, "principal moments are nearly equal")) << shown.err;
-}
-
 TEST_F(Scans, AnOutputThatCantBeWrittenIsRefused) {
   write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
   fs::create_directory(folder / "folder.h5");
@@ -289,108 +169,26 @@ TEST_F(Scans, AnOutputThatCantBeWrittenIsRefused) {
   EXPECT_EQ(run_clast(nowhere, folder.path()).out, "") << "before any block is made";
 }
 
-TEST_F(Scans, VerticesAreAddedUntilTheBlockIsWithinTheTolerance) {
-  write_obj(folder / "rough.obj", rock_mesh(7, {1.0, 0.9, 0.8}, 5, 0.3));
-  const auto made = [&](const std::vector<std::string>& options, const std::string& library) {
-    std::vector<std::string> command = {"reconstruct", "rough.obj", "--json", "-o", library};
-    command.insert(command.end(), options.begin(), options.end());
-    const ProgramRun run = run_clast(command, folder.path());
+TEST_F(Scans, OptionsReachTheBlock) {
+  write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
+  const auto made = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"reconstruct", "cube.obj", "--json", "--replace"});
+    const ProgramRun run = run_clast(options, folder.path());
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return Json::parse(run.out)["blocks"][0];
   };
-  const auto off = [](const Json& block) {
-    return block["deviation_m"]["hausdorff"].get<double>() / block["box_m"][0].get<double>();
-  };
-  const std::string tolerance = "0.005";
-  const Json fixed = made({"--vertices", "60", "--tolerance", tolerance}, "fixed.h5");
-  EXPECT_GT(off(fixed), 0.005) << "else there is nothing to add vertices for";
-  EXPECT_LE(fixed["vertices"], 60);
-  EXPECT_TRUE(contains(fixed["warnings"].dump(), "% of L")) << fixed["warnings"];
-  const Json raised = made({"--tolerance", tolerance}, "raised.h5");
-  EXPECT_LE(off(raised), 0.005);
-  EXPECT_GT(raised["vertices"], 60);
-  EXPECT_LE(raised["vertices"], 2000);
-  // About the fewest: with half of them it is farther off.
-  const auto fewer = std::to_string(raised["vertices"].get<std::size_t>() / 2);
-  EXPECT_GT(off(made({"--vertices", fewer, "--tolerance", tolerance}, "fewer.h5")), 0.005);
-  EXPECT_FALSE(contains(raised["warnings"].dump(), "% of L")) << raised["warnings"];
-  // Out of reach: the nearest block, and a warning that says so.
-  const Json far = made({"--tolerance", "0.00001", "--radius-share", "0.02"}, "far.h5");
-  EXPECT_LE(far["vertices"], 2000);
-  EXPECT_TRUE(contains(far["warnings"].dump(), "2000 vertices")) << far["warnings"];
-}
-
-TEST_F(Scans, ConvexTakesTheHullOnPurpose) {
-  // A cube with its top pressed in to half its height: a third of half the cube is missing.
-  TriangleMesh dented = cuboid(1, 1, 1);
-  TriangleMesh cube = dented;
-  std::erase_if(dented.triangles, [&](const TriangleMesh::Triangle& t) {
-    return dented.vertices[t[0]].z() == dented.vertices[t[1]].z() &&
-           dented.vertices[t[1]].z() == dented.vertices[t[2]].z() &&
-           dented.vertices[t[0]].z() == bounds(cube).high.z();
-  });
-  const double top = bounds(cube).high.z(), floor = bounds(cube).low.z();
-  const auto low = static_cast<std::uint32_t>(dented.vertices.size());
-  dented.vertices.push_back(0.5 * (bounds(cube).low + bounds(cube).high));
-  // The rim, counter-clockwise from above.
-  std::vector<std::uint32_t> rim;
-  for (const Vec3& corner : {Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(1, 1, 1), Vec3(0, 1, 1)}) {
-    const Vec3 at = bounds(cube).low + corner * (top - floor);
-    for (std::uint32_t v = 0; v < low; ++v) {
-      if ((dented.vertices[v] - at).norm() < 1e-9) rim.push_back(v);
-    }
-  }
-  ASSERT_EQ(rim.size(), 4u);
-  for (std::size_t k = 0; k < 4; ++k) {
-    dented.triangles.push_back({rim[k], rim[(k + 1) % 4], low});
-  }
-  write_obj(folder / "dented.obj", dented);
-  const auto made = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> command = {"reconstruct", "dented.obj", "--json", "--replace"};
-    command.insert(command.end(), options.begin(), options.end());
-    const ProgramRun run = run_clast(command, folder.path());
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return Json::parse(run.out)["blocks"][0];
-  };
-  const Json as_it_is = made({}), convex = made({"--convex"});
-  EXPECT_NEAR(as_it_is["volume_m3"], 5.0 / 6.0, 1e-3);
-  EXPECT_FALSE(contains(as_it_is["warnings"].dump(), "hull"));
-  EXPECT_NEAR(convex["volume_m3"], 1.0, 1e-3);
-  EXPECT_TRUE(contains(convex["warnings"].dump(), "20.0 % more volume")) << convex["warnings"];
-  const ProgramRun shown = run_clast({"show", "blocks.h5", "dented"}, folder.path());
-  EXPECT_TRUE(contains(shown.out, "convex=yes")) << shown.out;
-  expect_refused(folder, {"reconstruct", "dented.obj", "--convex", "--core", "--radius", "0.1"}, 2,
+  const Json block = made({"--radius", "0.03", "--density", "2650", "--mass", "1500", "--convex",
+                           "--keep-inner-shells=false"});
+  EXPECT_EQ(block["radius_m"], 0.03);
+  EXPECT_TRUE(contains(block["warnings"].dump(), "27.2 % more than the 1500 kg weighed"));
+  EXPECT_TRUE(contains(block["warnings"].dump(), "0 % more volume"));
+  const Json core = made({"--core", "--radius", "0.1", "--mass", "4000"});
+  EXPECT_EQ(core["vertices"], 8);
+  EXPECT_EQ(core["mass_kg"], 4000.0);
+  const ProgramRun shown = run_clast({"show", "blocks.h5", "cube"}, folder.path());
+  EXPECT_TRUE(contains(shown.out, "core=yes")) << shown.out;
+  expect_refused(folder, {"reconstruct", "cube.obj", "--convex", "--core", "--radius", "0.1"}, 2,
                  "--core");
-}
-
-TEST_F(Scans, TheRadiusIsHalvedOnlyWhereTheUserGaveNone) {
-  // The corner of a cube with side 1 and radius r ends r (sqrt 3 - 1) short: 1.5 % at 0.02, 0.73 %
-  // at 0.01. A core of eight vertices can't reach out there without swelling all faces.
-  write_obj(folder / "cube.obj", cuboid(1, 1, 1));
-  const auto radius = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> command = {"reconstruct", "cube.obj", "--json", "--replace"};
-    command.insert(command.end(), options.begin(), options.end());
-    const ProgramRun run = run_clast(command, folder.path());
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return Json::parse(run.out)["blocks"][0]["radius_m"].get<double>();
-  };
-  EXPECT_NEAR(radius({}), 0.01, 1e-9);
-  EXPECT_NEAR(radius({"--tolerance", "0.02"}), 0.02, 1e-9);
-  EXPECT_NEAR(radius({"--radius-share", "0.02"}), 0.02, 1e-9);
-  EXPECT_EQ(radius({"--radius", "0.03"}), 0.03);
-}
-
-TEST_F(Scans, ACoreThatCrossesItselfIsTakenAsItIsAndToldOf) {
-  // Upper corners turned by half a turn: the walls cross on the axis.
-  TriangleMesh twisted = cuboid(1, 1, 1);
-  for (Vec3& v : twisted.vertices) {
-    if (v.z() > 0.0) v = Vec3(-v.x(), -v.y(), v.z());
-  }
-  write_obj(folder / "twisted.obj", twisted);
-  const ProgramRun run =
-      run_clast({"reconstruct", "twisted.obj", "--core", "--radius", "0.01"}, folder.path());
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "passes through itself at")) << run.out;
 }
 
 TEST_F(Scans, TheSameScanGivesTheSameLibrary) {

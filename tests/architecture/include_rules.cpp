@@ -23,7 +23,8 @@ const std::map<std::string, Folders> kArrows = {
     {"dem", {"massprops"}},
     {"terrain", {"dem", "shapes"}},
     {"study", {"library", "terrain"}},
-    {"app", {"study", "reconstruct"}},
+    {"pipeline", {"library", "reconstruct"}},
+    {"app", {"study", "pipeline"}},
 };
 
 /// Libraries that are not named for their folder.
@@ -53,7 +54,7 @@ const std::vector<Package> kHeavyPackages = {
     {"zlib", {"zlib.h"}, {"ZLIB::"}, {"core"}},
     {"GDAL", {"gdal", "ogr", "cpl_"}, {"GDAL::"}, {"terrain", "study"}},
     {"MPI", {"mpi.h"}, {"MPI::"}, {"study"}},
-    {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"study"}},
+    {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"core"}},
     {"CLI11", {"CLI/"}, {"CLI11::"}, {"app"}},
     {"nlohmann_json",
      {"nlohmann/"},

@@ -1,5 +1,6 @@
 #include "tests/architecture/text_rules.hpp"
 
+#include <algorithm>
 #include <map>
 #include <regex>
 
@@ -19,6 +20,27 @@ std::multimap<std::string, std::size_t> keys_of(const SourceFile& references) {
 
 std::vector<std::smatch> matches(const std::string& text, const std::regex& pattern) {
   return {std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()};
+}
+
+/// The text literals of a line.
+std::vector<std::string> literals(const std::string& line) {
+  static const std::regex kLiteral(R"x("((?:[^"\\]|\\.)*)")x");
+  static const std::regex kComment(R"(^\s*//.*)");
+  std::vector<std::string> found;
+  if (line.size() > 2000 || std::regex_match(line, kComment)) return found;
+  for (const std::smatch& match : matches(line, kLiteral)) found.push_back(match[1]);
+  return found;
+}
+
+bool is_of_library(const SourceFile& file) {
+  return file.is_source() && file.folder() != "app" && file.folder() != "tests" &&
+         file.folder() != "benchmarks";
+}
+
+/// Runs of other programs, whose options are theirs.
+bool speaks_of_another_program(const SourceFile& file) {
+  return file.path == "reconstruct/photos/colmap_run.cpp" ||
+         file.path == "terrain/detail/gdal_raster.cpp";
 }
 
 }  // namespace
@@ -63,6 +85,40 @@ Findings citation_findings(const SourceFile& file, const SourceFile& references)
       if (!keys.contains(match[1].str())) {
         findings.push_back(finding(
             file, i + 1, "cites " + match[1].str() + ", which " + references.path + " lacks"));
+      }
+    }
+  }
+  return findings;
+}
+
+Findings flag_findings(const SourceFile& file) {
+  static const std::regex kFlag(R"((^|[\s(])--[a-z])");
+  Findings findings;
+  if (!is_of_library(file) || speaks_of_another_program(file)) return findings;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    for (const std::string& text : literals(file.lines[i])) {
+      if (!std::regex_search(text, kFlag)) continue;
+      findings.push_back(finding(
+          file, i + 1, "names an option of the command line; name the field, as in `radius`"));
+    }
+  }
+  return findings;
+}
+
+Findings field_findings(const SourceFile& file, const SourceFile& flags) {
+  static const std::regex kField(R"(`([^`]*)`)");
+  Findings findings;
+  if (!is_of_library(file) || file.folder() == "report") return findings;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    for (const std::string& text : literals(file.lines[i])) {
+      for (const std::smatch& match : matches(text, kField)) {
+        const std::string entry = "{\"" + match[1].str() + "\", \"";
+        const bool known = std::any_of(
+            flags.lines.begin(), flags.lines.end(),
+            [&](const std::string& line) { return line.find(entry) != std::string::npos; });
+        if (known) continue;
+        findings.push_back(
+            finding(file, i + 1, "names `" + match[1].str() + "`, which " + flags.path + " lacks"));
       }
     }
   }

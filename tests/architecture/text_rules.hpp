@@ -17,4 +17,11 @@ Findings citation_findings(const SourceFile& file, const SourceFile& references)
 /// Keys that stand twice in a BibTeX file.
 Findings repeated_key_findings(const SourceFile& references);
 
+/// Texts of the libraries that name an option of the command line, "--up", and not the field.
+Findings flag_findings(const SourceFile& file);
+
+/// Fields that texts of the libraries name between backticks and that `flags`, the program's table,
+/// does not translate.
+Findings field_findings(const SourceFile& file, const SourceFile& flags);
+
 }  // namespace clast::architecture

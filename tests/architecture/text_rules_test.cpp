@@ -6,11 +6,25 @@
 namespace clast::architecture {
 namespace {
 
-const SourceFile& references() {
+const SourceFile& file_of_project(const std::string& path) {
   for (const SourceFile& file : project()) {
-    if (file.path == "docs/references.bib") return file;
+    if (file.path == path) return file;
   }
-  throw std::runtime_error("docs/references.bib is missing");
+  throw std::runtime_error(path + " is missing");
+}
+
+const SourceFile& references() { return file_of_project("docs/references.bib"); }
+
+TEST(TextRules, LibrariesNameFieldsAndNoOptionsOfTheCommandLine) {
+  const Findings findings = in_every_file(flag_findings);
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+TEST(TextRules, TheProgramKnowsTheOptionOfEveryFieldThatLibrariesName) {
+  const SourceFile& flags = file_of_project("app/option_flags.cpp");
+  const Findings findings =
+      in_every_file([&](const SourceFile& file) { return field_findings(file, flags); });
+  EXPECT_TRUE(findings.empty()) << lines(findings);
 }
 
 TEST(TextRules, EveryHeaderStartsWithPragmaOnce) {
@@ -35,6 +49,23 @@ TEST(TextRules, NoReferenceStandsTwice) {
 }
 
 // The rules, applied to made-up files.
+
+TEST(TextRules, OptionOfTheCommandLineInALibraryIsFound) {
+  const std::string text = "// --up\nthrow InputError(\"use --up\");\nint i = 1; --i;\n";
+  ASSERT_EQ(flag_findings(source_file("mesh/a.cpp", text)).size(), 1u);
+  EXPECT_TRUE(flag_findings(source_file("mesh/a.cpp", text))[0].starts_with("mesh/a.cpp:2: "));
+  EXPECT_TRUE(flag_findings(source_file("app/a.cpp", text)).empty());
+  EXPECT_TRUE(flag_findings(source_file("mesh/a.cpp", "\"a -- b\"\n")).empty());
+}
+
+TEST(TextRules, FieldWithoutAnOptionIsFound) {
+  const SourceFile flags = source_file("app/flags.cpp", "{\"up\", \"--up\"},\n");
+  const auto findings = [&](const std::string& text) {
+    return field_findings(source_file("mesh/a.cpp", text), flags);
+  };
+  EXPECT_TRUE(findings("throw InputError(\"use `up`\");\n").empty());
+  EXPECT_EQ(findings("throw InputError(\"use `down`\");\n").size(), 1u);
+}
 
 TEST(TextRules, HeaderWithoutPragmaOnceIsFound) {
   EXPECT_EQ(guard_findings(source_file("dem/a.hpp", "/// A.\n#pragma once\n")),

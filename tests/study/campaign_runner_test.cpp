@@ -243,9 +243,9 @@ TEST_F(CampaignRun, EveryRunIsStoredWithItsCrossingsAndTrajectory) {
   const PreparedCampaign plan = prepared();
   const fs::path target = *folder_ / "all.h5";
   std::size_t calls = 0;
-  run_campaign(plan, target, {.threads = 2, .progress = [&](std::size_t done, std::size_t planned) {
-                                EXPECT_EQ(done, ++calls);
-                                EXPECT_EQ(planned, 12u);
+  run_campaign(plan, target, {.threads = 2, .progress = [&](const ProgressStep& step) {
+                                EXPECT_EQ(step.done, ++calls);
+                                EXPECT_EQ(step.total, 12u);
                               }});
   EXPECT_EQ(calls, 12u);
   const CampaignResults results = read_results(target);
@@ -283,8 +283,8 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
   // Stopped twice from outside, and torn at its end.
   struct Stop {};
   for (int stop = 0; stop < 2; ++stop) {
-    const auto quit = [](std::size_t done, std::size_t) {
-      if (done % 4 == 0) throw Stop{};
+    const auto quit = [](const ProgressStep& step) {
+      if (step.done % 4 == 0) throw Stop{};
     };
     EXPECT_THROW(
         run_campaign(plan, *folder_ / "cut.h5", {.threads = 1, .resume = true, .progress = quit}),
@@ -295,9 +295,8 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
     fs::resize_file(part, fs::file_size(part) - 7);
   }
   std::size_t runs = 0;
-  run_campaign(
-      plan, *folder_ / "cut.h5",
-      {.threads = 2, .resume = true, .progress = [&](std::size_t, std::size_t) { ++runs; }});
+  run_campaign(plan, *folder_ / "cut.h5",
+               {.threads = 2, .resume = true, .progress = [&](const ProgressStep&) { ++runs; }});
   EXPECT_LT(runs, 12u);
   expect_equal_results(*folder_ / "one.h5", *folder_ / "cut.h5");
   EXPECT_FALSE(fs::exists(partial_results(*folder_ / "cut.h5")));
@@ -320,7 +319,7 @@ TEST_F(CampaignRun, RunThatFailsIsStoredWithItsReason) {
 TEST_F(CampaignRun, TargetThatCantBeWrittenIsRefusedBeforeAnythingRuns) {
   const PreparedCampaign plan = prepared();
   fs::create_directory(*folder_ / "folder.h5");
-  const auto ran = [](std::size_t, std::size_t) { FAIL() << "a run was done"; };
+  const auto ran = [](const ProgressStep&) { FAIL() << "a run was done"; };
   EXPECT_THROW(run_campaign(plan, *folder_ / "folder.h5", {.progress = ran}), InputError);
   EXPECT_THROW(run_campaign(plan, *folder_ / "turns.txt/r.h5", {.progress = ran}), InputError);
 }
@@ -330,7 +329,7 @@ TEST_F(CampaignRun, ChangedInputsAreNotResumed) {
   const fs::path target = *folder_ / "changed.h5";
   struct Stop {};
   EXPECT_THROW(
-      run_campaign(plan, target, {.threads = 1, .progress = [](auto, auto) { throw Stop{}; }}),
+      run_campaign(plan, target, {.threads = 1, .progress = [](const auto&) { throw Stop{}; }}),
       Stop);
   const PreparedCampaign other = prepared(with("max_time_s = 6", "max_time_s = 5"));
   try {

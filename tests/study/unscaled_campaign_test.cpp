@@ -38,7 +38,7 @@ TEST_F(UnscaledCampaign, IsRefusedByNameWhereItHasNoSize) {
         "select = { scheme = \"garcia\", class = \"elongated\" }", "draw = { count = 5 }"}) {
     const std::string message = refusal(blocks(choice));
     EXPECT_TRUE(contains(message, "block model of ")) << choice << message;
-    EXPECT_TRUE(contains(message, "is unscaled") && contains(message, "--scale-bar") &&
+    EXPECT_TRUE(contains(message, "is unscaled") && contains(message, "`bars`") &&
                 contains(message, "mass_kg"))
         << message;
   }

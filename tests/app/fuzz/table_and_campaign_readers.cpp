@@ -1,4 +1,4 @@
-#include "app/board_file.hpp"
+#include "pipeline/board_file.hpp"
 #include "classify/dimension_table.hpp"
 #include "study/campaign.hpp"
 #include "study/measured_stops.hpp"

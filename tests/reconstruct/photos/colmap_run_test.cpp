@@ -70,7 +70,7 @@ TEST(ColmapRun, AMissingProgramIsToldWithThePackageThatGivesIt) {
   options.program = "no-such-colmap";
   const std::string text = refusal([&] { colmap_cameras(fake.photos(), options); });
   EXPECT_TRUE(contains(text, "apt-get install colmap"));
-  EXPECT_TRUE(contains(text, "--model"));
+  EXPECT_TRUE(contains(text, "`model`"));
 }
 
 TEST(ColmapRun, CamerasAreKeptByTheContentOfThePhotos) {

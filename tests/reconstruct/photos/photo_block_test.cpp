@@ -41,7 +41,7 @@ TEST(PhotoBlock, WithoutAScaleItIsRefusedUnlessThatIsAllowed) {
   const std::string text =
       refusal([&] { photo_scan(rock("images"), {.model = rock("colmap_txt")}); });
   EXPECT_TRUE(contains(text, "no scale"));
-  EXPECT_TRUE(contains(text, "--scale-bar"));
+  EXPECT_TRUE(contains(text, "`bars`"));
   EXPECT_TRUE(contains(text, "masses are not"));
 }
 

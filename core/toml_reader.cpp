@@ -1,4 +1,4 @@
-#include "study/toml_reader.hpp"
+#include "core/toml_reader.hpp"
 
 #include <toml++/toml.h>
 
@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "study/toml_depth.hpp"
+#include "core/toml_depth.hpp"
 
 namespace clast {
 namespace {

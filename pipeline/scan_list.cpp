@@ -1,4 +1,4 @@
-#include "app/scan_list.hpp"
+#include "pipeline/scan_list.hpp"
 
 #include <algorithm>
 #include <map>

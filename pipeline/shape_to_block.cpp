@@ -1,4 +1,4 @@
-#include "app/shape_to_block.hpp"
+#include "pipeline/shape_to_block.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,13 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
+#include "pipeline/detail/crossing_warning.hpp"
+#include "pipeline/detail/scan_scale.hpp"
 #include "shapes/coplanar_faces.hpp"
 
 namespace clast {
+
+using namespace pipeline_detail;
 
 namespace {
 
@@ -25,9 +29,9 @@ double radius_of(const ShpShape& shape, const ScanToBlockOptions& options) {
   const double radius = shape.body.radius * options.scan.unit;
   const std::optional<double>& asked = options.block.radius;
   if (asked && std::abs(*asked - radius) > kSameRadius * std::max(*asked, radius)) {
-    throw InputError("--radius " + with_digits(*asked, 5) +
+    throw InputError("`radius` " + with_digits(*asked, 5) +
                      " m contradicts the radius of the shape, " + with_digits(radius, 5) +
-                     " m; leave --radius out");
+                     " m; leave `radius` out");
   }
   return radius;
 }
@@ -71,7 +75,7 @@ void compare_with_file(Block& block, const ShpShape& shape, double unit) {
               (file - ours).cwiseQuotient(ours).cwiseAbs().maxCoeff(), moment_error);
 }
 
-/// A ball or a capsule: nothing to mend.
+/// A ball or a capsule: nothing to repair.
 Block block_from_skeleton(const ShpShape& shape, double radius, const std::string& id,
                           BlockSource source, const ScanToBlockOptions& options) {
   SpheroPolyhedron body = shape.body;
@@ -92,9 +96,9 @@ Block block_from_skeleton(const ShpShape& shape, double radius, const std::strin
 
 }  // namespace
 
-Block block_from_shape(const ShpShape& shape, const std::filesystem::path& path,
+Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
                        const std::string& id, const ScanToBlockOptions& options,
-                       const std::function<void(const std::string&)>& stage) {
+                       const ScanCallbacks& callbacks) {
   const std::string where = path.string() + ": shape " + shape.name;
   try {
     if (shape.is_surface) {
@@ -102,7 +106,7 @@ Block block_from_shape(const ShpShape& shape, const std::filesystem::path& path,
           "is a surface (isSurface) and no block; a ground goes to clast terrain as "
           "a mesh");
     }
-    if (stage) stage("measuring " + id);
+    callbacks.begin("measuring " + id);
     ScanToBlockOptions taken = options;
     taken.block.core = true;
     taken.block.radius = radius_of(shape, options);
@@ -122,6 +126,7 @@ Block block_from_shape(const ShpShape& shape, const std::filesystem::path& path,
     check_size(bounds(block.surface), id, options);
     block.warnings.insert(block.warnings.begin(), shape.notes.begin(), shape.notes.end());
     compare_with_file(block, shape, options.scan.unit);
+    if (callbacks.made) callbacks.made(block, {});
     return block;
   } catch (const GeometryError& error) {
     const std::string reason = error.what();

@@ -10,14 +10,14 @@ namespace clast {
 /// "3 min 20 s"; at least seconds are named.
 std::string duration_text(double seconds);
 
-class Progress {
+class ProgressBar {
  public:
   /// @param what   for example "runs"
   /// @param total  how many there are to do
-  Progress(std::string what, std::size_t total);
-  ~Progress() { clear(); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  ProgressBar(std::string what, std::size_t total);
+  ~ProgressBar() { clear(); }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
 
   /// @param note  what is being done just now, shown on a terminal
   void update(std::size_t done, const std::string& note = "");

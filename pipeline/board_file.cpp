@@ -1,8 +1,8 @@
-#include "app/board_file.hpp"
+#include "pipeline/board_file.hpp"
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "study/toml_reader.hpp"
+#include "core/toml_reader.hpp"
 
 namespace clast {
 

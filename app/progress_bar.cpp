@@ -1,4 +1,4 @@
-#include "app/progress.hpp"
+#include "app/progress_bar.hpp"
 
 #include <unistd.h>
 
@@ -37,13 +37,13 @@ std::string duration_text(double seconds) {
   return text;
 }
 
-Progress::Progress(std::string what, std::size_t total)
+ProgressBar::ProgressBar(std::string what, std::size_t total)
     : what_(std::move(what)),
       total_(total),
       terminal_(::isatty(STDERR_FILENO) == 1),
       begin_(std::chrono::steady_clock::now()) {}
 
-void Progress::update(std::size_t done, const std::string& note) {
+void ProgressBar::update(std::size_t done, const std::string& note) {
   if (!started_) {
     started_ = true;
     // A resumed job does not start at zero: what was there took no time now.
@@ -74,7 +74,7 @@ void Progress::update(std::size_t done, const std::string& note) {
   std::fflush(stderr);
 }
 
-void Progress::clear() {
+void ProgressBar::clear() {
   if (!visible_) return;
   std::fprintf(stderr, "\r\033[K");
   std::fflush(stderr);

@@ -1,10 +1,9 @@
-#include "app/lightest_block.hpp"
+#include "pipeline/lightest_block.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/text_table.hpp"
 #include "core/error.hpp"
 #include "reconstruct/simplify.hpp"
 

@@ -1,0 +1,121 @@
+#include "app/batch_printer.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <utility>
+
+#include "app/block_report.hpp"
+#include "app/option_flags.hpp"
+#include "app/photo_json.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/printable.hpp"
+#include "core/utf8.hpp"
+#include "reconstruct/photos/photo_evidence.hpp"
+
+namespace clast {
+
+BatchPrinter::BatchPrinter(std::size_t scans, const BatchOptions& options,
+                           const std::string& report, bool json)
+    : options_(options), scans_(scans), json_(json), bar_("steps", 3 * scans) {
+  if (!report.empty()) report_.emplace(report, options.replace || options.resume);
+}
+
+void BatchPrinter::made(const Block& block, const BlockOrigin& origin) {
+  if (!report_ && (!json_ || origin.photos == nullptr)) return;
+  Prepared prepared;
+  PagedScan shown{.raw = origin.raw, .found = origin.found};
+  if (origin.photos != nullptr) {
+    const PhotoEvidence evidence =
+        photo_evidence(*origin.photos, *origin.found, options_.scan.scan.up);
+    shown.sections.push_back(photo_section(*origin.photos, evidence, origin.found->scan.mesh));
+    shown.scale = "by " + origin.photos->scale_source;
+    prepared.photos = photo_json(*origin.photos, evidence);
+  }
+  if (report_) prepared.page = block_page(block, shown, options_.scan);
+  const std::lock_guard lock(mutex_);
+  prepared_[block.id] = std::move(prepared);
+}
+
+void BatchPrinter::accept(const Block& block) { accepted_ = block_json(block); }
+
+void BatchPrinter::added(const Block& block) {
+  std::unique_lock lock(mutex_);
+  const auto prepared = prepared_.extract(block.id);
+  lock.unlock();
+  made_.push_back(std::move(accepted_));
+  if (!prepared.empty() && !prepared.mapped().photos.is_null()) {
+    made_.back()["photos"] = prepared.mapped().photos;
+  }
+  bar_.clear();
+  if (!json_) {
+    std::cout << printable(block_line(block)) << "\n";
+    for (const std::string& warning : block.warnings) {
+      std::cout << "  note: " << shown(warning) << "\n";
+    }
+    std::cout.flush();
+  }
+  if (!report_) return;
+  try {
+    report_->add(block, prepared.mapped().page);
+  } catch (const Error& error) {  // a name too long for a page never costs the batch
+    throw InputError("block " + block.id +
+                     " was made, but not its page: " + std::string(error.what()));
+  }
+}
+
+void BatchPrinter::kept(const Block& block) {
+  if (report_) report_->add_earlier(block);
+}
+
+void BatchPrinter::refused(const std::string& id) {
+  std::erase_if(made_.get_ref<Json::array_t&>(),
+                [&](const Json& json) { return json["id"] == id; });
+}
+
+void BatchPrinter::failed(const ScanFile& scan, const std::string& reason) {
+  bar_.clear();
+  const std::string path = scan.path.string();
+  if (report_) report_->add_failure(path, reason);
+  failed_.push_back({{"scan", as_utf8(path)}, {"reason", as_utf8(with_flags(reason))}});
+  const auto print = [&] { std::cerr << "clast: " << shown(last_failure_) << "\n"; };
+  // The last failure of a single scan ends the program and is printed then.
+  if (scans_ == 1 && !last_failure_.empty()) print();
+  last_failure_ = reason.find(path) == std::string::npos ? path + ": " + reason : reason;
+  if (scans_ > 1) print();
+}
+
+void BatchPrinter::noted(const std::string& text) {
+  bar_.clear();
+  std::cerr << "clast: " << shown(text) << "\n";
+}
+
+void BatchPrinter::finish(const BatchResult& result) {
+  bar_.clear();
+  if (report_) report_->finish();
+  print_end(result);
+  if (failed_.empty()) return;
+  if (scans_ == 1) throw InputError(last_failure_);
+  throw InputError(std::to_string(result.failed_scans) + " of " + std::to_string(scans_) +
+                   " scans gave no block" + (options_.scan.split ? ", or not all of theirs" : "") +
+                   "; the reasons are above");
+}
+
+void BatchPrinter::print_end(const BatchResult& result) const {
+  if (json_) {
+    Json json = {{"blocks", made_}, {"failed", failed_}};
+    if (options_.resume) json["skipped"] = result.skipped;
+    std::cout << json.dump(2) << "\n";
+    return;
+  }
+  const std::string library = printable(options_.library.string());
+  if (result.skipped > 0) {
+    std::cout << library << ": " << counted(result.skipped, "scan")
+              << " skipped, in the library already with the same file and options\n";
+  }
+  if (made_.empty()) return;
+  std::cout << library << ": " << counted(made_.size(), "block") << " written, " << result.blocks
+            << " in all\n";
+}
+
+}  // namespace clast

@@ -1,0 +1,61 @@
+#pragma once
+/// What `clast reconstruct` prints and writes about a batch of scans.
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "app/progress_bar.hpp"
+#include "app/scan_report.hpp"
+#include "pipeline/scan_batch.hpp"
+
+namespace clast {
+
+/// Lines or JSON on stdout, failures on stderr, a page for each block where pages are wanted.
+class BatchPrinter : public BatchObserver {
+ public:
+  /// @param scans   how many there are
+  /// @param report  folder of pages; empty: none are written
+  /// @param json    blocks as JSON at the end, not as lines
+  /// @throws InputError  the folder of pages can't be written
+  BatchPrinter(std::size_t scans, const BatchOptions& options, const std::string& report,
+               bool json);
+
+  void made(const Block& block, const BlockOrigin& origin) override;
+  void accept(const Block& block) override;
+  void added(const Block& block) override;
+  void kept(const Block& block) override;
+  void refused(const std::string& id) override;
+  void failed(const ScanFile& scan, const std::string& reason) override;
+  void noted(const std::string& text) override;
+
+  void show(const ProgressStep& step) { bar_.update(step.done, step.what); }
+  /// The summary, on stdout and among the pages.
+  /// @throws InputError  a scan gave no block; of a single scan its own reason
+  void finish(const BatchResult& result);
+
+ private:
+  using Json = nlohmann::ordered_json;
+
+  /// What is kept of a block from the moment when it is made.
+  struct Prepared {
+    std::string page;
+    Json photos;  ///< null where it is not of photographs
+  };
+
+  void print_end(const BatchResult& result) const;
+
+  const BatchOptions& options_;
+  std::size_t scans_;
+  bool json_;
+  ProgressBar bar_;
+  std::optional<ScanReport> report_;
+  std::mutex mutex_;                          ///< of `prepared_`
+  std::map<std::string, Prepared> prepared_;  ///< by id of the block
+  Json accepted_;                             ///< the block that is taken next
+  Json made_ = Json::array(), failed_ = Json::array();
+  std::string last_failure_;
+};
+
+}  // namespace clast

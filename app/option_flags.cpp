@@ -1,0 +1,64 @@
+#include "app/option_flags.hpp"
+
+#include <map>
+
+#include "core/printable.hpp"
+
+namespace clast {
+
+namespace {
+
+/// What stands between backticks in the messages of the libraries, and what a user types for it.
+const std::map<std::string, std::string, std::less<>> kFlags = {
+    {"accuracy", "--accuracy"},
+    {"allow_unscaled", "--allow-unscaled"},
+    {"any_size", "--any-size"},
+    {"axis_error", "--axis-error"},
+    {"bars", "--scale-bar"},
+    {"board", "--board"},
+    {"cache", "--photo-cache"},
+    {"columns", "--columns"},
+    {"core", "--core"},
+    {"density", "--density"},
+    {"find_ground = false", "--ground none"},
+    {"group_by", "--by"},
+    {"jobs", "--jobs"},
+    {"marker_side", "--marker-size"},
+    {"mass", "--mass"},
+    {"merge_results", "clast simulate --merge PARTS -o ALL"},
+    {"metres_per_unit", "--scale-length"},
+    {"model", "--model"},
+    {"outliers", "--outliers"},
+    {"radius", "--radius"},
+    {"radius_share", "--radius-share"},
+    {"replace", "--replace"},
+    {"resolution", "--resolution"},
+    {"resume", "--resume"},
+    {"scale_factor", "--scale-factor"},
+    {"scale_points", "--scale-length"},
+    {"seconds", "--colmap-minutes"},
+    {"shard", "--shard"},
+    {"split", "--split"},
+    {"units", "--units"},
+    {"up", "--up"},
+    {"vertices", "--vertices"},
+};
+
+}  // namespace
+
+std::string with_flags(std::string_view text) {
+  std::string result;
+  while (true) {
+    const std::size_t begin = text.find('`');
+    const std::size_t end = begin == text.npos ? begin : text.find('`', begin + 1);
+    if (end == text.npos) return result.append(text);
+    const std::string_view field = text.substr(begin + 1, end - begin - 1);
+    const auto flag = kFlags.find(field);
+    result.append(text.substr(0, begin)).append(flag == kFlags.end() ? field : flag->second);
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string shown(std::string_view text) { return printable(with_flags(text)); }
+
+}  // namespace clast

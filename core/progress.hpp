@@ -1,0 +1,28 @@
+#pragma once
+/// How a long job says how far it is, and how it is stopped.
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace clast {
+
+/// How far a job is.
+struct ProgressStep {
+  std::size_t done = 0;   ///< of `total` runs, scans, ...
+  std::size_t total = 0;  ///< 0: not known
+  std::string what = {};  ///< that is being done now, such as "fitting B017"
+};
+
+/// Called by a job now and then, from one thread at a time. What it throws ends the job; whatever
+/// was finished by then is kept.
+using Progress = std::function<void(const ProgressStep&)>;
+
+/// For a `Progress` to throw that wants the job to end. No `Error`: a batch that goes on after what
+/// is wrong with one item does not go on after this.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+}  // namespace clast

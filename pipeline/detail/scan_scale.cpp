@@ -1,0 +1,75 @@
+#include "pipeline/detail/scan_scale.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+
+namespace clast::pipeline_detail {
+
+namespace {
+
+constexpr double kLargestBlock = 50.0;   ///< m; longer than any block that was ever scanned whole
+constexpr double kSmallestBlock = 1e-3;  ///< m; below it lies sand
+
+/// A point that lies off the scan by more than this share of its diagonal is probably of another.
+constexpr double kOffScan = 0.25;
+
+/// The unit in which a length of `raw` file units is that of a usual block.
+std::string likely_unit(double raw) {
+  constexpr std::array<std::pair<const char*, double>, 6> units = {
+      {{"m", 1.0}, {"mm", 0.001}, {"cm", 0.01}, {"ft", 0.3048}, {"in", 0.0254}, {"km", 1000.0}}};
+  for (const auto& [name, unit] : units) {
+    const double length = raw * unit;
+    if (length >= 0.05 && length <= 20.0) {
+      return std::string("; it is probably in ") + name + ": try `units` " + name +
+             ", which makes it " + rounded(length, 3) + " m";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options) {
+  const double length = (box.high - box.low).maxCoeff();
+  if (options.any_size || (length <= kLargestBlock && length >= kSmallestBlock)) return;
+  const std::string size = "block " + id + " would be " + rounded(length, 3) + " m long, ";
+  const std::string anyway = "; `any_size` takes it as it is";
+  if (options.scale_points) {
+    throw InputError(size + "scaled by `scale_points`: check its two points and its metres" +
+                     anyway);
+  }
+  throw InputError(size + "read with `units` " + options.units +
+                   likely_unit(length * options.scale_factor / options.scan.unit) + anyway);
+}
+
+std::string scale_text(const ScanToBlockOptions& options) {
+  std::string text = "units=" + options.units;
+  if (options.scale_points) {
+    text = "unit_by_length_m=" + with_digits(options.scan.unit / options.scale_factor, 9);
+  }
+  if (options.scale_factor != 1.0) {
+    text += " scale_factor=" + with_digits(options.scale_factor, 9);
+  }
+  return text;
+}
+
+void note_far_scale(FieldScan& found, const std::array<Vec3, 2>& points) {
+  if (found.raw.vertices.empty()) return;
+  const Bounds box = bounds(found.raw);
+  double off = 0.0;
+  for (const Vec3& p : points) {
+    off = std::max(off, (p - p.cwiseMax(box.low).cwiseMin(box.high)).norm());
+  }
+  if (off <= kOffScan * box.diagonal()) return;
+  for (FieldBlock& block : found.blocks) {
+    block.scan.notes.insert(block.scan.notes.begin(),
+                            "a point of `scale_points` lies " + rounded(off, 3) +
+                                " units off this scan, which is " + rounded(box.diagonal(), 3) +
+                                " units across: check that both points are of this scan");
+  }
+}
+
+}  // namespace clast::pipeline_detail

@@ -1,0 +1,21 @@
+#pragma once
+/// The size of a scan: where it came from, and whether a rock block can have it.
+#include <array>
+#include <string>
+
+#include "pipeline/scan_to_block.hpp"
+
+namespace clast::pipeline_detail {
+
+/// Refuses a size that no rock block has (over 50 m or under 1 mm), which is a wrong unit most of
+/// the time. `box` is in metres.
+/// @throws InputError  naming the unit that is probably meant
+void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options);
+
+/// How a scan got its size, as "key=value" for the record.
+std::string scale_text(const ScanToBlockOptions& options);
+
+/// Adds a note where a point that gave the scale lies far from all that was read.
+void note_far_scale(FieldScan& found, const std::array<Vec3, 2>& points);
+
+}  // namespace clast::pipeline_detail

@@ -1,0 +1,264 @@
+#include "pipeline/scan_batch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <new>
+#include <set>
+#include <utility>
+
+#include "core/digest.hpp"
+#include "core/error.hpp"
+#include "core/fields.hpp"
+#include "core/number_text.hpp"
+#include "core/ordered_jobs.hpp"
+#include "library/library_update.hpp"
+#include "pipeline/shape_to_block.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr std::size_t kStages = 3;  ///< of a scan: reading, simplifying, fitting
+/// A batch that is killed loses little; a write for every block would copy the library each time.
+constexpr std::chrono::seconds kBetweenWrites{60};
+
+/// What became of a scan: blocks, or the reasons why some or all are missing, or neither where the
+/// library has its block already.
+struct Outcome {
+  std::vector<Block> blocks;
+  std::vector<std::string> failures;
+};
+
+/// A short name of everything that was asked of a scan, for `resume` to know it again.
+std::string request_of(const ScanToBlockOptions& options) {
+  return "request=" + sha256(field_text(options)).substr(0, 16);
+}
+
+/// A batch of scans on its way into a library.
+class Batch {
+ public:
+  Batch(const std::vector<ScanFile>& scans, const BatchOptions& options, BatchObserver& observer,
+        const Progress& progress)
+      : scans_(scans),
+        options_(options),
+        observer_(observer),
+        progress_(progress),
+        request_(request_of(options.scan)) {
+    if (options.scan.block.mass && scans.size() > 1) {
+      throw InputError("`mass` is the mass of one block, but " + std::to_string(scans.size()) +
+                       " scans are given");
+    }
+    if (std::filesystem::exists(options.library)) library_ = BlockLibrary::read(options.library);
+    // A place that can't be written is refused before the work and not after it.
+    check_library_place(options.library);
+  }
+
+  BatchResult run() {
+    try {
+      ordered_jobs(
+          scans_.size(), options_.jobs, [&](std::size_t i) { return outcome_of(scans_[i]); },
+          [&](std::size_t i, Outcome& outcome) { take(scans_[i], outcome); });
+    } catch (const Cancelled&) {
+      save();
+      throw;
+    }
+    save();
+    result_.failed_scans = scans_failed_.size();
+    result_.blocks = library_.blocks().size();
+    return result_;
+  }
+
+ private:
+  /// A block that is in `library_` and not yet in the file.
+  struct Unsaved {
+    const ScanFile* scan;
+    std::string id;
+  };
+
+  bool is_of(const Block& block, const std::string& sha256) const {
+    return block.source.options.ends_with(request_) && block.source.sha256 == sha256;
+  }
+
+  bool is_split(const ScanFile& scan) const { return options_.scan.split && !scan.is_shp(); }
+
+  /// True where the block in the library was made of the same bytes by the same options.
+  bool is_done(const ScanFile& scan) {
+    check_block_id(scan.id);
+    const std::string first = is_split(scan) ? scan.id + "_1" : scan.id;
+    const std::lock_guard lock(mutex_);
+    if (!library_.has(first)) return false;
+    const BlockSource& source = library_.block(first).source;
+    const bool same_request = options_.resume && source.options.ends_with(request_);
+    if (same_request && source.sha256 == scan_digest(scan.path)) return true;
+    if (options_.replace) return false;
+    std::string how;
+    if (options_.resume)
+      how = same_request ? ", made of another file" : ", made with other options";
+    throw InputError("block " + first + " is in " + options_.library.string() + " already" + how +
+                     "; use `replace` to put the new one in its place");
+  }
+
+  std::vector<Block> make_blocks(const ScanFile& scan, Outcome& outcome) {
+    const ScanCallbacks callbacks = {
+        .progress = [&](const ProgressStep& step) { report(step.what); },
+        .made = [&](const Block& block,
+                    const BlockOrigin& origin) { observer_.made(block, origin); },
+        .lost = [&](const std::string&,
+                    const std::string& reason) { outcome.failures.push_back(reason); }};
+    if (!scan.is_shp()) {
+      return reconstruct_blocks(scan.path, scan.id, options_.scan, callbacks);
+    }
+    const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
+    return {make_shape_block(shape, scan.path, scan.id, options_.scan, callbacks)};
+  }
+
+  Outcome outcome_of(const ScanFile& scan) {
+    Outcome outcome;
+    try {
+      if (is_done(scan)) return {};
+      outcome.blocks = make_blocks(scan, outcome);
+      for (Block& block : outcome.blocks) block.source.options += " " + request_;
+      return outcome;
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {  // one bad scan never costs the batch
+      return {{}, {error.what()}};
+    } catch (const std::bad_alloc&) {
+      return {{}, {"not enough memory; use fewer `jobs`, or simplify the scan first"}};
+    } catch (const std::exception& error) {
+      return {{}, {std::string("unexpected failure, please report it: ") + error.what()}};
+    }
+  }
+
+  void report(const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t total = kStages * scans_.size();
+    if (progress_) progress_({std::min(steps_++, total), total, what});
+  }
+
+  void take(const ScanFile& scan, const Outcome& outcome) {
+    const std::lock_guard lock(mutex_);
+    steps_ = std::max(steps_, kStages * ++taken_);
+    for (const Block& block : outcome.blocks) add(scan, block);
+    for (const std::string& failure : outcome.failures) fail(scan, failure);
+    if (outcome.blocks.empty() && outcome.failures.empty()) keep(scan);
+    note_leftovers(scan, outcome);
+    save_now_and_then();
+  }
+
+  void add(const ScanFile& scan, const Block& block) {
+    try {
+      observer_.accept(block);
+      library_.add(block, options_.replace);
+      unsaved_.push_back({&scan, block.id});
+      ++result_.added;
+      observer_.added(block);
+    } catch (const Error& error) {  // such as one of a split scan that is there already
+      fail(scan, error.what());
+    }
+  }
+
+  void fail(const ScanFile& scan, const std::string& reason) {
+    scans_failed_.insert(scan.id);
+    observer_.failed(scan, reason);
+  }
+
+  void keep(const ScanFile& scan) {
+    ++result_.skipped;
+    if (!is_split(scan)) return observer_.kept(library_.block(scan.id));
+    for (std::size_t i = 1; library_.has(scan.id + "_" + std::to_string(i)); ++i) {
+      observer_.kept(library_.block(scan.id + "_" + std::to_string(i)));
+    }
+  }
+
+  /// Blocks of an earlier split into more than now.
+  void note_leftovers(const ScanFile& scan, const Outcome& outcome) const {
+    if (!options_.scan.split || outcome.blocks.empty() || !outcome.failures.empty()) return;
+    const std::string next = scan.id + "_" + std::to_string(outcome.blocks.size() + 1);
+    if (!library_.has(next)) return;
+    observer_.noted(options_.library.string() + " still holds block " + next +
+                    " of an earlier split; if it is obsolete, use clast library remove");
+  }
+
+  /// Adds what was made since the last time to the library as it is now, which other processes may
+  /// have written to meanwhile.
+  void save() {
+    if (unsaved_.empty()) return;
+    std::vector<std::pair<Unsaved, std::string>> refused;
+    const auto waiting = [&] {
+      observer_.noted(options_.library.string() + ": another program is writing to it; waiting");
+    };
+    library_ = update_library(
+        options_.library, {.make = true, .waiting = waiting}, [&](BlockLibrary& library) {
+          for (const Unsaved& one : unsaved_) {
+            const Block& block = library_.block(one.id);
+            const bool done = options_.resume && library.has(one.id) &&
+                              is_of(library.block(one.id), block.source.sha256);
+            if (done) continue;
+            try {
+              library.add(block, options_.replace);
+            } catch (const InputError& error) {  // another process was first
+              refused.emplace_back(one, error.what());
+            }
+          }
+        });
+    unsaved_.clear();
+    result_.added -= refused.size();
+    for (const auto& [one, reason] : refused) {
+      observer_.refused(one.id);
+      fail(*one.scan, reason);
+    }
+  }
+
+  /// What can't be written now is tried again at the end.
+  void save_now_and_then() {
+    if (unsaved_.empty() || std::chrono::steady_clock::now() - written_ < kBetweenWrites) return;
+    try {
+      save();
+    } catch (const Error& error) {
+      observer_.noted(std::string(error.what()) + "; writing is tried again at the end");
+    }
+    written_ = std::chrono::steady_clock::now();
+  }
+
+  const std::vector<ScanFile>& scans_;
+  const BatchOptions& options_;
+  BatchObserver& observer_;
+  const Progress& progress_;
+  std::string request_;
+  BlockLibrary library_;  ///< as last read or written, plus what was made since
+  std::vector<Unsaved> unsaved_;
+  std::mutex mutex_;  ///< of all below, the library and the progress
+  std::size_t steps_ = 0, taken_ = 0;
+  BatchResult result_;
+  std::set<std::string> scans_failed_;  ///< their ids
+  std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
+};
+
+/// Keeps the reasons of what failed.
+class Reasons : public BatchObserver {
+ public:
+  void failed(const ScanFile& scan, const std::string& reason) override {
+    const bool named = reason.find(scan.path.string()) != std::string::npos;
+    text += (text.empty() ? "" : "\n") + (named ? "" : scan.path.string() + ": ") + reason;
+  }
+
+  std::string text;
+};
+
+}  // namespace
+
+BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options,
+                              BatchObserver& observer, const Progress& progress) {
+  return Batch(scans, options, observer, progress).run();
+}
+
+BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options) {
+  Reasons reasons;
+  const BatchResult result = reconstruct_batch(scans, options, reasons);
+  if (!reasons.text.empty()) throw InputError(reasons.text);
+  return result;
+}
+
+}  // namespace clast

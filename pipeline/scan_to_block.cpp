@@ -1,0 +1,153 @@
+#include "pipeline/scan_to_block.hpp"
+
+#include <utility>
+
+#include "core/digest.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/utf8.hpp"
+#include "library/unseen_range.hpp"
+#include "massprops/solid.hpp"
+#include "mesh/mesh_io.hpp"
+#include "pipeline/detail/crossing_warning.hpp"
+#include "pipeline/detail/photographed_blocks.hpp"
+#include "pipeline/detail/scan_scale.hpp"
+#include "pipeline/lightest_block.hpp"
+#include "shapes/convex_hull.hpp"
+
+namespace clast {
+
+using namespace pipeline_detail;
+
+namespace {
+
+/// The hull in place of the scan, and what that adds to the rock.
+TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& notes) {
+  TriangleMesh hull = convex_hull(scan.vertices);
+  const double added =
+      solid_mass_properties(hull, 1.0).volume / solid_mass_properties(scan, 1.0).volume - 1.0;
+  const Deviation gap = surface_deviation(scan, sphero_polyhedron(hull, 0.0));
+  notes.push_back("the convex hull was taken, as asked: it has " + rounded(100.0 * added, 3) +
+                  " % more volume than the scan and lies up to " + rounded(gap.hausdorff, 3) +
+                  " m off it; distances and moments below are against the hull");
+  return hull;
+}
+
+/// Adds what the scan leaves open.
+void add_unseen(Block& block, const BlockBounds& bounds) {
+  const auto axes = [](const Vec3& sides) { return Axes{sides[0], sides[1], sides[2]}; };
+  UnseenPart unseen;
+  unseen.lower_volume = bounds.lower_volume;
+  unseen.best_volume = bounds.best_volume;
+  unseen.upper_volume = bounds.upper_volume;
+  unseen.invented_share = bounds.invented_share;
+  unseen.assumption = bounds.assumption;
+  if (bounds.sides) unseen.axes = AxesRange{axes(bounds.sides->lower), axes(bounds.sides->upper)};
+  block.unseen = unseen;
+  block.warnings.insert(block.warnings.begin(), described_unseen(block));
+}
+
+/// Simplifies and measures one block of a scan.
+Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource source,
+                      const ScanToBlockOptions& options, const ScanCallbacks& callbacks) {
+  Scan& scan = found.scan;
+  if (!source.unscaled) check_size(bounds(scan.mesh), id, options);
+  if (scan.report.invented_share > 0.0) {
+    source.options += " invented_share=" + with_digits(scan.report.invented_share, 4);
+  }
+  if (options.block.convex) scan.mesh = hull_instead(scan.mesh, scan.notes);
+  const ScanSurface surface(scan.mesh);
+  Block block;
+  if (options.block.core) {
+    callbacks.begin("measuring " + id);
+    block = make_block(id, scan.mesh, surface, std::move(source), options.block);
+  } else if (options.vertices) {
+    callbacks.begin("simplifying " + id);
+    const TriangleMesh light = simplified(scan.mesh, {.target_vertices = *options.vertices});
+    callbacks.begin("measuring " + id);
+    source.options += " vertices=" + std::to_string(*options.vertices);
+    block = make_block(id, light, surface, std::move(source), options.block);
+  } else {
+    callbacks.begin("simplifying " + id);
+    LightestBlockSearch search(id, surface, source);
+    callbacks.begin("fitting " + id);
+    block = search.lightest(options.block, options.radius_given);
+  }
+  // Simplifying leaves no crossings, but a mesh that is taken as it is may have them.
+  const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
+  if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);
+  block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
+  if (found.bounds && !options.block.convex) add_unseen(block, *found.bounds);
+  return block;
+}
+
+/// A scan as it was read, whatever it is.
+struct ReadScan {
+  FieldScan found;
+  std::optional<PhotoScan> photos;
+};
+
+ReadScan read_any_scan(const std::filesystem::path& path, const ScanToBlockOptions& options,
+                       BlockSource& source, const ScanCallbacks& callbacks) {
+  const FieldScanOptions reading = {.scan = options.scan,
+                                    .up_given = options.up_given,
+                                    .find_ground = options.find_ground,
+                                    .split = options.split};
+  if (std::filesystem::is_directory(path)) {
+    PhotographedBlocks made = reconstruct_photographs(path, options, reading, source, callbacks);
+    return {std::move(made.found), std::move(made.photos)};
+  }
+  if (!options.block.core) return {read_field_scan(path, reading), {}};
+  FieldScan core;
+  ScanOptions as_it_is = options.scan;
+  as_it_is.repair.invent = false;  // every vertex of a core is meant
+  core.blocks.push_back({read_scan(path, as_it_is), {}, {}});
+  if (callbacks.made || options.scale_points) core.raw = read_mesh(path);
+  return {std::move(core), {}};
+}
+
+}  // namespace
+
+std::string scan_digest(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) ? photo_set_digest(path) : sha256_of_file(path);
+}
+
+void ScanToBlockOptions::check() const {
+  scan.check();
+  if (vertices) SimplifyOptions{*vertices}.check();
+  block.check();
+}
+
+std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const std::string& id,
+                                      const ScanToBlockOptions& options,
+                                      const ScanCallbacks& callbacks) {
+  callbacks.begin("reading " + id);
+  BlockSource source{as_utf8(path.string()), scan_digest(path),
+                     scale_text(options) + " up=" + options.scan.up, ""};
+  ReadScan read = read_any_scan(path, options, source, callbacks);
+  FieldScan& found = read.found;
+  if (options.scale_points) note_far_scale(found, *options.scale_points);
+  if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
+  if (!options.find_ground) source.options += " ground=none";
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < found.blocks.size(); ++i) {
+    const std::string name = options.split ? id + "_" + std::to_string(i + 1) : id;
+    try {
+      blocks.push_back(make_scan_block(found.blocks[i], name, source, options, callbacks));
+    } catch (const Error& error) {  // of several blocks a bad one never costs the others
+      if (found.blocks.size() == 1 || !callbacks.lost) throw;
+      callbacks.lost(name, error.what());
+      found.blocks[i] = {};
+      continue;
+    }
+    if (callbacks.made) {
+      callbacks.made(blocks.back(), {.raw = &found.raw,
+                                     .found = &found.blocks[i],
+                                     .photos = read.photos ? &*read.photos : nullptr});
+    }
+    found.blocks[i] = {};  // memory is bounded by one block's needs
+  }
+  return blocks;
+}
+
+}  // namespace clast

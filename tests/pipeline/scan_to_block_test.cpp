@@ -1,0 +1,221 @@
+// One scan on its way to its blocks: scale, size, simplification, and what is noted about it.
+#include "pipeline/scan_to_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/library/block_samples.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/rock_mesh.hpp"
+#include "tests/support/rocks_on_ground.hpp"
+#include "tests/support/scan_files.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+class ScanToBlock : public testing::Test {
+ protected:
+  Block block_of(const TriangleMesh& mesh) {
+    write_obj(folder / "scan.obj", mesh);
+    return reconstruct_blocks(folder / "scan.obj", "scan", options).front();
+  }
+
+  std::string refused(const TriangleMesh& mesh) {
+    write_obj(folder / "scan.obj", mesh);
+    return refusal([&] { reconstruct_blocks(folder / "scan.obj", "scan", options); });
+  }
+
+  /// All warnings of a block, one per line.
+  static std::string notes(const Block& block) {
+    std::string text;
+    for (const std::string& warning : block.warnings) text += warning + "\n";
+    return text;
+  }
+
+  ScratchFolder folder;
+  ScanToBlockOptions options;
+};
+
+TEST_F(ScanToBlock, BlocksOnAGroundAreSplitAndNumbered) {
+  options.split = true;
+  options.vertices = 60;
+  write_obj(folder / "scene.obj", two_rocks_on_ground());
+  std::vector<std::string> steps, made;
+  const std::vector<Block> blocks = reconstruct_blocks(
+      folder / "scene.obj", "scene", options,
+      {.progress = [&](const ProgressStep& step) { steps.push_back(step.what); },
+       .made =
+           [&](const Block& block, const BlockOrigin& origin) {
+             made.push_back(block.id);
+             EXPECT_EQ(origin.raw->triangles.size(), two_rocks_on_ground().triangles.size());
+             EXPECT_FALSE(origin.found->scan.mesh.triangles.empty());
+             EXPECT_EQ(origin.photos, nullptr);
+           }});
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[0].id, "scene_1");
+  EXPECT_EQ(blocks[1].id, "scene_2");
+  EXPECT_LT(blocks[0].mass.centre.x(), 0.0);
+  EXPECT_GT(blocks[1].mass.centre.x(), 0.0);
+  EXPECT_EQ(made, (std::vector<std::string>{"scene_1", "scene_2"}));
+  ASSERT_FALSE(steps.empty());
+  EXPECT_EQ(steps.front(), "reading scene");
+}
+
+TEST_F(ScanToBlock, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
+  EXPECT_TRUE(contains(refused(cuboid(620, 500, 400)),
+                       "block scan would be 620 m long, read with `units` m; it is probably in mm: "
+                       "try `units` mm, which makes it 0.620 m; `any_size` takes it as it is"));
+  options.any_size = true;
+  EXPECT_NEAR(block_of(cuboid(620, 500, 400)).mass.volume / 1.24e8, 1.0, 1e-3);
+  options.any_size = false;
+  options.units = "mm";
+  options.scan.unit = 0.001;
+  EXPECT_NEAR(block_of(cuboid(620, 500, 400)).mass.volume, 0.124, 1e-4 * 0.124);
+  options.units = "0.0001";
+  options.scan.unit = 0.0001;
+  EXPECT_TRUE(contains(refused(cuboid(1.0, 0.8, 0.6)),
+                       "it is probably in m: try `units` m, which makes it 1.00 m"));
+  options.scale_points = {{Vec3(0, 0, 0), Vec3(0, 10, 0)}};
+  options.scan.unit = 10.0;
+  EXPECT_TRUE(contains(refused(cuboid(20, 10, 10)),
+                       "block scan would be 200 m long, scaled by `scale_points`: check its two "
+                       "points and its metres; `any_size` takes it as it is"));
+}
+
+TEST_F(ScanToBlock, ACoreKeepsItsVerticesAndTheFormulaHolds) {
+  const double r = 0.1;
+  options.block.core = true;
+  options.block.radius = r;
+  options.block.mass = 4000.0;
+  const Block block = block_of(cuboid(1, 1, 1));
+  const double volume = 1 + 6 * r + 3 * kPi * r * r + 4 * kPi / 3 * r * r * r;
+  EXPECT_EQ(block.body.vertices.size(), 8u);
+  EXPECT_EQ(block.body.radius, r);
+  EXPECT_NEAR(block.mass.volume, volume, 1e-12 * volume);
+  EXPECT_NEAR(block.density, 4000.0 / volume, 1e-9);
+  EXPECT_EQ(block.deviation.hausdorff, 0.0);
+}
+
+TEST_F(ScanToBlock, APointOfTheMeasuredLengthThatIsOffTheScanIsNoted) {
+  const std::string note = "a point of `scale_points` lies ";
+  options.scale_points = {{Vec3(0, 0, 0), Vec3(100, 0, 0)}};
+  EXPECT_TRUE(contains(notes(block_of(cuboid(1, 0.9, 0.8))), note + "99"))
+      << "half a side is on the scan";
+  options.scale_points = {{Vec3(-0.5, 0, 0), Vec3(0.5, 0, 0)}};
+  EXPECT_FALSE(contains(notes(block_of(cuboid(1, 0.9, 0.8))), note));
+}
+
+TEST_F(ScanToBlock, AMassThatContradictsTheVolumeIsNoted) {
+  options.block.density_given = true;
+  options.block.density = 2650.0;
+  options.block.mass = 1500.0;
+  EXPECT_TRUE(contains(notes(block_of(cuboid(1, 0.9, 0.8))),
+                       "volume times density gives 1908 kg, 27.2 % more than the 1500 kg weighed; "
+                       "check scale, density and closed bottom"));
+}
+
+TEST_F(ScanToBlock, InnerShellsAreDroppedOrKeptAndNotedEitherWay) {
+  TriangleMesh cavity = cuboid(0.3, 0.3, 0.3);
+  for (TriangleMesh::Triangle& t : cavity.triangles) std::swap(t[0], t[1]);
+  const TriangleMesh hollow = merged(cuboid(1, 0.9, 0.8), cavity);
+  const Block dropped = block_of(hollow);
+  EXPECT_NEAR(dropped.mass.volume, 0.72, 1e-4);
+  EXPECT_TRUE(contains(notes(dropped), "1 inner shell (bubbles) of 0.027 m3 in all dropped"));
+  options.scan.repair.keep_inner_shells = true;
+  const Block kept = block_of(hollow);
+  EXPECT_NEAR(kept.mass.volume, 0.693, 1e-4);
+  EXPECT_TRUE(contains(notes(kept), "1 inner shell (bubbles) of 0.027 m3 in all kept as cavities"));
+  EXPECT_TRUE(contains(kept.source.options, "inner_shells=kept"));
+}
+
+TEST_F(ScanToBlock, NearlyEqualMomentsAreNoted) {
+  EXPECT_TRUE(contains(notes(block_of(cuboid(1, 1, 1))), "principal moments are nearly equal"));
+}
+
+TEST_F(ScanToBlock, VerticesAreAddedUntilTheBlockIsWithinTheTolerance) {
+  const TriangleMesh rough = rock_mesh(7, {1.0, 0.9, 0.8}, 5, 0.3);
+  const auto off = [](const Block& block) {
+    return block.deviation.hausdorff / block.box.lengths[0];
+  };
+  options.block.tolerance = 0.005;
+  options.vertices = 60;
+  const Block fixed = block_of(rough);
+  EXPECT_GT(off(fixed), 0.005) << "else there is nothing to add vertices for";
+  EXPECT_LE(fixed.body.vertices.size(), 60u);
+  EXPECT_TRUE(contains(notes(fixed), "% of L"));
+  options.vertices = {};
+  const Block raised = block_of(rough);
+  EXPECT_LE(off(raised), 0.005);
+  EXPECT_GT(raised.body.vertices.size(), 60u);
+  EXPECT_LE(raised.body.vertices.size(), 2000u);
+  EXPECT_FALSE(contains(notes(raised), "% of L"));
+  // About the fewest: with half of them it is farther off.
+  options.vertices = raised.body.vertices.size() / 2;
+  EXPECT_GT(off(block_of(rough)), 0.005);
+  // Out of reach: the nearest block, and a warning that says so.
+  options.vertices = {};
+  options.block.tolerance = 0.00001;
+  options.radius_given = true;
+  const Block far = block_of(rough);
+  EXPECT_LE(far.body.vertices.size(), 2000u);
+  EXPECT_TRUE(contains(notes(far), "2000 vertices"));
+}
+
+TEST_F(ScanToBlock, ConvexTakesTheHullOnPurpose) {
+  // A cube with its top pressed in to half its height: a third of half the cube is missing.
+  TriangleMesh dented = cuboid(1, 1, 1);
+  std::erase_if(dented.triangles, [&](const TriangleMesh::Triangle& t) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](std::uint32_t v) { return dented.vertices[v].z() > 0.0; });
+  });
+  // The rim of the top, counter-clockwise from above: see `cuboid` for its corners.
+  for (const auto& [from, to] : {std::pair{4u, 5u}, {5u, 7u}, {7u, 6u}, {6u, 4u}}) {
+    dented.triangles.push_back({from, to, 8});
+  }
+  dented.vertices.emplace_back(0, 0, 0);
+  const Block as_it_is = block_of(dented);
+  EXPECT_NEAR(as_it_is.mass.volume, 5.0 / 6.0, 1e-3);
+  EXPECT_FALSE(contains(notes(as_it_is), "hull"));
+  options.block.convex = true;
+  const Block convex = block_of(dented);
+  EXPECT_NEAR(convex.mass.volume, 1.0, 1e-3);
+  EXPECT_TRUE(contains(notes(convex), "20.0 % more volume"));
+  EXPECT_TRUE(contains(convex.source.options, "convex=yes"));
+}
+
+TEST_F(ScanToBlock, TheRadiusIsHalvedOnlyWhereTheUserGaveNone) {
+  // The corner of a cube with side 1 and radius r ends r (sqrt 3 - 1) short: 1.5 % at 0.02, 0.73 %
+  // at 0.01. A core of eight vertices can't reach out there without swelling all faces.
+  const auto radius = [&] { return block_of(cuboid(1, 1, 1)).body.radius; };
+  EXPECT_NEAR(radius(), 0.01, 1e-9);
+  options.block.tolerance = 0.02;
+  EXPECT_NEAR(radius(), 0.02, 1e-9);
+  options.block.tolerance = BlockOptions().tolerance;
+  options.radius_given = true;
+  EXPECT_NEAR(radius(), 0.02, 1e-9);
+  options.block.radius = 0.03;
+  EXPECT_EQ(radius(), 0.03);
+}
+
+TEST_F(ScanToBlock, ACoreThatCrossesItselfIsTakenAsItIsWithANote) {
+  // Upper corners turned by half a turn: the walls cross on the axis.
+  TriangleMesh twisted = cuboid(1, 1, 1);
+  for (Vec3& v : twisted.vertices) {
+    if (v.z() > 0.0) v = Vec3(-v.x(), -v.y(), v.z());
+  }
+  options.block.core = true;
+  options.block.radius = 0.01;
+  EXPECT_TRUE(contains(notes(block_of(twisted)), "passes through itself at"));
+}
+
+TEST_F(ScanToBlock, TheSameScanGivesTheSameBlock) {
+  const TriangleMesh rock = noisy_ellipsoid(8, {0.5, 0.4, 0.3});
+  const Block a = block_of(rock), b = block_of(rock);
+  EXPECT_EQ(a.body.vertices, b.body.vertices);
+  EXPECT_EQ(a.mass.inertia, b.mass.inertia);
+}
+
+}  // namespace
+}  // namespace clast
