@@ -1,59 +1,15 @@
-// The command table, and the one place where errors become messages and exit codes:
-// 0 done, 1 something failed, 2 misused.
-#include <CLI/CLI.hpp>
-#include <csignal>
-#include <exception>
-#include <filesystem>
-#include <iostream>
-#include <memory>
-#include <new>
-#include <string>
-#include <vector>
+#include <string_view>
 
 #include "app/commands/commands.hpp"
-#include "app/option_flags.hpp"
-#include "core/error.hpp"
-#include "core/printable.hpp"
-#include "core/version.hpp"
+#include "app/companion.hpp"
+#include "app/program.hpp"
 
 namespace {
 
-constexpr int kFailed = 1;
-constexpr int kMisused = 2;
-
-/// The command that was named, or the program itself.
-const CLI::App* named_command(const CLI::App* app) {
-  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
-  return app;
-}
-
-std::string full_name(const CLI::App* command) {
-  const CLI::App* parent = command->get_parent();
-  return parent ? full_name(parent) + " " + command->get_name() : command->get_name();
-}
-
-/// What CLI11 says, or, where a command was expected, that there is no such command.
-std::string described(const CLI::ParseError& error, const CLI::App& command) {
-  const std::vector<std::string> rest = command.remaining();
-  const std::vector<const CLI::App*> known = command.get_subcommands({});
-  if (known.empty()) return error.what();
-  std::string names;
-  for (const CLI::App* subcommand : known)
-    names += (names.empty() ? "" : ", ") + subcommand->get_name();
-  if (rest.empty()) return "a command is missing; there are " + names;
-  return "\"" + rest.front() + "\" is no command; there are " + names;
-}
-
-int run(int argc, char** argv) {
-  CLI::App app{
-      "clast: from field scans of rock blocks to rockfall simulations.\n"
-      "All lengths are in metres, masses in kilograms, z is up, unless an option says "
-      "otherwise.",
-      "clast"};
-  app.set_version_flag("--version", std::string("clast ") + clast::version());
-  app.get_formatter()->column_width(36);
-  app.require_subcommand(1);
-  clast::add_reconstruct(app);
+void add_commands(CLI::App& app, char** argv) {
+  app.add_subcommand("reconstruct", clast::kReconstructSummary)->callback([argv] {
+    clast::run_companion(argv);
+  });
   clast::add_show(app);
   clast::add_classify(app);
   clast::add_export(app);
@@ -61,50 +17,15 @@ int run(int argc, char** argv) {
   clast::add_terrain(app);
   clast::add_simulate(app);
   clast::add_compare(app);
-  app.footer(
-      "The usual order: reconstruct, classify, terrain, simulate, compare.\n"
-      "\"clast COMMAND --help\" explains a command and shows an example.");
-  if (argc < 2) {
-    std::cerr << app.help();
-    return kMisused;
-  }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    const CLI::App* command = named_command(&app);
-    std::cerr << "clast: " << clast::shown(described(error, *command))
-              << "\nSee: " << full_name(command) << " --help\n";
-    return kMisused;
-  }
-  return 0;
-}
-
-/// A table that did not reach its file must not pass for done, whatever command printed it.
-int checked(int exit_code) {
-  std::cout.flush();
-  if (std::cout || exit_code != 0) return exit_code;
-  std::cerr << "clast: what was to be printed could not all be written; is the disk full?\n";
-  return kFailed;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file that grows beyond `ulimit -f` then fails as on a full disk, with a message.
-  std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    return checked(run(argc, argv));
-  } catch (const clast::Error& error) {
-    std::cerr << "clast: " << clast::shown(error.what()) << "\n";
-  } catch (const std::bad_alloc&) {
-    std::cerr << "clast: not enough memory; close other programs or use a smaller input\n";
-  } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "clast: " << clast::printable(error.path1().string()) << ": "
-              << error.code().message() << "; check the path and its permissions\n";
-  } catch (const std::exception& error) {
-    std::cerr << "clast: unexpected failure, please report it with the command you gave: "
-              << clast::printable(error.what()) << "\n";
-  }
-  return kFailed;
+  const bool reconstruct = argc > 1 && std::string_view(argv[1]) == "reconstruct";
+  return clast::run_program(argc, argv, [&](CLI::App& app) {
+    // Before anything is parsed: the options are known to the companion alone.
+    if (reconstruct) clast::run_companion(argv);
+    add_commands(app, argv);
+  });
 }

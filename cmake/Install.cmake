@@ -6,6 +6,7 @@ install(TARGETS ${clast_libraries} EXPORT clastTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/clast)
 install(TARGETS clast RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS clast-reconstruct RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/clast)
 install(EXPORT clastTargets NAMESPACE clast:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clast)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/clastConfig.cmake.in
   ${PROJECT_BINARY_DIR}/clastConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clast)

@@ -4,6 +4,7 @@
 
 #include "app/batch_printer.hpp"
 #include "app/commands/commands.hpp"
+#include "app/companion.hpp"
 #include "app/option_values.hpp"
 #include "app/photo_options.hpp"
 #include "library/block_ranges.hpp"
@@ -57,10 +58,7 @@ void reconstruct(const ReconstructArgs& args) {
 void add_reconstruct(CLI::App& app) {
   const auto args = std::make_shared<ReconstructArgs>();
   ScanToBlockOptions& options = args->batch.scan;
-  CLI::App* command = app.add_subcommand(
-      "reconstruct",
-      "Turn scans (meshes, point clouds, photographs) into blocks of a library, repairing what is "
-      "dirty");
+  CLI::App* command = app.add_subcommand("reconstruct", kReconstructSummary);
   command
       ->add_option("scans", args->scans,
                    "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), point clouds (ply, pcd, "

@@ -177,8 +177,7 @@ TEST_F(Scans, OptionsReachTheBlock) {
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return Json::parse(run.out)["blocks"][0];
   };
-  const Json block = made({"--radius", "0.03", "--density", "2650", "--mass", "1500", "--convex",
-                           "--keep-inner-shells=false"});
+  const Json block = made({"--radius", "0.03", "--density", "2650", "--mass", "1500", "--convex"});
   EXPECT_EQ(block["radius_m"], 0.03);
   EXPECT_TRUE(contains(block["warnings"].dump(), "27.2 % more than the 1500 kg weighed"));
   EXPECT_TRUE(contains(block["warnings"].dump(), "0 % more volume"));

@@ -1,0 +1,104 @@
+#include "app/program.hpp"
+
+#include <csignal>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/option_flags.hpp"
+#include "core/error.hpp"
+#include "core/printable.hpp"
+#include "core/version.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kMisused = 2;
+
+/// The command that was named, or the program itself.
+const CLI::App* named_command(const CLI::App* app) {
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  return app;
+}
+
+std::string full_name(const CLI::App* command) {
+  const CLI::App* parent = command->get_parent();
+  return parent ? full_name(parent) + " " + command->get_name() : command->get_name();
+}
+
+/// What CLI11 says, or, where a command was expected, that there is no such command.
+std::string described(const CLI::ParseError& error, const CLI::App& command) {
+  const std::vector<std::string> rest = command.remaining();
+  const std::vector<const CLI::App*> known = command.get_subcommands({});
+  if (known.empty()) return error.what();
+  std::string names;
+  for (const CLI::App* subcommand : known)
+    names += (names.empty() ? "" : ", ") + subcommand->get_name();
+  if (rest.empty()) return "a command is missing; there are " + names;
+  return "\"" + rest.front() + "\" is no command; there are " + names;
+}
+
+int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
+  CLI::App app{
+      "clast: from field scans of rock blocks to rockfall simulations.\n"
+      "All lengths are in metres, masses in kilograms, z is up, unless an option says "
+      "otherwise.",
+      "clast"};
+  app.set_version_flag("--version", std::string("clast ") + version());
+  app.get_formatter()->column_width(36);
+  app.require_subcommand(1);
+  add_commands(app);
+  app.footer(
+      "The usual order: reconstruct, classify, terrain, simulate, compare.\n"
+      "\"clast COMMAND --help\" explains a command and shows an example.");
+  if (argc < 2) {
+    std::cerr << app.help();
+    return kMisused;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
+    const CLI::App* command = named_command(&app);
+    std::cerr << "clast: " << shown(described(error, *command)) << "\nSee: " << full_name(command)
+              << " --help\n";
+    return kMisused;
+  }
+  return 0;
+}
+
+/// A table that did not reach its file must not pass for done, whatever command printed it.
+int checked(int exit_code) {
+  std::cout.flush();
+  if (std::cout || exit_code != 0) return exit_code;
+  std::cerr << "clast: what was to be printed could not all be written; is the disk full?\n";
+  return kFailed;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
+  // A file that grows beyond `ulimit -f` then fails as on a full disk, with a message.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return checked(run(argc, argv, add_commands));
+  } catch (const Error& error) {
+    std::cerr << "clast: " << shown(error.what()) << "\n";
+  } catch (const std::bad_alloc&) {
+    std::cerr << "clast: not enough memory; close other programs or use a smaller input\n";
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << "clast: " << printable(error.path1().string()) << ": " << error.code().message()
+              << "; check the path and its permissions\n";
+  } catch (const std::exception& error) {
+    std::cerr << "clast: unexpected failure, please report it with the command you gave: "
+              << printable(error.what()) << "\n";
+  }
+  return kFailed;
+}
+
+}  // namespace clast
