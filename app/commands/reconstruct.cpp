@@ -5,8 +5,10 @@
 #include "app/batch_printer.hpp"
 #include "app/commands/commands.hpp"
 #include "app/companion.hpp"
+#include "app/interruption.hpp"
 #include "app/option_values.hpp"
 #include "app/photo_options.hpp"
+#include "core/error.hpp"
 #include "library/block_ranges.hpp"
 
 namespace clast {
@@ -48,9 +50,17 @@ void reconstruct(const ReconstructArgs& args) {
                                              std::to_string(scans.size()) + " scans are given");
   }
   BatchPrinter printer(scans.size(), batch, args.report, args.json);
-  const BatchResult result = reconstruct_batch(
-      scans, batch, printer, [&](const ProgressStep& step) { printer.show(step); });
-  printer.finish(result);
+  const InterruptionWatch watch;
+  const Progress progress = [&](const ProgressStep& step) {
+    if (watch.interrupted()) throw Cancelled();
+    printer.show(step);
+  };
+  try {
+    printer.finish(reconstruct_batch(scans, batch, printer, progress));
+  } catch (const Cancelled&) {
+    throw InputError("interrupted; what was finished is in " + batch.library.string() +
+                     ". Give the same command with `resume` to go on");
+  }
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,6 +11,7 @@
 #include <streambuf>
 
 #include "app/commands/commands.hpp"
+#include "app/interruption.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "app/progress_bar.hpp"
@@ -42,17 +42,6 @@ struct SimulateArgs {
   std::string shard;
   std::vector<std::string> parts;
 };
-
-// A signal handler can reach nothing else.
-volatile std::sig_atomic_t interrupted = 0;
-
-/// The first Ctrl-C, or the first signal of a queue that wants the machine back, ends the campaign
-/// after the runs under way; the second ends it at once.
-void stop_politely(int) {
-  interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-}
 
 /// "2/4".
 /// @throws CLI::ValidationError  anything else
@@ -321,6 +310,7 @@ void simulate(const SimulateArgs& args) {
                                   " --resume";
   std::cout.flush();
   ProgressBar bar("runs", shard.runs_of(prepared.runs.size()));
+  const InterruptionWatch watch;
   RunOptions options;
   options.threads = args.threads;
   options.resume = args.resume;
@@ -328,17 +318,13 @@ void simulate(const SimulateArgs& args) {
   options.team = &team;
   options.progress = [&](const ProgressStep& step) {
     bar.update(step.done);
-    if (!interrupted || step.done == step.total) return;
+    if (!watch.interrupted() || step.done == step.total) return;
     bar.clear();
     throw SimulationError("interrupted; " + std::to_string(step.done) + " of " +
                           std::to_string(step.total) +
                           " runs are kept. Go on with: " + resume_hint);
   };
-  std::signal(SIGINT, stop_politely);
-  std::signal(SIGTERM, stop_politely);
   run_campaign(prepared, output, options);
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
   bar.clear();
   if (team.leads()) print_results(output, args, summary);
 }

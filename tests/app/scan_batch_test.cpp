@@ -1,5 +1,8 @@
 // clast reconstruct on many scans: what it prints of them.
+#include <chrono>
+#include <csignal>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
@@ -52,6 +55,30 @@ TEST_F(ScanBatch, ResumeSaysWhatItSkipped) {
   command.insert(command.end(), {"--density", "2700"});
   expect_refused(folder, command, 1,
                  "block a is in blocks.h5 already, made with other options; use --replace");
+}
+
+TEST_F(ScanBatch, CtrlCKeepsWhatIsFinished) {
+  fs::create_directory(folder / "scans");
+  for (int i = 10; i < 22; ++i) {
+    write_obj(folder / "scans" / ("b" + std::to_string(i) + ".obj"), cuboid(1, 0.9, 0.8));
+  }
+  const std::vector<std::string> command = {"reconstruct", "scans", "--report", "pages",
+                                            "--resume"};
+  RunningProgram program(clast_words(command), folder.path());
+  // A page is written when its block is finished.
+  while (!program.ended() && !fs::exists(folder / "pages" / "blocks" / "b10.html")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.signal(SIGINT);
+  const ProgramRun stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 1);
+  EXPECT_TRUE(contains(stopped.err,
+                       "clast: interrupted; what was finished is in blocks.h5. Give the same "
+                       "command with --resume to go on"));
+  const ProgramRun rest = run_clast(command, folder.path());
+  EXPECT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_TRUE(contains(rest.out, "skipped, in the library already"));
+  EXPECT_TRUE(contains(rest.out, "written, 12 in all"));
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+#include "app/interruption.hpp"
+
+#include <csignal>
+
+namespace clast {
+
+namespace {
+
+// A signal handler can reach nothing else.
+volatile std::sig_atomic_t stop_asked = 0;
+
+void ask_to_stop(int) {
+  stop_asked = 1;
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+}  // namespace
+
+InterruptionWatch::InterruptionWatch() {
+  stop_asked = 0;
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+}
+
+InterruptionWatch::~InterruptionWatch() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+bool InterruptionWatch::interrupted() const { return stop_asked != 0; }
+
+}  // namespace clast

@@ -1,0 +1,18 @@
+#pragma once
+/// A long job that is asked to stop and ends in order.
+
+namespace clast {
+
+/// While one of these lives, the first Ctrl-C, or the first signal of a queue that wants the
+/// machine back, only sets a flag; the second ends the program at once.
+class InterruptionWatch {
+ public:
+  InterruptionWatch();
+  ~InterruptionWatch();
+  InterruptionWatch(const InterruptionWatch&) = delete;
+  InterruptionWatch& operator=(const InterruptionWatch&) = delete;
+
+  bool interrupted() const;
+};
+
+}  // namespace clast
