@@ -76,7 +76,7 @@ Json unseen_json(const Block& block) {
           {"assumption", unseen.assumption}};
 }
 
-/// Keys of lengths, areas and volumes tell that no unit is known; masses and moments are null.
+/// Keys of lengths, areas and volumes show that no unit is known; masses and moments are null.
 Json without_metres(const Json& metric) {
   Json json = Json::object();
   for (const auto& [key, value] : metric.items()) {

@@ -25,14 +25,14 @@ double number_from(const std::string& text) {
 }  // namespace
 
 std::vector<std::string> split_list(const std::string& text) {
-  std::vector<std::string> pieces;
+  std::vector<std::string> items;
   std::istringstream stream(text);
-  for (std::string piece; std::getline(stream, piece, ',');) {
-    const std::size_t begin = piece.find_first_not_of(" \t");
+  for (std::string item; std::getline(stream, item, ',');) {
+    const std::size_t begin = item.find_first_not_of(" \t");
     if (begin == std::string::npos) continue;
-    pieces.push_back(piece.substr(begin, piece.find_last_not_of(" \t") - begin + 1));
+    items.push_back(item.substr(begin, item.find_last_not_of(" \t") - begin + 1));
   }
-  return pieces;
+  return items;
 }
 
 double length_unit(const std::string& text) {
@@ -53,7 +53,7 @@ MeasuredLength measured_length(const std::string& text) {
   std::string commas = text;
   for (const char other : {';', ' '}) std::replace(commas.begin(), commas.end(), other, ',');
   std::vector<double> numbers;
-  for (const std::string& piece : split_list(commas)) numbers.push_back(number_from(piece));
+  for (const std::string& item : split_list(commas)) numbers.push_back(number_from(item));
   const auto refuse = [&](const std::string& what) {
     throw CLI::ValidationError(
         "--scale-length", "\"" + text + "\" " + what +
@@ -76,12 +76,12 @@ MeasuredLength measured_length(const std::string& text) {
 }
 
 Axes axes_from(const std::string& text) {
-  const std::vector<std::string> pieces = split_list(text);
+  const std::vector<std::string> items = split_list(text);
   std::vector<double> lengths;
-  for (const std::string& piece : pieces) {
-    if (kBlockLength.holds(number_from(piece))) lengths.push_back(number_from(piece));
+  for (const std::string& item : items) {
+    if (kBlockLength.holds(number_from(item))) lengths.push_back(number_from(item));
   }
-  if (pieces.size() == 3 && lengths.size() == 3) {
+  if (items.size() == 3 && lengths.size() == 3) {
     return Axes::sorted(lengths[0], lengths[1], lengths[2]);
   }
   throw CLI::ValidationError("--taped", "\"" + text + "\" is not three lengths " +

@@ -12,7 +12,7 @@
 
 namespace clast {
 
-/// "a, b,c" as {"a", "b", "c"}; empty pieces are dropped.
+/// "a, b,c" as {"a", "b", "c"}; empty items are dropped.
 std::vector<std::string> split_list(const std::string& text);
 
 /// Metres per unit: m, cm, mm, um, km, in, ft, or a factor in `kLengthUnit`.

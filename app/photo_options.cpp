@@ -9,12 +9,12 @@ namespace {
 
 /// "ID,ID,METRES".
 ScaleBar bar_from(const std::string& text) {
-  const std::vector<std::string> pieces = split_list(text);
+  const std::vector<std::string> items = split_list(text);
   std::vector<double> numbers;
-  for (const std::string& piece : pieces) {
-    if (const std::optional<double> number = number_in(piece)) numbers.push_back(*number);
+  for (const std::string& item : items) {
+    if (const std::optional<double> number = number_in(item)) numbers.push_back(*number);
   }
-  const bool whole = pieces.size() == 3 && numbers.size() == 3 && numbers[0] >= 0.0 &&
+  const bool whole = items.size() == 3 && numbers.size() == 3 && numbers[0] >= 0.0 &&
                      numbers[1] >= 0.0 && numbers[0] < 1e5 && numbers[1] < 1e5 &&
                      numbers[0] == static_cast<int>(numbers[0]) &&
                      numbers[1] == static_cast<int>(numbers[1]) && numbers[0] != numbers[1] &&

@@ -41,13 +41,13 @@ DimensionColumns columns_from(const std::string& text, const std::string& units)
   DimensionColumns columns;
   if (!units.empty()) columns.unit = length_unit(units);
   std::map<std::string, std::string> quantities, given;  // by each other
-  for (const std::string& piece : split_list(text)) {
-    const std::size_t equals = piece.find('=');
-    const std::string quantity = piece.substr(0, equals);
-    const std::string column = equals == std::string::npos ? "" : piece.substr(equals + 1);
+  for (const std::string& item : split_list(text)) {
+    const std::size_t equals = item.find('=');
+    const std::string quantity = item.substr(0, equals);
+    const std::string column = equals == std::string::npos ? "" : item.substr(equals + 1);
     const bool axis = quantity == "L" || quantity == "I" || quantity == "S";
     if (column.empty() || (!axis && quantity != "mass" && quantity != "name")) {
-      throw CLI::ValidationError("--columns", "\"" + piece +
+      throw CLI::ValidationError("--columns", "\"" + item +
                                                   "\" is not understood; expected something like "
                                                   "L=5,I=6,S=7,mass=4 or L=length,I=width,S=height,"
                                                   "name=label");
@@ -69,7 +69,7 @@ DimensionColumns columns_from(const std::string& text, const std::string& units)
   return columns;
 }
 
-/// What only a whole surface tells.
+/// What only a whole surface shows.
 Json surface_json(const Block& block, const Axes& axes, double roundness_edge) {
   Json json = {{"indices", block_indices(block, axes)}, {"equilibria", equilibria_json(block)}};
   if (roundness_edge > 0.0) json["roundness"] = roundness_json(block, roundness_edge);

@@ -21,7 +21,7 @@ class ProgressBar {
 
   /// @param note  what is being done just now, shown on a terminal
   void update(std::size_t done, const std::string& note = "");
-  /// Takes the bar off the terminal, so that a line can be printed in its place.
+  /// Removes the bar from the terminal, so that a line can be printed in its place.
   void clear();
 
  private:

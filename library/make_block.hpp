@@ -55,7 +55,7 @@ bool within_tolerance(const Block& block, const BlockOptions& options);
 /// `scan`.
 ///
 /// @param surface  closed, outward, simplified; the outer surface of the rock, or its core
-/// @param scan     the full-resolution closed scan `surface` was thinned from: the deviation and
+/// @param scan     the full-resolution closed scan `surface` was simplified from: the deviation and
 ///                 the volume are judged against it
 /// @param source   file, hash, and the options of the steps before; what `options` says is added
 /// @throws GeometryError, InputError  with the block's id in the message

@@ -19,9 +19,9 @@ constexpr double kLargestLeap = 2.5;  ///< from one number of vertices to the ne
 /// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
 constexpr int kRadiusHalvings = 3;
 
-/// Every trial starts from the largest count, so that a large scan is thinned once. A scan that
-/// can't be thinned to that one may still lose its flaws on the way to a smaller one.
-TriangleMesh thinned_for_trials(const TriangleMesh& scan) {
+/// Every trial starts from the largest count, so that a large scan is simplified once. A scan that
+/// can't be simplified to that one may still lose its flaws on the way to a smaller one.
+TriangleMesh simplify_for_trials(const TriangleMesh& scan) {
   try {
     return simplified(scan, {.target_vertices = kMostVertices});
   } catch (const GeometryError&) {
@@ -38,7 +38,7 @@ double distance_ratio(const Block& block, const BlockOptions& options) {
 
 LightestBlockSearch::LightestBlockSearch(const std::string& id, const ScanSurface& scan,
                                          const BlockSource& source)
-    : id_(id), scan_(scan), source_(source), fine_(thinned_for_trials(scan.mesh())) {}
+    : id_(id), scan_(scan), source_(source), fine_(simplify_for_trials(scan.mesh())) {}
 
 Block LightestBlockSearch::lightest(const BlockOptions& options, bool radius_given) {
   BlockOptions trial = options;
@@ -97,7 +97,7 @@ std::optional<Block> LightestBlockSearch::trial(std::size_t count, const BlockOp
     // Volumes to a millionth take longer than a fit, and are wanted once.
     BlockOptions quick = options;
     quick.accuracy = std::max(options.accuracy, BlockOptions().accuracy);
-    quick.advise = refusal_.empty();  // the first refusal is the one that is told
+    quick.advise = refusal_.empty();  // the first refusal is the one that is reported
     return make_block(id_, simplified(fine_, {.target_vertices = count}), scan_,
                       with_vertices(count), quick);
   } catch (const GeometryError& error) {

@@ -103,7 +103,7 @@ std::string id_from_name(const std::string& name) {
 }
 
 /// One entry for a mesh; for a .shp file one for each shape, or one without when it can't be read:
-/// the reason is told when its turn comes.
+/// the reason is given when its turn comes.
 std::vector<ScanFile> scans_of(const fs::path& path) {
   // A folder of photographs may have dots in its name, and a last slash.
   std::error_code code;
@@ -150,7 +150,7 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   }
   std::map<std::string, fs::path> ids;
   for (ScanFile& scan : scans) {
-    // One scan in two formats, or two scans: that is for the user to tell.
+    // One scan in two formats, or two scans: that is for the user to say.
     if (in_folders[scan.id] > 1 && scan.path.has_extension()) {
       scan.id += "_" + as_utf8(scan.path.extension().string().substr(1));
     }

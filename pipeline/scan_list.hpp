@@ -26,7 +26,7 @@ struct ScanFile {
 /// one without any.
 /// The id is the file's stem, or the name of a shape where a .shp file holds several (of a name
 /// that is a path, the stem); where two share an id, parent folder and id; where they share these
-/// too, the extension follows: one scan in two formats, or two scans, is for the user to tell.
+/// too, the extension follows: one scan in two formats, or two scans, is for the user to say.
 /// @throws InputError  a folder without a scan or that can't be searched, or files that share all
 ///                     of that
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs);

@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// A line that ends at its first point encloses a piece of the map.
+/// A line that ends at its first point encloses an area of the map.
 bool is_ring(std::span<const Vec2> line);
 
 /// Whether a ring runs around its inside with it on the left (counter-clockwise).

@@ -23,7 +23,7 @@ std::optional<ZoneFile> named_zone_file(const TomlTable& table, const TomlNode& 
   }
 }
 
-/// How the surface files are gridded, checked and mended.
+/// How the surface files are gridded, checked and repaired.
 void read_terrain_checks(const TomlTable& table, Campaign& campaign) {
   TerrainOptions& terrain = campaign.terrain;
   terrain.resolution = table.number("resolution_m", kCellSize);

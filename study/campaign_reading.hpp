@@ -1,5 +1,5 @@
 #pragma once
-/// Pieces of a campaign file, read and checked.
+/// Parts of a campaign file, read and checked.
 #include <filesystem>
 #include <map>
 #include <optional>

@@ -66,7 +66,7 @@ class RunObserver {
 // Thrown by a probe that is long enough; no error of the run.
 struct ProbeOver {};
 
-/// @param after_step  told the simulated time after every step and flight
+/// @param after_step  called with the simulated time after every step and flight
 StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned,
                   const std::function<void(double)>& after_step = {}) {
   StoredRun output;
@@ -252,7 +252,7 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
       halfway = -1.0;
     }
   } catch (const ProbeOver&) {
-    // Flights cost next to nothing: the second half, as a rule without one, tells what is to come.
+    // Flights cost next to nothing: the second half, as a rule without one, shows what is to come.
     probe.cut_short = true;
     const double taken = spent() - whole;
     const double pace = (taken - halfway_spent) / std::max(reached - halfway, 1e-12);
@@ -274,7 +274,7 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
                   const RunOptions& options) {
   options.shard.check();
   ProcessTeam* team = options.team && options.team->size() > 1 ? options.team : nullptr;
-  // Processes are asked for one by one, so each has a core to itself unless told otherwise.
+  // Processes are asked for one by one, so each has a core to itself unless another number is given.
   const unsigned threads = options.threads == 0 && team ? 1 : thread_count(options.threads);
   std::optional<ResultsWriter> writer;
   std::vector<std::uint32_t> open;

@@ -294,7 +294,7 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
   comparison.differences = differences(comparison);
   if (options.measured) {
     comparison.measured = read_measured_stops(*options.measured);
-    hold_against(comparison, *comparison.measured);
+    compare_stops(comparison, *comparison.measured);
   }
 
   for (std::string& warning : comparison_warnings(comparison)) {

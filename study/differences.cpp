@@ -87,7 +87,7 @@ ClusteredValues values_of(const Comparison& comparison, const Group& group,
   return values;
 }
 
-/// One release point, or one of its own for each group: points tell nothing then of how much they
+/// One release point, or one of its own for each group: points say nothing then about how much they
 /// scatter, and runs are all there is to draw.
 bool are_points_alone(const ClusteredValues& a, const ClusteredValues& b) {
   const auto all_of_first = [](const std::vector<std::uint32_t>& clusters) {

@@ -123,16 +123,16 @@ BootstrapIntervals bootstrapped(const std::vector<double>& seen,
                                 const std::map<std::uint64_t, std::vector<double>>& by_point) {
   constexpr std::uint64_t kSeed = 20220310;  // any is good; a fixed one gives the same interval
   constexpr std::size_t kDraws = 1000, kMostDrawn = 20'000'000;
-  std::vector<std::vector<double>> pieces;
+  std::vector<std::vector<double>> clusters;
   std::size_t runs = 0;
   for (const auto& [point, values] : by_point) {
-    pieces.push_back(values);
+    clusters.push_back(values);
     runs += values.size();
   }
-  if (pieces.size() == 1) {
-    const std::vector<double> values = std::move(pieces.front());
-    pieces.clear();
-    for (const double value : values) pieces.push_back({value});
+  if (clusters.size() == 1) {
+    const std::vector<double> values = std::move(clusters.front());
+    clusters.clear();
+    for (const double value : values) clusters.push_back({value});
   }
   Random random(kSeed);
   std::vector<double> medians, distances;
@@ -140,9 +140,9 @@ BootstrapIntervals bootstrapped(const std::vector<double>& seen,
   for (std::size_t draw = 0; draw < draws; ++draw) {
     std::vector<double> a, b;
     for (std::size_t i = 0; i < seen.size(); ++i) a.push_back(seen[random.below(seen.size())]);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const std::vector<double>& piece = pieces[random.below(pieces.size())];
-      b.insert(b.end(), piece.begin(), piece.end());
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      const std::vector<double>& cluster = clusters[random.below(clusters.size())];
+      b.insert(b.end(), cluster.begin(), cluster.end());
     }
     std::sort(a.begin(), a.end());
     std::sort(b.begin(), b.end());
@@ -182,7 +182,7 @@ MeasuredStops read_measured_stops(const std::filesystem::path& path) {
   return measured;
 }
 
-void hold_against(const Comparison& comparison, MeasuredStops& measured) {
+void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
   const Vec2 mean = mean_release(comparison);
   for (MeasuredStop& stop : measured.stops) {
     const Vec2 start = stop.start.value_or(mean);

@@ -1,5 +1,5 @@
 #pragma once
-/// Stops that were surveyed in the field, held against simulated ones.
+/// Observed stops, surveyed in the field, against simulated ones.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -59,7 +59,7 @@ struct MeasuredStops {
 MeasuredStops read_measured_stops(const std::filesystem::path& file);
 
 /// Runouts along the comparison's downslope direction, and the groups.
-void hold_against(const Comparison& comparison, MeasuredStops& measured);
+void compare_stops(const Comparison& comparison, MeasuredStops& measured);
 
 /// One row per group.
 std::string measured_csv(const Comparison& comparison);

@@ -34,10 +34,10 @@ void walk(const Trajectory& trajectory, const BlockSummary& block, const Terrain
       const RigidState& before = trajectory.states[i - 1];
       const double duration = trajectory.time[i] - trajectory.time[i - 1];
       const double way = (state.position - before.position).head<2>().norm();
-      const double pieces = std::ceil(way / step);
+      const double parts = std::ceil(way / step);
       const double rotational_before = rotational_energy(block, before);
-      for (double piece = 1.0; piece < pieces; ++piece) {
-        const double share = piece / pieces;
+      for (double part = 1.0; part < parts; ++part) {
+        const double share = part / parts;
         at(between(before, state, duration, share),
            (1.0 - share) * before.velocity + share * state.velocity,
            (1.0 - share) * rotational_before + share * rotational);

@@ -62,14 +62,14 @@ std::vector<Vec3> points_on_line(std::span<const Vec3> line, std::size_t count) 
     reached.push_back(reached.back() + (line[i] - line[i - 1]).norm());
   }
   std::vector<Vec3> points;
-  std::size_t piece = 1;
+  std::size_t segment = 1;
   for (std::size_t i = 0; i < count; ++i) {
     const double share = count == 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(count - 1);
     const double distance = share * reached.back();
-    while (piece + 1 < line.size() && reached[piece] < distance) ++piece;
-    const double length = reached[piece] - reached[piece - 1];
-    const double t = length > 0.0 ? (distance - reached[piece - 1]) / length : 0.0;
-    points.push_back((1.0 - t) * line[piece - 1] + t * line[piece]);
+    while (segment + 1 < line.size() && reached[segment] < distance) ++segment;
+    const double length = reached[segment] - reached[segment - 1];
+    const double t = length > 0.0 ? (distance - reached[segment - 1]) / length : 0.0;
+    points.push_back((1.0 - t) * line[segment - 1] + t * line[segment]);
   }
   return points;
 }

@@ -89,7 +89,7 @@ void add_compare(CLI::App& app) {
   command
       ->add_option("--measured", args->measured,
                    "Table of stops seen in the field (columns x and y, m; optionally start_x, "
-                   "start_y, block, shape), held against the simulated ones")
+                   "start_y, block, shape), compared with the simulated ones")
       ->type_name("CSV");
   command->footer(
       "Writes tables (runs, barriers, crossings, deposits, impacts, differences, profiles, ...), "

@@ -208,7 +208,7 @@ void add_export(CLI::App& app) {
   command
       ->add_option("--what", args->what,
                    "What mesh files hold: the rounded skin, the core, both (a second file "
-                   "ID_core), or surface, the thinned scan the block was made from")
+                   "ID_core), or surface, the simplified scan the block was made from")
       ->check(CLI::IsMember({"skin", "core", "both", "surface"}))
       ->type_name("NAME")
       ->capture_default_str();

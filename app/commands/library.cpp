@@ -85,7 +85,7 @@ void remove_blocks(const RemoveArgs& args) {
 
 void add_remove(CLI::App& app) {
   const auto args = std::make_shared<RemoveArgs>();
-  CLI::App* command = app.add_subcommand("remove", "Take blocks out of a library");
+  CLI::App* command = app.add_subcommand("remove", "Remove blocks from a library");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
   command->add_option("ids", args->ids, "Blocks to remove")->required()->type_name("ID");
   command->footer("Example:\n  clast library remove blocks.h5 B017");

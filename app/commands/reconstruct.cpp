@@ -110,7 +110,7 @@ void add_reconstruct(CLI::App& app) {
   command
       ->add_option(
           "--ground", args->ground,
-          "auto: take away the ground around a block; none: the scan is of the block alone")
+          "auto: remove the ground around a block; none: the scan is of the block alone")
       ->check(CLI::IsMember({"auto", "none"}))
       ->type_name("WHICH")
       ->capture_default_str();
@@ -175,7 +175,7 @@ void add_reconstruct(CLI::App& app) {
   command
       ->add_flag("--keep-inner-shells", options.scan.repair.keep_inner_shells,
                  "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
-                 "them. Their number and volume are told either way")
+                 "them. Their number and volume are reported either way")
       ->excludes("--convex");
   command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");
   command
@@ -192,7 +192,7 @@ void add_reconstruct(CLI::App& app) {
       ->add_option(
           "--report", args->report,
           "Folder for a page about each block (pictures of the scan before and after, what "
-          "was mended, deviation map) and a summary, index.html and summary.csv")
+          "was repaired, deviation map) and a summary, index.html and summary.csv")
       ->type_name("DIR");
   command->add_flag("--json", args->json, "Print the blocks as JSON");
   add_photo_options(*command, args->photos);

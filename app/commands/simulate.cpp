@@ -245,7 +245,7 @@ void silence() {
 constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
 
 /// Expected time, and the map.
-void tell_of_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, const Shard& shard,
+void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, const Shard& shard,
                      nlohmann::ordered_json summary) {
   std::filesystem::path map = args.output;
   map.replace_extension(".map.svg");
@@ -302,7 +302,7 @@ void simulate(const SimulateArgs& args) {
   nlohmann::ordered_json summary = plan_json(prepared);
   if (!args.json) print_plan(prepared);
   if (args.dry_run) {
-    if (team.leads()) tell_of_dry_run(args, prepared, shard, summary);
+    if (team.leads()) report_dry_run(args, prepared, shard, summary);
     return;
   }
   const std::string resume_hint = "clast simulate " + args.campaign + " -o " + args.output +

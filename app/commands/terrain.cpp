@@ -71,7 +71,7 @@ void print_report(const Terrain& terrain) {
   const Vec3 low = terrain.frame.map(box.low);
   const Vec3 high = terrain.frame.map(box.high);
   std::cout << counted(terrain.surface.triangles.size(), "triangle") << " of "
-            << report.triangles_read << " read, in " << counted(report.components, "piece")
+            << report.triangles_read << " read, in " << counted(report.components, "component")
             << " with " << counted(report.boundary_edges, "border edge") << "\n";
   TextTable extent{{"map m", "from", "to"}, {}};
   const char* names[] = {"x", "y", "z"};
@@ -285,7 +285,7 @@ void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& b
       ->type_name("FILES");
 }
 
-/// What is checked and mended.
+/// What is checked and repaired.
 void add_mending_options(CLI::App& command, TerrainOptions& options) {
   command
       .add_option("--crack", options.crack,
