@@ -14,7 +14,6 @@
 #include "app/photo_json.hpp"
 #include "app/progress.hpp"
 #include "app/scan_list.hpp"
-#include "app/scan_report.hpp"
 #include "app/shape_to_block.hpp"
 #include "app/text_table.hpp"
 #include "core/digest.hpp"
@@ -24,6 +23,9 @@
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
 #include "library/library_update.hpp"
+#include "report/scans/block_page.hpp"
+#include "report/scans/photo_section.hpp"
+#include "report/scans/scan_report.hpp"
 
 namespace clast {
 namespace {
@@ -37,29 +39,44 @@ struct Outcome {
   std::vector<std::string> failures;
 };
 
+/// How a scan got its size, for its page.
+std::string scale_in_words(const ScanToBlockOptions& options) {
+  std::string text = "one unit of the file is " + with_digits(options.scan.unit, 6) + " m";
+  text += options.scale_points ? " (from a measured length" : " (--units " + options.unit_name;
+  if (options.scale_factor != 1.0) {
+    text += ", times --scale-factor " + with_digits(options.scale_factor, 6);
+  }
+  return text + ")";
+}
+
 /// @param paged     are pages wanted?
 /// @param detailed  is what photos showed wanted?
 Outcome outcome_of(const ScanFile& scan, const ScanToBlockOptions& options, bool paged,
                    bool detailed, const std::function<void(const std::string&)>& stage) {
   Outcome outcome;
+  PagedScan shown{.options = options.scan,
+                  .scale = scale_in_words(options),
+                  .density_given = options.block.density_given};
   if (scan.is_shp()) {
     const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
     outcome.blocks = {block_from_shape(shape, scan.path, scan.id, options, stage)};
-    if (paged) outcome.pages = {block_page(outcome.blocks[0], {}, options)};
+    if (paged) outcome.pages = {block_page(outcome.blocks[0], shown)};
     return outcome;
   }
   BlockWitness witness;
   if (paged || (detailed && std::filesystem::is_directory(scan.path))) {
     witness = [&](const Block& block, const TriangleMesh& raw, const FieldBlock& found,
                   const PhotoScan* photos) {
-      PagedScan shown{.raw = &raw, .found = &found};
+      shown.raw = &raw;
+      shown.found = &found;
+      shown.sections.clear();
       if (photos != nullptr) {
         const PhotoEvidence evidence = photo_evidence(*photos, found, options.scan.up);
         shown.sections.push_back(photo_section(*photos, evidence, found.scan.mesh));
         shown.scale = "by " + photos->scale_source;
         outcome.photos[block.id] = photo_json(*photos, evidence);
       }
-      if (paged) outcome.pages.push_back(block_page(block, shown, options));
+      if (paged) outcome.pages.push_back(block_page(block, shown));
     };
   }
   const BlockLoss lost = [&](const std::string&, const std::string& reason) {
