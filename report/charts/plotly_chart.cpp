@@ -6,6 +6,7 @@
 
 #include "core/text_file.hpp"
 #include "report/charts/bins.hpp"
+#include "report/html/assets.hpp"
 #include "report/html/html_page.hpp"
 #include "report/html/page_script.hpp"
 
@@ -17,32 +18,6 @@ using Json = nlohmann::ordered_json;
 constexpr int kHeight = 400;                 // px
 constexpr std::size_t kMostSteps = 1500;     // of a curve; more can't be told apart
 constexpr std::size_t kMostCharacters = 40;  // of a name in the legend
-
-// Charts are drawn when they are first seen, so that the page opens at once. `clastCharts` is there
-// for the console and for tests.
-constexpr const char* kChartScript = R"js(
-var clastCharts=(function(){
-  var boxes=Array.from(document.querySelectorAll('.chart'));
-  var settings={responsive:true,displaylogo:false,modeBarButtonsToRemove:['lasso2d','select2d','zoomIn2d','zoomOut2d','autoScale2d'],
-    toImageButtonOptions:{format:'svg'}};
-  function draw(box){
-    if(box.dataset.drawn)return Promise.resolve(box);
-    box.dataset.drawn='yes';
-    clastRun('plotly-code');
-    var figure=JSON.parse(box.nextElementSibling.textContent);
-    return Plotly.newPlot(box,figure.data,figure.layout,Object.assign({},settings,figure.config)).then(function(){return box});
-  }
-  function drawAll(){return Promise.all(boxes.map(draw))}
-  if('IntersectionObserver' in window){
-    var watcher=new IntersectionObserver(function(entries){
-      entries.forEach(function(e){if(e.isIntersecting){watcher.unobserve(e.target);draw(e.target)}})
-    },{rootMargin:'300px'});
-    boxes.forEach(function(box){watcher.observe(box)});
-  }else addEventListener('load',drawAll);
-  addEventListener('beforeprint',drawAll);
-  return {draw:draw,drawAll:drawAll};
-})();
-)js";
 
 /// Five digits are more than a chart shows.
 double short_number(double value) {
@@ -171,7 +146,7 @@ std::string charts_script() {
                      "folder in CLAST_PLOTLY, and compare again. The tables are complete.");
   }
   return packed_element("plotly-code", read_text_file(plotly_file())) +
-         script_element(kChartScript);
+         script_element(assets::charts_js);
 }
 
 std::vector<Trace> cumulative_traces(const std::vector<Series>& samples, bool exceeding) {

@@ -6,80 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "report/html/assets.hpp"
+
 namespace clast::report_detail {
 namespace {
-
-constexpr std::string_view kStyle = R"(
-:root{--ink:#1d2733;--soft:#5b6775;--line:#d5dbe1;--band:#f4f6f8;--warn:#fff4e0;--edge:#c77700}
-*{box-sizing:border-box}
-body{margin:0;color:var(--ink);background:#fff;font:15px/1.5 system-ui,"Segoe UI",Roboto,"Helvetica Neue",Arial,sans-serif}
-main{max-width:1120px;margin:0 auto;padding:28px 24px 56px}
-h1{font-size:27px;line-height:1.2;margin:0 0 4px}
-h2{font-size:19px;margin:38px 0 10px;padding-bottom:5px;border-bottom:2px solid var(--ink)}
-h3{font-size:15.5px;margin:22px 0 6px}
-p{margin:6px 0 10px;max-width:86ch}
-h1,h2,h3,p,li,dt{overflow-wrap:anywhere}
-.lead{color:var(--soft);margin-bottom:16px}
-.note{color:var(--soft);font-size:13.5px}
-dl.facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(225px,1fr));gap:1px;margin:14px 0}
-dl.facts div{box-shadow:0 0 0 1px var(--line);padding:7px 12px}
-dl.facts dt{color:var(--soft);font-size:12.5px}
-dl.facts dd{margin:0;font-weight:600;overflow-wrap:anywhere}
-.warnings{background:var(--warn);border-left:5px solid var(--edge);padding:9px 16px;margin:18px 0}
-.warnings h2{border:0;margin:0 0 2px;padding:0;font-size:16px}
-.warnings ul{margin:2px 0;padding-left:20px}
-.fine{background:#eaf5ee;border-left:5px solid #009E73;padding:9px 16px;margin:18px 0}
-.scroll{overflow-x:auto;margin:8px 0 14px}
-table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums;min-width:50%}
-th,td{padding:4px 8px;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}
-th{background:var(--band);vertical-align:bottom;white-space:normal;line-height:1.25;min-width:5ch;cursor:pointer;user-select:none;border-bottom:2px solid var(--soft);font-weight:600}
-th:hover,th:focus{background:#e3e8ed;outline:none}
-th[aria-sort=ascending]::after{content:" \25B4"}
-th[aria-sort=descending]::after{content:" \25BE"}
-th.t,td.t{text-align:left}
-td.t{white-space:normal;overflow-wrap:break-word}
-td.wrap{min-width:22ch;overflow-wrap:anywhere}
-tbody tr:hover{background:#f7f9fb}
-svg{display:block;width:100%;height:auto;font-family:inherit}
-.charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(440px,100%),1fr));gap:18px 26px;margin:8px 0}
-.beside{display:grid;grid-template-columns:minmax(0,4fr) minmax(0,5fr);gap:18px 20px;margin:8px 0;align-items:start}
-.beside th,.beside td{padding:4px 6px}
-.beside td.wrap{min-width:14ch}
-table.wide{font-size:12px}
-table.wide th,table.wide td{padding:3px 4px}
-table.wide td.wrap{min-width:15ch}
-figure{margin:0}
-figcaption{font-size:13.5px;color:var(--soft);margin-top:4px}
-details{margin:10px 0}
-summary{cursor:pointer;font-weight:600}
-pre{background:var(--band);padding:12px;overflow-x:auto;font-size:12.5px;line-height:1.4}
-code{font-size:12.5px;overflow-wrap:anywhere}
-footer{margin-top:40px;border-top:1px solid var(--line);padding-top:10px;color:var(--soft);font-size:13px}
-@media (max-width:1000px){.beside{grid-template-columns:minmax(0,1fr)}}
-@media (max-width:600px){main{padding:16px 10px 40px}h1{font-size:22px}th:first-child,td:first-child{position:sticky;left:0;background:#fff;box-shadow:1px 0 0 var(--line)}th:first-child{background:var(--band)}td:first-child{max-width:38vw}.beside table{font-size:11px}.beside th,.beside td{padding:3px;white-space:normal;min-width:0}}
-@media print{@page{margin:14mm}body{font-size:11px}main{padding:0;max-width:none}table{font-size:9.5px}th,td{padding:2px 5px}.scroll{overflow:visible}.note,figcaption,footer,code,pre{font-size:9.5px}h2{break-after:avoid}figure,tr,.warnings,.facts div{break-inside:avoid}.charts{grid-template-columns:1fr 1fr}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
-)";
-
-constexpr std::string_view kScript = R"(
-document.querySelectorAll('th').forEach(function(th){
-  th.tabIndex=0;
-  function sort(){
-    var body=th.closest('table').tBodies[0],column=th.cellIndex;
-    var up=th.getAttribute('aria-sort')!=='ascending';
-    th.parentNode.querySelectorAll('th').forEach(function(o){o.removeAttribute('aria-sort')});
-    th.setAttribute('aria-sort',up?'ascending':'descending');
-    var value=function(row){return row.cells[column].textContent.trim()};
-    Array.from(body.rows).sort(function(a,b){
-      var s=value(a),t=value(b),x=parseFloat(s),y=parseFloat(t);
-      var order=th.classList.contains('t')?s.localeCompare(t,undefined,{numeric:true})
-        :isNaN(x)?(isNaN(y)?0:1):isNaN(y)?-1:x-y;
-      return up?order:-order;
-    }).forEach(function(row){body.appendChild(row)});
-  }
-  th.addEventListener('click',sort);
-  th.addEventListener('keydown',function(e){if(e.key==='Enter'||e.key===' '){e.preventDefault();sort()}});
-});
-)";
 
 std::string number_text(double value, std::chars_format format, int precision) {
   if (!std::isfinite(value)) return "-";
@@ -231,6 +161,18 @@ std::string svg_file(const std::string& svg) {
          svg.substr(end);
 }
 
+std::string fill(std::string_view skeleton, const std::map<std::string, std::string>& values) {
+  std::string filled;
+  for (std::size_t at = 0;;) {
+    const std::size_t open = skeleton.find("{{", at);
+    filled += skeleton.substr(at, open - at);
+    if (open == std::string_view::npos) return filled;
+    const std::size_t close = skeleton.find("}}", open);
+    filled += values.at(std::string(skeleton.substr(open + 2, close - open - 2)));
+    at = close + 2;
+  }
+}
+
 std::string section(std::string_view title, std::string_view body) {
   return "<section>\n<h2>" + escaped(title) + "</h2>\n" + std::string(body) + "</section>\n";
 }
@@ -254,11 +196,11 @@ std::string note_box(std::string_view title, const std::vector<std::string>& not
 }
 
 std::string page(std::string_view title, std::string_view body, const PageExtras& extras) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         escaped(title) + "</title>\n<style>" + std::string(kStyle) + std::string(extras.style) +
-         "</style>\n</head>\n<body>\n<main>\n" + std::string(body) + "</main>\n<script>" +
-         std::string(kScript) + std::string(extras.script) + "</script>\n</body>\n</html>\n";
+  return fill(assets::page_html,
+              {{"title", escaped(title)},
+               {"style", std::string(assets::page_css) + std::string(extras.style)},
+               {"body", std::string(body)},
+               {"script", std::string(assets::page_js) + std::string(extras.script)}});
 }
 
 }  // namespace clast::report_detail

@@ -1,5 +1,6 @@
 #pragma once
 /// The pieces a page is written with: escaped text, numbers, tables, SVG elements, the page frame.
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,9 @@ std::string svg_open(double width, double height, std::string_view label);
 /// A picture of a page as a file of its own: white below it, a font named, its size in px.
 std::string svg_file(const std::string& svg);
 
+/// An HTML asset with every {{name}} in it replaced by its value, which is HTML.
+std::string fill(std::string_view skeleton, const std::map<std::string, std::string>& values);
+
 /// "<section><h2>title</h2>body</section>"
 std::string section(std::string_view title, std::string_view body);
 std::string paragraph(std::string_view text);  ///< plain text, escaped here
@@ -67,7 +71,7 @@ struct PageExtras {
   std::string_view script = {};  ///< run at the end
 };
 
-/// The whole page, with its style and the few lines of script that sort tables.
+/// The whole page, with its style and the script that sorts tables.
 std::string page(std::string_view title, std::string_view body, const PageExtras& extras = {});
 
 }  // namespace clast::report_detail

@@ -4,32 +4,24 @@
 
 #include "core/text_file.hpp"
 #include "report/charts/palette.hpp"
+#include "report/html/assets.hpp"
 #include "report/html/html_page.hpp"
 #include "report/html/page_script.hpp"
-#include "report/scene/scene_script.hpp"
 
 namespace clast::report_detail {
 namespace {
 
-/// Check boxes that hide classes, and the slider.
-std::string controls(const Comparison& comparison) {
+/// The view with its controls: the time, and check boxes that hide classes.
+std::string scene_view(const Comparison& comparison) {
   std::set<std::string> classes;
   for (const RunRow& row : comparison.rows) classes.insert(row.block->garcia);
-  std::string html =
-      "<div class=\"bar\"><button type=\"button\" data-scene=\"play\">Play</button>"
-      "<input type=\"range\" data-scene=\"time\" min=\"0\" max=\"1000\" value=\"0\" "
-      "aria-label=\"time\"><output data-scene=\"clock\">0.0 s</output></div>\n"
-      "<div class=\"bar\">";
+  std::string boxes;
   for (const std::string& name : classes) {
-    html += "<label><input type=\"checkbox\" checked data-group=\"" + escaped(name) +
-            "\"><span style=\"color:" + class_colour(name) + "\">\xE2\x97\x8F</span> " +
-            escaped(name) + "</label>";
+    boxes += "<label><input type=\"checkbox\" checked data-group=\"" + escaped(name) +
+             "\"><span style=\"color:" + class_colour(name) + "\">\xE2\x97\x8F</span> " +
+             escaped(name) + "</label>\n";
   }
-  return html +
-         "<label><input type=\"checkbox\" checked data-scene=\"paths\"> paths</label>"
-         "<label>blocks drawn <select data-scene=\"size\" aria-label=\"size of the blocks\">"
-         "<option value=\"1\">true to size</option><option value=\"3\">3 times</option>"
-         "<option value=\"10\">10 times</option></select></label></div>\n";
+  return fill(assets::scene_html, {{"classes", boxes}});
 }
 
 }  // namespace
@@ -64,10 +56,9 @@ std::string scene_section(const Comparison& comparison, const SceneLimits& limit
              paragraph("Drag to turn, use the wheel to come closer, drag with the right button to "
                        "move. " +
                        drawn + " Between stored states positions are interpolated.") +
-                 "<div id=\"scene\"><div class=\"view\"></div>\n" + controls(comparison) +
-                 "</div>\n" + packed_element("scene-data", data.json)) +
+                 scene_view(comparison) + packed_element("scene-data", data.json)) +
          packed_element("three-code", read_text_file(core)) +
-         packed_element("orbit-code", read_text_file(orbit)) + script_element(kSceneScript);
+         packed_element("orbit-code", read_text_file(orbit)) + script_element(assets::scene_js);
 }
 
 }  // namespace clast::report_detail
