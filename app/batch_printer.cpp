@@ -12,8 +12,24 @@
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
 #include "reconstruct/photos/photo_evidence.hpp"
+#include "report/scans/block_page.hpp"
+#include "report/scans/photo_section.hpp"
 
 namespace clast {
+
+namespace {
+
+/// How a scan got its size, for its page.
+std::string scale_in_words(const ScanToBlockOptions& options) {
+  std::string text = "one unit of the file is " + with_digits(options.scan.unit, 6) + " m";
+  text += options.scale_points ? " (from a measured length" : " (--units " + options.units;
+  if (options.scale_factor != 1.0) {
+    text += ", times --scale-factor " + with_digits(options.scale_factor, 6);
+  }
+  return text + ")";
+}
+
+}  // namespace
 
 BatchPrinter::BatchPrinter(std::size_t scans, const BatchOptions& options,
                            const std::string& report, bool json)
@@ -24,7 +40,11 @@ BatchPrinter::BatchPrinter(std::size_t scans, const BatchOptions& options,
 void BatchPrinter::made(const Block& block, const BlockOrigin& origin) {
   if (!report_ && (!json_ || origin.photos == nullptr)) return;
   Prepared prepared;
-  PagedScan shown{.raw = origin.raw, .found = origin.found};
+  PagedScan shown{.raw = origin.raw,
+                  .found = origin.found,
+                  .options = options_.scan.scan,
+                  .scale = scale_in_words(options_.scan),
+                  .density_given = options_.scan.block.density_given};
   if (origin.photos != nullptr) {
     const PhotoEvidence evidence =
         photo_evidence(*origin.photos, *origin.found, options_.scan.scan.up);
@@ -32,7 +52,7 @@ void BatchPrinter::made(const Block& block, const BlockOrigin& origin) {
     shown.scale = "by " + origin.photos->scale_source;
     prepared.photos = photo_json(*origin.photos, evidence);
   }
-  if (report_) prepared.page = block_page(block, shown, options_.scan);
+  if (report_) prepared.page = block_page(block, shown);
   const std::lock_guard lock(mutex_);
   prepared_[block.id] = std::move(prepared);
 }

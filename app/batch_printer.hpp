@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/progress_bar.hpp"
-#include "app/scan_report.hpp"
 #include "pipeline/scan_batch.hpp"
+#include "report/scans/scan_report.hpp"
 
 namespace clast {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "study/population_report.hpp"
+#include "report/reported_population.hpp"
 
 namespace clast {
 

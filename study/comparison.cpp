@@ -247,6 +247,12 @@ DepositGroup deposits_of(const Group& group, const std::vector<RunRow>& rows) {
 
 }  // namespace
 
+const std::string& release_set_of(const CampaignResults& results, std::uint32_t point) {
+  static const std::string none;
+  if (point >= results.set_of_point.size()) return none;
+  return results.release_sets[results.set_of_point[point]];
+}
+
 Runout runout(const Vec3& start, const Vec3& stop, const Vec2& downslope) {
   const Vec2 offset = (stop - start).head<2>();
   const Vec2 right(downslope.y(), -downslope.x());

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/output_folder.hpp"
 #include "core/statistics.hpp"
 #include "study/differences.hpp"
 #include "study/measured_stops.hpp"
@@ -150,27 +149,5 @@ inline constexpr double kNotableReassigned = 0.1;
 /// What a reader of the tables must know: unfinished or lost runs, unequal masses, poor energy
 /// balance. Called by `compare`.
 std::vector<std::string> comparison_warnings(const Comparison& comparison);
-
-/// runs.csv, barriers.csv, crossings.csv and deposits.csv as text; columns in docs/formats.md.
-std::string runs_csv(const Comparison& comparison);
-std::string barriers_csv(const Comparison& comparison);
-std::string crossings_csv(const Comparison& comparison);
-std::string deposits_csv(const Comparison& comparison);
-/// One row per impact, in order of file, run and time.
-std::string impacts_csv(const Comparison& comparison);
-/// The ground parameters of every ground set, by zone.
-std::string ground_sets_csv(const Comparison& comparison);
-
-/// What made the results, as JSON: program versions, campaigns and input files with their hashes.
-std::string provenance_json(const Comparison& comparison);
-
-/// How a folder is known that `write_comparison` and `write_animation` filled.
-FolderKind comparison_folder();
-
-/// Writes the tables, provenance.json, stops.gpkg (map layers) and report.html to `folder`.
-/// @return what was written, the report last
-/// @throws InputError  the folder can't be made or written to
-std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
-                                                    const std::filesystem::path& folder);
 
 }  // namespace clast

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "core/clustered_test.hpp"
-#include "core/csv_text.hpp"
 #include "core/number_text.hpp"
 #include "study/comparison.hpp"
 
@@ -196,37 +195,6 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
                                (difference.tests == 1 ? " test" : " tests") + ").";
   return words + (difference.found() ? "The distributions differ (" : "No difference is shown (") +
          evidence;
-}
-
-std::string differences_csv(const Comparison& comparison) {
-  CsvText csv;
-  csv.header(
-      "first,second,quantity,first_runs,second_runs,release_points,first_mean,second_mean,"
-      "difference,difference_low,difference_high,cliffs_delta,hedges_g,ks_distance,p_value,p_holm,"
-      "tests,found,words");
-  for (const Difference& one : comparison.differences) {
-    csv.cell(std::string_view(comparison.groups[one.first].name));
-    csv.cell(std::string_view(comparison.groups[one.second].name));
-    csv.cell(std::string_view(one.quantity));
-    csv.count(one.first_runs);
-    csv.count(one.second_runs);
-    csv.count(one.points);
-    csv.cell(one.first_mean);
-    csv.cell(one.second_mean);
-    csv.cell(one.first_mean - one.second_mean);
-    csv.cell(one.interval ? one.interval->low : NAN);
-    csv.cell(one.interval ? one.interval->high : NAN);
-    csv.cell(one.cliffs_delta);
-    csv.cell(one.hedges_g.value_or(NAN));
-    csv.cell(one.ks_distance);
-    csv.cell(one.p_value);
-    csv.cell(one.p_holm);
-    csv.count(one.tests);
-    csv.count(one.found() ? 1 : 0);
-    csv.cell(std::string_view(in_words(one, comparison)));
-    csv.end_row();
-  }
-  return csv.take();
 }
 
 }  // namespace clast

@@ -46,7 +46,4 @@ std::vector<Difference> differences(const Comparison& comparison);
 /// A sentence to quote.
 std::string in_words(const Difference& difference, const Comparison& comparison);
 
-/// One row per difference; columns in docs/formats.md.
-std::string differences_csv(const Comparison& comparison);
-
 }  // namespace clast

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "core/csv_text.hpp"
 #include "core/delimited_text.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
@@ -219,40 +218,6 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
   }
   const std::vector<double> corrected = holm(p_values);
   for (std::size_t i = 0; i < corrected.size(); ++i) measured.groups[i].p_holm = corrected[i];
-}
-
-std::string measured_csv(const Comparison& comparison) {
-  constexpr double kDegrees = 180.0 / kPi;
-  CsvText csv;
-  csv.header(
-      "group,measured,simulated,runout_mean_m,runout_std_m,runout_median_m,runout_p95_m,"
-      "runout_max_m,lateral_mean_deg,lateral_std_deg,simulated_runout_mean_m,difference_m,"
-      "cliffs_delta,ks_distance,p_value,p_holm,runout_q25_m,runout_q75_m,simulated_runout_q25_m,"
-      "simulated_runout_median_m,simulated_runout_q75_m,median_difference_m,"
-      "median_difference_low_m,median_difference_high_m,ks_distance_low,ks_distance_high");
-  if (!comparison.measured) return csv.take();
-  for (const MeasuredGroup& group : comparison.measured->groups) {
-    csv.cell(std::string_view(comparison.groups[group.group].name));
-    csv.count(group.measured);
-    csv.count(group.simulated);
-    const Summary& runouts = group.runout;
-    for (const double value :
-         {runouts.mean, runouts.std, runouts.median, runouts.p95, runouts.max,
-          group.lateral.mean * kDegrees, group.lateral.std * kDegrees, group.simulated_runout,
-          runouts.mean - group.simulated_runout, group.cliffs_delta, group.ks_distance,
-          group.p_value, group.p_holm, group.quartiles.low, group.quartiles.high,
-          group.simulated_quartiles.low, group.simulated_quartiles.median,
-          group.simulated_quartiles.high,
-          group.quartiles.median - group.simulated_quartiles.median}) {
-      csv.cell(value);
-    }
-    for (const Interval& interval : {group.median_difference, group.ks_interval}) {
-      csv.cell(interval.low);
-      csv.cell(interval.high);
-    }
-    csv.end_row();
-  }
-  return csv.take();
 }
 
 }  // namespace clast

@@ -61,7 +61,4 @@ MeasuredStops read_measured_stops(const std::filesystem::path& file);
 /// Runouts along the comparison's downslope direction, and the groups.
 void compare_stops(const Comparison& comparison, MeasuredStops& measured);
 
-/// One row per group.
-std::string measured_csv(const Comparison& comparison);
-
 }  // namespace clast

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/nice_number.hpp"
 #include "study/path_samples.hpp"
-#include "study/report/ticks.hpp"
 
 namespace clast {
 namespace {

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "core/csv_text.hpp"
+#include "core/nice_number.hpp"
 #include "study/path_samples.hpp"
-#include "study/report/ticks.hpp"
 
 namespace clast {
 namespace {
@@ -82,28 +81,6 @@ std::vector<ProfileBin> profiles(const Comparison& comparison) {
     }
   }
   return bins;
-}
-
-std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
-  CsvText csv;
-  csv.header(
-      "group,from_m,to_m,runs,energy_mean_j,energy_p95_j,energy_max_j,speed_mean_m_s,"
-      "speed_p95_m_s,speed_max_m_s,height_mean_m,height_p95_m,height_max_m");
-  for (const ProfileBin& bin : bins) {
-    csv.cell(std::string_view(comparison.groups[bin.group].name));
-    csv.cell(bin.from);
-    csv.cell(bin.to);
-    csv.count(bin.runs);
-    for (const Summary* summary : {&bin.energy, &bin.speed, &bin.height}) {
-      if (summary->count == 0) {
-        csv.empty_cells(3);
-        continue;
-      }
-      for (const double value : {summary->mean, summary->p95, summary->max}) csv.cell(value);
-    }
-    csv.end_row();
-  }
-  return csv.take();
 }
 
 }  // namespace clast

@@ -24,7 +24,4 @@ struct ProfileBin {
 /// about a fiftieth of the longest runout and at least 0.5 m, a round number of metres.
 std::vector<ProfileBin> profiles(const Comparison& comparison);
 
-/// @param bins  `profiles` of the comparison
-std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins);
-
 }  // namespace clast

@@ -16,6 +16,7 @@
 #include "core/output_folder.hpp"
 #include "core/printable.hpp"
 #include "library/block_ranges.hpp"
+#include "report/population_report.hpp"
 
 namespace clast {
 

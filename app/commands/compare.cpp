@@ -9,8 +9,9 @@
 #include "core/error.hpp"
 #include "core/output_folder.hpp"
 #include "core/printable.hpp"
+#include "report/comparison_report.hpp"
+#include "report/scene/vtk_animation.hpp"
 #include "study/comparison.hpp"
-#include "study/report/vtk_animation.hpp"
 
 namespace clast {
 

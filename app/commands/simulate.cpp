@@ -23,10 +23,10 @@
 #include "core/parallel.hpp"
 #include "core/printable.hpp"
 #include "core/text_file.hpp"
+#include "report/maps/plan_map.hpp"
 #include "study/block_stiffness.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/comparison.hpp"
-#include "study/report/plan_map.hpp"
 
 namespace clast {
 

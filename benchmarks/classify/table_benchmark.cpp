@@ -11,7 +11,7 @@
 #include "classify/population_summary.hpp"
 #include "core/random.hpp"
 #include "core/text_file.hpp"
-#include "study/population_report.hpp"
+#include "report/population_report.hpp"
 
 namespace clast {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-/// What the photos of a block show of it, as its page and its JSON tell it.
+/// What the photos of a block show of it, for its page and its JSON.
 #include <array>
 #include <string>
 #include <vector>
@@ -38,10 +38,5 @@ struct PhotoEvidence {
 
 /// @param up  as `ScanOptions::up` was when the block was made
 PhotoEvidence photo_evidence(const PhotoScan& scan, const FieldBlock& block, const std::string& up);
-
-/// Section "Photographs" of a block's page: who stood where, what was seen how often, what the
-/// scale rests on, which photos were left out.
-std::string photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
-                          const TriangleMesh& surface);
 
 }  // namespace clast

@@ -11,7 +11,7 @@ const fs::path kSamples = fs::path(CLAST_SOURCE_DIR) / "samples";
 /// What the page looks like after a reader has used it, as JSON in an element that the test reads.
 constexpr const char* kProbe = R"(<script>
 var probe={};
-clastScene.start();
+function use(){
 var box=document.getElementById('scene'),slider=box.querySelector('[data-scene=time]');
 function first(){clastScene.draw();return box.dataset.first}
 slider.value=0;slider.dispatchEvent(new Event('input'));probe.at_start=first();
@@ -27,12 +27,13 @@ var pen=sheet.getContext('2d');pen.drawImage(canvas,0,0);
 var seen={},data=pen.getImageData(0,0,sheet.width,sheet.height).data;
 for(var i=0;i<data.length;i+=4)seen[data[i]+','+data[i+1]+','+data[i+2]]=1;
 probe.colours=Object.keys(seen).length;
+}
 var inks='.scatterlayer path,.barlayer path,.imagelayer image,.heatmaplayer image';
 var table=Array.from(document.querySelectorAll('table')).find(function(t){return t.tBodies[0].rows.length>2});
 var head=table.tHead.rows[0].cells[1];head.click();
 probe.sorted=Array.from(table.tBodies[0].rows).map(function(r){return parseFloat(r.cells[1].textContent)});
 probe.arrow=head.getAttribute('aria-sort');
-clastCharts.drawAll().then(function(boxes){
+clastScene.start().then(use).then(clastCharts.drawAll).then(function(boxes){
   probe.charts=boxes.length;
   probe.inked=boxes.filter(function(b){return b.querySelector(inks)}).length;
   var map=boxes.find(function(b){return b.classList.contains('map')});

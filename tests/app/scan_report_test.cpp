@@ -1,7 +1,6 @@
 // clast reconstruct --report: the pages, judged as text.
 #include <nlohmann/json.hpp>
 
-#include "core/html_page.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/support/cut_mesh.hpp"
 #include "tests/support/markup.hpp"

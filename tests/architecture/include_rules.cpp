@@ -11,7 +11,8 @@ namespace {
 
 using Folders = std::set<std::string>;
 
-/// The arrows: a folder may include these and what follows them.
+/// The arrows: a part of the project, which is a folder or the place of a second library inside
+/// one, may include these and what follows them.
 const std::map<std::string, Folders> kArrows = {
     {"core", {}},
     {"mesh", {"core"}},
@@ -22,18 +23,28 @@ const std::map<std::string, Folders> kArrows = {
     {"library", {"classify"}},
     {"dem", {"massprops"}},
     {"terrain", {"dem", "shapes"}},
+    {"reconstruct/photos", {"reconstruct"}},
     {"study", {"library", "terrain"}},
-    {"pipeline", {"library", "reconstruct"}},
-    {"app", {"study", "pipeline"}},
+    {"report", {"study"}},
+    {"report/scans", {"report", "reconstruct/photos"}},
+    {"pipeline", {"library", "reconstruct/photos"}},
+    {"app", {"report/scans", "pipeline"}},
 };
 
-/// Libraries that are not named for their folder.
-const std::map<std::string, std::string> kInnerLibraries = {{"photos", "reconstruct"}};
+/// Targets that are not named for their part.
+const std::map<std::string, std::string> kInnerLibraries = {{"photos", "reconstruct/photos"},
+                                                            {"scan_report", "report/scans"}};
 
-/// The folder of a library, by the target's name after "clast::".
-std::string folder_of_library(const std::string& library) {
-  const auto inner = kInnerLibraries.find(library);
-  return inner == kInnerLibraries.end() ? library : inner->second;
+/// The part of a library or program, by the target's name after "clast::".
+std::string part_of_target(const std::string& target) {
+  const auto inner = kInnerLibraries.find(target);
+  return inner == kInnerLibraries.end() ? target : inner->second;
+}
+
+/// The part that a file is in: its folder where that is no other.
+std::string part_of(const std::string& path) {
+  const std::string inner = path.substr(0, path.find('/', path.find('/') + 1));
+  return kArrows.contains(inner) ? inner : path.substr(0, path.find('/'));
 }
 
 /// A package: how its headers and its CMake targets begin, and the folders that it is for.
@@ -52,14 +63,14 @@ const std::vector<Package> kHeavyPackages = {
     {"HDF5", {"hdf5", "H5"}, {"hdf5::", "HDF5::"}, {"core"}},
     {"OpenSSL", {"openssl/"}, {"OpenSSL::"}, {"core"}},
     {"zlib", {"zlib.h"}, {"ZLIB::"}, {"core"}},
-    {"GDAL", {"gdal", "ogr", "cpl_"}, {"GDAL::"}, {"terrain", "study"}},
+    {"GDAL", {"gdal", "ogr", "cpl_"}, {"GDAL::"}, {"terrain", "report"}},
     {"MPI", {"mpi.h"}, {"MPI::"}, {"study"}},
     {"toml++", {"toml++/"}, {"tomlplusplus::"}, {"core"}},
     {"CLI11", {"CLI/"}, {"CLI11::"}, {"app"}},
     {"nlohmann_json",
      {"nlohmann/"},
      {"nlohmann_json::"},
-     {"reconstruct", "library", "terrain", "study", "app"}},
+     {"reconstruct", "library", "terrain", "report", "app"}},
     {"pugixml", {"pugixml"}, {"pugixml::"}, {"reconstruct"}},
 };
 
@@ -95,27 +106,32 @@ bool starts_with_any(const std::string& text, const std::vector<std::string>& be
                      [&](const std::string& beginning) { return text.starts_with(beginning); });
 }
 
-/// The project folder of a header, none for a package's or the standard library's.
-std::optional<std::string> project_folder(const std::string& header) {
+/// The part of the project that a header is in, none for a package's or the standard library's.
+std::optional<std::string> project_part(const std::string& header) {
   static const Folders kOthers = {"tests", "samples", "benchmarks"};
-  const std::string folder = header.substr(0, header.find('/'));
-  if (folder == header || !(kArrows.contains(folder) || kOthers.contains(folder))) return {};
-  return folder;
+  const std::string part = part_of(header);
+  if (part == header || !(kArrows.contains(part) || kOthers.contains(part))) return {};
+  return part;
 }
 
-/// A target named in a CMakeLists.txt.
+/// A target named in a CMakeLists.txt, and the part of the library or program it is named for.
 struct Link {
   std::size_t line;
   std::string target;
+  std::string part;
 };
 
 std::vector<Link> links_of(const SourceFile& cmake_lists) {
   static const std::regex kTarget(R"([A-Za-z_0-9]+(::[A-Za-z_0-9+]+)+|\b(pcl|opencv)_\w+)");
+  static const std::regex kLibrary(R"(\bclast_library\((\w+))");
   std::vector<Link> links;
+  std::string part = cmake_lists.folder();
   for (std::size_t i = 0; i < cmake_lists.lines.size(); ++i) {
     const std::string line = cmake_lists.lines[i].substr(0, cmake_lists.lines[i].find('#'));
+    std::smatch library;
+    if (std::regex_search(line, library, kLibrary)) part = part_of_target(library[1]);
     for (std::sregex_iterator it(line.begin(), line.end(), kTarget), end; it != end; ++it) {
-      links.push_back({i + 1, it->str()});
+      links.push_back({i + 1, it->str(), part});
     }
   }
   return links;
@@ -128,38 +144,30 @@ bool is_public_header(const SourceFile& file) {
          file.path.find("/detail/") == std::string::npos;
 }
 
-Folders reachable(const std::string& folder) {
-  Folders all = {folder};
-  for (const std::string& next : kArrows.at(folder)) all.merge(reachable(next));
+Folders reachable(const std::string& part) {
+  Folders all = {part};
+  for (const std::string& next : kArrows.at(part)) all.merge(reachable(next));
   return all;
 }
 
 Findings include_findings(const SourceFile& file) {
   Findings findings;
   if (!file.is_source() || !kArrows.contains(file.folder())) return findings;
-  const Folders allowed = reachable(file.folder());
+  const std::string own = part_of(file.path);
+  const Folders allowed = reachable(own);
   for (const Include& include : includes_of(file)) {
-    const std::optional<std::string> folder = project_folder(include.header);
-    if (include.quoted && !folder) {
+    const std::optional<std::string> part = project_part(include.header);
+    if (include.quoted && !part) {
       findings.push_back(finding(file, include.line,
                                  "\"" + include.header +
                                      "\" is not written from the project's root "
                                      "(\"folder/header.hpp\")"));
     }
-    if (!folder) continue;
-    if (!allowed.contains(*folder)) {
-      findings.push_back(finding(
-          file, include.line,
-          file.folder() + " may not include " + include.header + ", only from " + listed(allowed)));
-    }
-    for (const auto& [inner, outer] : kInnerLibraries) {
-      const std::string place = outer + "/" + inner + "/";
-      if (file.folder() == outer && !file.path.starts_with(place) &&
-          include.header.starts_with(place)) {
-        findings.push_back(finding(file, include.line,
-                                   outer + " may not include " + include.header +
-                                       ": clast::" + inner + " is built on clast::" + outer));
-      }
+    if (!part) continue;
+    if (!allowed.contains(*part)) {
+      findings.push_back(
+          finding(file, include.line,
+                  own + " may not include " + include.header + ", only from " + listed(allowed)));
     }
     if (is_public_header(file) && include.header.find("/detail/") != std::string::npos) {
       findings.push_back(
@@ -174,7 +182,7 @@ Findings package_findings(const SourceFile& file) {
   Findings findings;
   if (!file.is_source() || !kArrows.contains(file.folder())) return findings;
   for (const Include& include : includes_of(file)) {
-    if (project_folder(include.header)) continue;
+    if (project_part(include.header)) continue;
     for (const Package& package : kHeavyPackages) {
       if (!starts_with_any(include.header, package.headers)) continue;
       if (is_public_header(file)) {
@@ -201,13 +209,13 @@ Findings link_findings(const SourceFile& cmake_lists) {
   Findings findings;
   const std::string folder = cmake_lists.folder();
   if (cmake_lists.path != folder + "/CMakeLists.txt" || !kArrows.contains(folder)) return findings;
-  const Folders allowed = reachable(folder);
   for (const Link& link : links_of(cmake_lists)) {
+    const Folders allowed = reachable(link.part);
     if (link.target.starts_with("clast::") &&
-        !allowed.contains(folder_of_library(link.target.substr(7)))) {
+        !allowed.contains(part_of_target(link.target.substr(7)))) {
       findings.push_back(
           finding(cmake_lists, link.line,
-                  folder + " may not link " + link.target + ", only " + listed(allowed)));
+                  link.part + " may not link " + link.target + ", only " + listed(allowed)));
     }
     for (const Package& package : kHeavyPackages) {
       if (starts_with_any(link.target, package.targets) && !package.folders.contains(folder)) {
@@ -226,13 +234,13 @@ Findings unlinked_findings(const std::vector<SourceFile>& tree) {
     if (file.path != file.folder() + "/CMakeLists.txt") continue;
     for (const Link& link : links_of(file)) {
       if (link.target.starts_with("clast::"))
-        linked[file.folder()].insert(folder_of_library(link.target.substr(7)));
+        linked[link.part].insert(part_of_target(link.target.substr(7)));
     }
   }
   // Links of links, until nothing is added; the folders are few.
   for (bool grew = true; grew;) {
     grew = false;
-    for (auto& [folder, targets] : linked) {
+    for (auto& [part, targets] : linked) {
       const Folders before = targets;
       for (const std::string& target : before) {
         if (linked.contains(target)) targets.insert(linked[target].begin(), linked[target].end());
@@ -244,11 +252,12 @@ Findings unlinked_findings(const std::vector<SourceFile>& tree) {
   for (const SourceFile& file : tree) {
     if (!file.is_source() || !kArrows.contains(file.folder())) continue;
     for (const Include& include : includes_of(file)) {
-      const std::optional<std::string> folder = project_folder(include.header);
-      if (folder && *folder != file.folder() && !linked[file.folder()].contains(*folder)) {
+      const std::string own = part_of(file.path);
+      const std::optional<std::string> part = project_part(include.header);
+      if (part && *part != own && !linked[own].contains(*part)) {
         findings.push_back(finding(file, include.line,
                                    "includes " + include.header + ", but " + file.folder() +
-                                       "/CMakeLists.txt does not link clast::" + *folder));
+                                       "/CMakeLists.txt does not link clast::" + *part));
       }
     }
   }

@@ -12,8 +12,9 @@ namespace clast::architecture {
 /// A header that is installed: of a library, outside `detail/`.
 bool is_public_header(const SourceFile& file);
 
-/// Folders that `folder` may include, itself among them.
-std::set<std::string> reachable(const std::string& folder);
+/// Parts of the project that `part` may include, itself among them: folders, and the places of
+/// second libraries inside them, such as "reconstruct/photos".
+std::set<std::string> reachable(const std::string& part);
 
 /// Includes of project headers along an arrow that is not drawn, or of a test, sample or benchmark.
 Findings include_findings(const SourceFile& file);

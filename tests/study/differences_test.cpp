@@ -10,6 +10,8 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "core/sample_tests.hpp"
+#include "report/tables/group_tables.hpp"
+#include "report/tables/run_tables.hpp"
 #include "study/comparison.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"

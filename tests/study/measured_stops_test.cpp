@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "core/text_file.hpp"
+#include "report/tables/comparison_provenance.hpp"
+#include "report/tables/group_tables.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/refusal.hpp"

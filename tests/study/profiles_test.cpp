@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "report/tables/group_tables.hpp"
 #include "study/path_samples.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/thrown_runs.hpp"

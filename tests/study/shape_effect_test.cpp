@@ -8,6 +8,7 @@
 #include "core/text_file.hpp"
 #include "library/block_library.hpp"
 #include "library/make_block.hpp"
+#include "report/tables/run_tables.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/comparison.hpp"
 #include "tests/library/block_samples.hpp"

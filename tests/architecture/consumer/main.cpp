@@ -1,9 +1,10 @@
-// Exit status 0 when a tetrahedron weighs what it should, and a campaign file that is not there is
-// refused: with the second, every library of clast is linked.
+// Exit status 0 when a tetrahedron weighs what it should, a campaign file that is not there is
+// refused, and there is no report about no runs.
 #include <cmath>
 
 #include "core/error.hpp"
 #include "massprops/solid.hpp"
+#include "report/comparison_report.hpp"
 #include "study/campaign.hpp"
 
 int main() {
@@ -14,8 +15,13 @@ int main() {
   if (std::abs(mass - 400.0) > 1e-9) return 1;
   try {
     clast::read_campaign("missing.toml");
+    return 1;
   } catch (const clast::InputError&) {
-    return 0;
   }
-  return 1;
+  try {
+    clast::write_comparison(clast::compare({}), "report");
+    return 1;
+  } catch (const clast::InputError&) {
+  }
+  return 0;
 }

@@ -1,0 +1,42 @@
+// Charts are drawn when they are first seen, so that the page opens at once. `clastCharts` is there
+// for the console and for tests.
+const clastCharts = (() => {
+  const settings = {
+    responsive: true,
+    displaylogo: false,
+    modeBarButtonsToRemove: ['lasso2d', 'select2d', 'zoomIn2d', 'zoomOut2d', 'autoScale2d'],
+    toImageButtonOptions: {format: 'svg'},
+  };
+  const boxes = Array.from(document.querySelectorAll('.chart'));
+  const drawn = new Set();
+
+  async function plot(box) {
+    if (drawn.has(box)) return;
+    drawn.add(box);
+    const figure = JSON.parse(box.nextElementSibling.textContent);
+    await Plotly.newPlot(box, figure.data, figure.layout, {...settings, ...figure.config});
+  }
+  async function draw(box) {
+    try {
+      await clastRun('plotly-code');
+      await plot(box);
+    } catch (error) {
+      box.textContent = error.message;
+    }
+    return box;
+  }
+  const drawAll = () => Promise.all(boxes.map(draw));
+
+  const watcher = new IntersectionObserver((entries) => {
+    for (const {isIntersecting, target} of entries) {
+      if (!isIntersecting) continue;
+      watcher.unobserve(target);
+      draw(target);
+    }
+  }, {rootMargin: '300px'});
+  for (const box of boxes) watcher.observe(box);
+  // Paper waits for nothing: the library must be there by then, and draws at once.
+  addEventListener('load', () => clastRun('plotly-code').catch(() => {}));
+  addEventListener('beforeprint', () => window.Plotly && boxes.forEach(plot));
+  return {draw, drawAll};
+})();

@@ -1,0 +1,28 @@
+#pragma once
+/// Colours of the report: told apart by colour-blind readers, and in grey by marker and dash.
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace clast::report_detail {
+
+/// Strong colours of Okabe & Ito for data, without yellow, which vanishes on white.
+/// @cite okabe2008
+inline constexpr std::array<const char*, 6> kDataColours = {"#0072B2", "#D55E00", "#009E73",
+                                                            "#CC79A7", "#E69F00", "#56B4E9"};
+inline constexpr std::array<const char*, 4> kDashes = {"", "6 3", "2 2", "8 3 2 3"};
+
+/// Colour and line of the n-th curve; together they repeat after 24.
+inline std::string data_colour(std::size_t n) { return kDataColours[n % kDataColours.size()]; }
+inline std::string data_dash(std::size_t n) {
+  return kDashes[n / kDataColours.size() % kDashes.size()];
+}
+
+/// Compact and elongated keep their colours in every report.
+inline std::string class_colour(const std::string& garcia) {
+  if (garcia == "compact") return kDataColours[0];
+  if (garcia == "elongated") return kDataColours[1];
+  return "#555555";
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,203 @@
+#include "report/charts/plotly_chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/text_file.hpp"
+#include "report/charts/bins.hpp"
+#include "report/html/assets.hpp"
+#include "report/html/html_page.hpp"
+#include "report/html/page_script.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kHeight = 400;                 // px
+constexpr std::size_t kMostSteps = 1500;     // of a curve; more can't be told apart
+constexpr std::size_t kMostCharacters = 40;  // of a name in the legend
+
+/// Five digits are more than a chart shows.
+double short_number(double value) {
+  if (!std::isfinite(value) || value == 0.0) return value;
+  const double scale = std::pow(10.0, 4.0 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * scale) / scale;
+}
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) {
+    list.push_back(std::isfinite(value) ? Json(short_number(value)) : Json());
+  }
+  return list;
+}
+
+/// plotly.js reads a few HTML tags in texts, so they are escaped.
+std::string plain(std::string_view text) { return escaped(text); }
+
+Json trace_json(const Trace& trace, const ChartAxes& axes) {
+  Json json = {{"name", plain(shortened(trace.name, kMostCharacters))},
+               {"x", numbers(trace.x)},
+               {"y", numbers(trace.y)}};
+  const std::string y = axes.y_in_percent ? "%{y:.1%}" : "%{y:.4~g}";
+  std::string hover = "%{x:.4~g}: " + y;
+  if (!trace.notes.empty()) {
+    Json notes = Json::array();
+    for (const std::string& note : trace.notes) notes.push_back(plain(note));
+    json["text"] = std::move(notes);
+    json["textposition"] = "none";
+    hover = y + "<br>%{text}";
+  }
+  json["hovertemplate"] = hover;
+  if (!trace.shown) json["visible"] = "legendonly";
+  if (trace.kind == Trace::Kind::kBars) {
+    json["type"] = "bar";
+    json["marker"] = {{"color", trace.colour}};
+    json["opacity"] = 0.6;
+    return json;
+  }
+  json["type"] = "scatter";
+  json["mode"] = "lines";
+  json["line"] = {{"color", trace.colour},
+                  {"width", 2},
+                  {"shape", trace.kind == Trace::Kind::kSteps ? "hv" : "linear"}};
+  if (!trace.dash.empty()) {
+    std::string dash = trace.dash + "px";
+    for (std::size_t at = 0; (at = dash.find(' ', at)) != std::string::npos;) {
+      dash.replace(at, 1, "px,");
+    }
+    json["line"]["dash"] = dash;
+  }
+  if (trace.filled) json["fill"] = "tonexty";
+  return json;
+}
+
+Json layout_json(const ChartAxes& axes, const std::vector<Trace>& traces) {
+  const bool bars = std::any_of(traces.begin(), traces.end(), [](const Trace& trace) {
+    return trace.kind == Trace::Kind::kBars;
+  });
+  Json layout = {{"height", kHeight},
+                 {"margin", {{"l", 62}, {"r", 14}, {"t", 38}, {"b", 46}}},
+                 {"title",
+                  {{"text", "<b>" + plain(axes.title) + "</b>"},
+                   {"font", {{"size", 14}}},
+                   {"x", 0.01},
+                   {"xanchor", "left"}}},
+                 {"font",
+                  {{"family", "system-ui,Segoe UI,Roboto,Helvetica Neue,Arial,sans-serif"},
+                   {"size", 12},
+                   {"color", "#1d2733"}}},
+                 {"xaxis",
+                  {{"title", {{"text", plain(axes.x)}, {"standoff", 6}}},
+                   {"gridcolor", "#e2e6ea"},
+                   {"zeroline", false}}},
+                 {"yaxis",
+                  {{"title", {{"text", plain(axes.y)}, {"standoff", 8}}},
+                   {"gridcolor", "#e2e6ea"},
+                   {"zeroline", false}}},
+                 {"showlegend", true},
+                 {"legend", {{"orientation", "h"}, {"y", -0.2}, {"yanchor", "top"}}},
+                 {"hovermode", axes.equal_scales ? "closest" : "x unified"}};
+  if (axes.y_in_percent) layout["yaxis"]["tickformat"] = ",.0%";
+  if (axes.y_in_percent || !axes.equal_scales) layout["yaxis"]["rangemode"] = "tozero";
+  if (axes.equal_scales) layout["yaxis"]["scaleanchor"] = "x";
+  if (bars) layout["barmode"] = "overlay";
+  return layout;
+}
+
+std::string with_count(const Series& sample) {
+  return sample.name + " (" + std::to_string(sample.values.size()) + ")";
+}
+
+}  // namespace
+
+std::filesystem::path plotly_file() {
+  return std::filesystem::path(installed_folder("CLAST_PLOTLY", CLAST_PLOTLY_FOLDER)) / "plotly.js";
+}
+
+bool plotly_is_installed() {
+  std::error_code code;
+  return std::filesystem::is_regular_file(plotly_file(), code);
+}
+
+std::string plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces) {
+  Json data = Json::array();
+  for (const Trace& trace : traces) {
+    if (!trace.x.empty()) data.push_back(trace_json(trace, axes));
+  }
+  if (data.empty()) return {};
+  const Json figure = {{"data", data}, {"layout", layout_json(axes, traces)}};
+  return plotly_figure(axes.title, "lines",
+                       figure.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string plotly_figure(const std::string& label, const std::string& style, std::string json) {
+  if (!plotly_is_installed()) return {};
+  return "<figure><div class=\"chart " + style + "\" role=\"img\" aria-label=\"" + escaped(label) +
+         "\"></div>" + json_element("class=\"chart-data\"", std::move(json)) + "</figure>\n";
+}
+
+std::string charts_script() {
+  if (!plotly_is_installed()) {
+    return paragraph("Charts were left out: there is no " + plotly_file().string() +
+                     ". Install plotly.js (on Debian: apt install python3-plotly), or name its "
+                     "folder in CLAST_PLOTLY, and compare again. The tables are complete.");
+  }
+  return packed_element("plotly-code", read_text_file(plotly_file())) +
+         script_element(assets::charts_js);
+}
+
+std::vector<Trace> cumulative_traces(const std::vector<Series>& samples, bool exceeding) {
+  std::vector<Trace> traces;
+  for (const Series& sample : samples) {
+    if (sample.values.empty()) continue;
+    std::vector<double> sorted = sample.values;
+    std::sort(sorted.begin(), sorted.end());
+    Trace trace{with_count(sample), sample.colour, sample.dash, Trace::Kind::kSteps, {}, {}};
+    const auto add = [&](double x, double below) {
+      trace.x.push_back(x);
+      trace.y.push_back(exceeding ? 1.0 - below : below);
+    };
+    add(sorted.front(), 0.0);
+    const double total = static_cast<double>(sorted.size());
+    const std::size_t stride = 1 + sorted.size() / kMostSteps;
+    for (std::size_t i = stride - 1; i + 1 < sorted.size(); i += stride) {
+      add(sorted[i], static_cast<double>(i + 1) / total);
+    }
+    add(sorted.back(), 1.0);
+    traces.push_back(std::move(trace));
+  }
+  return traces;
+}
+
+std::vector<Trace> histogram_traces(const std::vector<Series>& samples) {
+  double low = INFINITY, high = -INFINITY;
+  for (const Series& sample : samples) {
+    for (const double value : sample.values) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  const Bins bins = bins_of(axis_span(low, high));
+  std::vector<Trace> traces;
+  for (const Series& sample : samples) {
+    if (sample.values.empty()) continue;
+    std::vector<std::size_t> counts(bins.count, 0);
+    for (const double value : sample.values) ++counts[bins.of(value)];
+    Trace trace{with_count(sample), sample.colour, {}, Trace::Kind::kBars, {}, {}};
+    for (std::size_t bin = 0; bin < bins.count; ++bin) {
+      trace.x.push_back(bins.edge(bin) + 0.5 * bins.width);
+      trace.y.push_back(static_cast<double>(counts[bin]) /
+                        static_cast<double>(sample.values.size()));
+      trace.notes.push_back(std::to_string(counts[bin]) + " from " +
+                            significant(bins.edge(bin), 4) + " to " +
+                            significant(bins.edge(bin) + bins.width, 4));
+    }
+    traces.push_back(std::move(trace));
+  }
+  return traces;
+}
+
+}  // namespace clast::report_detail

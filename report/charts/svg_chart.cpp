@@ -1,0 +1,303 @@
+#include "report/charts/svg_chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/charts/bins.hpp"
+#include "report/charts/ticks.hpp"
+#include "report/html/html_page.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+constexpr double kWidth = 520.0, kLeft = 56.0, kRight = 12.0, kTop = 34.0;
+constexpr double kPlotWidth = kWidth - kLeft - kRight;
+constexpr const char* kGrid = "stroke=\"#e2e6ea\"";
+constexpr const char* kAxis = "stroke=\"#5b6775\"";
+constexpr const char* kSmall = "font-size=\"12\" fill=\"#33404d\"";
+constexpr const char* kHalo = " stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
+constexpr double kLegendRow = 18.0;
+constexpr std::size_t kMostSteps = 1500;  // of a curve; more can't be told apart on paper
+
+struct Range {
+  double low = 0.0;
+  double high = 1.0;
+  bool logarithmic = false;
+};
+
+Range range_of(const std::vector<Series>& series, bool logarithmic = false) {
+  Range range{INFINITY, -INFINITY};
+  for (const Series& one : series) {
+    for (const double value : one.values) {
+      range.low = std::min(range.low, value);
+      range.high = std::max(range.high, value);
+    }
+  }
+  if (logarithmic && range.low <= range.high) {
+    // A tenth of the width on either side, and room where all values are equal.
+    const double margin = std::max(1.08, std::pow(range.high / range.low, 0.1));
+    return {range.low / margin, range.high * margin, true};
+  }
+  const Span span = axis_span(range.low, range.high);
+  return {span.low, span.high};
+}
+
+double x_at(const Range& range, double value) {
+  const double share = range.logarithmic
+                           ? std::log(value / range.low) / std::log(range.high / range.low)
+                           : (value - range.low) / (range.high - range.low);
+  return kLeft + kPlotWidth * share;
+}
+
+/// Ticks of the axis as numbers and their text.
+std::vector<std::pair<double, std::string>> x_ticks(const Range& range) {
+  std::vector<std::pair<double, std::string>> marks;
+  if (range.logarithmic) {
+    for (const double value : log_ticks(range.low, range.high, 9)) {
+      marks.emplace_back(value, significant(value, 1));
+    }
+    if (marks.size() >= 3) return marks;
+    marks.clear();  // less than a decade: round steps read better
+  }
+  const Ticks found = ticks(range.low, range.high, 7);
+  for (const double value : found.values) marks.emplace_back(value, fixed(value, found.decimals));
+  return marks;
+}
+
+std::string title_of(const ChartText& text) {
+  return svg_text(kLeft, 18, text.title, "font-size=\"14\" font-weight=\"600\" fill=\"#1d2733\"");
+}
+
+/// Vertical grid lines over [top, bottom] and numbers with the axis label below.
+std::string x_axis(const Range& range, double top, double bottom, const std::string& label) {
+  std::string svg;
+  for (const auto& [value, text] : x_ticks(range)) {
+    const double x = x_at(range, value);
+    svg += svg_line(x, top, x, bottom, kGrid);
+    svg += svg_text(x, bottom + 16, text, std::string(kSmall) + " text-anchor=\"middle\"");
+  }
+  return svg + svg_text(kLeft + kPlotWidth / 2, bottom + 34, label,
+                        std::string(kSmall) + " text-anchor=\"middle\"");
+}
+
+// In half of the chart's width.
+constexpr std::size_t kMostCharacters = 24;
+
+std::string name_with_count(const Series& series) {
+  return shortened(series.name, kMostCharacters) + " (" + std::to_string(series.values.size()) +
+         ")";
+}
+
+std::string dash_style(const std::string& dash) {
+  return dash.empty() ? "" : " stroke-dasharray=\"" + dash + "\"";
+}
+
+/// Limits that lie in the range, dashed, with their words at the top.
+std::string limit_lines(const ChartText& text, const Range& range, double top, double bottom) {
+  std::string svg;
+  for (const Limit& limit : text.limits) {
+    if (limit.value < range.low || limit.value > range.high) continue;
+    const double x = x_at(range, limit.value);
+    const bool right = x > kLeft + 0.6 * kPlotWidth;  // no room on that side for words
+    svg += svg_line(x, top, x, bottom, "stroke=\"#1d2733\" stroke-dasharray=\"5 4\"");
+    svg += svg_text(x + (right ? -5 : 5), top + 11, limit.text,
+                    std::string(kSmall) + (right ? " text-anchor=\"end\"" : "") + kHalo);
+  }
+  return svg;
+}
+
+struct Step {
+  double value;
+  double share;       ///< up to and with it
+  std::size_t index;  ///< of the value in its series
+};
+
+/// Values in ascending order with their cumulative shares.
+std::vector<Step> steps_of(const Series& series) {
+  std::vector<Step> steps;
+  double total = 0.0;
+  for (std::size_t i = 0; i < series.values.size(); ++i) {
+    steps.push_back({series.values[i], 0.0, i});
+    total += series.weights.empty() ? 1.0 : series.weights[i];
+  }
+  std::stable_sort(steps.begin(), steps.end(),
+                   [](const Step& a, const Step& b) { return a.value < b.value; });
+  double sum = 0.0;
+  for (Step& step : steps) {
+    sum += series.weights.empty() ? 1.0 : series.weights[step.index];
+    step.share = sum / total;
+  }
+  return steps;
+}
+
+/// The curve of a sample, in px.
+std::string step_path(const std::vector<Step>& steps, const Range& range, double top,
+                      double height) {
+  const std::size_t stride = 1 + steps.size() / kMostSteps;
+  const auto y_at = [&](double share) { return top + height * (1.0 - share); };
+  std::string path = "M" + fixed(kLeft, 1) + " " + fixed(y_at(0.0), 1);
+  for (std::size_t i = 0; i < steps.size(); i += stride) {
+    const Step& last = steps[std::min(i + stride, steps.size()) - 1];
+    path += "H" + fixed(x_at(range, last.value), 1) + "V" + fixed(y_at(last.share), 1);
+  }
+  return path + "H" + fixed(kLeft + kPlotWidth, 1);
+}
+
+std::string named_marks(const Series& series, const std::vector<Step>& steps, const Range& range,
+                        double top, double height) {
+  if (series.names.empty() || series.names.size() > kMostNamedMarks) return {};
+  std::string svg;
+  for (const Step& step : steps) {
+    const std::string& block = series.blocks.empty() ? std::string() : series.blocks[step.index];
+    svg += "<circle class=\"block\"" + (block.empty() ? "" : " data-block=\"" + block + "\"") +
+           " cx=\"" + fixed(x_at(range, step.value), 1) + "\" cy=\"" +
+           fixed(top + height * (1.0 - step.share), 1) + "\" r=\"2.6\" fill=\"" + series.colour +
+           "\"><title>" +
+           escaped(series.names[step.index] + "\n" + percent(step.share) + " up to here, " +
+                   series.name) +
+           "</title></circle>\n";
+  }
+  return svg;
+}
+
+std::string smooth_path(const Curve& curve, const Range& range, double top, double height) {
+  std::string path;
+  for (const auto& [x, share] : curve.points) {
+    if (x < range.low || x > range.high) continue;
+    path += (path.empty() ? "M" : "L") + fixed(x_at(range, x), 1) + " " +
+            fixed(top + height * (1.0 - share), 1);
+  }
+  return path;
+}
+
+/// One line of the legend below a chart.
+struct LegendEntry {
+  std::string name;
+  std::string pen;
+};
+
+std::string legend_below(const std::vector<LegendEntry>& entries, double top) {
+  std::string svg;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const double x = kLeft + kPlotWidth / 2 * static_cast<double>(i % 2);
+    const double y = top + kLegendRow * static_cast<double>(i / 2);
+    svg += svg_line(x, y - 4, x + 24, y - 4, entries[i].pen);
+    svg += svg_text(x + 30, y, entries[i].name, kSmall);
+  }
+  return svg;
+}
+
+/// Up to five names of what lies in a bin.
+std::string names_in_bin(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNames = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) text += "\n" + names[i];
+  if (names.size() > kMostNames) {
+    text += "\nand " + std::to_string(names.size() - kMostNames) + " more";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string cumulative_chart(const ChartText& text, const std::vector<Series>& series,
+                             const std::vector<Curve>& curves) {
+  constexpr double kHeight = 210.0;
+  std::vector<LegendEntry> entries;
+  for (const Series& one : series) {
+    if (one.values.empty()) continue;
+    entries.push_back({name_with_count(one),
+                       "stroke=\"" + one.colour + "\" stroke-width=\"2\"" + dash_style(one.dash)});
+  }
+  const std::size_t samples = entries.size();
+  for (const Curve& curve : curves) {
+    entries.push_back({curve.name, "stroke=\"" + curve.colour + "\" stroke-width=\"1.6\"" +
+                                       dash_style(curve.dash)});
+  }
+  const double legend_rows = std::ceil(static_cast<double>(entries.size()) / 2.0);
+  const double bottom = kTop + kHeight;
+  std::string svg = svg_open(kWidth, bottom + 46 + kLegendRow * legend_rows, text.title);
+  svg += title_of(text);
+  const Range range = range_of(series, text.logarithmic);
+  svg += x_axis(range, kTop, bottom, text.x_label);
+  for (int k = 0; k <= 4; ++k) {
+    const double y = bottom - kHeight * k / 4.0;
+    svg += svg_line(kLeft, y, kWidth - kRight, y, kGrid);
+    svg += svg_text(kLeft - 6, y + 4, std::to_string(25 * k) + " %",
+                    std::string(kSmall) + " text-anchor=\"end\"");
+  }
+  svg += svg_line(kLeft, bottom, kWidth - kRight, bottom, kAxis);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    svg += "<path fill=\"none\" " + entries[samples + i].pen + " d=\"" +
+           smooth_path(curves[i], range, kTop, kHeight) + "\"><title>" + escaped(curves[i].name) +
+           "</title></path>";
+  }
+  std::size_t entry = 0;
+  for (const Series& one : series) {
+    if (one.values.empty()) continue;
+    const std::vector<Step> steps = steps_of(one);
+    svg += "<path fill=\"none\" " + entries[entry].pen + " d=\"" +
+           step_path(steps, range, kTop, kHeight) + "\"><title>" + escaped(entries[entry].name) +
+           "</title></path>" + named_marks(one, steps, range, kTop, kHeight);
+    ++entry;
+  }
+  svg += limit_lines(text, range, kTop, bottom);
+  return svg + legend_below(entries, bottom + 54) + "</svg>\n";
+}
+
+std::string histogram_chart(const ChartText& text, const std::vector<Series>& series) {
+  constexpr double kRow = 92.0, kGap = 24.0;
+  const Range data = range_of(series);
+  std::vector<double> limits;
+  for (const Limit& limit : text.limits) limits.push_back(limit.value);
+  const Bins bins = bins_of({data.low, data.high}, limits);
+  const Range range{bins.low, bins.low + bins.width * static_cast<double>(bins.count)};
+
+  std::vector<std::vector<double>> shares;
+  std::vector<std::vector<std::vector<std::string>>> names;  // by series and bin
+  double highest = 0.0;
+  for (const Series& one : series) {
+    std::vector<double> share(bins.count, 0.0);
+    names.emplace_back(bins.count);
+    for (std::size_t i = 0; i < one.values.size(); ++i) {
+      const std::size_t k = bins.of(one.values[i]);
+      share[k] += 1.0 / static_cast<double>(one.values.size());
+      if (!one.names.empty()) names.back()[k].push_back(one.names[i]);
+    }
+    highest = std::max(highest, *std::max_element(share.begin(), share.end()));
+    shares.push_back(std::move(share));
+  }
+  if (highest == 0.0) highest = 1.0;
+
+  const double bottom = kTop + static_cast<double>(series.size()) * (kRow + kGap);
+  std::string svg = svg_open(kWidth, bottom + 46, text.title) + title_of(text);
+  svg += x_axis(range, kTop, bottom, text.x_label);
+  const Ticks levels = ticks(0.0, 100.0 * highest, 3);
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double base = kTop + static_cast<double>(i + 1) * (kRow + kGap);
+    for (const double level : levels.values) {
+      const double y = base - kRow * level / (100.0 * highest);
+      if (level > 0.0) svg += svg_line(kLeft, y, kWidth - kRight, y, kGrid);
+      svg += svg_text(kLeft - 6, y + 4, fixed(level, levels.decimals) + " %",
+                      std::string(kSmall) + " text-anchor=\"end\"");
+    }
+    for (std::size_t k = 0; k < bins.count; ++k) {
+      if (shares[i][k] == 0.0) continue;
+      const double low = range.low + bins.width * static_cast<double>(k);
+      const double x = x_at(range, low), width = x_at(range, low + bins.width) - x;
+      const double height = kRow * shares[i][k] / highest;
+      svg += "<rect x=\"" + fixed(x + 0.5, 1) + "\" y=\"" + fixed(base - height, 1) +
+             "\" width=\"" + fixed(width - 1.0, 1) + "\" height=\"" + fixed(height, 1) +
+             "\" fill=\"" + series[i].colour + "\"><title>" +
+             escaped(significant(low, 4) + " to " + significant(low + bins.width, 4) + ": " +
+                     percent(shares[i][k]) + names_in_bin(names[i][k])) +
+             "</title></rect>";
+    }
+    svg += svg_line(kLeft, base, kWidth - kRight, base, kAxis);
+    svg += svg_text(kWidth - kRight, base - kRow + 2, name_with_count(series[i]),
+                    std::string(kSmall) + " font-weight=\"600\" text-anchor=\"end\"" + kHalo);
+  }
+  return svg + limit_lines(text, range, kTop, bottom) + "</svg>\n";
+}
+
+}  // namespace clast::report_detail

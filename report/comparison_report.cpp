@@ -1,0 +1,64 @@
+#include "report/comparison_report.hpp"
+
+#include <set>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "report/maps/gis_layers.hpp"
+#include "report/maps/raster_files.hpp"
+#include "report/pages/comparison_page.hpp"
+#include "report/tables/comparison_provenance.hpp"
+#include "report/tables/group_tables.hpp"
+#include "report/tables/run_tables.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+
+FolderKind comparison_folder() {
+  const auto owns = [](const std::filesystem::path& file) {
+    static const std::set<std::string> kFiles = {
+        "runs.csv",    "barriers.csv",    "crossings.csv",   "deposits.csv",
+        "impacts.csv", "ground_sets.csv", "profiles.csv",    "measured.csv",
+        "stops.gpkg",  "differences.csv", "provenance.json", "report.html"};
+    const std::string folder = file.parent_path().string(), extension = file.extension().string();
+    if (folder == "rasters") return extension == ".tif";
+    if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
+    return kFiles.contains(file.string());
+  };
+  return {"comparison", "provenance.json", "\"downslope_from\"", owns};
+}
+
+std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
+                                                    const std::filesystem::path& folder) {
+  std::error_code code;
+  if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
+    throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
+  }
+  std::vector<std::filesystem::path> written;
+  const auto write = [&](const char* name, const std::string& text) {
+    written.push_back(folder / name);
+    write_text_file(written.back(), text);
+  };
+  write("runs.csv", runs_csv(comparison));
+  write("barriers.csv", barriers_csv(comparison));
+  write("crossings.csv", crossings_csv(comparison));
+  write("deposits.csv", deposits_csv(comparison));
+  write("impacts.csv", impacts_csv(comparison));
+  write("ground_sets.csv", ground_sets_csv(comparison));
+  write("differences.csv", differences_csv(comparison));
+  const std::vector<ProfileBin> bins = profiles(comparison);
+  write("profiles.csv", profiles_csv(comparison, bins));
+  if (comparison.measured) write("measured.csv", measured_csv(comparison));
+  write("provenance.json", provenance_json(comparison));
+  written.push_back(folder / "stops.gpkg");
+  write_geopackage(written.back(), comparison);
+  const std::vector<std::filesystem::path> rasters = write_rasters(
+      folder / "rasters", path_rasters(comparison), comparison.results.front().frame.crs);
+  written.insert(written.end(), rasters.begin(), rasters.end());
+  write("report.html", comparison_page(comparison, bins));
+  return written;
+}
+
+}  // namespace clast

@@ -1,0 +1,18 @@
+#pragma once
+/// The files of report/assets, compiled in: `page_css` is page.css.
+#include <string_view>
+
+namespace clast::report_detail::assets {
+
+extern const std::string_view page_html;   ///< the frame of every page
+extern const std::string_view page_css;    ///< of every page
+extern const std::string_view page_js;     ///< of every page
+extern const std::string_view report_css;  ///< of pages about runs and populations of blocks
+extern const std::string_view scans_css;   ///< of pages about scans
+extern const std::string_view blocks_js;   ///< highlights a block in all diagrams
+extern const std::string_view unpack_js;   ///< unpacks what `packed_element` holds
+extern const std::string_view charts_js;   ///< draws what `plotly_figure` holds
+extern const std::string_view scene_html;  ///< the 3-D view and its controls
+extern const std::string_view scene_js;    ///< draws the 3-D view
+
+}  // namespace clast::report_detail::assets

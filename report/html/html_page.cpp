@@ -1,0 +1,218 @@
+#include "report/html/html_page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "report/html/assets.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+std::string number_text(double value, std::chars_format format, int precision) {
+  if (!std::isfinite(value)) return "-";
+  std::array<char, 400> text;  // the largest double has 309 digits before the point
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
+  std::string result(text.data(), end.ptr);
+  // "-0.0" is a rounding residue, not a sign anyone asked for.
+  if (result.find_first_not_of("-0.") == std::string::npos && result.front() == '-') {
+    result.erase(0, 1);
+  }
+  return result;
+}
+
+/// Escaped text with what stands between backticks, the field of an option, as code.
+std::string with_code(std::string_view text) {
+  std::string html = escaped(text);
+  std::size_t begin = html.find('`');
+  for (std::size_t end; begin != html.npos; begin = html.find('`', begin)) {
+    end = html.find('`', begin + 1);
+    if (end == html.npos) break;
+    html.replace(end, 1, "</code>").replace(begin, 1, "<code>");
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default: {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 || c == '\n' || c == '\t') result += c;
+      }
+    }
+  }
+  return result;
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+  std::size_t characters = 0, end = 0;  // up to and with the last character that has room
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xc0) == 0x80) continue;
+    if (++characters == most) end = i;
+    if (characters > most) return std::string(text.substr(0, end)) + "\xE2\x80\xA6";
+  }
+  return std::string(text);
+}
+
+std::string link_to(std::string_view path) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string link;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '/' || c == '.' || c == '_' || c == '-';
+    if (plain) {
+      link += c;
+    } else {
+      link += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+  }
+  return link;
+}
+
+std::string fixed(double value, int decimals) {
+  return number_text(value, std::chars_format::fixed, decimals);
+}
+
+std::string significant(double value, int digits) {
+  if (!std::isfinite(value)) return "-";
+  if (value == 0.0) return "0";
+  const std::string scientific = number_text(value, std::chars_format::scientific, digits - 1);
+  // Read from the rounded number: 9.996 has two digits before the point once it is 10.0.
+  const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
+  if (exponent >= 7 || exponent < -4) return scientific;
+  return number_text(value, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
+}
+
+std::string percent(double share) { return fixed(100.0 * share, 1) + " %"; }
+
+HtmlTable::HtmlTable(std::vector<std::string> heads, std::size_t text_columns)
+    : heads_(std::move(heads)), text_columns_(text_columns) {}
+
+HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
+  constexpr std::size_t kLongText = 24;  // broken anywhere from here on, if there is no room
+  rows_ += "<tr>";
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool is_text = i<text_columns_, is_long = cells[i].size()> kLongText;
+    add_cell(is_text, is_long, escaped(cells[i]));
+  }
+  rows_ += "</tr>\n";
+  return *this;
+}
+
+HtmlTable& HtmlTable::html_row(const std::vector<std::string>& cells) {
+  rows_ += "<tr>";
+  for (std::size_t i = 0; i < cells.size(); ++i) add_cell(i < text_columns_, false, cells[i]);
+  rows_ += "</tr>\n";
+  return *this;
+}
+
+void HtmlTable::add_cell(bool text, bool long_text, const std::string& html) {
+  rows_ += !text ? "<td>" : long_text ? "<td class=\"t wrap\">" : "<td class=\"t\">";
+  rows_ += html + "</td>";
+}
+
+std::string HtmlTable::html() const {
+  constexpr std::size_t kWide = 10;  // columns from which a table is set closer
+  std::string html = "<div class=\"scroll\"><table";
+  html += heads_.size() >= kWide ? " class=\"wide\"><thead><tr>" : "><thead><tr>";
+  for (std::size_t i = 0; i < heads_.size(); ++i) {
+    html += i < text_columns_ ? "<th class=\"t\">" : "<th>";
+    html += escaped(heads_[i]) + "</th>";
+  }
+  return html + "</tr></thead>\n<tbody>\n" + rows_ + "</tbody></table></div>\n";
+}
+
+std::string svg_line(double x1, double y1, double x2, double y2, std::string_view style) {
+  return "<line x1=\"" + fixed(x1, 1) + "\" y1=\"" + fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) +
+         "\" y2=\"" + fixed(y2, 1) + "\" " + std::string(style) + "/>";
+}
+
+std::string svg_text(double x, double y, std::string_view text, std::string_view style) {
+  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" " + std::string(style) + ">" +
+         escaped(text) + "</text>";
+}
+
+std::string svg_open(double width, double height, std::string_view label) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed(width, 0) + " " +
+         fixed(height, 0) + "\" role=\"img\" aria-label=\"" + escaped(label) + "\">";
+}
+
+std::string svg_file(const std::string& svg) {
+  const std::string_view box = "viewBox=\"0 0 ";
+  const std::size_t at = svg.find(box) + box.size();
+  const std::string size = svg.substr(at, svg.find('"', at) - at);  // "width height"
+  const std::string width = size.substr(0, size.find(' '));
+  const std::string height = size.substr(size.find(' ') + 1);
+  const std::size_t end = svg.find('>') + 1;
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg width=\"" + width + "\" height=\"" +
+         height + "\" font-family=\"Helvetica, Arial, sans-serif\"" + svg.substr(4, end - 4) +
+         "<rect width=\"" + width + "\" height=\"" + height + "\" fill=\"#fff\"/>" +
+         svg.substr(end);
+}
+
+std::string fill(std::string_view skeleton, const std::map<std::string, std::string>& values) {
+  std::string filled;
+  for (std::size_t at = 0;;) {
+    const std::size_t open = skeleton.find("{{", at);
+    filled += skeleton.substr(at, open - at);
+    if (open == std::string_view::npos) return filled;
+    const std::size_t close = skeleton.find("}}", open);
+    filled += values.at(std::string(skeleton.substr(open + 2, close - open - 2)));
+    at = close + 2;
+  }
+}
+
+std::string section(std::string_view title, std::string_view body) {
+  return "<section>\n<h2>" + escaped(title) + "</h2>\n" + std::string(body) + "</section>\n";
+}
+
+std::string paragraph(std::string_view text) { return "<p>" + with_code(text) + "</p>\n"; }
+
+std::string figure(std::string_view svg, std::string_view caption) {
+  std::string html = "<figure>" + std::string(svg);
+  if (!caption.empty()) html += "<figcaption>" + escaped(caption) + "</figcaption>";
+  return html + "</figure>\n";
+}
+
+std::string fact(std::string_view name, std::string_view value) {
+  return "<div><dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
+}
+
+std::string note_box(std::string_view title, const std::vector<std::string>& notes) {
+  std::string html = "<div class=\"warnings\" role=\"note\"><h2>" + escaped(title) + "</h2><ul>\n";
+  for (const std::string& note : notes) html += "<li>" + with_code(note) + "</li>\n";
+  return html + "</ul></div>\n";
+}
+
+std::string page(std::string_view title, std::string_view body, const PageExtras& extras) {
+  return fill(assets::page_html,
+              {{"title", escaped(title)},
+               {"style", std::string(assets::page_css) + std::string(extras.style)},
+               {"body", std::string(body)},
+               {"script", std::string(assets::page_js) + std::string(extras.script)}});
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,73 @@
+#include "report/maps/map_legend.hpp"
+
+#include "report/html/html_page.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+/// Rows of marks and words beside the map.
+class Legend {
+ public:
+  explicit Legend(double x) : x_(x) {}
+
+  void head(const std::string& text) {
+    y_ += y_ > kMapTop + 14.0 ? 10.0 : 0.0;
+    svg_ += svg_text(x_, y_, text, "font-size=\"12.5\" font-weight=\"600\" fill=\"#1d2733\"");
+    y_ += 20.0;
+  }
+  void row(const std::string& mark, const std::string& text) {
+    svg_ += mark + svg_text(x_ + 24, y_, text, kMapText);
+    y_ += 19.0;
+  }
+  void swatch(const std::string& colour, const std::string& text) {
+    row("<rect x=\"" + fixed(x_, 1) + "\" y=\"" + fixed(y_ - 10, 1) +
+            "\" width=\"16\" height=\"12\" fill=\"" + colour + "\" stroke=\"#8a949e\"/>",
+        text);
+  }
+  double mark_x() const { return x_ + 8.0; }
+  double mark_y() const { return y_ - 4.0; }
+  double bottom() const { return y_; }
+  const std::string& svg() const { return svg_; }
+
+ private:
+  double x_;
+  double y_ = kMapTop + 12.0;
+  std::string svg_;
+};
+
+std::string rgb_text(const Rgb& colour) {
+  return "rgb(" + std::to_string(colour[0]) + "," + std::to_string(colour[1]) + "," +
+         std::to_string(colour[2]) + ")";
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kMost = 24;
+  if (text.size() <= kMost) return text;
+  std::size_t end = kMost - 1;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole UTF-8
+  return text.substr(0, end) + "\xE2\x80\xA6";
+}
+
+}  // namespace
+
+MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval) {
+  Legend legend(kMapLeft + sheet.width() + 22.0);
+  legend.head("Site");
+  legend.row(release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");
+  if (!comparison.lines.empty()) {
+    legend.row(svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
+                        "stroke=\"#111\" stroke-width=\"2.2\""),
+               "barrier, arrow forward");
+  }
+  legend.row(svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
+                      "stroke=\"#7a6245\" stroke-width=\"1.2\""),
+             "contours every " + significant(contour_interval, 2) + " m");
+  const std::vector<std::string>& zones = comparison.results.front().terrain.zone_names;
+  if (!zones.empty()) legend.head("Ground zones");
+  for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+    legend.swatch(rgb_text(zone_tint(zones[zone], zone)), shortened(zones[zone]));
+  }
+  return {legend.svg(), legend.bottom()};
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,19 @@
+#pragma once
+/// The legend beside the map of a plan.
+#include <string>
+
+#include "report/maps/map_marks.hpp"
+#include "study/comparison.hpp"
+
+namespace clast::report_detail {
+
+struct MapLegend {
+  std::string svg;
+  double bottom = 0.0;  ///< px
+};
+
+/// Site and ground zones.
+/// @param contour_interval  m
+MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval);
+
+}  // namespace clast::report_detail

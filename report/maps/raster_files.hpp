@@ -1,0 +1,19 @@
+#pragma once
+/// Maps of passages for QGIS and its like.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/path_rasters.hpp"
+
+namespace clast::report_detail {
+
+/// One GeoTIFF per layer, FOLDER/NAME.tif: 32-bit floats, nodata -9999, tiled and compressed, with
+/// the map system when there is one.
+/// @return the files; none without layers
+/// @throws InputError  GDAL can't write there
+std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& folder,
+                                                 const PathRasters& rasters,
+                                                 const std::string& crs);
+
+}  // namespace clast::report_detail

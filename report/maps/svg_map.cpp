@@ -1,0 +1,150 @@
+#include "report/maps/svg_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/nice_number.hpp"
+#include "report/charts/ticks.hpp"
+#include "report/html/html_page.hpp"
+#include "report/maps/map_legend.hpp"
+#include "report/maps/map_marks.hpp"
+#include "report/maps/map_window.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+constexpr double kBelow = 44.0;
+constexpr double kLongest = 790.0, kTallest = 640.0;  // of the map itself, px
+constexpr double kLegendWidth = 196.0;
+constexpr const char* kHalo =
+    "font-size=\"12.5\" font-weight=\"600\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"3\" "
+    "paint-order=\"stroke\"";
+
+std::string axes(const Sheet& sheet) {
+  const double right = kMapLeft + sheet.width(), bottom = kMapTop + sheet.height();
+  std::string svg;
+  const Ticks xs = ticks(sheet.window.low.x(), sheet.window.high.x(),
+                         std::max(2, static_cast<int>(sheet.width() / 95.0)));
+  for (const double value : xs.values) {
+    const double x = sheet.x(value);
+    svg += svg_line(x, kMapTop, x, bottom, "stroke=\"#fff\" stroke-opacity=\".45\"");
+    svg += svg_line(x, bottom, x, bottom + 5, "stroke=\"#33404d\"");
+    svg += svg_text(x, bottom + 18, fixed(value, xs.decimals),
+                    std::string(kMapText) + " text-anchor=\"middle\"");
+  }
+  const Ticks ys = ticks(sheet.window.low.y(), sheet.window.high.y(),
+                         std::max(2, static_cast<int>(sheet.height() / 80.0)));
+  for (const double value : ys.values) {
+    const double y = sheet.y(value);
+    svg += svg_line(kMapLeft, y, right, y, "stroke=\"#fff\" stroke-opacity=\".45\"");
+    svg += svg_line(kMapLeft - 5, y, kMapLeft, y, "stroke=\"#33404d\"");
+    svg += svg_text(kMapLeft - 8, y + 4, fixed(value, ys.decimals),
+                    std::string(kMapText) + " text-anchor=\"end\"");
+  }
+  svg += "<rect x=\"" + fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" +
+         fixed(sheet.width(), 1) + "\" height=\"" + fixed(sheet.height(), 1) +
+         "\" fill=\"none\" stroke=\"#33404d\"/>";
+  svg += svg_text(kMapLeft + sheet.width() / 2, bottom + 37, "x (m)",
+                  std::string(kMapText) + " text-anchor=\"middle\"");
+  const double middle = kMapTop + sheet.height() / 2;
+  return svg +
+         svg_text(14, middle, "y (m)",
+                  std::string(kMapText) + " text-anchor=\"middle\" transform=\"rotate(-90 14 " +
+                      fixed(middle, 1) + ")\"");
+}
+
+std::string barriers(const Comparison& comparison, const Sheet& sheet) {
+  std::string svg;
+  for (const BarrierLine& line : comparison.lines) {
+    std::string path;
+    const bool exits = line.counts == BarrierLine::Counts::kExits;
+    Vec2 end(0.0, exits ? -INFINITY : INFINITY);  // its upper end; of exits the lower one
+    for (const Vec2& point : line.through) {
+      const Vec2 at(sheet.x(point.x()), sheet.y(point.y()));
+      path += (path.empty() ? "M" : "L") + fixed(at.x(), 1) + " " + fixed(at.y(), 1);
+      if (exits ? at.y() > end.y() : at.y() < end.y()) end = at;
+    }
+    for (const char* style :
+         {"stroke=\"#fff\" stroke-width=\"5\"", "stroke=\"#111\" stroke-width=\"2.2\""}) {
+      svg += "<path fill=\"none\" stroke-linecap=\"round\" " + std::string(style) + " d=\"" + path +
+             "\"/>";
+    }
+    const ForwardArrow arrow = forward_arrow(line);
+    const Vec2 root(sheet.x(arrow.root.x()), sheet.y(arrow.root.y()));
+    const Vec2 forward(arrow.forward.x(), -arrow.forward.y());  // on the picture y points down
+    const Vec2 across(-forward.y(), forward.x());
+    const Vec2 tip = root + 11.0 * forward, a = root + 5.0 * across, b = root - 5.0 * across;
+    svg += "<path fill=\"#111\" stroke=\"#fff\" d=\"M" + fixed(a.x(), 1) + " " + fixed(a.y(), 1) +
+           "L" + fixed(tip.x(), 1) + " " + fixed(tip.y(), 1) + "L" + fixed(b.x(), 1) + " " +
+           fixed(b.y(), 1) + "Z\"><title>counted through " + escaped(line.name) + "</title></path>";
+    // Named at that end, inside the frame.
+    svg += svg_text(end.x(), exits ? end.y() + 17.0 : std::max(end.y() - 7.0, kMapTop + 13.0),
+                    line.name, std::string(kHalo) + " text-anchor=\"middle\"");
+  }
+  return svg;
+}
+
+std::string releases(const Comparison& comparison, const Sheet& sheet) {
+  std::string svg;
+  std::set<std::pair<double, double>> drawn;
+  for (const RunRow& row : comparison.rows) {
+    if (!drawn.emplace(row.start.x(), row.start.y()).second) continue;
+    svg += release_mark(sheet.x(row.start.x()), sheet.y(row.start.y()),
+                        "release point " + std::to_string(row.record->point));
+  }
+  return svg;
+}
+
+std::string scale_bar(const Sheet& sheet) {
+  const double rough = 110.0 / sheet.scale;
+  double metres = round_up_to_nice(rough);
+  if (metres * sheet.scale > 0.4 * sheet.width()) metres /= 2.0;
+  const double length = metres * sheet.scale, x = kMapLeft + 14.0;
+  const double y = kMapTop + sheet.height() - 18.0;
+  const auto rect = [](double left, double top, double width, double height, const char* style) {
+    return "<rect x=\"" + fixed(left, 1) + "\" y=\"" + fixed(top, 1) + "\" width=\"" +
+           fixed(width, 1) + "\" height=\"" + fixed(height, 1) + "\" " + style + "/>";
+  };
+  return rect(x - 7, y - 20, length + 14, 32, "fill=\"#fff\" fill-opacity=\".8\"") +
+         rect(x, y, length / 2, 5, "fill=\"#111\" stroke=\"#111\"") +
+         rect(x + length / 2, y, length / 2, 5, "fill=\"#fff\" stroke=\"#111\"") +
+         svg_text(x + length / 2, y - 6, significant(metres, 2) + " m",
+                  std::string(kMapText) + " text-anchor=\"middle\"");
+}
+
+std::string north_arrow(const Sheet& sheet) {
+  const double x = kMapLeft + sheet.width() - 24.0, y = kMapTop + 16.0;
+  return "<g><title>grid north: +y of the map</title><circle cx=\"" + fixed(x, 1) + "\" cy=\"" +
+         fixed(y + 15, 1) +
+         "\" r=\"21\" fill=\"#fff\" fill-opacity=\".8\"/><path fill=\"#111\" d=\"M" + fixed(x, 1) +
+         " " + fixed(y - 2, 1) + "l7 19-7-5-7 5z\"/>" +
+         svg_text(x, y + 31, "N",
+                  "font-size=\"13\" font-weight=\"700\" text-anchor=\"middle\" fill=\"#111\"") +
+         "</g>";
+}
+
+}  // namespace
+
+std::string svg_map(const Comparison& comparison) {
+  Sheet sheet;
+  sheet.window = map_window(comparison);
+  const Vec2 size = sheet.window.size();
+  sheet.scale = std::min(kLongest / size.x(), kTallest / size.y());
+  const double interval = contour_interval(comparison);
+  const MapLegend keys = map_legend(comparison, sheet, interval);
+
+  const double width = kMapLeft + sheet.width() + kLegendWidth;
+  const double height = std::max(kMapTop + sheet.height() + kBelow, keys.bottom);
+  return svg_open(width, height, "map of release points and barriers") +
+
+         "<image x=\"" + fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" +
+         fixed(sheet.width(), 1) + "\" height=\"" + fixed(sheet.height(), 1) +
+         "\" preserveAspectRatio=\"none\" href=\"" +
+         relief_image(comparison, sheet.window,
+                      static_cast<std::uint32_t>(std::lround(sheet.width())), interval) +
+         "\"/>" + axes(sheet) + barriers(comparison, sheet) + releases(comparison, sheet) +
+         scale_bar(sheet) + north_arrow(sheet) + keys.svg + "</svg>\n";
+}
+
+}  // namespace clast::report_detail

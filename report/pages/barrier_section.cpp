@@ -1,0 +1,137 @@
+#include "report/pages/report_sections.hpp"
+
+#include "report/charts/plotly_chart.hpp"
+#include "report/html/html_page.hpp"
+#include "report/pages/report_groups.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+constexpr double kTurn = 2.0 * kPi;            // rad per revolution
+constexpr const char* kDash = "\xE2\x80\x93";  // en dash, for ranges
+
+/// Groups that met a barrier, classes first.
+std::vector<const BarrierGroup*> shown_groups(const Comparison& comparison, std::size_t line) {
+  std::vector<const BarrierGroup*> shown;
+  for (const GroupKind kind :
+       {GroupKind::kGarcia, GroupKind::kBlock, GroupKind::kSneedFolk, GroupKind::kAll}) {
+    for (const BarrierGroup& group : comparison.barriers) {
+      const Group& runs = comparison.groups[group.group_index];
+      if (group.line == line && runs.kind == kind &&
+          runs.file.has_value() == several_files(comparison)) {
+        shown.push_back(&group);
+      }
+    }
+  }
+  return shown;
+}
+
+/// mean, p95 and max of a summary.
+void append(std::vector<std::string>& cells, const Summary& summary, int decimals) {
+  for (const double value : {summary.mean, summary.p95, summary.max}) {
+    cells.push_back(measured(value, summary, decimals));
+  }
+}
+
+std::string passage_table(const Comparison& comparison, std::size_t line) {
+  HtmlTable table({"group", "runs", "crossings", "probability", "95 % interval", "height mean, m",
+                   "height p95, m", "height max, m", "clearance mean, m", "clearance p95, m",
+                   "clearance max, m"},
+                  1);
+  for (const BarrierGroup* group : shown_groups(comparison, line)) {
+    const Interval interval = wilson_interval(group->crossed, group->started);
+    std::vector<std::string> cells = {
+        short_name(comparison.groups[group->group_index]), std::to_string(group->started),
+        std::to_string(group->crossed), percent(group->probability),
+        fixed(100.0 * interval.low, 1) + kDash + fixed(100.0 * interval.high, 1) + " %"};
+    append(cells, group->height, 2);
+    append(cells, group->clearance, 2);
+    table.row(std::move(cells));
+  }
+  return table.html();
+}
+
+/// Empty when nothing crossed.
+std::string impact_table(const Comparison& comparison, std::size_t line) {
+  bool any = false;
+  HtmlTable table({"group", "speed mean, m/s", "speed p95, m/s", "speed max, m/s",
+                   "energy mean, kJ", "energy p95, kJ", "energy max, kJ", "rotational share",
+                   "rotation mean, rps", "rotation p95, rps", "rotation max, rps"},
+                  1);
+  for (const BarrierGroup* group : shown_groups(comparison, line)) {
+    if (group->crossed == 0) continue;
+    any = true;
+    std::vector<std::string> cells = {short_name(comparison.groups[group->group_index])};
+    append(cells, group->speed, 1);
+    for (const double energy : {group->total.mean, group->total.p95, group->total.max}) {
+      cells.push_back(significant(energy / 1000.0));
+    }
+    cells.push_back(group->total.mean > 0.0 ? percent(group->rotational.mean / group->total.mean)
+                                            : "-");
+    const Summary& rate = group->rotation_rate;
+    for (const double value : {rate.mean, rate.p95, rate.max}) {
+      cells.push_back(fixed(value / kTurn, 2));
+    }
+    table.row(std::move(cells));
+  }
+  return any ? table.html() : std::string();
+}
+
+std::string barrier_charts(const Comparison& comparison, std::size_t line) {
+  std::vector<const Crossing*> first(comparison.rows.size(), nullptr);
+  bool any = false;
+  for (const CrossingRow& crossing : comparison.crossings) {
+    if (!crossing.counted || crossing.barrier != line) continue;
+    first[crossing.row] = crossing.crossing;
+    any = true;
+  }
+  if (!any) return paragraph("No run crossed this barrier.");
+  const auto chart = [&](const std::string& title, const std::string& label, auto value) {
+    return plotly_chart({title, label, "share of crossings", true},
+                        cumulative_traces(series_of(comparison, GroupKind::kGarcia,
+                                                    [&](std::size_t row) -> std::optional<double> {
+                                                      if (first[row] == nullptr) {
+                                                        return std::nullopt;
+                                                      }
+                                                      return value(*first[row]);
+                                                    }),
+                                          true));
+  };
+  return "<div class=\"charts\">\n" +
+         chart(comparison.lines[line].name + ": crossings above an energy",
+               "total kinetic energy, kJ",
+               [](const Crossing& c) {
+                 return (c.translational_energy + c.rotational_energy) / 1000.0;
+               }) +
+         chart(comparison.lines[line].name + ": crossings above a height",
+               "height of the centre above ground, m", [](const Crossing& c) { return c.height; }) +
+         chart(comparison.lines[line].name + ": crossings faster than a speed", "speed, m/s",
+               [](const Crossing& c) { return c.velocity.norm(); }) +
+         "</div>\n";
+}
+
+}  // namespace
+
+std::string barrier_section(const Comparison& comparison) {
+  if (comparison.lines.empty()) return {};
+  std::string html = paragraph(
+      "First forward crossing of each run; of a ring the first entry (in) and the first exit "
+      "(out). "
+      "Probability is runs with a crossing over runs started, "
+      "with Wilson's 95 % interval. Height is of the centre of mass, clearance of the lowest point "
+      "of the block, both above the ground under it. Energy is translational plus rotational.");
+  for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
+    const BarrierLine& barrier = comparison.lines[line];
+    std::string points;
+    for (const Vec2& point : barrier.through) {
+      points +=
+          (points.empty() ? "(" : " to (") + fixed(point.x(), 2) + ", " + fixed(point.y(), 2) + ")";
+    }
+    html += "<h3>" + escaped(barrier.name) + "</h3>\n<p class=\"note\">from " + points + " m</p>\n";
+    html += passage_table(comparison, line) + impact_table(comparison, line) +
+            barrier_charts(comparison, line);
+  }
+  return section("Barriers", html);
+}
+
+}  // namespace clast::report_detail

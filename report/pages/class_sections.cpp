@@ -1,0 +1,124 @@
+#include "report/pages/report_sections.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "report/charts/plotly_chart.hpp"
+#include "report/html/html_page.hpp"
+#include "report/pages/report_groups.hpp"
+
+namespace clast::report_detail {
+
+std::string class_section(const Comparison& comparison) {
+  std::vector<std::string> heads = {"class",
+                                    "blocks",
+                                    "runs",
+                                    "at rest",
+                                    "mean mass, kg",
+                                    "runout mean \xC2\xB1 std, m",
+                                    "runout median, m",
+                                    "runout p95, m",
+                                    "runout max, m",
+                                    "lateral mean \xC2\xB1 std, deg"};
+  for (const BarrierLine& line : comparison.lines) heads.push_back("past " + line.name);
+  HtmlTable table(heads, 1);
+  std::vector<std::size_t> groups = groups_of(comparison, GroupKind::kGarcia);
+  for (const std::size_t g : groups_of(comparison, GroupKind::kSneedFolk)) groups.push_back(g);
+  for (const std::size_t g : groups_of(comparison, GroupKind::kAll)) groups.push_back(g);
+  for (const std::size_t g : groups) {
+    const Group& group = comparison.groups[g];
+    const DepositGroup& deposit = comparison.deposits[g];
+    std::set<std::string> blocks;
+    double mass = 0.0;
+    for (const std::size_t row : group.rows) {
+      blocks.insert(comparison.rows[row].block->id);
+      mass += comparison.rows[row].block->mass;
+    }
+    std::vector<std::string> cells = {short_name(group),
+                                      std::to_string(blocks.size()),
+                                      std::to_string(deposit.started),
+                                      std::to_string(deposit.stops.rest),
+                                      significant(mass / static_cast<double>(group.rows.size()), 4),
+                                      mean_and_std(deposit.runout, 1),
+                                      measured(deposit.runout.median, deposit.runout, 1),
+                                      measured(deposit.runout.p95, deposit.runout, 1),
+                                      measured(deposit.runout.max, deposit.runout, 1),
+                                      mean_and_std(deposit.lateral, 1, kDegrees)};
+    for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
+      std::string cell = "-";
+      for (const BarrierGroup& barrier : comparison.barriers) {
+        if (barrier.line == line && barrier.group_index == g) cell = percent(barrier.probability);
+      }
+      cells.push_back(cell);
+    }
+    table.row(std::move(cells));
+  }
+  return section("Shape classes side by side",
+                 paragraph("Compact and elongated after Garcia et al. (2022), two-letter classes "
+                           "after Sneed and Folk (1958). Runout and lateral angle are of the runs "
+                           "that came to rest; the share past a barrier is of all runs.") +
+                     table.html());
+}
+
+std::string block_section(const Comparison& comparison) {
+  // Two tables, since one is wider than a page.
+  HtmlTable shapes({"block", "Garcia", "Sneed-Folk", "Zingg", "mass, kg", "L, m", "I, m", "S, m"},
+                   4);
+  HtmlTable stops({"block", "runs", "at rest", "left terrain", "max time", "error",
+                   "runout mean \xC2\xB1 std, m", "runout p95, m", "lateral mean \xC2\xB1 std, deg",
+                   "fastest, m/s"},
+                  1);
+  for (const std::size_t g : groups_of(comparison, GroupKind::kBlock)) {
+    const Group& group = comparison.groups[g];
+    const DepositGroup& deposit = comparison.deposits[g];
+    const BlockSummary& block = *comparison.rows[group.rows.front()].block;
+    double fastest = 0.0;
+    for (const std::size_t row : group.rows) {
+      fastest = std::max(fastest, comparison.rows[row].record->result.max_speed);
+    }
+    shapes.row({short_name(group), block.garcia, block.sneed_folk, block.zingg,
+                significant(block.mass, 4), significant(block.axes.L), significant(block.axes.I),
+                significant(block.axes.S)});
+    stops.row({short_name(group), std::to_string(deposit.started),
+               std::to_string(deposit.stops.rest), std::to_string(deposit.stops.left_terrain),
+               std::to_string(deposit.stops.max_time), std::to_string(deposit.stops.error),
+               mean_and_std(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
+               mean_and_std(deposit.lateral, 1, kDegrees), fixed(fastest, 1)});
+  }
+  return section("Blocks", paragraph("L, I, S are the sides of the smallest box around the block. "
+                                     "A click on a column's head sorts the table.") +
+                               shapes.html() + stops.html());
+}
+
+std::string runout_section(const Comparison& comparison) {
+  const auto at_rest = [&](std::size_t row) {
+    return comparison.rows[row].record->result.stop_reason == StopReason::kRest;
+  };
+  const auto along = [&](std::size_t row) {
+    return at_rest(row) ? std::optional(comparison.rows[row].runout) : std::nullopt;
+  };
+  const auto lateral = [&](std::size_t row) {
+    return at_rest(row) ? std::optional(comparison.rows[row].lateral * kDegrees) : std::nullopt;
+  };
+  const std::vector<Series> by_class = series_of(comparison, GroupKind::kGarcia, along);
+  std::string charts = "<div class=\"charts\">\n";
+  charts += plotly_chart({"Runout by class", "runout, m", "share of runs", true},
+                         histogram_traces(by_class));
+  charts += plotly_chart({"Lateral angle by class", "angle, deg (+ to the right looking downslope)",
+                          "share of runs", true},
+                         histogram_traces(series_of(comparison, GroupKind::kGarcia, lateral)));
+  charts += plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
+                         cumulative_traces(by_class));
+  // More than two dozen curves can't be told apart, in colour or dash.
+  constexpr std::size_t kMostCurves = 24;
+  if (groups_of(comparison, GroupKind::kBlock).size() <= kMostCurves) {
+    charts += plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},
+                           cumulative_traces(series_of(comparison, GroupKind::kBlock, along)));
+  }
+  return section(
+      "Runout", paragraph("Horizontal distance from each run's own release point to its stop along "
+                          "the downslope direction; runs at rest, their number in brackets.") +
+                    charts + "</div>\n");
+}
+
+}  // namespace clast::report_detail

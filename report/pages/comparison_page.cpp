@@ -1,0 +1,28 @@
+#include "report/pages/comparison_page.hpp"
+
+#include "report/charts/plotly_chart.hpp"
+#include "report/html/assets.hpp"
+#include "report/html/page_script.hpp"
+#include "report/html/report_page.hpp"
+#include "report/pages/report_sections.hpp"
+#include "report/scene/scene_section.hpp"
+
+namespace clast::report_detail {
+
+std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
+  std::string title = "Rockfall report";
+  const std::string file = comparison.results.front().file.stem().string();
+  if (!file.empty()) title += ": " + file;
+  if (comparison.results.size() > 1) {
+    title += " and " + std::to_string(comparison.results.size() - 1) + " more";
+  }
+  return report_page(title, script_element(assets::unpack_js) + head_section(comparison) +
+                                class_section(comparison) + map_section(comparison) +
+                                scene_section(comparison) + runout_section(comparison) +
+                                slope_section(comparison, bins) + differences_section(comparison) +
+                                barrier_section(comparison) + block_section(comparison) +
+                                quality_section(comparison) + provenance_section(comparison) +
+                                charts_script());
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,225 @@
+#include "report/pages/population_page.hpp"
+
+#include <algorithm>
+
+#include "classify/box_effect.hpp"
+#include "classify/certainty.hpp"
+#include "core/number_text.hpp"
+#include "core/version.hpp"
+#include "report/charts/form_diagram.hpp"
+#include "report/html/html_page.hpp"
+#include "report/html/report_page.hpp"
+#include "report/pages/population_sizes.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+constexpr std::size_t kMostRows = 500;  // of the table of blocks
+constexpr std::size_t kMostNotes = 20;
+
+/// "22.8-41.7 %", with a dash that is no minus
+std::string range_text(double low, double high) {
+  return fixed(100.0 * low, 1) + "\xE2\x80\x93" + percent(high);
+}
+
+std::string head(const PopulationReport& report) {
+  std::string title, facts;
+  std::vector<std::string> notes;
+  for (const ReportedPopulation& reported : report.populations) {
+    title += (title.empty() ? "" : " and ") + reported.population.name;
+    std::string text = counted(reported.summary.blocks, "block");
+    if (reported.summary.weighed > 0) {
+      text += ", " + std::to_string(reported.summary.weighed) + " with a mass, " +
+              mass_text(reported.summary.size.total_mass) + " kg";
+    }
+    facts += fact(reported.population.name, text);
+    facts += fact("L, I, S of " + reported.population.name, reported.measured);
+    for (std::size_t i = 0; i < std::min(kMostNotes, reported.notes.size()); ++i) {
+      notes.push_back(reported.population.name + ": " + reported.notes[i]);
+    }
+    if (reported.notes.size() > kMostNotes) {
+      notes.push_back(reported.population.name + ": and " +
+                      std::to_string(reported.notes.size() - kMostNotes) +
+                      " more notes, all in provenance.json");
+    }
+    if (reported.population.blocks.size() > kMostSingleBlocks) {
+      notes.push_back(
+          reported.population.name + ": with " + counted(reported.summary.blocks, "block") +
+          " the diagrams show densities, not single blocks; every block is in classes.csv");
+    }
+  }
+  facts += fact("Size", name_of(report.options.size) +
+                            (report.options.size == SizeMeasure::kIntermediate
+                                 ? ", the axis that decides which sieve lets a block through"
+                                 : ", the side of a cube as large as the block's box"));
+  facts += fact("Report by", std::string("clast ") + version());
+  return "<h1>Shapes and sizes of blocks</h1>\n<p class=\"lead\">" + escaped(title) + "</p>\n" +
+         (notes.empty() ? std::string() : note_box("Read this first", notes)) +
+         "<dl class=\"facts\">\n" + facts + "</dl>\n";
+}
+
+std::string comparison_section(const PopulationReport& report) {
+  if (!report.comparison) return {};
+  const PopulationComparison& comparison = *report.comparison;
+  std::string html = "<ul>\n";
+  for (const ClassDifference& one : comparison.schemes)
+    html += "<li>" + escaped(one.words) + "</li>\n";
+  for (const MeasureDifference& one : comparison.measures) {
+    html += "<li>" + escaped(one.words) + "</li>\n";
+  }
+  const std::size_t tests = comparison.schemes.size() + comparison.measures.size();
+  html += "</ul>\n" +
+          paragraph("These are " + std::to_string(tests) +
+                    " looks at the same blocks: of twenty looks at equal deposits one shows a "
+                    "chance below 0.05. Where no difference can be shown, the samples may be too "
+                    "small to show it.");
+  return section(comparison.name_a + " against " + comparison.name_b, html);
+}
+
+std::string classes_section(const PopulationReport& report, const Diagrams& diagrams) {
+  std::string html;
+  const std::size_t schemes = report.populations.front().summary.schemes.size();
+  for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
+    html += "<h3>" + escaped(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
+    html += "<div class=\"beside\">" + figure(diagrams.at(shares_name(report, scheme))) + "<div>";
+    for (const ReportedPopulation& reported : report.populations) {
+      const bool weighed = reported.summary.weighed > 0;
+      std::vector<std::string> heads = {"class", "blocks", "share", "95 % interval"};
+      if (weighed) {
+        for (const char* name : {"mass, kg", "by mass", "95 % interval"}) heads.push_back(name);
+      }
+      if (report.populations.size() > 1) html += paragraph(reported.population.name);
+      HtmlTable table(heads, 1);
+      for (const ClassShare& share : reported.summary.schemes[scheme].shares) {
+        std::vector<std::string> cells = {share.name, std::to_string(share.count),
+                                          percent(share.share), range_text(share.low, share.high)};
+        if (weighed) {
+          cells.push_back(mass_text(share.mass));
+          cells.push_back(percent(share.mass_share));
+          cells.push_back(range_text(share.mass_low, share.mass_high));
+        }
+        table.row(std::move(cells));
+      }
+      html += table.html();
+    }
+    html += "</div></div>\n";
+  }
+  return section(
+      "Classes",
+      paragraph("Intervals are Wilson's: the shares of the deposit that a sample of this "
+                "size does not contradict. Shares by mass count a few heavy blocks as "
+                "much as many light ones, so their intervals are wider.") +
+          html);
+}
+
+std::string diagrams_section(const PopulationReport& report, const Diagrams& diagrams) {
+  std::string html = "<div class=\"charts\">\n";
+  for (std::size_t i = 0; i < report.populations.size(); ++i) {
+    html += figure(diagrams.at("sneed_folk" + population_suffix(report, i)));
+    html += figure(diagrams.at("zingg" + population_suffix(report, i)));
+  }
+  html += figure(diagrams.at("s_c"));
+  return section("Forms", paragraph("The pointer on a mark names its block and lights it up in all "
+                                    "diagrams; the darker a field, the more blocks are in it.") +
+                              html + "</div>\n");
+}
+
+/// What the choice of box decides; nothing for axes taken by tape.
+std::string boxes_section(const PopulationReport& report) {
+  std::string html;
+  for (const ReportedPopulation& reported : report.populations) {
+    const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
+    std::string words;
+    for (const BoxEffect& effect :
+         box_effects(blocks, report.options.schemes, report.options.limits)) {
+      words += "<li>" + escaped(box_effect_words(effect)) + "</li>\n";
+    }
+    if (words.empty()) continue;
+    if (report.populations.size() > 1) html += paragraph(reported.population.name);
+    html += "<ul>\n" + words + "</ul>\n";
+    if (blocks.size() > kMostRows) continue;
+    std::vector<std::string> heads = {shortened(reported.population.name, kMostHead)};
+    for (const BoxConvention box : kBoxConventions) heads.push_back("s_c, " + name_of(box));
+    for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
+    HtmlTable table(heads, 1);
+    for (const MeasuredBlock& block : blocks) {
+      if (block.by_box.empty()) continue;
+      std::vector<std::string> cells = {block.name};
+      for (const Axes& axes : block.by_box) cells.push_back(fixed(elongation_s_c(axes), 3));
+      for (const Axes& axes : block.by_box) cells.push_back(fixed(axes.S / axes.L, 3));
+      table.row(std::move(cells));
+    }
+    html += table.html();
+  }
+  if (html.empty()) return {};
+  return section("Boxes", paragraph("L, I and S are sides of a box, and the convention for the box "
+                                    "decides the class of blocks near a limit. Compare only what "
+                                    "was measured on the same box.") +
+                              html);
+}
+
+std::string blocks_section(const PopulationReport& report) {
+  std::string html;
+  for (const ReportedPopulation& reported : report.populations) {
+    const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
+    if (blocks.size() > kMostRows) {
+      html += paragraph(reported.population.name + ": " + counted(blocks.size(), "block") +
+                        ", all of them in classes.csv.");
+      continue;
+    }
+    std::vector<std::string> heads = {shortened(reported.population.name, kMostHead)};
+    for (const SchemeShares& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
+    const std::string& first = reported.summary.schemes.front().scheme;
+    heads.push_back("how sure (" + first + ")");
+    const std::size_t text = heads.size();
+    for (const char* name : {"L, m", "I, m", "S, m", "mass, kg", "s_c", "S/L"})
+      heads.push_back(name);
+    HtmlTable table(heads, text);
+    for (const MeasuredBlock& block : blocks) {
+      std::vector<std::string> cells = {block.name};
+      for (const SchemeShares& scheme : reported.summary.schemes) {
+        cells.push_back(shape_class(scheme.scheme, block.as_written, report.options.limits));
+      }
+      const ClassCertainty certainty =
+          class_certainty(first, block.axes, block.axis_error, report.options.limits);
+      cells.push_back(certainty.near_limit ? described(certainty) : "clear of limits");
+      for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
+        cells.push_back(significant(axis, 3) + (block.unscaled ? " u" : ""));
+      }
+      cells.push_back(block.mass ? significant(*block.mass, 4) : "-");
+      cells.push_back(fixed(elongation_s_c(block.as_written), 2));
+      cells.push_back(fixed(block.as_written.S / block.as_written.L, 2));
+      table.row(std::move(cells));
+    }
+    html += table.html();
+  }
+  return section("Blocks", html);
+}
+
+std::string sources_section(const PopulationReport& report) {
+  std::string html = "<ul class=\"note\">\n";
+  for (const ReportedPopulation& reported : report.populations) {
+    for (const InputFile& input : reported.inputs) {
+      html += "<li><code>" + escaped(input.file + " " + input.sha256) + "</code></li>\n";
+    }
+  }
+  return section("Inputs", html + "</ul>\n") + "<footer>Made by clast " + escaped(version()) +
+         ", random samples from seed " + std::to_string(report.options.seed) +
+         ". Every figure here is in classes.csv, shares.csv, sizes.csv and tests.csv beside this "
+         "page; every diagram is there as .svg.</footer>\n";
+}
+
+}  // namespace
+
+std::string population_page(const PopulationReport& report, const Diagrams& diagrams) {
+  std::string title = "Blocks";
+  for (const ReportedPopulation& reported : report.populations) {
+    title += (&reported == &report.populations.front() ? ": " : ", ") + reported.population.name;
+  }
+  return report_page(title,
+                     head(report) + comparison_section(report) + classes_section(report, diagrams) +
+                         diagrams_section(report, diagrams) + size_section(report, diagrams) +
+                         blocks_section(report) + boxes_section(report) + sources_section(report));
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,85 @@
+#include "report/pages/population_sizes.hpp"
+
+#include "report/html/html_page.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+std::string with_error(double value, double error) {
+  return significant(value, 3) + " \xC2\xB1 " + significant(error, 2);
+}
+
+void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& curve) {
+  for (const SizeLaw& law : curve.laws) {
+    const bool normal = law.kind == SizeLawKind::kLogNormal;
+    table.row(
+        {name_of(law.kind) + " " + weighting,
+         (normal ? "median " : "d63 ") + with_error(law.location, law.location_error),
+         (normal ? "\xCF\x83 of ln " : "exponent ") + with_error(law.spread, law.spread_error),
+         fixed(law.distance, 3), law.p_value ? p_words(*law.p_value) : "-"});
+  }
+}
+
+}  // namespace
+
+std::string size_section(const PopulationReport& report, const Diagrams& diagrams) {
+  std::string html;
+  if (diagrams.contains("sizes")) {
+    std::string medians;
+    for (const ReportedPopulation& reported : report.populations) {
+      if (!has_sizes(reported)) continue;
+      medians += paragraph("Half of the blocks of " + reported.population.name + " are below " +
+                           significant(reported.summary.size.by_number.d50, 3) + " m.");
+    }
+    html += "<div class=\"charts\">" + figure(diagrams.at("sizes")) + "<div>" + medians +
+            "</div></div>\n";
+  }
+  for (std::size_t i = 0; i < report.populations.size(); ++i) {
+    const ReportedPopulation& reported = report.populations[i];
+    const SizeDistribution& size = reported.summary.size;
+    if (!has_sizes(reported)) {
+      html +=
+          paragraph(reported.population.name + ": every block is unscaled; there are no sizes.");
+      continue;
+    }
+    HtmlTable percentiles(
+        {shortened(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
+        1);
+    const auto add = [&](const std::string& name, const SizeCurve& curve) {
+      percentiles.row({name, std::to_string(curve.blocks), significant(curve.d10, 3),
+                       significant(curve.d50, 3), significant(curve.d90, 3)});
+    };
+    add("by number", size.by_number);
+    if (size.by_mass) add("by mass", *size.by_mass);
+    HtmlTable laws({"law", "size, m", "spread", "KS distance", "p"}, 3);
+    law_rows(laws, "by number", size.by_number);
+    if (size.by_mass) law_rows(laws, "by mass", *size.by_mass);
+    html += "<div class=\"charts\">" + figure(diagrams.at("size" + population_suffix(report, i))) +
+            "<div>" + percentiles.html() + "</div></div>\n";
+    html += size.by_number.laws.empty() ? paragraph("All blocks are of one size: no law is fitted.")
+                                        : laws.html();
+    if (size.step > 0.0) {
+      html += paragraph("Sizes were read in steps of " + significant(size.step, 2) +
+                        " m; fits are judged with samples read in the same steps.");
+    }
+    html += "<ul>\n";
+    for (const SizeShape& one : reported.summary.size_and_shape) {
+      html += "<li>" + escaped(size_shape_words(one, size.measure)) + "</li>\n";
+    }
+    html +=
+        "<li>" +
+        escaped("C40, the share of blocks with S/L at most 0.4: " + percent(reported.summary.c40) +
+                ".") +
+        "</li>\n</ul>\n";
+  }
+  return section(
+      "Sizes",
+      paragraph(
+          "Laws are fitted by maximum likelihood, with standard errors. p is the chance that a "
+          "sample of the law lies as far from its own fit: a small p speaks against the law, "
+          "a large one does not prove it. By mass there is no p, since the kilograms of one "
+          "block are not independent of each other.") +
+          html);
+}
+
+}  // namespace clast::report_detail

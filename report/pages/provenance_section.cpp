@@ -1,0 +1,67 @@
+#include "report/pages/report_sections.hpp"
+
+#include "core/version.hpp"
+#include "report/html/html_page.hpp"
+#include "study/block_stiffness.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+/// More blocks than this are shown when asked for.
+constexpr std::size_t kMostOpen = 20;
+
+/// Stiffness and time step of every block.
+std::string stiffness_table(const CampaignResults& results) {
+  const std::vector<BlockStiffness> blocks = stiffness_by_block(results.blocks, results.runs);
+  if (blocks.empty()) return "";
+  std::vector<std::string> heads = {"block"};
+  for (const StiffnessValue& value : blocks.front().values) heads.push_back(value.heading);
+  HtmlTable table(heads, 1);
+  const auto add = [&](const BlockStiffness& block) {
+    std::vector<std::string> row = stiffness_cells(block);
+    row.insert(row.begin(), block.block);
+    table.row(row);
+  };
+  for (const BlockStiffness& block : blocks) add(block);
+  if (blocks.size() <= kMostOpen) return table.html();
+  add(over_all(blocks));
+  return "<details><summary>Stiffness and time step of " + std::to_string(blocks.size()) +
+         " blocks</summary>" + table.html() + "</details>\n";
+}
+
+}  // namespace
+
+std::string provenance_section(const Comparison& comparison) {
+  std::string html;
+  for (std::size_t file = 0; file < comparison.results.size(); ++file) {
+    const CampaignResults& results = comparison.results[file];
+    html += "<h3>" +
+            escaped("File " + std::to_string(file + 1) + ": " + results.file.filename().string()) +
+            "</h3>\n";
+    html += paragraph(std::to_string(results.runs.size()) + " of " +
+                      std::to_string(results.planned_runs) + " planned runs, clast " +
+                      results.program_version + ".");
+    html += stiffness_table(results);
+    HtmlTable zones(
+        {"ground zone", "e_n\xC2\xB2", "friction \xC2\xB5", "rolling friction \xC2\xB5_R"}, 1);
+    for (std::size_t zone = 0; zone < results.ground.size(); ++zone) {
+      const GroundParameters& ground = results.ground[zone];
+      zones.row({zone < results.zone_names.size() ? results.zone_names[zone] : std::to_string(zone),
+                 significant(ground.energy_restitution), significant(ground.friction),
+                 significant(ground.rolling_friction)});
+    }
+    html += zones.html();
+    html += "<p>Campaign SHA-256 <code>" + escaped(results.campaign_sha256) +
+            "</code></p>\n<ul class=\"note\">\n";
+    for (const std::string& input : results.inputs) {
+      html += "<li><code>" + escaped(input) + "</code></li>\n";
+    }
+    html += "</ul>\n<details><summary>Campaign file</summary><pre>" +
+            escaped(results.campaign_text) + "</pre></details>\n";
+  }
+  return section("What was run", html) + "<footer>Made by clast " + escaped(version()) +
+         ". Every figure here is in runs.csv, barriers.csv, crossings.csv and deposits.csv beside "
+         "this page; map layers are in stops.gpkg.</footer>\n";
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,95 @@
+#include "report/pages/report_sections.hpp"
+
+#include <cmath>
+
+#include "report/html/html_page.hpp"
+#include "report/pages/report_groups.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+/// The run with the largest of something, in words.
+template <class Value>
+std::vector<std::string> extreme(const Comparison& comparison, const std::string& what,
+                                 const std::string& unit, Value value_of) {
+  const RunRow* worst = nullptr;
+  double largest = -INFINITY;
+  std::vector<double> values;
+  for (const RunRow& row : comparison.rows) {
+    if (row.record->result.stop_reason == StopReason::kError) continue;
+    const double value = value_of(row);
+    if (!std::isfinite(value)) continue;
+    values.push_back(value);
+    if (value > largest) {
+      largest = value;
+      worst = &row;
+    }
+  }
+  if (worst == nullptr) return {what, "-", "-", "-", "-"};
+  const Summary summary = summarise(values);
+  const std::string run =
+      (several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run " : "run ") +
+      std::to_string(worst->record->run) + ", block " + worst->block->id;
+  return {what + unit, run, significant(summary.mean), significant(summary.p95),
+          significant(largest)};
+}
+
+std::string lost_runs(const Comparison& comparison) {
+  constexpr std::size_t kMostListed = 200;
+  HtmlTable table({"run", "block", "ended as", "what happened"}, 4);
+  std::size_t count = 0;
+  for (const RunRow& row : comparison.rows) {
+    const ReleaseResult& result = row.record->result;
+    if (result.stop_reason == StopReason::kRest && !result.below_ground) continue;
+    if (++count > kMostListed) continue;
+    std::string story = result.message;
+    if (story.empty()) {
+      story = "at (" + fixed(row.stop.x(), 2) + ", " + fixed(row.stop.y(), 2) + ", " +
+              fixed(row.stop.z(), 2) + ") m after " + fixed(result.duration, 1) + " s";
+    }
+    const std::string file =
+        several_files(comparison) ? std::to_string(row.file + 1) + ": " : std::string();
+    table.row({file + std::to_string(row.record->run), row.block->id,
+               name_of(result.stop_reason) + (result.below_ground ? ", below ground" : ""), story});
+  }
+  if (count == 0) return paragraph("Every run came to rest on the terrain.");
+  std::string html = "<h3>Runs that did not come to rest on the terrain</h3>\n" + table.html();
+  if (count > kMostListed) {
+    html += paragraph("The first " + std::to_string(kMostListed) + " of " + std::to_string(count) +
+                      "; the others are in runs.csv.");
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string quality_section(const Comparison& comparison) {
+  HtmlTable table({"measure", "worst run", "mean", "p95", "largest"}, 2);
+  table.row(extreme(comparison, "energy not accounted for, share of the dissipated", "",
+                    [](const RunRow& row) { return row.record->result.energy.error; }));
+  table.row(extreme(
+      comparison, "energy where contacts or weights change, share of the dissipated", "",
+      [](const RunRow& row) { return reassigned_share(row.record->result.energy).value_or(NAN); }));
+  table.row(extreme(comparison, "largest penetration", ", mm",
+                    [](const RunRow& row) { return row.record->result.max_penetration * 1000.0; }));
+  table.row(extreme(comparison, "largest penetration, share of S", "", [](const RunRow& row) {
+    return row.record->result.max_penetration / row.block->axes.S;
+  }));
+  table.row(extreme(comparison, "penetration at the end", ", mm", [](const RunRow& row) {
+    return row.record->result.settled_penetration * 1000.0;
+  }));
+  table.row(extreme(comparison, "simulated time", ", s",
+                    [](const RunRow& row) { return row.record->result.duration; }));
+  std::size_t below = 0;
+  for (const RunRow& row : comparison.rows) below += row.record->result.below_ground;
+  const StopCounts& stops = comparison.deposits.front().stops;
+  return section(
+      "Quality of the runs",
+      paragraph("At rest " + std::to_string(stops.rest) + ", left the terrain " +
+                std::to_string(stops.left_terrain) + ", still moving at max_time " +
+                std::to_string(stops.max_time) + ", error " + std::to_string(stops.error) +
+                "; below ground " + std::to_string(below) + ".") +
+          table.html() + lost_runs(comparison));
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,32 @@
+#pragma once
+/// The sections of the HTML report, in the order they are read.
+#include <string>
+
+#include "study/comparison.hpp"
+#include "study/profiles.hpp"
+
+namespace clast::report_detail {
+
+/// Title, what was run with what, and the warnings.
+std::string head_section(const Comparison& comparison);
+/// Classes side by side: the figures the study is about.
+std::string class_section(const Comparison& comparison);
+/// A row per block (and file) with its shape, its runs and how they ended.
+std::string block_section(const Comparison& comparison);
+/// More stops than this are drawn as a density on the map, not one by one.
+inline constexpr std::size_t kMostSingleStops = 5000;
+std::string map_section(const Comparison& comparison);
+/// Distributions of runout and lateral angle.
+std::string runout_section(const Comparison& comparison);
+/// Energy and passing heights against distance, and the ground under the mean path.
+std::string slope_section(const Comparison& comparison, const std::vector<ProfileBin>& bins);
+/// How large and how sure the differences between classes are, and how measured stops compare.
+std::string differences_section(const Comparison& comparison);
+/// A table and exceedance curves for every barrier.
+std::string barrier_section(const Comparison& comparison);
+/// Energy balance, penetration, and every run that did not come to rest.
+std::string quality_section(const Comparison& comparison);
+/// Inputs with hashes, contact settings, ground zones and the campaign files.
+std::string provenance_section(const Comparison& comparison);
+
+}  // namespace clast::report_detail

@@ -1,0 +1,101 @@
+#include "report/population_report.hpp"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "core/version.hpp"
+#include "report/html/html_page.hpp"
+#include "report/pages/population_page.hpp"
+#include "report/tables/population_tables.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+namespace {
+
+nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams& diagrams) {
+  nlohmann::ordered_json json;
+  json["program_version"] = version();
+  json["options"] = {{"size", name_of(report.options.size)},
+                     {"seed", report.options.seed},
+                     {"schemes", schemes_of(report)},
+                     {"sneed_folk_thirds", report.options.limits.sneed_folk_thirds},
+                     {"erdogan_limit", report.options.limits.erdogan_limit}};
+  json["populations"] = nlohmann::ordered_json::array();
+  const auto or_null = [](const auto& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  };
+  for (const ReportedPopulation& reported : report.populations) {
+    const ReadingOptions& reading = reported.reading;
+    auto inputs = nlohmann::ordered_json::array();
+    for (const InputFile& input : reported.inputs) {
+      inputs.push_back({{"file", input.file}, {"sha256", input.sha256}});
+    }
+    json["populations"].push_back({{"name", reported.population.name},
+                                   {"blocks", reported.population.blocks.size()},
+                                   {"axes", reported.measured},
+                                   {"box", or_null(reading.box)},
+                                   {"columns", or_null(reading.columns)},
+                                   {"units", or_null(reading.units)},
+                                   {"axis_error_m", or_null(reading.axis_error)},
+                                   {"inputs", inputs},
+                                   {"notes", reported.notes}});
+  }
+  json["diagrams"] = nlohmann::ordered_json::array();
+  for (const auto& [name, svg] : diagrams) json["diagrams"].push_back(name + ".svg");
+  return json;
+}
+
+/// Names of the diagrams that the report in the folder says it wrote there; empty when there is
+/// none.
+std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
+  std::error_code code;
+  const std::filesystem::path path = folder / "provenance.json";
+  if (!std::filesystem::is_regular_file(path, code)) return {};
+  const auto json = nlohmann::json::parse(read_text_file(path), nullptr, false);
+  std::set<std::string> names;
+  if (!json.is_object() || !json.contains("diagrams")) return names;
+  for (const auto& name : json["diagrams"]) {
+    if (name.is_string()) names.insert(name.get<std::string>());
+  }
+  return names;
+}
+
+}  // namespace
+
+FolderKind population_folder(const std::filesystem::path& folder) {
+  const auto owns = [diagrams = earlier_diagrams(folder)](const std::filesystem::path& file) {
+    static const std::set<std::string> kFiles = {"classes.csv", "shares.csv",      "sizes.csv",
+                                                 "tests.csv",   "provenance.json", "report.html"};
+    const std::string name = file.string();
+    // Whatever someone wrote into that list: nothing but a picture in the folder is ours.
+    const bool picture = file == file.filename() && file.extension() == ".svg";
+    return kFiles.contains(name) || (picture && diagrams.contains(name));
+  };
+  return {"classification", "provenance.json", "\"populations\"", owns};
+}
+
+void write_population_report(const PopulationReport& report, const std::filesystem::path& folder) {
+  std::error_code code;
+  if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
+    throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
+  }
+  const Diagrams diagrams = population_diagrams(report);
+  write_classes_csv(report, folder / "classes.csv");
+  write_text_file(folder / "shares.csv", shares_csv(report));
+  write_text_file(folder / "sizes.csv", sizes_csv(report));
+  write_text_file(folder / "tests.csv", tests_csv(report));
+  for (const auto& [name, svg] : diagrams) {
+    write_text_file(folder / (name + ".svg"), svg_file(svg));
+  }
+  write_text_file(folder / "report.html", population_page(report, diagrams));
+  // Names may hold bytes that are not UTF-8; they must not stop it.
+  write_text_file(folder / "provenance.json",
+                  provenance(report, diagrams)
+                          .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                      "\n");
+}
+
+}  // namespace clast

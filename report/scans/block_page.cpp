@@ -1,0 +1,181 @@
+#include "report/scans/block_page.hpp"
+
+#include <cmath>
+
+#include "core/version.hpp"
+#include "library/unscaled.hpp"
+#include "library/unseen_range.hpp"
+#include "report/html/html_page.hpp"
+#include "report/scans/repair_sections.hpp"
+#include "report/scans/scan_page.hpp"
+#include "report/scans/scan_pictures.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+
+namespace {
+
+/// Corners that no camera of a page could tell from rounder ones.
+constexpr int kSkinSegments = 2;
+
+/// "0.52" or, where a part was not seen, "0.52 (0.48 to 0.56)" or "0.52 (at least 0.48)".
+std::string with_bounds(double value, double low, const std::optional<double>& high) {
+  if (!high) return significant(value, 4) + " (at least " + significant(low, 4) + ")";
+  if (low < *high)
+    return significant(value, 4) + " (" + significant(low, 4) + " to " + significant(*high, 4) +
+           ")";
+  return significant(value, 4);
+}
+
+/// Bounds of the axes and every class they allow.
+std::string range_facts(const Block& block, const std::string& unit) {
+  const UnseenRange range = unseen_range(block);
+  const std::string not_known = "not known: too much of the block was not seen";
+  if (!range.axes) return fact("bounds of L, I, S; possible shapes", not_known);
+  const auto& [low, high] = *range.axes;
+  const auto between = [](double from, double to) {
+    return significant(from, 3) + " to " + significant(to, 3);
+  };
+  std::string shapes;
+  for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
+    for (const std::string& name : range.classes.at(scheme)) {
+      shapes += (shapes.empty() ? "" : ", ") + name;
+    }
+  }
+  return fact("bounds of L; I; S, " + unit, between(low.L, high.L) + "; " + between(low.I, high.I) +
+                                                "; " + between(low.S, high.S)) +
+         fact("possible shapes", shapes);
+}
+
+std::string facts(const Block& block, const std::string& scale) {
+  const Axes axes = block.axes();
+  double low_volume = 0.0, low_mass = 0.0;
+  std::optional<double> high_volume = 0.0, high_mass = 0.0;
+  if (block.unseen) {
+    const UnseenRange range = unseen_range(block);
+    low_volume = block.unseen->lower_volume, high_volume = block.unseen->upper_volume;
+    low_mass = range.lower_mass, high_mass = range.upper_mass;
+  }
+  std::string html = "<dl class=\"facts\">";
+  const bool metric = !is_unscaled(block);
+  const std::string unit = metric ? "m" : "units";
+  html += fact("L x I x S, " + unit, significant(axes.L, 3) + " x " + significant(axes.I, 3) +
+                                         " x " + significant(axes.S, 3));
+  html += fact(metric ? "volume, m3" : "volume, cubic units",
+               with_bounds(block.mass.volume, low_volume, high_volume));
+  html += fact("mass, kg",
+               metric ? with_bounds(block.mass.mass, low_mass, high_mass) : "none: unscaled");
+  html += fact("density, kg/m3", significant(block.density, 4));
+  html +=
+      fact("shape", sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes));
+  if (block.unseen) html += range_facts(block, unit);
+  html += fact("vertices of the block", std::to_string(block.body.vertices.size()));
+  html += fact("radius of its rounding, " + unit, significant(block.body.radius, 3));
+  html += fact("surface not seen but filled in",
+               block.unseen ? percent(block.unseen->invented_share) : "none, or small holes alone");
+  if (!block.from_core) {
+    html += fact("farthest from the scan", significant(block.deviation.hausdorff, 2) + " " + unit +
+                                               " (" + percent(block.deviation.hausdorff / axes.L) +
+                                               " of L)");
+  }
+  return html + fact("scale", metric ? scale : "none") + "</dl>\n";
+}
+
+std::string notes(const Block& block) {
+  if (!block.warnings.empty()) return note_box("Notes", block.warnings);
+  return "<div class=\"fine\">The scan was closed and sound; nothing was repaired.</div>\n";
+}
+
+/// How far the block is off the scan: the map and the numbers that go with it.
+std::string certificate(const Block& block, const FieldBlock& found) {
+  const Deviation& d = block.deviation;
+  const std::string unit = is_unscaled(block) ? " units" : " m";
+  std::string html;
+  if (d.hausdorff > 0.0) {
+    html += deviation_map(skin_mesh(block.body, kSkinSegments), found.scan.mesh, d.hausdorff,
+                          !is_unscaled(block));
+  }
+  html += "<dl class=\"facts\">";
+  html += fact("scan to block, at most", significant(d.scan_to_body, 3) + unit);
+  html += fact("block to scan, at most", significant(d.body_to_scan, 3) + unit);
+  html += fact("mean distance", significant(d.mean, 3) + unit);
+  html += fact("volume against the scan", significant(100.0 * d.volume_relative, 2) + " %");
+  html += fact("area against the scan", significant(100.0 * d.area_relative, 2) + " %");
+  html += fact("principal moments, at most", significant(100.0 * d.moments_relative, 2) + " %");
+  return section("The block against the scan",
+                 html + "</dl>\n" +
+                     paragraph("Both largest distances are upper bounds over the whole of either "
+                               "surface, not of samples."));
+}
+
+std::string mass_check(const Block& block, bool density_given) {
+  if (is_unscaled(block)) {
+    return section("Mass", paragraph("The block is unscaled: " + unscaled_reason() + "."));
+  }
+  const std::optional<double>& weighed = block.field.weighed_mass;
+  if (!weighed) {
+    return section("Mass",
+                   paragraph("No weighed mass was given: " + significant(block.mass.mass, 4) +
+                             " kg is volume times a density of " + significant(block.density, 4) +
+                             " kg/m3. A weighed mass would check the volume."));
+  }
+  if (!density_given) {
+    return section("Mass", paragraph("The weighed mass of " + significant(*weighed, 4) +
+                                     " kg sets the density: " + significant(block.density, 4) +
+                                     " kg/m3 over the volume of " +
+                                     significant(block.mass.volume, 4) + " m3."));
+  }
+  const double gap = block.mass.mass / *weighed - 1.0;
+  std::string text = "Volume times density gives " + significant(block.mass.mass, 4) + " kg, " +
+                     percent(std::abs(gap)) + (gap < 0.0 ? " less" : " more") +
+                     " than the weighed " + significant(*weighed, 4) + " kg.";
+  if (block.unseen) {
+    const double low = block.density * block.unseen->lower_volume;
+    const std::optional<double>& upper = block.unseen->upper_volume;
+    const bool inside = low <= *weighed && (!upper || *weighed <= block.density * *upper);
+    text += " The unseen side allows " +
+            (upper ? significant(low, 4) + " to " + significant(block.density * *upper, 4)
+                   : significant(low, 4) + " or more") +
+            " kg, which the weighed mass is " + (inside ? "within." : "outside of.");
+  }
+  return section("Mass check", paragraph(text));
+}
+
+std::string provenance(const Block& block) {
+  HtmlTable table({"what", "value"}, 2);
+  table.row({"scan", block.source.file});
+  table.row({"SHA-256 of the file", block.source.sha256});
+  table.row({"options", block.source.options});
+  table.row({"made by", "clast " + block.source.program_version});
+  return section("Where it comes from", table.html());
+}
+
+}  // namespace
+
+std::string block_page(const Block& block, const PagedScan& scan) {
+  std::string body = "<h1>Block " + escaped(block.id) + "</h1>\n<p class=\"lead\">from the scan " +
+                     escaped(block.source.file) + "</p>\n";
+  if (is_unscaled(block)) {
+    body += note_box(
+        "Unscaled",
+        {unscaled_reason() + ". u is a unit of that model; where notes say m they mean it too"});
+  }
+  body += facts(block, scan.scale) + notes(block);
+  const std::string unit = is_unscaled(block) ? "u" : "m";
+  if (scan.found != nullptr) {
+    const RepairReport& report = scan.found->scan.report;
+    body += before_and_after(*scan.raw, scan.options, *scan.found, repair_marks(report),
+                             !is_unscaled(block));
+    body += repair_section(report, scan.raw->triangles.empty(), scan.found->underside.has_value(),
+                           unit);
+    if (scan.found->underside) body += underside_section(*scan.found->underside, unit);
+  }
+  for (const std::string& further : scan.sections) body += further;
+  if (scan.found != nullptr && !block.from_core) body += certificate(block, *scan.found);
+  body += mass_check(block, scan.density_given) + provenance(block);
+  body += "<footer>clast " + escaped(version()) + "</footer>\n";
+  return scan_page("Block " + block.id, body);
+}
+
+}  // namespace clast

@@ -1,0 +1,14 @@
+#pragma once
+/// The part of a block's page that is about its photographs.
+#include <string>
+
+#include "reconstruct/photos/photo_evidence.hpp"
+
+namespace clast {
+
+/// Section "Photographs" of a block's page: who stood where, what was seen how often, what the
+/// scale rests on, which photos were left out.
+std::string photo_section(const PhotoScan& scan, const PhotoEvidence& evidence,
+                          const TriangleMesh& surface);
+
+}  // namespace clast

@@ -1,0 +1,318 @@
+#include "report/scans/scan_pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "core/nice_number.hpp"
+#include "core/number_text.hpp"
+#include "mesh/half_edges.hpp"
+#include "mesh/triangle_tree.hpp"
+#include "reconstruct/weld.hpp"
+#include "report/html/html_page.hpp"
+
+namespace clast::report_detail {
+
+namespace {
+
+constexpr std::uint32_t kWidth = 480, kHeight = 400;  ///< of one view, px
+constexpr std::uint32_t kSmallWidth = 120, kSmallHeight = 96;
+/// A block seen through a scan that is this many times larger is shown by itself too.
+constexpr double kMuchLarger = 1.4;
+/// Surface farther than this from the scan, as a share of the block's diagonal, is new.
+constexpr double kNew = 0.004;
+/// Share of a cloud's points at each end of each axis that a picture may leave out.
+constexpr double kStrays = 0.005;
+constexpr double kLongestBar = 0.4;  ///< of a view's width
+
+constexpr Rgb kRock{214, 205, 190}, kInside{126, 142, 168}, kFilled{232, 142, 40};
+constexpr Rgb kBorder{200, 20, 40}, kPoints{120, 108, 92};
+
+struct Side {
+  const char* name;
+  Vec3 toward;
+};
+
+const std::array<Side, 3>& sides() {
+  static const std::array<Side, 3> all = {{{"from the front (-y), above", {0.55, -1.0, 0.55}},
+                                           {"from behind (+y), above", {-0.55, 1.0, 0.55}},
+                                           {"from below", {0.45, -0.8, -1.1}}}};
+  return all;
+}
+
+using Cameras = std::array<Camera, 3>;
+
+Cameras cameras_on(std::span<const Vec3> points) {
+  Cameras cameras = {camera_toward(sides()[0].toward), camera_toward(sides()[1].toward),
+                     camera_toward(sides()[2].toward)};
+  frame(cameras, points, kWidth, kHeight);
+  return cameras;
+}
+
+/// @param metric  false: in units of a model that nobody knows the length of
+std::string length_text(double metres, bool metric) {
+  if (!metric) return with_digits(metres, 3) + (metres == 1.0 ? " unit" : " units");
+  if (metres >= 1.0) return with_digits(metres, 3) + " m";
+  if (metres >= 0.01) return with_digits(100.0 * metres, 3) + " cm";
+  return with_digits(1000.0 * metres, 3) + " mm";
+}
+
+std::string scale_bar(const Camera& camera, bool metric) {
+  const double length = round_down_to_nice(kLongestBar * camera.width * camera.pixel);
+  const double left = 14.0, y = camera.height - 14.0, right = left + length / camera.pixel;
+  const char* const stroke = "stroke=\"#1d2733\" stroke-width=\"2\"";
+  return svg_line(left, y, right, y, stroke) + svg_line(left, y - 5, left, y + 5, stroke) +
+         svg_line(right, y - 5, right, y + 5, stroke) +
+         svg_text(left + 5, y - 8, length_text(length, metric),
+                  "font-size=\"15\" fill=\"#1d2733\" stroke=\"#fff\" stroke-width=\"3\" "
+                  "paint-order=\"stroke\"");
+}
+
+/// One view with its name, scale bar and marks.
+std::string view(const Canvas& canvas, const std::string& name, const std::vector<PlaceMark>& marks,
+                 bool metric) {
+  const Camera& camera = canvas.camera();
+  const std::string size = "width=\"" + std::to_string(camera.width) + "\" height=\"" +
+                           std::to_string(camera.height) + "\"";
+  std::string svg = svg_open(camera.width, camera.height, name);
+  svg += "<image " + size + " href=\"" +
+         png_link(rgb_png(camera.width, camera.height, canvas.picture())) + "\"/>";
+  for (const PlaceMark& mark : marks) {
+    if (!canvas.sees(mark.place)) continue;
+    const Vec3 at = camera.seen(mark.place);
+    svg += "<circle cx=\"" + fixed(at.x(), 1) + "\" cy=\"" + fixed(at.y(), 1) +
+           "\" r=\"10\" fill=\"#fff\" fill-opacity=\".85\" stroke=\"#0072B2\" "
+           "stroke-width=\"2\"/>" +
+           svg_text(at.x(), at.y() + 4.5, mark.label,
+                    "font-size=\"12\" font-weight=\"600\" text-anchor=\"middle\" "
+                    "fill=\"#0072B2\"");
+  }
+  return svg + scale_bar(camera, metric) +
+         svg_text(14, 22, name,
+                  "font-size=\"15\" fill=\"#5b6775\" stroke=\"#fff\" stroke-width=\"3\" "
+                  "paint-order=\"stroke\"") +
+         "</svg>";
+}
+
+template <class Draw>
+std::string three_views(const Cameras& cameras, const Draw& draw, const std::string& caption,
+                        bool metric, const std::vector<PlaceMark>& marks = {}) {
+  std::string html = "<figure><div class=\"views\">";
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    Canvas canvas(cameras[i]);
+    draw(canvas);
+    html += "<div>" + view(canvas, sides()[i].name, marks, metric) + "</div>";
+  }
+  return html + "</div><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
+
+std::vector<std::array<Vec3, 2>> border_of(const TriangleMesh& mesh) {
+  std::vector<std::array<Vec3, 2>> lines;
+  const auto sides = sorted_half_edges(mesh);
+  for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() == 1)
+      lines.push_back({mesh.vertices[edge[0].low], mesh.vertices[edge[0].high]});
+  });
+  return lines;
+}
+
+/// The points without what lies far off: what a picture is framed by.
+std::vector<Vec3> without_strays(const std::vector<Vec3>& points) {
+  Bounds box;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> sorted;
+    for (const Vec3& p : points) sorted.push_back(p[axis]);
+    const auto cut = static_cast<std::size_t>(kStrays * static_cast<double>(sorted.size()));
+    const auto low = sorted.begin() + static_cast<std::ptrdiff_t>(cut);
+    const auto high = sorted.end() - 1 - static_cast<std::ptrdiff_t>(cut);
+    std::nth_element(sorted.begin(), low, sorted.end());
+    box.low[axis] = *low;
+    std::nth_element(sorted.begin(), high, sorted.end());
+    box.high[axis] = *high;
+  }
+  const Vec3 margin = 0.1 * (box.high - box.low);
+  std::vector<Vec3> kept;
+  for (const Vec3& p : points) {
+    if ((p - box.low + margin).minCoeff() >= 0.0 && (box.high + margin - p).minCoeff() >= 0.0) {
+      kept.push_back(p);
+    }
+  }
+  return kept;
+}
+
+/// Which triangles of the closed surface no scan saw.
+class Invented {
+ public:
+  Invented(const TriangleMesh& raw, const FieldBlock& block)
+      : mesh_(block.scan.mesh), reach_(kNew * bounds(block.scan.mesh).diagonal()) {
+    if (!raw.triangles.empty()) scanned_ = std::make_unique<TriangleTree>(raw);
+    if (!block.underside) return;
+    first_ = block.underside->first_invented;
+    best_ = std::make_unique<TriangleTree>(block.underside->best);
+  }
+
+  bool operator()(std::uint32_t triangle) {
+    if (answers_.empty()) answers_.assign(mesh_.triangles.size(), -1);
+    signed char& answer = answers_[triangle];
+    if (answer < 0) answer = asked(triangle) ? 1 : 0;
+    return answer == 1;
+  }
+
+ private:
+  bool asked(std::uint32_t triangle) {
+    const auto& [a, b, c] = mesh_.triangles[triangle];
+    const Vec3 middle = (mesh_.vertices[a] + mesh_.vertices[b] + mesh_.vertices[c]) / 3.0;
+    if (best_) {
+      const auto closest = best_->closest(middle, best_hint_);
+      best_hint_ = closest.triangle;
+      if (closest.triangle >= first_) return true;
+    }
+    if (!scanned_) return false;
+    const auto closest = scanned_->closest(middle, scan_hint_);
+    scan_hint_ = closest.triangle;
+    return closest.squared_distance > reach_ * reach_;
+  }
+
+  const TriangleMesh& mesh_;
+  double reach_;
+  std::unique_ptr<TriangleTree> scanned_, best_;
+  std::size_t first_ = 0;
+  std::uint32_t scan_hint_ = 0, best_hint_ = 0;
+  std::vector<signed char> answers_;  ///< -1: not asked yet
+};
+
+/// Blue inside, pale where it is on the scan, red outside (RdBu of ColorBrewer).
+Rgb deviation_colour(double share) {
+  constexpr std::array<Rgb, 5> kScale = {
+      {{33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}}};
+  const double place = (std::clamp(share, -1.0, 1.0) + 1.0) * 0.5 * (kScale.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), kScale.size() - 2);
+  const double rest = place - static_cast<double>(below);
+  Rgb colour{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    colour[k] = static_cast<std::uint8_t>((1.0 - rest) * kScale[below][k] +
+                                          rest * kScale[below + 1][k] + 0.5);
+  }
+  return colour;
+}
+
+std::string colour_bar(double reach, bool metric) {
+  constexpr int kPieces = 64;
+  constexpr double kLeft = 40.0, kLength = 360.0, kThick = 14.0;
+  std::string svg = svg_open(440, 44, "colours of distances");
+  for (int i = 0; i < kPieces; ++i) {
+    const Rgb c = deviation_colour(2.0 * (i + 0.5) / kPieces - 1.0);
+    svg += "<rect x=\"" + fixed(kLeft + i * kLength / kPieces, 2) + "\" y=\"2\" width=\"" +
+           fixed(kLength / kPieces + 0.3, 2) + "\" height=\"" + fixed(kThick, 0) +
+           "\" fill=\"rgb(" + std::to_string(c[0]) + "," + std::to_string(c[1]) + "," +
+           std::to_string(c[2]) + ")\"/>";
+  }
+  for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+    const double x = kLeft + 0.5 * (share + 1.0) * kLength;
+    std::string text = share == 0.0 ? "0" : length_text(std::abs(share) * reach, metric);
+    if (share < 0.0) text = "\xE2\x88\x92" + text;
+    svg +=
+        svg_line(x, 2 + kThick, x, 6 + kThick, "stroke=\"#5b6775\"") +
+        svg_text(x, 20 + kThick, text, "font-size=\"12\" text-anchor=\"middle\" fill=\"#33404d\"");
+  }
+  return "<div class=\"colours\">" + svg + "</svg></div>\n";
+}
+
+}  // namespace
+
+std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options,
+                             const FieldBlock& block, const std::vector<PlaceMark>& marks,
+                             bool metric) {
+  const auto to_block = [&](Vec3 p) -> Vec3 {
+    p *= options.unit;
+    if (options.up == "y") p = Vec3(p.x(), -p.z(), p.y());
+    return block.block_from_file * p;
+  };
+  TriangleMesh read = raw;
+  for (Vec3& v : read.vertices) v = to_block(v);
+  std::vector<PlaceMark> placed = marks;
+  for (PlaceMark& mark : placed) mark.place = to_block(mark.place);
+  const bool cloud = read.triangles.empty();
+  if (!cloud) read = welded(read, options.repair.weld_tolerance * bounds(read).diagonal());
+
+  const std::vector<std::array<Vec3, 2>> border = border_of(read);
+  const auto draw_read = [&](Canvas& canvas) {
+    if (cloud) return canvas.draw(read.vertices, kPoints);
+    canvas.draw(read,
+                [](std::uint32_t, const Vec3&, bool behind) { return behind ? kInside : kRock; });
+    canvas.draw(border, kBorder);
+  };
+  const std::string colours =
+      cloud ? "Nearer points are darker."
+            : "Blue grey: the back of the surface, seen through holes. Red: open borders.";
+  const std::string numbers = placed.empty() ? "" : " Numbers: places in the tables below.";
+
+  const std::vector<Vec3> framed = without_strays(read.vertices);
+  const Cameras wide = cameras_on(framed), near = cameras_on(block.scan.mesh.vertices);
+  std::string html;
+  html +=
+      three_views(wide, draw_read, "The scan as it was read. " + colours + numbers, metric, placed);
+  if (wide[0].pixel > kMuchLarger * near[0].pixel) {
+    html += three_views(near, draw_read, "The same around the block. " + colours + numbers, metric,
+                        placed);
+  }
+  Invented invented(read, block);
+  html += three_views(
+      near,
+      [&](Canvas& canvas) {
+        canvas.draw(block.scan.mesh, [&](std::uint32_t t, const Vec3&, bool) {
+          return invented(t) ? kFilled : kRock;
+        });
+      },
+      "The scan closed and mended. Orange: surface that no scan saw, filled in or moved by more "
+      "than " +
+          length_text(kNew * bounds(block.scan.mesh).diagonal(), metric) + ".",
+      metric);
+  return section("Before and after", html);
+}
+
+std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
+                          bool metric) {
+  const TriangleTree tree(scan);
+  std::uint32_t hint = 0;
+  return three_views(
+             cameras_on(scan.vertices),
+             [&](Canvas& canvas) {
+               canvas.draw(
+                   skin,
+                   [&](std::uint32_t, const Vec3& place, bool) {
+                     const auto closest = tree.signed_closest(place, hint);
+                     hint = closest.triangle;
+                     return deviation_colour(closest.distance / reach);
+                   },
+                   0.7);
+             },
+             "The block, coloured by how far its surface lies outside (red) or inside (blue) the "
+             "closed scan.",
+             metric) +
+         colour_bar(reach, metric);
+}
+
+std::string painted_views(const TriangleMesh& mesh, const std::function<Rgb(std::uint32_t)>& colour,
+                          const std::string& caption, bool metric) {
+  return three_views(
+      cameras_on(mesh.vertices),
+      [&](Canvas& canvas) {
+        canvas.draw(
+            mesh, [&](std::uint32_t t, const Vec3&, bool) { return colour(t); }, 0.7);
+      },
+      caption, metric);
+}
+
+std::string thumbnail(const TriangleMesh& mesh, const std::string& name) {
+  std::array<Camera, 1> camera = {camera_toward(sides()[0].toward)};
+  frame(camera, mesh.vertices, kSmallWidth, kSmallHeight);
+  Canvas canvas(camera[0]);
+  canvas.draw(mesh, [](std::uint32_t, const Vec3&, bool) { return kRock; });
+  return "<img width=\"" + std::to_string(kSmallWidth) + "\" height=\"" +
+         std::to_string(kSmallHeight) + "\" alt=\"" + escaped(name) + "\" src=\"" +
+         png_link(rgb_png(kSmallWidth, kSmallHeight, canvas.picture())) + "\"/>";
+}
+
+}  // namespace clast::report_detail

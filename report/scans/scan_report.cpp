@@ -1,0 +1,175 @@
+#include "report/scans/scan_report.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "core/csv_text.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/output_file.hpp"
+#include "core/text_file.hpp"
+#include "core/utf8.hpp"
+#include "core/version.hpp"
+#include "library/unscaled.hpp"
+#include "report/html/html_page.hpp"
+#include "report/scans/scan_page.hpp"
+#include "report/scans/scan_pictures.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The beginning of the summary of every version.
+constexpr const char* kSummary = "block,outcome,scan,";
+
+}  // namespace
+
+struct ScanReport::Impl {
+  fs::path page_of(const Block& block) const { return folder / "blocks" / (block.id + ".html"); }
+  void add_row(const Block& block, const std::string& outcome);
+  void add_page_row(const Block& block);
+  void add_csv_row(const Block& block, const std::string& outcome);
+
+  fs::path folder;
+  bool replace;  ///< pages of an earlier batch
+  OutputRules summary_rules, index_rules;
+  HtmlTable blocks = {{"block", "picture", "scan", "L m", "I m", "S m", "volume m3", "volume from",
+                       "volume to", "filled in %", "mass kg", "s_c", "off scan, % of L", "notes"},
+                      3};
+  HtmlTable failures = {{"scan", "why there is no block"}, 2};
+  CsvText csv = {};
+  std::size_t made = 0, earlier = 0, failed = 0;
+};
+
+ScanReport::ScanReport(fs::path folder, bool replace)
+    : impl_(std::make_unique<Impl>(Impl{std::move(folder), replace, {}, {}})) {
+  const fs::path summary = impl_->folder / "summary.csv";
+  std::error_code code;
+  if (fs::is_regular_file(summary, code) && !read_text_file(summary).starts_with(kSummary)) {
+    throw InputError(summary.string() +
+                     ": already exists and is not a summary of such pages, so it is not replaced; "
+                     "name another folder");
+  }
+  impl_->summary_rules = check_output(summary, {.kind = "text", .replace = replace});
+  impl_->index_rules =
+      check_output(impl_->folder / "index.html", {.kind = "HTML", .replace = replace});
+  impl_->csv.header(
+      "block,outcome,scan,L_m,I_m,S_m,volume_m3,volume_lower_m3,volume_upper_m3,invented_share,"
+      "density_kg_m3,mass_kg,weighed_kg,sneed_folk,zingg,shape,vertices,radius_m,scan_to_body_m,"
+      "body_to_scan_m,notes,sha256,scale,reason");
+}
+
+ScanReport::~ScanReport() = default;
+
+void ScanReport::add(const Block& block, const std::string& page) {
+  write_output(impl_->page_of(block), page, {.kind = "HTML", .replace = impl_->replace});
+  ++impl_->made;
+  impl_->add_row(block, "made");
+}
+
+void ScanReport::add_earlier(const Block& block) {
+  ++impl_->earlier;
+  impl_->add_row(block, "made earlier");
+}
+
+void ScanReport::Impl::add_row(const Block& block, const std::string& outcome) {
+  add_page_row(block);
+  add_csv_row(block, outcome);
+}
+
+void ScanReport::Impl::add_page_row(const Block& block) {
+  const Axes axes = block.axes();
+  const std::optional<UnseenPart>& unseen = block.unseen;
+  const bool metric = !is_unscaled(block);
+  const std::string u = metric ? "" : " u";
+  std::string name = escaped(block.id);
+  if (fs::exists(page_of(block))) {
+    name = "<a href=\"" + link_to("blocks/" + block.id + ".html") + "\">" + name + "</a>";
+  }
+  const auto cubed = [&](double volume) { return significant(volume, 4) + (metric ? "" : " u3"); };
+  std::string from, to;
+  if (unseen) {
+    from = cubed(unseen->lower_volume);
+    to = unseen->upper_volume ? cubed(*unseen->upper_volume) : "not known";
+  }
+  blocks.html_row(
+      {name, thumbnail(block.surface, block.id), escaped(block.source.file),
+       significant(axes.L, 3) + u, significant(axes.I, 3) + u, significant(axes.S, 3) + u,
+       significant(block.mass.volume, 4) + (metric ? "" : " u3"), from, to,
+       unseen ? fixed(100.0 * unseen->invented_share, 1) : "",
+       metric ? significant(block.mass.mass, 4) : "-", significant(elongation_s_c(axes), 3),
+       fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
+       std::to_string(block.warnings.size())});
+}
+
+void ScanReport::Impl::add_csv_row(const Block& block, const std::string& outcome) {
+  const Axes axes = block.axes();
+  const std::optional<UnseenPart>& unseen = block.unseen;
+  const bool metric = !is_unscaled(block);
+  csv.cell(block.id);
+  csv.cell(outcome);
+  csv.cell(block.source.file);
+  const auto metric_cell = [&](double value) { metric ? csv.cell(value) : csv.empty_cells(1); };
+  for (const double size : {axes.L, axes.I, axes.S, block.mass.volume}) metric_cell(size);
+  if (unseen) {
+    metric_cell(unseen->lower_volume);
+    metric_cell(unseen->upper_volume.value_or(std::nan("")));
+    csv.cell(unseen->invented_share);
+  } else {
+    csv.empty_cells(3);
+  }
+  csv.cell(block.density);
+  metric_cell(block.mass.mass);
+  csv.cell(block.field.weighed_mass.value_or(std::nan("")));
+  csv.cell(sneed_folk_class(axes));
+  csv.cell(zingg_class(axes));
+  csv.cell(garcia_class(axes));
+  csv.count(block.body.vertices.size());
+  metric_cell(block.body.radius);
+  metric_cell(block.deviation.scan_to_body);
+  metric_cell(block.deviation.body_to_scan);
+  csv.count(block.warnings.size());
+  csv.cell(block.source.sha256);
+  csv.cell(metric ? "metric" : "none");
+  csv.empty_cells(1);
+  csv.end_row();
+}
+
+void ScanReport::add_failure(const std::string& scan, const std::string& reason) {
+  ++impl_->failed;
+  impl_->failures.row({as_utf8(scan), as_utf8(reason)});
+  impl_->csv.empty_cells(1);
+  impl_->csv.cell("failed");
+  impl_->csv.cell(as_utf8(scan));
+  impl_->csv.empty_cells(20);
+  impl_->csv.cell(as_utf8(reason));
+  impl_->csv.end_row();
+}
+
+void ScanReport::finish() {
+  std::string body =
+      "<h1>Blocks from scans</h1>\n<p class=\"lead\">" + counted(impl_->made, "block") + " made";
+  if (impl_->earlier > 0) body += ", " + std::to_string(impl_->earlier) + " made earlier";
+  if (impl_->failed > 0) body += ", " + counted(impl_->failed, "scan") + " without a block";
+  body += "</p>\n";
+  if (impl_->failed > 0) body += section("Scans that gave no block", impl_->failures.html());
+  if (impl_->made + impl_->earlier > 0) {
+    body += section("Blocks",
+                    paragraph("A click on a column's head sorts by it. L, I, S are the "
+                              "sides of the smallest box; volumes from and to are the "
+                              "bounds of a block whose underside was not seen. Lengths marked "
+                              "u are in units of an unscaled model.") +
+                        impl_->blocks.html());
+  }
+  body += "<footer>clast " + escaped(version()) +
+          "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
+  write_output(impl_->folder / "summary.csv", impl_->csv.take(), impl_->summary_rules);
+  write_output(impl_->folder / "index.html", scan_page("Blocks from scans", body),
+               impl_->index_rules);
+}
+
+}  // namespace clast

@@ -1,0 +1,247 @@
+#include "report/scene/scene_data.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/png.hpp"
+#include "report/charts/palette.hpp"
+#include "terrain/relief.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A radius of less than this share of the longest axis is not drawn: nobody would see it.
+constexpr double kSeenRadius = 0.03;
+
+static_assert(std::endian::native == std::endian::little, "browsers read little-endian arrays");
+
+/// To 2^-14, which is 0.06 mm: bits that nobody sees would be most of what a page can't deflate.
+double seen(double value) { return std::round(value * 16384.0) / 16384.0; }
+
+template <class T>
+std::string packed(std::span<const T> values) {
+  return base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
+}
+
+void append(std::vector<float>& flat, const Vec3& v) {
+  for (int axis = 0; axis < 3; ++axis) flat.push_back(static_cast<float>(v[axis]));
+}
+
+Json mesh_json(const TriangleMesh& mesh, const Vec3& shift) {
+  std::vector<float> vertices;
+  for (const Vec3& vertex : mesh.vertices) append(vertices, vertex + shift);
+  std::vector<std::uint32_t> corners;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    corners.insert(corners.end(), t.begin(), t.end());
+  }
+  return {{"vertices", packed<float>(vertices)}, {"triangles", packed<std::uint32_t>(corners)}};
+}
+
+/// The middle of starts and stops, on the map.
+Vec3 scene_origin(const Comparison& comparison) {
+  Bounds box;
+  for (const RunRow& row : comparison.rows) {
+    box.include(row.start);
+    if (row.stop.allFinite()) box.include(row.stop);
+  }
+  return (0.5 * (box.low + box.high)).array().round();
+}
+
+/// A grid in place of a terrain with too many triangles: its top, over the extent of the terrain.
+Terrain thinned(const Terrain& terrain, std::size_t columns) {
+  Bounds box = bounds(terrain.surface);
+  const Relief relief = sampled(terrain, {box.low.head<2>(), box.high.head<2>()},
+                                static_cast<std::uint32_t>(columns));
+  Terrain grid;
+  grid.zone_names = terrain.zone_names;
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  std::vector<std::uint32_t> vertex(relief.height.size(), kNone);
+  for (std::uint32_t r = 0; r < relief.rows; ++r) {
+    for (std::uint32_t c = 0; c < relief.columns; ++c) {
+      const std::size_t at = std::size_t{r} * relief.columns + c;
+      if (std::isnan(relief.height[at])) continue;
+      vertex[at] = static_cast<std::uint32_t>(grid.surface.vertices.size());
+      grid.surface.vertices.emplace_back(box.low.x() + (c + 0.5) * relief.cell,
+                                         box.high.y() - (r + 0.5) * relief.cell, relief.height[at]);
+    }
+  }
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint16_t zone) {
+    if (a == kNone || b == kNone || c == kNone) return;
+    grid.surface.triangles.push_back({a, b, c});
+    grid.zone.push_back(zone);
+  };
+  for (std::uint32_t r = 0; r + 1 < relief.rows; ++r) {
+    for (std::uint32_t c = 0; c + 1 < relief.columns; ++c) {
+      const std::size_t at = std::size_t{r} * relief.columns + c, below = at + relief.columns;
+      add(vertex[at], vertex[below], vertex[below + 1], relief.zone[at]);
+      add(vertex[at], vertex[below + 1], vertex[at + 1], relief.zone[at]);
+    }
+  }
+  return grid;
+}
+
+Json terrain_json(const Terrain& terrain, const Vec3& shift, const SceneLimits& limits) {
+  if (terrain.surface.triangles.size() > limits.triangles) {
+    return terrain_json(thinned(terrain, limits.grid), shift, {.triangles = SIZE_MAX});
+  }
+  Json json = mesh_json(terrain.surface, shift);
+  json["zones"] = packed<std::uint16_t>(terrain.zone);
+  return json;
+}
+
+std::string colour_text(const Rgb& rgb) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t part : rgb) {
+    text += kDigits[part >> 4];
+    text += kDigits[part & 15];
+  }
+  return text;
+}
+
+TriangleMesh drawn_body(const CampaignResults& results, const BlockSummary& block) {
+  const SpheroPolyhedron body = scaled(results.shapes[block.shape], block.scale);
+  if (body.faces.empty()) return skin_mesh(body);  // a ball or a capsule
+  return body.radius < kSeenRadius * block.axes.L ? core_mesh(body) : skin_mesh(body, 1);
+}
+
+/// Bodies of all files one after the other, and where those of each file begin.
+struct Bodies {
+  Json json = Json::array();
+  std::vector<std::size_t> first;
+};
+
+Bodies bodies_of(const Comparison& comparison) {
+  Bodies bodies;
+  for (const CampaignResults& results : comparison.results) {
+    bodies.first.push_back(bodies.json.size());
+    for (const BlockSummary& block : results.blocks) {
+      Json json = {
+          {"name", block.id}, {"group", block.garcia}, {"colour", class_colour(block.garcia)}};
+      json.update(mesh_json(drawn_body(results, block), Vec3::Zero()));
+      bodies.json.push_back(std::move(json));
+    }
+  }
+  return bodies;
+}
+
+/// Rows whose motion is stored, with their frames counted by the duration.
+struct Drawable {
+  std::vector<std::size_t> rows;
+  std::size_t frames = 0;
+};
+
+/// One for each file; none where it is gone.
+using Readers = std::vector<std::optional<TrajectoryFile>>;
+
+Readers readers_of(const Comparison& comparison) {
+  Readers readers;
+  for (const CampaignResults& results : comparison.results) {
+    std::error_code code;
+    readers.emplace_back();
+    if (std::filesystem::exists(results.file, code)) readers.back().emplace(results.file);
+  }
+  return readers;
+}
+
+Drawable drawable(const Comparison& comparison, const Readers& readers) {
+  Drawable result;
+  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
+    const RunRow& row = comparison.rows[i];
+    if (!readers[row.file]) continue;
+    const std::size_t frames = readers[row.file]->frames(row.record->run);
+    if (frames == 0) continue;
+    result.rows.push_back(i);
+    result.frames += frames;
+  }
+  return result;
+}
+
+std::string run_name(const Comparison& comparison, const RunRow& row) {
+  std::string name =
+      comparison.results.size() > 1 ? "file " + std::to_string(row.file + 1) + ", " : std::string();
+  return name + "run " + std::to_string(row.record->run) + ", " + row.block->id;
+}
+
+}  // namespace
+
+void SceneLimits::check() const {
+  if (frames == 0) throw InputError("frames = 0: a scene needs at least one");
+  if (triangles == 0) throw InputError("triangles = 0: a terrain needs at least one");
+  if (grid < 2) throw InputError("grid = " + std::to_string(grid) + ": must be 2 columns or more");
+}
+
+SceneData scene_data(const Comparison& comparison, const SceneLimits& limits) {
+  limits.check();
+  const Vec3 origin = scene_origin(comparison);
+  const CampaignResults& first = comparison.results.front();
+  const Readers readers = readers_of(comparison);
+  const Drawable all = drawable(comparison, readers);
+  SceneData scene;
+  scene.runs = all.rows.size();
+  if (all.rows.empty()) return scene;
+
+  const Bodies bodies = bodies_of(comparison);
+  const std::size_t every = (all.frames + limits.frames - 1) / limits.frames;
+  std::vector<float> frames;
+  Json runs = Json::array();
+  double duration = 0.0;
+  for (std::size_t i = 0; i < all.rows.size(); i += every) {
+    const RunRow& row = comparison.rows[all.rows[i]];
+    const CampaignResults& results = comparison.results[row.file];
+    const Trajectory trajectory = readers[row.file]->read(row.record->run);
+    runs.push_back({{"name", run_name(comparison, row)},
+                    {"body", bodies.first[row.file] + row.record->block},
+                    {"first", frames.size() / 8},
+                    {"count", trajectory.time.size()}});
+    for (std::size_t k = 0; k < trajectory.time.size(); ++k) {
+      const RigidState& state = trajectory.states[k];
+      frames.push_back(static_cast<float>(trajectory.time[k]));
+      const Vec3 place = results.frame.map(state.position) - origin;
+      append(frames, Vec3(seen(place.x()), seen(place.y()), seen(place.z())));
+      for (const double q : {state.orientation.w(), state.orientation.x(), state.orientation.y(),
+                             state.orientation.z()}) {
+        frames.push_back(static_cast<float>(seen(q)));
+      }
+    }
+    duration = std::max(duration, trajectory.time.back());
+  }
+  scene.runs_drawn = runs.size();
+
+  Json tints = Json::array();
+  for (std::size_t zone = 0; zone < std::max<std::size_t>(first.zone_names.size(), 1); ++zone) {
+    tints.push_back(
+        colour_text(zone_tint(zone < first.zone_names.size() ? first.zone_names[zone] : "", zone)));
+  }
+  Json barriers = Json::array();
+  for (const BarrierLine& line : comparison.lines) {
+    Json through = Json::array();
+    for (const Vec2& point : line.through) {
+      through.push_back({point.x() - origin.x(), point.y() - origin.y()});
+    }
+    barriers.push_back({{"name", line.name}, {"through", through}});
+  }
+  scene.json = Json{
+      {"origin", {origin.x(), origin.y(), origin.z()}},
+      {"terrain", terrain_json(first.terrain, first.frame.origin - origin, limits)},
+      {"tints", tints},
+      {"bodies", bodies.json},
+      {"runs", runs},
+      {"frames", packed<float>(frames)},
+      {"barriers", barriers},
+      {"duration",
+       duration}}.dump();
+  return scene;
+}
+
+}  // namespace clast::report_detail

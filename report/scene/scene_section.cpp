@@ -1,0 +1,64 @@
+#include "report/scene/scene_section.hpp"
+
+#include <set>
+
+#include "core/text_file.hpp"
+#include "report/charts/palette.hpp"
+#include "report/html/assets.hpp"
+#include "report/html/html_page.hpp"
+#include "report/html/page_script.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+/// The view with its controls: the time, and check boxes that hide classes.
+std::string scene_view(const Comparison& comparison) {
+  std::set<std::string> classes;
+  for (const RunRow& row : comparison.rows) classes.insert(row.block->garcia);
+  std::string boxes;
+  for (const std::string& name : classes) {
+    boxes += "<label><input type=\"checkbox\" checked data-group=\"" + escaped(name) +
+             "\"><span style=\"color:" + class_colour(name) + "\">\xE2\x97\x8F</span> " +
+             escaped(name) + "</label>\n";
+  }
+  return fill(assets::scene_html, {{"classes", boxes}});
+}
+
+}  // namespace
+
+std::filesystem::path three_folder() { return installed_folder("CLAST_THREE", CLAST_THREE_FOLDER); }
+
+std::string scene_section(const Comparison& comparison, const SceneLimits& limits) {
+  const std::string title = "In space";
+  const std::filesystem::path core = three_folder() / "three.min.js",
+                              orbit = three_folder() / "examples/js/controls/OrbitControls.js";
+  std::error_code code;
+  if (!std::filesystem::exists(core, code) || !std::filesystem::exists(orbit, code)) {
+    return section(
+        title,
+        paragraph("The 3-D view was left out: three.js is not in " + three_folder().string() +
+                  ". Install it (on Debian: apt install libjs-three), or name its "
+                  "folder in CLAST_THREE, and compare again."));
+  }
+  const SceneData data = scene_data(comparison, limits);
+  if (data.runs_drawn == 0) {
+    return section(title, paragraph("The results hold no trajectories: set [run] "
+                                    "trajectory_interval_s above zero to see the blocks move."));
+  }
+  const std::string drawn =
+      data.runs_drawn == data.runs
+          ? "All " + std::to_string(data.runs) + " runs are drawn."
+          : std::to_string(data.runs_drawn) + " of " + std::to_string(data.runs) +
+                " runs are drawn, one in " +
+                std::to_string((data.runs + data.runs_drawn - 1) / data.runs_drawn) + ".";
+  return section(
+             title,
+             paragraph("Drag to turn, use the wheel to come closer, drag with the right button to "
+                       "move. " +
+                       drawn + " Between stored states positions are interpolated.") +
+                 scene_view(comparison) + packed_element("scene-data", data.json)) +
+         packed_element("three-code", read_text_file(core)) +
+         packed_element("orbit-code", read_text_file(orbit)) + script_element(assets::scene_js);
+}
+
+}  // namespace clast::report_detail

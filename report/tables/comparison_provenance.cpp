@@ -1,0 +1,55 @@
+#include "report/tables/comparison_provenance.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/version.hpp"
+#include "study/block_stiffness.hpp"
+
+namespace clast {
+namespace {
+
+// Lowest and highest of every quantity over the runs of a block; null where results have none.
+nlohmann::ordered_json stiffness_json(const CampaignResults& results) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const BlockStiffness& block : stiffness_by_block(results.blocks, results.runs)) {
+    nlohmann::ordered_json row = {{"block", block.block}};
+    for (const StiffnessValue& value : block.values) {
+      row[value.name] = nullptr;
+      if (!value.range.empty()) row[value.name] = {value.range.low, value.range.high};
+    }
+    list.push_back(row);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string provenance_json(const Comparison& comparison) {
+  nlohmann::ordered_json json;
+  json["program_version"] = version();
+  json["downslope"] = {comparison.downslope.x(), comparison.downslope.y()};
+  json["downslope_from"] = comparison.downslope_asked ? "campaign" : "mean release-to-stop line";
+  json["warnings"] = comparison.warnings;
+  json["files"] = nlohmann::ordered_json::array();
+  for (std::size_t file = 0; file < comparison.results.size(); ++file) {
+    const CampaignResults& results = comparison.results[file];
+    json["files"].push_back({{"file", file + 1},
+                             {"results", results.file.filename().string()},
+                             {"program_version", results.program_version},
+                             {"campaign_sha256", results.campaign_sha256},
+                             {"inputs", results.inputs},
+                             {"runs", results.runs.size()},
+                             {"planned_runs", results.planned_runs},
+                             {"stiffness", stiffness_json(results)},
+                             {"campaign", results.campaign_text}});
+  }
+  if (comparison.measured) {
+    json["measured"] = {{"file", comparison.measured->file.filename().string()},
+                        {"sha256", comparison.measured->sha256},
+                        {"stops", comparison.measured->stops.size()}};
+  }
+  // Names and paths may hold bytes that are not UTF-8; they must not stop the tables.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace clast

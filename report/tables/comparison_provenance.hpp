@@ -1,0 +1,12 @@
+#pragma once
+/// Where the figures of a comparison come from.
+#include <string>
+
+#include "study/comparison.hpp"
+
+namespace clast {
+
+/// What made the results, as JSON: program versions, campaigns and input files with their hashes.
+std::string provenance_json(const Comparison& comparison);
+
+}  // namespace clast

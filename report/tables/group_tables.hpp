@@ -1,0 +1,22 @@
+#pragma once
+/// The tables of groups of runs and of what they ran with, as CSV text; columns in docs/formats.md.
+#include <string>
+#include <vector>
+
+#include "study/comparison.hpp"
+#include "study/profiles.hpp"
+
+namespace clast {
+
+std::string barriers_csv(const Comparison& comparison);
+std::string deposits_csv(const Comparison& comparison);
+/// A row for each difference.
+std::string differences_csv(const Comparison& comparison);
+/// A row for each group that has measured stops; the header alone without measured stops.
+std::string measured_csv(const Comparison& comparison);
+/// @param bins  `profiles` of the comparison
+std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins);
+/// The ground parameters of every ground set, by zone.
+std::string ground_sets_csv(const Comparison& comparison);
+
+}  // namespace clast

@@ -1,0 +1,407 @@
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/png.hpp"
+#include "core/random.hpp"
+#include "core/text_file.hpp"
+#include "report/charts/plotly_chart.hpp"
+#include "report/charts/ticks.hpp"
+#include "report/html/html_page.hpp"
+#include "report/html/page_script.hpp"
+#include "report/maps/gis_layers.hpp"
+#include "report/pages/comparison_page.hpp"
+#include "report/pages/report_sections.hpp"
+#include "terrain/relief.hpp"
+#include "tests/study/hand_made_results.hpp"
+#include "tests/support/markup.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+using namespace report_detail;
+
+struct DatasetCloser {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
+
+std::string report_of(const Comparison& comparison) {
+  return comparison_page(comparison, profiles(comparison));
+}
+
+TEST(HtmlReport, TagsAreBalanced) {
+  EXPECT_EQ(unbalanced(report_of(compared(hand_made_results()))), "");
+  EXPECT_NE(unbalanced("<p><b>x</p></b>"), "");
+  EXPECT_NE(unbalanced("<p>"), "");
+}
+
+TEST(HtmlReport, NamesEveryBlockWithItsCharactersEscaped) {
+  const std::string html = report_of(compared(hand_made_results()));
+  EXPECT_TRUE(contains(html, "round&lt;1&gt;"));
+  EXPECT_TRUE(contains(html, "long, &quot;2&quot;"));
+  EXPECT_TRUE(contains(html, "B&lt;1&gt;"));
+  EXPECT_FALSE(contains(html, "round<1>"));
+  EXPECT_FALSE(contains(html, "B<1>"));
+  EXPECT_TRUE(contains(html, "# a &lt; b &amp; c"));
+}
+
+TEST(HtmlReport, ListsTheStiffnessOfEveryBlock) {
+  const Comparison comparison = compared(hand_made_results());
+  const std::string section = provenance_section(comparison);
+  for (const char* part : {"k_n, N/m", "k_r, N m/rad", "time step, s", "1e+08", "3e+08 to 4e+08",
+                           "1e-05", "2e-05", "0.012", "0.016"}) {
+    EXPECT_TRUE(contains(section, part)) << part;
+  }
+  EXPECT_TRUE(contains(head_section(comparison), "k_n 1e+08 to 4e+08 N/m, step 1e-05 to 2e-05 s"));
+}
+
+TEST(HtmlReport, SaysWhatWasRun) {
+  const std::string html = report_of(compared(hand_made_results()));
+  for (const std::string& part : {std::string(64, 'a'), std::string(64, 'b'), std::string(64, 'c'),
+                                  std::string("hand-made.h5"), std::string("clast 0.1.0")}) {
+    EXPECT_TRUE(contains(html, part)) << part;
+  }
+}
+
+TEST(HtmlReport, RefersToNothingOutsideItself) {
+  // What plotly.js says of itself in comments is not looked at: another one stands in for it.
+  const ScratchFolder folder;
+  write_text_file(folder / "plotly.js", "var Plotly={};");
+  ASSERT_EQ(::setenv("CLAST_PLOTLY", folder.path().c_str(), 1), 0);
+  std::string html = report_of(compared(hand_made_results()));
+  ::unsetenv("CLAST_PLOTLY");
+  EXPECT_TRUE(contains(html, packed_element("plotly-code", "var Plotly={};")));
+  // The relief is data, too.
+  const std::string picture = "data:image/png;base64,";
+  EXPECT_EQ(count_of(html, picture), 1u);
+  expect_self_contained(html);
+}
+
+TEST(HtmlReport, ShowsWarningsAndLostRunsWithTheirReason) {
+  CampaignResults results = hand_made_results();
+  results.runs[2].result.stop_reason = StopReason::kError;
+  results.runs[2].result.message = "turned to <nan> in step 7";
+  results.runs[2].result.final_state.position = Vec3::Constant(NAN);
+  const std::string html = report_of(compared(std::move(results)));
+  EXPECT_EQ(unbalanced(html), "");
+  EXPECT_TRUE(contains(html, "mass differs between classes"));
+  EXPECT_TRUE(contains(html, "1 of 6 runs ended with an error"));
+  EXPECT_TRUE(contains(html, "turned to &lt;nan&gt; in step 7"));
+  EXPECT_FALSE(contains(html, "=\"nan\""));
+}
+
+TEST(HtmlReport, StandsRunsThatAllFailed) {
+  CampaignResults results = hand_made_results();
+  results.crossings.clear();
+  for (RunRecord& run : results.runs) {
+    run.result = ReleaseResult();
+    run.result.final_state.position = Vec3::Constant(NAN);
+  }
+  EXPECT_EQ(unbalanced(report_of(compared(std::move(results)))), "");
+}
+
+TEST(HtmlReport, StandsOneRunWithoutBarriersOrTerrain) {
+  CampaignResults results = hand_made_results();
+  results.runs.resize(1);
+  results.crossings.clear();
+  results.barriers.clear();
+  results.terrain = Terrain();
+  results.terrain.frame = results.frame;
+  EXPECT_EQ(unbalanced(report_of(compared(std::move(results)))), "");
+}
+
+using Json = nlohmann::json;
+
+/// What the page's charts draw, by their labels.
+std::map<std::string, Json> figures_of(const std::string& html) {
+  std::map<std::string, Json> figures;
+  const std::string label = "aria-label=\"", open = "class=\"chart-data\">";
+  for (std::size_t at = html.find("<div class=\"chart "); at != std::string::npos;
+       at = html.find("<div class=\"chart ", at + 1)) {
+    const std::size_t name = html.find(label, at) + label.size();
+    const std::size_t begin = html.find(open, at) + open.size();
+    const std::string json = html.substr(begin, html.find("</script>", begin) - begin);
+    figures[html.substr(name, html.find('"', name) - name)] = Json::parse(json);
+  }
+  return figures;
+}
+
+const Json& trace_named(const Json& figure, const std::string& name) {
+  for (const Json& trace : figure.at("data")) {
+    if (trace.at("name") == name) return trace;
+  }
+  throw std::runtime_error("no trace " + name + " in " + figure.at("data").dump().substr(0, 400));
+}
+
+TEST(ReportMap, MarksEveryStopUntilThereAreTooMany) {
+  const auto few = figures_of(map_section(compared(hand_made_results())));
+  const Json& map = few.at("map of stops, release points and barriers");
+  const Json& stops = trace_named(map, "long, &quot;2&quot; (elongated)");
+  ASSERT_EQ(stops["x"].size(), 2u);
+  EXPECT_EQ(stops["x"][0], kMapOrigin.x() + 10.0);
+  EXPECT_EQ(stops["y"][0], kMapOrigin.y() - 10.0);
+  EXPECT_TRUE(contains(stops["text"][0], "run 4, block long, &quot;2&quot;, point 0, orient"));
+  EXPECT_EQ(trace_named(map, "release point")["x"].size(), 1u);
+  // B<1> runs from y = -20 to 20 m at x = 10 m, so forward is +x; pixels count y down.
+  const Json& arrow = map["layout"]["annotations"][0];
+  EXPECT_EQ(arrow["text"], "<b>B&lt;1&gt;</b>");
+  EXPECT_LT(double(arrow["ax"]), 0.0) << "it points from the tail at ax to the barrier";
+  EXPECT_NEAR(double(arrow["ay"]), 0.0, 1e-9);
+
+  CampaignResults many = hand_made_results();
+  Random random(1);
+  while (many.runs.size() <= kMostSingleStops) {
+    const auto run = static_cast<std::uint32_t>(many.runs.size());
+    many.runs.push_back(
+        hand_made_run(run, run % 2, random.uniform(5.0, 45.0), random.uniform(-15.0, 15.0)));
+  }
+  const std::size_t runs = many.runs.size();
+  const auto crowded = figures_of(map_section(compared(std::move(many))));
+  const Json& density =
+      trace_named(crowded.at("map of stops, release points and barriers"), "stops");
+  std::size_t counted = 0;
+  for (const Json& row : density["customdata"]) {
+    for (const Json& cell : row) counted += cell.is_null() ? 0 : std::size_t(cell);
+  }
+  EXPECT_EQ(counted, runs) << "every stop is in one square";
+}
+
+TEST(ReportCharts, HoldTheSharesOfEveryClass) {
+  const auto figures = figures_of(report_of(compared(hand_made_results())));
+  // Compact blocks stop at 10, 20, 30 and 40 m, elongated ones at 10 and 20 m.
+  const Json& stops =
+      trace_named(figures.at("Share of runs that stop before, by class"), "compact (4)");
+  EXPECT_EQ(stops["x"], Json::parse("[10.0,10.0,20.0,30.0,40.0]"));
+  EXPECT_EQ(stops["y"], Json::parse("[0.0,0.25,0.5,0.75,1.0]"));
+  const Json& bars = trace_named(figures.at("Runout by class"), "elongated (2)");
+  double sum = 0.0;
+  for (const Json& share : bars["y"]) sum += double(share);
+  EXPECT_NEAR(sum, 1.0, 1e-12);
+  // First crossings of B<1> have speeds 2, 4 and 6 m/s (compact) and 3 m/s: 150 v^2 + 50 J.
+  const Json& energy =
+      trace_named(figures.at("B&lt;1&gt;: crossings above an energy"), "elongated (1)");
+  EXPECT_EQ(energy["x"], Json::parse("[1.4,1.4]"));
+  EXPECT_EQ(energy["y"], Json::parse("[1.0,0.0]"));
+}
+
+TEST(ReportCharts, LargeSamplesAreThinnedToTheirEnds) {
+  Series sample{"many", "#000000", "", {}};
+  for (int i = 0; i < 100'000; ++i) sample.values.push_back(i);
+  const std::vector<Trace> traces = cumulative_traces({sample});
+  ASSERT_EQ(traces.size(), 1u);
+  EXPECT_LT(traces[0].x.size(), 2000u);
+  EXPECT_EQ(traces[0].x.front(), 0.0);
+  EXPECT_EQ(traces[0].x.back(), 99'999.0);
+  EXPECT_EQ(traces[0].y.back(), 1.0);
+  for (std::size_t i = 1; i + 1 < traces[0].x.size(); ++i) {
+    EXPECT_NEAR(traces[0].y[i], (traces[0].x[i] + 1.0) / 100'000.0, 1e-12);
+  }
+}
+
+TEST(ReportCharts, SayWhatIsMissingWhereTheLibraryIs) {
+  const ScratchFolder folder;
+  ASSERT_EQ(::setenv("CLAST_PLOTLY", folder.path().c_str(), 1), 0);
+  const std::string html = report_of(compared(hand_made_results()));
+  ::unsetenv("CLAST_PLOTLY");
+  EXPECT_TRUE(contains(html, "apt install python3-plotly"));
+  EXPECT_TRUE(contains(html, (folder / "plotly.js").string()));
+  EXPECT_TRUE(figures_of(html).empty());
+  EXPECT_TRUE(contains(html, "runout mean")) << "tables are there all the same";
+  EXPECT_EQ(unbalanced(html), "");
+}
+
+TEST(Geopackage, ReopensWithItsLayersOnTheMap) {
+  const ScratchFolder folder;
+  CampaignResults results = hand_made_results();
+  results.frame.crs = results.terrain.frame.crs = "EPSG:2154";
+  write_geopackage(folder / "stops.gpkg", compared(std::move(results)));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+
+  const Dataset dataset(
+      GDALDataset::Open((folder / "stops.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
+  ASSERT_NE(dataset, nullptr);
+  OGRLayer* stops = dataset->GetLayerByName("stops");
+  OGRLayer* crossings = dataset->GetLayerByName("crossings");
+  OGRLayer* barriers = dataset->GetLayerByName("barriers");
+  ASSERT_NE(stops, nullptr);
+  ASSERT_NE(crossings, nullptr);
+  ASSERT_NE(barriers, nullptr);
+  EXPECT_EQ(stops->GetFeatureCount(), 6);
+  EXPECT_EQ(crossings->GetFeatureCount(), 7);
+  EXPECT_EQ(barriers->GetFeatureCount(), 2);
+  ASSERT_NE(stops->GetSpatialRef(), nullptr);
+  EXPECT_STREQ(stops->GetSpatialRef()->GetAuthorityCode(nullptr), "2154");
+
+  const OGRFeatureUniquePtr stop(stops->GetNextFeature());
+  EXPECT_STREQ(stop->GetFieldAsString("block"), "round<1>");
+  EXPECT_STREQ(stop->GetFieldAsString("shape"), "compact");
+  EXPECT_EQ(stop->GetGeometryRef()->toPoint()->getX(), kMapOrigin.x() + 10.0);
+  EXPECT_EQ(stop->GetGeometryRef()->toPoint()->getY(), kMapOrigin.y());
+  EXPECT_EQ(stop->GetGeometryRef()->toPoint()->getZ(), kMapOrigin.z() - 5.0);
+  const OGRFeatureUniquePtr barrier(barriers->GetNextFeature());
+  EXPECT_NEAR(barrier->GetFieldAsDouble("probability"), 4.0 / 6.0, 1e-15);
+  EXPECT_EQ(barrier->GetGeometryRef()->toLineString()->getY(1), kMapOrigin.y() + 20.0);
+}
+
+TEST(Geopackage, WithoutACrsCoordinatesAreNotDegrees) {
+  const ScratchFolder folder;
+  write_geopackage(folder / "stops.gpkg", compared(hand_made_results()));
+  const Dataset dataset(
+      GDALDataset::Open((folder / "stops.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
+  ASSERT_NE(dataset, nullptr);
+  for (OGRLayer* layer : dataset->GetLayers()) {
+    const OGRSpatialReference* system = layer->GetSpatialRef();
+    EXPECT_FALSE(system && system->IsGeographic()) << layer->GetName();
+  }
+}
+
+TEST(Geopackage, FolderAsTargetIsRefused) {
+  const ScratchFolder folder;
+  EXPECT_THROW(write_geopackage(folder.path(), compared(hand_made_results())), InputError);
+}
+
+TEST(Png, IsReadBackByGdal) {
+  GDALAllRegister();
+  const ScratchFolder folder;
+  Random random(5);
+  const std::uint32_t width = 311, height = 257;  // more than one stored block of 65535 bytes
+  std::vector<std::uint8_t> pixels(width * height);
+  for (std::uint8_t& pixel : pixels) pixel = static_cast<std::uint8_t>(random.below(200));
+  std::vector<Rgb> palette;
+  for (int i = 0; i < 200; ++i) {
+    palette.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), 7});
+  }
+  write_text_file(folder / "a.png", palette_png(width, height, pixels, palette));
+  const Dataset dataset(
+      GDALDataset::Open((folder / "a.png").c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  ASSERT_NE(dataset, nullptr);
+  std::vector<std::uint8_t> back(pixels.size());
+  GDALRasterBand* band = dataset->GetRasterBand(1);
+  ASSERT_EQ(
+      band->RasterIO(GF_Read, 0, 0, width, height, back.data(), width, height, GDT_Byte, 0, 0),
+      CE_None);
+  EXPECT_EQ(back, pixels);
+  EXPECT_EQ(band->GetColorTable()->GetColorEntry(100)->c2, 155);
+}
+
+TEST(Png, ColoursAreReadBackByGdal) {
+  GDALAllRegister();
+  const ScratchFolder folder;
+  Random random(6);
+  const int width = 131, height = 77;
+  std::vector<Rgb> pixels(width * height);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const bool noisy = i / width % 2 == 0;  // rows for either filter
+    for (std::uint8_t& part : pixels[i]) {
+      part = static_cast<std::uint8_t>(noisy ? random.below(256) : i % width);
+    }
+  }
+  write_text_file(folder / "a.png", rgb_png(width, height, pixels));
+  const Dataset dataset(
+      GDALDataset::Open((folder / "a.png").c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  ASSERT_NE(dataset, nullptr);
+  ASSERT_EQ(dataset->GetRasterCount(), 3);
+  for (int channel = 0; channel < 3; ++channel) {
+    std::vector<std::uint8_t> back(pixels.size());
+    ASSERT_EQ(
+        dataset->GetRasterBand(channel + 1)
+            ->RasterIO(GF_Read, 0, 0, width, height, back.data(), width, height, GDT_Byte, 0, 0),
+        CE_None);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      ASSERT_EQ(back[i], pixels[i][static_cast<std::size_t>(channel)]) << i;
+    }
+  }
+}
+
+TEST(HtmlPage, LinksKeepOddNames) {
+  EXPECT_EQ(link_to("blocks/B 1 #2?.html"), "blocks/B%201%20%232%3F.html");
+  EXPECT_EQ(link_to("\xC3\xA9"), "%C3%A9");
+}
+
+TEST(Base64, EncodesTheVectorsOfRfc4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xFF\xFE\xFD"), "//79");
+}
+
+TEST(Relief, SamplesThePlaneAtCellCentres) {
+  const CampaignResults results = hand_made_results();
+  const Window window{Vec2(-20.0, -25.0), Vec2(60.0, 15.0)};
+  const Relief relief = sampled(results.terrain, window, 80);
+  ASSERT_EQ(relief.columns, 80u);
+  ASSERT_EQ(relief.rows, 40u);
+  for (std::uint32_t row = 0; row < relief.rows; ++row) {
+    for (std::uint32_t column = 0; column < relief.columns; ++column) {
+      const double x = -19.5 + column, height = relief.height[row * 80 + column];
+      if (x < -10.0) {
+        EXPECT_TRUE(std::isnan(height));
+      } else {
+        EXPECT_NEAR(height, -0.5 * x, 1e-12);
+        EXPECT_EQ(relief.zone[row * 80 + column], x < 20.0 ? 0 : 1);
+      }
+    }
+  }
+}
+
+TEST(Relief, ShowsTheUpperOfTwoSurfaces) {
+  Terrain terrain;
+  for (const double z : {5.0, 1.0}) {
+    for (const Vec2& corner : {Vec2(0, 0), Vec2(4, 0), Vec2(0, 4)}) {
+      terrain.surface.vertices.push_back({corner.x(), corner.y(), z});
+    }
+  }
+  terrain.surface.triangles = {{0, 1, 2}, {3, 4, 5}};
+  terrain.zone = {1, 0};
+  const Relief relief = sampled(terrain, {Vec2(0, 0), Vec2(4, 4)}, 4);
+  const std::size_t corner = 3 * 4;  // lower left
+  EXPECT_EQ(relief.height[corner], 5.0);
+  EXPECT_EQ(relief.zone[corner], 1);
+}
+
+TEST(Ticks, AreRoundAndInside) {
+  const Ticks marks = ticks(-3.2, 47.9, 7);
+  EXPECT_EQ(marks.step, 10.0);
+  EXPECT_EQ(marks.values, (std::vector<double>{0.0, 10.0, 20.0, 30.0, 40.0}));
+  EXPECT_EQ(ticks(0.0, 0.5, 5).decimals, 1);
+  EXPECT_EQ(ticks(6500000.0, 6500100.0, 5).values.front(), 6500000.0);
+}
+
+TEST(Ticks, EndOnRangesThatHaveNoWidth) {
+  EXPECT_EQ(ticks(3.0, 3.0, 5).values.size(), 1u);
+  EXPECT_EQ(ticks(1e9, std::nextafter(1e9, 2e9), 5).values.size(), 1u);
+  EXPECT_EQ(ticks(0.0, INFINITY, 5).values.size(), 1u);
+}
+
+TEST(PageNumbers, AreWrittenAsAReaderExpects) {
+  EXPECT_EQ(fixed(-0.04, 1), "0.0");
+  EXPECT_EQ(fixed(NAN, 1), "-");
+  EXPECT_EQ(significant(1474.68, 4), "1475");
+  EXPECT_EQ(significant(0.012345, 3), "0.0123");
+  EXPECT_EQ(significant(9.996, 3), "10.0");
+  EXPECT_EQ(significant(8.7e7, 3), "8.70e+07");
+  EXPECT_EQ(percent(0.03125), "3.1 %");
+  EXPECT_EQ(escaped("a<b & \"c\">'\x01"), "a&lt;b &amp; &quot;c&quot;&gt;&#39;");
+}
+
+TEST(ZoneTint, FollowsTheNameWhenItIsAColour) {
+  EXPECT_EQ(zone_tint("Blue", 3), zone_tint("blue", 0));
+  EXPECT_NE(zone_tint("blue", 0), zone_tint("red", 0));
+  EXPECT_NE(zone_tint("scree", 0), zone_tint("rock", 1));
+}
+
+}  // namespace
+}  // namespace clast
