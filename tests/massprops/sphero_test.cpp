@@ -105,6 +105,16 @@ TEST(SpheroMass, FinerTrianglesOfTheSameCubeChangeNothing) {
   EXPECT_LT((p.inertia / p.volume - 0.309245342893335 * Mat3::Identity()).norm(), 1e-12);
 }
 
+TEST(SpheroMass, AFaceWithARepeatedVertexChangesNothing) {
+  const SpheroPolyhedron body = sphero_polyhedron(box_mesh(Vec3::Ones()), 0.2);
+  SpheroPolyhedron repeated = body;
+  const auto [a, b] = body.edges.front();
+  repeated.faces.push_back({a, a, b});
+  const MassProperties p = sphero_mass_properties(repeated, 1.0);
+  EXPECT_EQ(p.volume, sphero_mass_properties(body, 1.0).volume);
+  EXPECT_EQ(p.relative_error, 0.0);
+}
+
 TEST(SpheroMass, BallAndCapsuleAreClosedForms) {
   SpheroPolyhedron ball;
   ball.vertices = {{1.0, 2.0, 3.0}};
