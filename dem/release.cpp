@@ -14,6 +14,9 @@
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 /// A flight ends this close to the first touch, s.

@@ -13,6 +13,9 @@
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 /// Bodies handed to a thread at a time.
@@ -328,7 +331,7 @@ Vec3 World::angular_momentum() const {
     const RigidState& state = actor.moving.state();
     const RigidBody& body = actor.shape->body;
     sum += state.position.cross(body.mass * state.velocity) +
-           clast::angular_momentum(body.moments, state.orientation, state.angular_velocity);
+           dem_detail::angular_momentum(body.moments, state.orientation, state.angular_velocity);
   }
   return sum;
 }

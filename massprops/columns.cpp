@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace clast {
+namespace clast::massprops_detail {
 namespace {
 
 constexpr double kSigmas = 3.0;
@@ -281,4 +281,4 @@ Excess Columns::excess(std::size_t per_side) const {
   return excess;
 }
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

@@ -5,7 +5,7 @@
 #include "massprops/line_pieces.hpp"
 #include "massprops/skin.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 /// What columns find, and how well they know it.
 struct Excess {
@@ -48,4 +48,4 @@ class Columns {
   LinePieces pieces_, overlaps_;
 };
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

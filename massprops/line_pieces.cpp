@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace clast {
+namespace clast::massprops_detail {
 namespace {
 
 // A plane this close to vertical bounds a line on its side, not along it.
@@ -163,4 +163,4 @@ double LineTriangles::height(std::size_t triangle, double x, double y) const {
   return std::clamp(t.plane.at(x, y), t.box.low.z(), t.box.high.z());
 }
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

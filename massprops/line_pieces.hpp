@@ -6,7 +6,7 @@
 
 #include "massprops/skin.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 /// Of numbers; empty when low >= high.
 struct LineInterval {
@@ -79,4 +79,4 @@ class LineTriangles {
   std::vector<Triangle> triangles_;
 };
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

@@ -4,7 +4,7 @@
 #include "massprops/mass_properties.hpp"
 #include "mesh/triangle_mesh.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 /// Integrals of 1, x and x x^T over a solid.
 struct Moments {
@@ -47,4 +47,4 @@ void check_density(double density);
 /// @throws GeometryError  open, non-manifold or inconsistently oriented
 void check_closed(const TriangleMesh& mesh, const char* what);
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-namespace clast {
+namespace clast::massprops_detail {
 namespace {
 
 using Polygon = std::vector<Vec3>;
@@ -85,4 +85,4 @@ NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> bend
   return is_peak(edges, bends, cone.first.normalized()) ? cone : NormalCone{};
 }
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

@@ -4,7 +4,7 @@
 
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 /// Integrals over the part of the unit sphere in a cone.
 struct NormalCone {
@@ -19,4 +19,4 @@ struct NormalCone {
 /// @param bends  exterior dihedral angle of each, > 0 convex; tells a peak from a notch
 NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> bends);
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

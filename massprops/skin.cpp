@@ -7,7 +7,7 @@
 #include "massprops/normal_cone.hpp"
 #include "mesh/half_edges.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 namespace {
 
 // A triangle lower than this share of the core's diagonal has no usable normal.
@@ -306,4 +306,4 @@ Skin make_skin(const TriangleMesh& core, double radius, double clear_radius) {
   return skin;
 }
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

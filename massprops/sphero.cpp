@@ -11,6 +11,9 @@
 #include "massprops/skin.hpp"
 
 namespace clast {
+
+using namespace massprops_detail;
+
 namespace {
 
 constexpr std::size_t kFirstGrid = 64;

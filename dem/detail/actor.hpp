@@ -5,7 +5,7 @@
 #include "dem/detail/block_surface.hpp"
 #include "dem/detail/moving_body.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A shape with what contacts need of it, once for all bodies that have it.
 struct Shape {
@@ -46,4 +46,4 @@ struct Actor {
   std::uint64_t pair_steps = 0;  ///< touching pairs in which it is the block, summed over steps
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

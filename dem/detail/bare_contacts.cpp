@@ -5,7 +5,7 @@
 
 #include "dem/detail/segment_distance.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Where on the rod the point's foot lies, when it lies between the ends.
@@ -96,4 +96,4 @@ void BareContacts::touch(ContactPoint& contact, const Vec3& on_ground, const Vec
   contacts_.push_back(contact);
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

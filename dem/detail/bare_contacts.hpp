@@ -5,7 +5,7 @@
 
 #include "dem/detail/contact_search.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 class BareContacts {
  public:
@@ -27,4 +27,4 @@ class BareContacts {
   std::vector<ContactPoint> contacts_;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

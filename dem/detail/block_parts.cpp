@@ -7,7 +7,7 @@
 
 #include "mesh/triangle_mesh.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Parts per square root of the vertex count.
@@ -99,4 +99,4 @@ BlockParts block_parts(const SurfaceFeatures& block) {
   return made;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

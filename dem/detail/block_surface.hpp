@@ -4,7 +4,7 @@
 #include "dem/detail/block_parts.hpp"
 #include "dem/detail/indexed_surface.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// Made once per shape: in a pile thousands of pairs refer to a few of these, so that they stay in
 /// the caches.
@@ -17,4 +17,4 @@ struct BlockSurface : IndexedSurface {
   BlockJoints joints;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// What the search needs is dropped when the bounds are this share of the block's smallest side
@@ -88,4 +88,4 @@ void BodyPair::find_points(const Pose& world_from_ground, const Pose& ground_fro
   }
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

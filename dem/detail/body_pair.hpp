@@ -6,7 +6,7 @@
 #include "dem/detail/bare_contacts.hpp"
 #include "dem/detail/contact_forces.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// One of the two takes the ground's place: everything is searched in its frame. The pair counts
 /// how far they move against each other from the poses themselves, sleeps while that can't bring
@@ -70,4 +70,4 @@ class BodyPair {
 bool takes_grounds_place(const IndexedSurface& first, double first_radius,
                          const IndexedSurface& second, double second_radius);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

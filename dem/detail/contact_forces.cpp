@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// A contact that vanishes and one that appears are the same contact, carried over to another
@@ -423,4 +423,4 @@ double ContactForces::rest_stiffness() const {
       laws_);
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -8,7 +8,7 @@
 #include "dem/detail/contact_patches.hpp"
 #include "dem/energy_ledger.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// How a body moved over a step: its place at the end, its mean velocities, and those it began
 /// with. A body that does not move is the default.
@@ -174,4 +174,4 @@ class ContactForces {
   std::vector<HandedShare> handed_;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -5,7 +5,7 @@
 #include "dem/detail/contact_search.hpp"
 #include "dem/detail/segment_distance.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// A turn can make edges and faces touch that are deeper than anything that touches already: by
@@ -251,4 +251,4 @@ void ContactSearch::touch(Pair& pair, const ContactPoint& contact) {
   add(contact);
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

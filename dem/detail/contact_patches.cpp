@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Normals within a patch differ by at most 30 degrees: smoothly curved, not a ridge.
@@ -119,4 +119,4 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
   for (std::size_t i = 0; i < law_.size(); ++i) law_[i] = law_[law_[i]];
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

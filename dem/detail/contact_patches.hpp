@@ -9,7 +9,7 @@
 #include "dem/contact_law.hpp"
 #include "dem/detail/contact_search.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// The weights of the contact points of one pair of bodies.
 class ContactPatches {
@@ -57,4 +57,4 @@ class ContactPatches {
   std::vector<std::uint32_t> last_on_joint_;  ///< entry of `on_joint_`, by joint
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -6,7 +6,7 @@
 #include "dem/detail/deep_contacts.hpp"
 #include "dem/detail/flying_ball.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Candidate lists look ahead this share of the block's smallest side: long enough to be rebuilt
@@ -349,4 +349,4 @@ void ContactSearch::add(const ContactPoint& contact) {
   contacts_.push_back(contact);
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

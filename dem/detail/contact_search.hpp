@@ -14,7 +14,7 @@
 #include "dem/detail/local_ground.hpp"
 #include "dem/detail/number_list.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 enum class ContactKind : std::uint8_t {
   kVertexGround,  ///< block vertex against a face, edge or vertex of the ground
@@ -226,4 +226,4 @@ class ContactSearch {
   std::vector<ContactPoint> contacts_;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -4,7 +4,7 @@
 
 #include "dem/detail/contact_search.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// A vertex that may have moved all its distance but really moved less than this share of it needs
@@ -197,4 +197,4 @@ void ContactSearch::add_outside_contacts(std::uint32_t v, const Vec3& centre) {
   }
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

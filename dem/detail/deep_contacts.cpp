@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// A contact resolves only those that push elsewhere: normals more than 45 degrees apart.
@@ -97,4 +97,4 @@ void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& gr
   contacts = std::move(kept);
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -4,7 +4,7 @@
 
 #include "dem/detail/contact_search.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// Drops contacts of edges and faces that would be gone once a shallower contact has pushed the
 /// block out: where a block overhangs an edge, its own wall is deep behind the ground's wall though
@@ -13,4 +13,4 @@ namespace clast {
 void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
                    const IndexedSurface& block, const Pose& ground_from_block, double size);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

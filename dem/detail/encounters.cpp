@@ -5,7 +5,7 @@
 
 #include "dem/detail/terrain_impl.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Bounding spheres this far apart are listed, as a share of the mean radius of the bodies that
@@ -125,4 +125,4 @@ double Encounters::stored_energy() const {
   return sum;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -13,7 +13,7 @@
 #include "dem/detail/near_pairs.hpp"
 #include "dem/terrain_surface.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// Two bodies, or a body and the terrain.
 struct Encounter {
@@ -84,4 +84,4 @@ class Encounters {
   std::uint64_t lists_made_ = 0;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// A piece of the path moves the ball by this share of a cell, or of its radius when that is more.
@@ -64,4 +64,4 @@ double clear_time(const PlanGrid& grid, const FlyingBall& ball, double longest) 
   return clear;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 /// tumbles, happens inside its bounding ball.
 #include "dem/detail/indexed_surface.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A ball on a ballistic path.
 struct FlyingBall {
@@ -20,4 +20,4 @@ struct FlyingBall {
 /// @param longest  s: no time beyond this is of use
 double clear_time(const PlanGrid& grid, const FlyingBall& ball, double longest);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

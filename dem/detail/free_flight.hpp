@@ -5,7 +5,7 @@
 #include "dem/detail/free_rotation.hpp"
 #include "dem/rigid_body.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A flight from one instant on: ballistic centre, torque-free rotation. Any instant of it costs
 /// the same. The body must outlive it.
@@ -30,4 +30,4 @@ class FreeFlight {
   std::optional<FreeRotation> rotation_;  ///< set up when the first turn asks for it
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

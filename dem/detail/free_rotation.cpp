@@ -7,7 +7,7 @@
 
 #include "dem/detail/rotation.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Mobilities that differ by less than this share are the same.
@@ -249,4 +249,4 @@ Quat FreeRotation::after(double duration) const {
   return (turn_of(precessed * direction_) * orientation_ * Quat(turned)).normalized();
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 /// an elliptic integral of the third kind for the precession. @cite landau1976 @cite carlson1995
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A rotation without torque from one instant on. Costs the same for any duration.
 class FreeRotation {
@@ -48,4 +48,4 @@ class FreeRotation {
   Mat3 first_frame_ = Mat3::Identity();
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -9,7 +9,7 @@
 #include "dem/detail/surface_features.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// The point of a surface nearest to a query, with the side the query lies on.
 struct NearestPoint {
@@ -95,4 +95,4 @@ IndexedSurface indexed_surface(const TriangleMesh& mesh, double radius,
 /// The surface of a block, in the frame of its core.
 IndexedSurface indexed_surface(const SpheroPolyhedron& body);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

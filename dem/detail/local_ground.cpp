@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast {
+namespace clast::dem_detail {
 
 void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, double reach) {
   const SurfaceFeatures& features = ground.features;
@@ -108,4 +108,4 @@ LocalGround::Nearest LocalGround::nearest(const SurfaceFeatures& features, const
   return found;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -6,7 +6,7 @@
 
 #include "dem/detail/indexed_surface.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A plane that no ground of some region rises above: bounds the distance to all of it at once.
 struct GroundPlane {
@@ -60,4 +60,4 @@ struct LocalGround {
   void lay_plane(const SurfaceFeatures& features);
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -2,7 +2,7 @@
 
 #include "dem/detail/rotation.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 MovingBody::MovingBody(const RigidBody& body, const RigidState& start)
     : body_(body), radius_(body.bounding_radius()), smallest_moment_(body.moments.minCoeff()) {
@@ -74,4 +74,4 @@ bool MovingBody::finite() const {
          state_.orientation.coeffs().allFinite();
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -4,7 +4,7 @@
 #include "dem/detail/contact_forces.hpp"
 #include "dem/rigid_body.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A body on its way. `begin_step` and `end_step` alternate; contacts are evaluated between them.
 class MovingBody {
@@ -50,4 +50,4 @@ class MovingBody {
   double corrected_by_ = 0.0;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

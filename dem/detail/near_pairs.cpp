@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Axis along which the spheres spread most: the sweep goes along it.
@@ -55,4 +55,4 @@ bool NearPairs::refresh(std::span<const BoundingSphere> spheres, double slack) {
   return true;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

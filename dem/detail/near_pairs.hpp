@@ -7,7 +7,7 @@
 
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A body as the broad phase sees it.
 struct BoundingSphere {
@@ -33,4 +33,4 @@ class NearPairs {
   std::vector<Pair> pairs_;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 #include "core/types.hpp"
 #include "dem/detail/block_surface.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// How deep edges of either surface lie in the other body, m: of every edge that goes through a
 /// face, the middle of what is inside. 0 when none does. Contacts of edges and faces are told up to
@@ -12,4 +12,4 @@ namespace clast {
 double pierced_depth(const IndexedSurface& ground, const BlockSurface& block,
                      const Pose& ground_from_block);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 /// without torque. Moments are principal; orientations are world_from_body.
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity);
 Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
@@ -27,4 +27,4 @@ StepTurn turned_one_step(const Vec3& moments, const Quat& orientation, const Vec
 Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                    double duration);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

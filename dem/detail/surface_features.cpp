@@ -9,7 +9,7 @@
 #include "core/number_text.hpp"
 #include "mesh/half_edges.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Sine of the angle between faces below which an edge counts as flat: single-precision files leave
@@ -247,4 +247,4 @@ bool straight_on(const Vec3& first_ray, const Vec3& second_ray) {
   return first_ray.cross(second_ray).norm() < kFlatSine && first_ray.dot(second_ray) < 0.0;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

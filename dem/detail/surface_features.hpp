@@ -7,7 +7,7 @@
 
 #include "mesh/triangle_mesh.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 inline constexpr std::uint32_t kNoFeature = 0xffffffffu;
 
@@ -88,4 +88,4 @@ bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3&
 /// True when two edges that leave a vertex along these rays go straight on into each other.
 bool straight_on(const Vec3& first_ray, const Vec3& second_ray);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -11,6 +11,9 @@
 #include "tests/support/test_worlds.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 class NearPairsWalk : public testing::TestWithParam<unsigned> {};

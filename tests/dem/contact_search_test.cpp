@@ -11,6 +11,9 @@
 #include "tests/support/test_rock.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 std::vector<ContactPoint> from_scratch(const TerrainSurface& terrain, const RigidBody& body,

@@ -5,6 +5,9 @@
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 constexpr double kStep = 1e-4, kStiffness = 1e6, kDepth = 1e-3, kSlip = 4e-5;

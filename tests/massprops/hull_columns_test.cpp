@@ -11,6 +11,9 @@
 #include "shapes/convex_hull.hpp"
 
 namespace clast {
+
+using namespace massprops_detail;
+
 namespace {
 
 /// Moments of the rounded hull from its definition and a fine grid of lines alone: balls on the
