@@ -19,9 +19,9 @@ class ContactPatches {
       : block_(block.features), joints_(block.joints), weights_(weights) {}
 
   /// Weight of every point, valid until the next call. Points that share a law have the same
-  /// number in `law_of`.
+  /// number in `patch_of`.
   std::span<const double> share(const std::vector<ContactPoint>& points, const Quat& orientation);
-  std::size_t law_of(std::size_t point) const { return law_[point]; }
+  std::size_t patch_of(std::size_t point) const { return patch_[point]; }
 
  private:
   /// Two points that lie on the same plane or line of the block.
@@ -46,8 +46,8 @@ class ContactPatches {
 
   // Of the last call. The links depend only on the features, which mostly stay from call to call.
   std::vector<double> share_;
-  std::vector<std::size_t> law_;  ///< smallest point of the same law
-  std::vector<double> law_overlap_;
+  std::vector<std::size_t> patch_;  ///< smallest point of the same law
+  std::vector<double> patch_overlap_;
   std::vector<Vec3> normals_in_body_;
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< of the block, by point
   std::vector<Link> links_;  ///< neighbours in the order of points first, then all others

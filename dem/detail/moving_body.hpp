@@ -1,7 +1,7 @@
 #pragma once
 /// One step of a rigid body under contact loads: velocity Verlet with the angular momentum as the
 /// rotational state.
-#include "dem/detail/contact_forces.hpp"
+#include "dem/detail/body_motion.hpp"
 #include "dem/rigid_body.hpp"
 
 namespace clast::dem_detail {
