@@ -27,8 +27,7 @@ struct DimensionColumns {
   std::string S = "S";
   std::optional<std::string> mass = {};  ///< none: a column called "mass", if there is one
   std::optional<std::string> name = {};  ///< none: a column called "id", "name" or "block", if any
-  std::optional<double> unit =
-      {};  ///< metres per unit of L, I, S; none: as the header says, else 1
+  std::optional<double> units = {};  ///< m per unit of L, I, S; none: as the header says, else 1
 };
 
 /// Reads comma, semicolon, tab or blank separated tables, with a header line or without one (then
