@@ -44,11 +44,11 @@ class Release {
         radius_(body.bounding_radius()) {}
 
   ReleaseResult run() {
-    meet_ground(moving_.motion(), 0.0);
+    update_contacts(moving_.motion(), 0.0);
     result_.energy = {};
     result_.energy.initial = energy();
     while (true) {
-      if (const std::optional<StopReason> reason = stopped()) {
+      if (const std::optional<StopReason> reason = stop_reason()) {
         result_.stop_reason = *reason;
         break;
       }
@@ -63,13 +63,13 @@ class Release {
   }
 
   double start_overlap() {
-    meet_ground(moving_.motion(), 0.0);
+    update_contacts(moving_.motion(), 0.0);
     return std::max(forces_.max_overlap(), pierced_depth(terrain_.impl().surface, surface_,
                                                          moving_.state().world_from_body()));
   }
 
  private:
-  std::optional<StopReason> stopped() {
+  std::optional<StopReason> stop_reason() {
     if (!moving_.finite()) {
       result_.message = "the motion is not finite any more at " + with_digits(time_, 6) + " s";
       return StopReason::kError;
@@ -141,7 +141,7 @@ class Release {
         (begin.velocity.norm() + 4.0 * middle_speed + moving_.state().velocity.norm());
     resting_ = 0.0;
     ++result_.flight_pieces;
-    meet_ground(moving_.motion(), 0.0);
+    update_contacts(moving_.motion(), 0.0);
     result_.energy.reassigned += moving_.first_kick(settings_.stiffness.time_step, load_.force,
                                                     load_.torque, {0.0, 0.0, -settings_.gravity});
     advance(begin, duration, true);
@@ -190,7 +190,7 @@ class Release {
     const BodyMotion motion = moving_.begin_step(dt, load_.force, load_.torque, gravity);
     travel_ += dt * moving_.top_speed();
     result_.path_length += dt * motion.velocity.norm();
-    meet_ground(motion, dt);
+    update_contacts(motion, dt);
     moving_.end_step(dt, load_.force, load_.torque, gravity);
     if (load_.event) {
       const EventLoad& event = *load_.event;
@@ -207,7 +207,7 @@ class Release {
     advance(begin, dt, false);
   }
 
-  void meet_ground(const BodyMotion& motion, double dt) {
+  void update_contacts(const BodyMotion& motion, double dt) {
     const bool flying = forces_.empty();
     load_ = forces_.update(search_.contacts(motion.world_from_body, travel_), motion, {}, dt,
                            result_.energy);

@@ -12,8 +12,8 @@ namespace clast {
 namespace {
 
 /// Rest depth that `auto` allows: 2 cm, or 2 % of S for small blocks.
-constexpr double kRestDepth = 0.02;
-constexpr double kRestDepthShare = 0.02;
+constexpr double kSettledDepth = 0.02;
+constexpr double kSettledDepthShare = 0.02;
 /// Deepest impact allowed, share of S.
 constexpr double kImpactDepthShare = 0.25;
 /// Time step times the highest contact frequency. Explicit stepping is stable below 2; a twentieth
@@ -25,7 +25,7 @@ constexpr double kTravelShare = 0.25;
 /// Arm of the rolling spring, share of S: k_r = k_t (S/2)^2 winds up over the same slip as k_t.
 constexpr double kRollingArmShare = 0.5;
 /// Share of k_n that carries a block at rest below which `auto` warns of what it costs.
-constexpr double kDearRestShare = 1e-3;
+constexpr double kCostlyRestShare = 1e-3;
 /// What such a ground is compared with: the e_n^2 of the paper's zones.
 constexpr double kUsualRestShare = 0.01;
 
@@ -88,7 +88,7 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   const double rest_share = ground.rest_share, rate = ground.rate;
   double normal = 0.0, mobility = 0.0, smallest_moment = 1e300, smallest_side = 1e300;
   for (const ContactBody& body : bodies) {
-    const double depth = std::min(kRestDepth, kRestDepthShare * body.smallest_side);
+    const double depth = std::min(kSettledDepth, kSettledDepthShare * body.smallest_side);
     const double deepest = kImpactDepthShare * body.smallest_side;
     normal = std::max({normal, body.mass * gravity / (rest_share * depth),
                        body.mass * fastest * fastest / (deepest * deepest)});
@@ -138,7 +138,7 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
         with_digits(100.0 * worst_rest_share, 3) + " % of S) and the fastest impact goes " +
         with_digits(choice.impact_depth, 3) + " m deep");
   }
-  if (!options.normal && rest_share < kDearRestShare) {
+  if (!options.normal && rest_share < kCostlyRestShare) {
     choice.warnings.push_back(
         "energy_restitution = " + with_digits(rest_share, 3) +
         " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +

@@ -69,11 +69,11 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   if (moved_ >= next_part_ || moved_ > horizon_) wake();
   list_due_sides();
   for (const std::uint32_t v : awake_vertices_) {
-    if (vertex_due_[v] <= moved_) look_at_vertex(v, moved_);
+    if (vertex_due_[v] <= moved_) update_vertex(v, moved_);
   }
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  look_at_due_sides(std::max(reach_, deepest_pair()) + kPairMargins * margin_);
-  drop_resolved(contacts_, ground_, surface_, ground_from_body, size_);
+  update_due_sides(std::max(reach_, deepest_pair()) + kPairMargins * margin_);
+  remove_resolved(contacts_, ground_, surface_, ground_from_body, size_);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   if (!contacts_.empty()) {
@@ -106,19 +106,19 @@ void ContactSearch::wake() {
       PartState& part = part_states_[p];
       if (part.due > moved_) continue;
       const bool was_near = part.near;
-      look_at_part(p, moved_);
+      update_part(p, moved_);
       relist = relist || part.near != was_near;
     }
   }
   if (relist) return list_awake(moved_ + list_ahead());
-  survey_parts();
+  find_next_part();
 }
 
 double ContactSearch::list_ahead() const {
   return std::clamp(kListCalls * last_move_, kShortest * margin_, margin_);
 }
 
-void ContactSearch::survey_parts() {
+void ContactSearch::find_next_part() {
   next_part_ = 1e300;
   for (const PartState& part : part_states_) next_part_ = std::min(next_part_, part.due);
 }
@@ -140,7 +140,7 @@ bool ContactSearch::sleep_whole() {
   return true;
 }
 
-void ContactSearch::take_up_ground(double complete) {
+void ContactSearch::gather_ground(double complete) {
   if (ground_complete_ - (moved_ - ground_gathered_at_) >= complete) return;
   ground_complete_ = complete + kGroundMargins * margin_;
   ground_gathered_at_ = moved_;
@@ -148,13 +148,13 @@ void ContactSearch::take_up_ground(double complete) {
   for (PartState& part : part_states_) part.near_face = 0;
 }
 
-void ContactSearch::look_at_part(std::uint32_t p, double until) {
+void ContactSearch::update_part(std::uint32_t p, double until) {
   const BlockPart& part = parts_.parts[p];
   PartState& state = part_states_[p];
   const Vec3 centre = placed(part.centre);
   const double touching = part.radius + reach_;
   // Often it is known well enough without measuring: from where it was, or from the plane.
-  take_up_ground(touching + 2.0 * kPartMargins * margin_);
+  gather_ground(touching + 2.0 * kPartMargins * margin_);
   const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
   const double enough = std::max(margin_, until - moved_);
   double gap = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
@@ -214,7 +214,7 @@ void ContactSearch::gather(std::uint32_t p, double distance) {
   state.gathered_at = moved_;
   state.due = moved_ + ahead;
   state.near = true;
-  take_up_ground(state.complete);
+  gather_ground(state.complete);
   state.ground.gather(ground_.features, local_, placed(part.centre), part.radius + state.complete);
 }
 
@@ -239,7 +239,7 @@ void ContactSearch::list_awake(double horizon) {
     list(part.first_side, part.end_side, side_due_, awake_sides_);
   }
   sleepers_clear_until_ = sleepers_clear_until;
-  survey_parts();
+  find_next_part();
 }
 
 double ContactSearch::safe_travel() {
@@ -307,7 +307,7 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
       if (part_states_[p].near) continue;
       const double others = time;
       consider(part_states_[p].due, parts_.parts[p].centre, parts_.parts[p].radius,
-               [&](double needed) { look_at_part(p, needed); });
+               [&](double needed) { update_part(p, needed); });
       if (part_states_[p].near) {
         time = others;
         relist = true;
@@ -320,12 +320,12 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
     others_clear_until = std::min(others_clear_until, sleepers_clear_until_);
     for (const std::uint32_t v : awake_vertices_) {
       consider(vertex_due_[v], block_.vertices[parts_.vertices[v]], 0.0,
-               [&](double needed) { look_at_vertex(v, needed); });
+               [&](double needed) { update_vertex(v, needed); });
     }
     for (const std::uint32_t s : awake_sides_) {
       const BlockSide& side = parts_.sides[s];
       consider(side_states_[s].clear_until, side.middle, side.radius,
-               [&](double needed) { look_at_side(s, needed, reach_ + (needed - moved_)); });
+               [&](double needed) { update_side(s, needed, reach_ + (needed - moved_)); });
     }
     time = std::min(time, time_over(others_clear_until - moved_, flight.top_speed, flight.gravity));
     if (time < wanted || farthest >= kLastLook * margin_) return time;

@@ -93,13 +93,13 @@ class ContactSearch {
     double sure_outside_until = -1.0;
   };
   /// A side of the block with an edge or vertex of the ground.
-  struct Pair {
+  struct FeaturePair {
     ContactKind kind;
     std::uint32_t ground_feature;
     double due;          ///< look at it again
     double clear_until;  ///< cannot touch before
 
-    bool same_features(const Pair& other) const {
+    bool same_features(const FeaturePair& other) const {
       return kind == other.kind && ground_feature == other.ground_feature;
     }
   };
@@ -107,17 +107,18 @@ class ContactSearch {
   /// most of what comes from memory.
   struct alignas(64) SideState {
     double clear_until = -1.0;
-    // Of the pairs that are not due soon what `Pair` tells of each: for the first of them. Until
-    // when the list of pairs holds, and until when what is not listed cannot touch.
+    // Of the pairs that are not due soon what `FeaturePair` tells of each: for the first of them.
+    // Until when the list of pairs holds, and until when what is not listed cannot touch.
     double sleepers_due = -1.0, sleepers_clear_until = -1.0;
     double list_until = -1.0;
     double others_clear_until = -1.0;
-    std::vector<Pair> awake;  ///< copies of the listed pairs that are due soon, in their order
+    std::vector<FeaturePair>
+        awake;  ///< copies of the listed pairs that are due soon, in their order
   };
   /// What is needed only where a side's lists are made anew.
   struct SideList {
     std::uint32_t part = 0;
-    std::vector<Pair> pairs;  ///< all listed; of those awake the copies count
+    std::vector<FeaturePair> pairs;  ///< all listed; of those awake the copies count
     // When the list ends and what is not listed can touch, as movement from where the middle was
     // when listed, and `turned_` then.
     double list_holds = 0.0, others_clear = 0.0;
@@ -129,13 +130,13 @@ class ContactSearch {
   void wake();
   bool sleep_whole();
   /// Makes `local_` hold everything that near a block moved no farther than so.
-  void take_up_ground(double complete);
+  void gather_ground(double complete);
   /// How far lists of what is due look ahead, m.
   double list_ahead() const;
   /// Until when it must be known whether the part can touch.
-  void look_at_part(std::uint32_t p, double until);
+  void update_part(std::uint32_t p, double until);
   void gather(std::uint32_t p, double distance);
-  void survey_parts();
+  void find_next_part();
   void list_awake(double horizon);
   double search_time(const FlightBounds& flight, double first);
   double completeness(const PartState& part) const {
@@ -143,8 +144,8 @@ class ContactSearch {
   }
 
   /// Until when it must be known whether the vertex can touch.
-  void look_at_vertex(std::uint32_t vertex, double until);
-  bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre);
+  void update_vertex(std::uint32_t vertex, double until);
+  bool update_sure_face(std::uint32_t vertex, const Vec3& centre);
   void measure_vertex(std::uint32_t vertex, const Vec3& centre);
   /// Direction in which a vertex inside the ground is pushed: to the surface point, or up to the
   /// plane in which a ground that ends there goes on.
@@ -160,23 +161,24 @@ class ContactSearch {
 
   /// The sides that are due: fetches what the first of them need.
   void list_due_sides();
-  void look_at_due_sides(double within);
+  void update_due_sides(double within);
   /// Everything of the side that is due until then; lists pairs within a distance.
-  void look_at_side(std::uint32_t s, double until, double within);
+  void update_side(std::uint32_t s, double until, double within);
   bool list_holds(std::uint32_t s, double until);
   void list_awake_pairs(std::uint32_t s, double horizon);
   void list_pairs(std::uint32_t s, double within);
-  void look_at_edges(std::uint32_t block_edge, Pair& pair);
-  void look_at_edge_vertex(std::uint32_t block_edge, Pair& pair);
-  void look_at_face_vertex(std::uint32_t block_face, Pair& pair);
-  void look_at_pair(std::uint32_t block_feature, Pair& pair);
+  void update_edges(std::uint32_t block_edge, FeaturePair& pair);
+  void update_edge_vertex(std::uint32_t block_edge, FeaturePair& pair);
+  void update_face_vertex(std::uint32_t block_face, FeaturePair& pair);
+  void update_pair(std::uint32_t block_feature, FeaturePair& pair);
   /// How deep an edge or a face may be in contact without having been seen before, m.
   double deepest_pair() const;
   /// How far the block can move before features this far apart must be looked at again.
-  double asleep(double apart) const;
-  void sleep(Pair& pair, double apart) const;
-  void touch_corner(std::uint32_t block_feature, Pair& pair, const Vec3& normal, double distance);
-  void touch(Pair& pair, const ContactPoint& contact);
+  double sleep_distance(double apart) const;
+  void sleep(FeaturePair& pair, double apart) const;
+  void touch_corner(std::uint32_t block_feature, FeaturePair& pair, const Vec3& normal,
+                    double distance);
+  void touch(FeaturePair& pair, const ContactPoint& contact);
 
   void add(const ContactPoint& contact);
   Vec3 placed(const Vec3& in_body) const { return position_ + rotation_ * in_body; }

@@ -21,10 +21,10 @@ bool ContactSearch::meets_vertex(std::uint32_t vertex, const Vec3& normal) const
   return in_cone(block_, vertex, -(rotation_.transpose() * normal));
 }
 
-void ContactSearch::look_at_vertex(std::uint32_t v, double until) {
+void ContactSearch::update_vertex(std::uint32_t v, double until) {
   VertexState& state = vertex_states_[v];
   const Vec3 centre = placed(block_.vertices[parts_.vertices[v]]);
-  if (look_at_sure_face(v, centre)) return;
+  if (update_sure_face(v, centre)) return;
   // Often it is known well enough without measuring: from where it was, or from the plane.
   const PartState& part = part_states_[state.part];
   const double gap = state.distance - reach_;
@@ -98,7 +98,7 @@ NearestPoint ContactSearch::nearest_forwards(std::uint32_t v, const Vec3& centre
   return best;
 }
 
-bool ContactSearch::look_at_sure_face(std::uint32_t v, const Vec3& centre) {
+bool ContactSearch::update_sure_face(std::uint32_t v, const Vec3& centre) {
   VertexState& state = vertex_states_[v];
   if (state.sure_face == kNoFeature) return false;
   const SurfaceFace& face = ground_.features.faces[state.sure_face];

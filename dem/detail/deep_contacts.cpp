@@ -50,8 +50,8 @@ bool hardly_out_of(const IndexedSurface& surface, const Vec3& place, double over
 
 }  // namespace
 
-void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
-                   const IndexedSurface& block, const Pose& ground_from_block, double size) {
+void remove_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
+                     const IndexedSurface& block, const Pose& ground_from_block, double size) {
   const double reach = ground.radius + block.radius;
   const auto resolved = [&](const ContactPoint& deep) {
     if (deep.kind == ContactKind::kVertexGround || deep.overlap <= reach + kDeepShare * size) {

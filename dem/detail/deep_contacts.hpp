@@ -10,7 +10,7 @@ namespace clast::dem_detail {
 /// block out: where a block overhangs an edge, its own wall is deep behind the ground's wall though
 /// it only sank a little into the top. Contacts of the skins alone are left as they are.
 /// @param contacts  in the frame of the ground
-void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
-                   const IndexedSurface& block, const Pose& ground_from_block, double size);
+void remove_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
+                     const IndexedSurface& block, const Pose& ground_from_block, double size);
 
 }  // namespace clast::dem_detail

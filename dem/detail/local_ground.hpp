@@ -57,7 +57,7 @@ struct LocalGround {
                   std::uint32_t guess) const;
 
  private:
-  void lay_plane(const SurfaceFeatures& features);
+  void fit_plane(const SurfaceFeatures& features);
 };
 
 }  // namespace clast::dem_detail

@@ -126,7 +126,7 @@ void add_wires(SurfaceFeatures& surface, std::span<const std::array<std::uint32_
   }
 }
 
-void file_edges(SurfaceFeatures& surface) {
+void index_edges(SurfaceFeatures& surface) {
   surface.edge_offsets.assign(surface.vertices.size() + 1, 0);
   for (const SurfaceEdge& edge : surface.edges) {
     for (const std::uint32_t v : edge.vertices) ++surface.edge_offsets[v + 1];
@@ -185,7 +185,7 @@ SurfaceFeatures surface_features(const TriangleMesh& mesh,
   make_edges(surface, mesh, wires.size());
   add_wires(surface, wires);
   make_vertex_normals(surface);
-  file_edges(surface);
+  index_edges(surface);
   find_pointed(surface);
   return surface;
 }

@@ -1,4 +1,4 @@
-#include "dem/detail/near_pairs.hpp"
+#include "dem/detail/broad_phase.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -21,7 +21,7 @@ int widest_axis(std::span<const BoundingSphere> spheres) {
 
 }  // namespace
 
-bool NearPairs::refresh(std::span<const BoundingSphere> spheres, double slack) {
+bool BroadPhase::refresh(std::span<const BoundingSphere> spheres, double slack) {
   bool valid = centres_.size() == spheres.size();
   for (std::size_t i = 0; valid && i < spheres.size(); ++i) {
     valid = (spheres[i].centre - centres_[i]).squaredNorm() <= 0.25 * slack * slack;

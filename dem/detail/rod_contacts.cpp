@@ -1,4 +1,4 @@
-#include "dem/detail/bare_contacts.hpp"
+#include "dem/detail/rod_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@ std::optional<Vec3> foot_between_ends(const Vec3& start, const Vec3& direction, 
 
 }  // namespace
 
-BareContacts::BareContacts(const IndexedSurface& ground, const IndexedSurface& block)
+RodContacts::RodContacts(const IndexedSurface& ground, const IndexedSurface& block)
     : ground_(ground), block_(block.features), reach_(ground.radius + block.radius) {}
 
-const std::vector<ContactPoint>& BareContacts::contacts(const Pose& ground_from_body) {
+const std::vector<ContactPoint>& RodContacts::contacts(const Pose& ground_from_body) {
   const SurfaceFeatures& ground = ground_.features;
   const Mat3 rotation = ground_from_body.rotation.toRotationMatrix();
   contacts_.clear();
@@ -85,7 +85,7 @@ const std::vector<ContactPoint>& BareContacts::contacts(const Pose& ground_from_
   return contacts_;
 }
 
-void BareContacts::touch(ContactPoint& contact, const Vec3& on_ground, const Vec3& on_block) {
+void RodContacts::touch(ContactPoint& contact, const Vec3& on_ground, const Vec3& on_block) {
   const Vec3 out = on_block - on_ground;
   const double distance = out.norm();
   clearance_ = std::min(clearance_, std::max(0.0, distance - reach_));

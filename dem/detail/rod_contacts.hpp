@@ -1,15 +1,15 @@
 #pragma once
 /// Contacts of two bodies that have no faces: balls, capsules, frames of rods. A body with faces is
-/// the ground of its pair (`ContactSearch`); between two without there is nothing to index.
+/// the reference of its pair (`ContactSearch`); between two without there is nothing to index.
 #include <vector>
 
 #include "dem/detail/contact_search.hpp"
 
 namespace clast::dem_detail {
 
-class BareContacts {
+class RodContacts {
  public:
-  BareContacts(const IndexedSurface& ground, const IndexedSurface& block);
+  RodContacts(const IndexedSurface& ground, const IndexedSurface& block);
 
   /// The contacts in the frame of the ground, in a fixed order.
   const std::vector<ContactPoint>& contacts(const Pose& ground_from_body);
