@@ -21,9 +21,9 @@ namespace {
 
 /// A flight ends this close to the first touch, s.
 constexpr double kLandingTime = 5e-10;
-/// How much farther each look for the touch goes after one that fell short of it.
+/// Growth of the stride of the search for the first touch after one that fell short of it.
 constexpr double kLookFarther = 8.0;
-/// A settled block may lie deeper than its rest depth by this factor before it counts as lost.
+/// A block at rest may lie deeper than its settled depth by this factor before it counts as lost.
 constexpr double kSettledSlack = 1.1;
 
 /// The run in progress.
@@ -80,8 +80,8 @@ class Release {
     return std::nullopt;
   }
 
-  /// How long the block can fly for sure: the time in which no point of it can travel farther than
-  /// the nearest thing it might touch.
+  /// How long the block flies without contact: the time in which no point of it can travel farther
+  /// than the nearest thing it might touch.
   double safe_time() {
     const double spin = flight_->top_spin(), g = settings_.gravity;
     // Of a point that turns with the body: centripetal, and from the change of the spin (Euler).
@@ -94,7 +94,7 @@ class Release {
                              settings_.stiffness.time_step);
   }
 
-  /// Moves to another time of the flight and looks for contacts there.
+  /// Moves to another time of the flight and searches for contacts there.
   const std::vector<ContactPoint>& look_at(double flown) {
     const double g = settings_.gravity, time = std::abs(flown - flown_);
     travel_ += (moving_.state().velocity.norm() + flight_->top_spin() * radius_) * time +
@@ -104,8 +104,7 @@ class Release {
     return search_.contacts(moving_.state().world_from_body(), travel_);
   }
 
-  /// A piece of flight: as far as it is safe, at least a time step, and never beyond the first
-  /// touch.
+  /// Flies as far as no contact can come, at least a time step, and never beyond the first touch.
   void fly() {
     const RigidState begin = moving_.state();
     if (!flight_) {
@@ -243,10 +242,10 @@ class Release {
     // The potential counts from the end height, so that the scale does not depend on the datum.
     ledger.close(energy(), ledger.initial - body_.mass * settings_.gravity * place.z());
     const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
-    const double rest_depth = body_.mass * settings_.gravity / forces_.rest_stiffness();
-    result_.below_ground =
-        (ground && place.z() < *ground) || (result_.stop_reason == StopReason::kRest &&
-                                            forces_.settled_depth() > kSettledSlack * rest_depth);
+    const double settled_depth = body_.mass * settings_.gravity / forces_.rest_stiffness();
+    result_.below_ground = (ground && place.z() < *ground) ||
+                           (result_.stop_reason == StopReason::kRest &&
+                            forces_.settled_depth() > kSettledSlack * settled_depth);
   }
 
   const TerrainSurface& terrain_;
@@ -260,7 +259,7 @@ class Release {
   double radius_;
   ContactLoad load_;
   std::optional<FreeFlight> flight_;  ///< the one in progress
-  double flown_ = 0.0;                ///< time since its begin, s
+  double flown_ = 0.0;                ///< time since it began, s
   double time_ = 0.0;
   double travel_ = 0.0;
   double resting_ = 0.0;

@@ -25,7 +25,7 @@ struct WorldSettings {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// What is known of the contacts, now and over the run.
+/// Counts of bodies' contacts, now and over the run.
 struct WorldStatistics {
   std::uint64_t steps = 0;
   std::uint64_t broad_phases = 0;  ///< how often near bodies were searched again

@@ -1,5 +1,5 @@
 #pragma once
-/// A block cut into compact parts, so that what is far from the ground can sleep as one.
+/// A block cut into compact parts: one far from the ground is checked as a whole.
 #include <cstdint>
 #include <vector>
 

@@ -9,7 +9,7 @@
 
 namespace clast::dem_detail {
 
-/// A body as the broad phase sees it.
+/// A body in the broad phase.
 struct BoundingSphere {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;

@@ -96,7 +96,7 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
   normals_in_body_.clear();
   for (const ContactPoint& point : points)
     normals_in_body_.push_back(body_from_world * point.normal);
-  // A side wall joins nothing that stands on the ground: two feet stay two.
+  // A side wall joins no points on the ground: two feet stay two.
   const auto wall = [&](std::uint32_t joint, std::uint32_t point) {
     return joint < block_.faces.size() &&
            block_.faces[joint].normal.dot(normals_in_body_[point]) > -kFacingCosine;

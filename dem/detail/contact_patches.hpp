@@ -1,5 +1,5 @@
 #pragma once
-/// Which contact points act as one, and what share of the stiffness each carries.
+/// Contact patches: points that act as one, and the share of the stiffness that each carries.
 /// @cite garcia2022 (Eqs. 6-8)
 #include <array>
 #include <span>
@@ -18,8 +18,8 @@ class ContactPatches {
   ContactPatches(const BlockSurface& block, ContactWeights weights)
       : block_(block.features), joints_(block.joints), weights_(weights) {}
 
-  /// Weight of every point, valid until the next call. Points that share a law have the same
-  /// number in `patch_of`.
+  /// Weight of every point, valid until the next call. Points of one patch have the same number in
+  /// `patch_of`.
   std::span<const double> share(const std::vector<ContactPoint>& points, const Quat& orientation);
   std::size_t patch_of(std::size_t point) const { return patch_[point]; }
 
@@ -46,7 +46,7 @@ class ContactPatches {
 
   // Of the last call. The links depend only on the features, which mostly stay from call to call.
   std::vector<double> share_;
-  std::vector<std::size_t> patch_;  ///< smallest point of the same law
+  std::vector<std::size_t> patch_;  ///< smallest point of the same patch
   std::vector<double> patch_overlap_;
   std::vector<Vec3> normals_in_body_;
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< of the block, by point

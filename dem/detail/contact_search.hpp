@@ -1,12 +1,12 @@
 #pragma once
-/// Finds the contact points of one block on the ground, or on another block that takes the ground's
-/// place: everything here is in the frame of the ground.
+/// Narrow phase: finds the contact points of one block on a reference body, the terrain or another
+/// block. That body is called the ground here, and everything is in its frame.
 ///
 /// Everything is paced by how far any point of the block has moved since the start, `moved_`.
 /// Whatever is found to be a distance d away sleeps until it has grown by d, so that nothing can
 /// touch unseen and most of the block costs nothing most of the time. The block is cut into parts
-/// that sleep as one; a part near the ground holds a list of the ground near it, in which its
-/// vertices and its sides (edges and faces) look for what they may touch.
+/// that sleep as one; a part near the ground keeps a list of the ground near it, in which its
+/// vertices and its sides (edges and faces) search for features that they may touch.
 #include <cstdint>
 #include <vector>
 
@@ -28,7 +28,7 @@ struct ContactPoint {
   ContactKind kind = ContactKind::kVertexGround;
   std::uint32_t block_feature = 0;   ///< vertex, edge or face of the block
   std::uint32_t ground_feature = 0;  ///< edge or vertex of the ground; a face for kVertexGround
-  std::uint32_t ground_face = 0;     ///< a face next to the contact: tells the zone
+  std::uint32_t ground_face = 0;     ///< a face next to the contact: gives the zone
   Vec3 normal = Vec3::UnitZ();       ///< unit, out of the ground into the block
   Vec3 foot = Vec3::Zero();          ///< on the ground's skin
   double overlap = 0.0;              ///< m, positive
@@ -61,9 +61,9 @@ class ContactSearch {
   /// search for it has found little it is not repeated at once, as in `safe_time`.
   double safe_travel();
   /// How long no contact can come on such a flight (valid after `contacts`), s. Away from the
-  /// ground that is told by the ball around the block. Near it the search costs as much as several
+  /// ground the ball around the block gives it. Near it the search costs as much as several
   /// steps, so it is not repeated at once where one has found too little: then 0.
-  /// @param worthwhile  s: a shorter time is of no use to the caller
+  /// @param worthwhile  s: a shorter time does not help the caller
   double safe_time(const FlightBounds& flight, double worthwhile);
 
  private:
@@ -96,18 +96,18 @@ class ContactSearch {
   struct FeaturePair {
     ContactKind kind;
     std::uint32_t ground_feature;
-    double due;          ///< look at it again
+    double due;          ///< check it again
     double clear_until;  ///< cannot touch before
 
     bool same_features(const FeaturePair& other) const {
       return kind == other.kind && ground_feature == other.ground_feature;
     }
   };
-  /// What every look at a side reads: one cache line, and the pairs themselves. In a pile this is
+  /// What every check of a side reads: one cache line, and the pairs themselves. In a pile this is
   /// most of what comes from memory.
   struct alignas(64) SideState {
     double clear_until = -1.0;
-    // Of the pairs that are not due soon what `FeaturePair` tells of each: for the first of them.
+    // `due` and `clear_until` of the pairs that are not due soon: of the first of them.
     // Until when the list of pairs holds, and until when what is not listed cannot touch.
     double sleepers_due = -1.0, sleepers_clear_until = -1.0;
     double list_until = -1.0;
@@ -115,7 +115,7 @@ class ContactSearch {
     std::vector<FeaturePair>
         awake;  ///< copies of the listed pairs that are due soon, in their order
   };
-  /// What is needed only where a side's lists are made anew.
+  /// What is needed only where a side's lists are renewed.
   struct SideList {
     std::uint32_t part = 0;
     std::vector<FeaturePair> pairs;  ///< all listed; of those awake the copies count
@@ -129,7 +129,7 @@ class ContactSearch {
   void move_to(const Pose& ground_from_body);
   void wake();
   bool sleep_whole();
-  /// Makes `local_` hold everything that near a block moved no farther than so.
+  /// Makes `local_` complete up to this distance from the block.
   void gather_ground(double complete);
   /// How far lists of what is due look ahead, m.
   double list_ahead() const;
@@ -204,7 +204,7 @@ class ContactSearch {
   Vec3 position_ = Vec3::Zero();
   bool started_ = false;
   double travel_ = 0.0;     ///< the caller's
-  double moved_ = 0.0;      ///< since the start, as seen from call to call, m
+  double moved_ = 0.0;      ///< since the start, summed from call to call, m
   double turned_ = 0.0;     ///< likewise: bounds what turning moves a point at an arm of 1 m, m
   double last_move_ = 0.0;  ///< growth of `moved_` in the last call, m
   LocalGround local_;       ///< around the whole block
@@ -215,7 +215,7 @@ class ContactSearch {
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
   std::vector<SideState> side_states_;      ///< in the order of parts_.sides, likewise ...
   std::vector<SideList> side_lists_;
-  std::vector<double> vertex_due_, side_due_;  ///< `moved_` at which to look again
+  std::vector<double> vertex_due_, side_due_;  ///< `moved_` at which to check again
   double next_part_ = -1.0;                    ///< the first part is due then
   double horizon_ = -1.0;                      ///< everything due before it is listed as awake
   bool listed_for_flight_ = false;             ///< the list is longer than contact steps need
@@ -223,7 +223,7 @@ class ContactSearch {
   NumberList due_sides_;                ///< of this call
   double sleepers_clear_until_ = -1.0;  ///< no other vertex or side of parts near the ground
                                         ///< touches before
-  double search_at_ = -1.0;             ///< no use in searching for a longer flight before
+  double search_at_ = -1.0;             ///< no longer flight is searched for before
   double deepest_ = 0.0;                ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };

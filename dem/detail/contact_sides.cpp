@@ -14,7 +14,7 @@ constexpr double kDeeperShare = 0.5, kDeeperMargins = 0.25;
 /// A list of pairs is kept while this share of the movement it allows is left.
 constexpr double kWorthKeeping = 0.3;
 /// Sides whose states are fetched ahead, and of these the nearer ones whose pairs are: about what
-/// the processor can have on its way from memory at a time.
+/// the processor can fetch from memory at a time.
 constexpr std::size_t kStatesAhead = 8, kPairsAhead = 4;
 
 }  // namespace
@@ -153,7 +153,7 @@ double ContactSearch::deepest_pair() const {
 
 double ContactSearch::sleep_distance(double apart) const {
   // Features that have passed each other inside the ground touch as deep as the block has sunk, so
-  // they must be seen again when the one distance meets the other.
+  // they must be checked again when the one distance reaches the other.
   return std::min(apart - reach_, 0.5 * (apart - deepest_pair()));
 }
 

@@ -17,12 +17,18 @@ class RodContacts {
   double clearance() const { return clearance_; }
 
  private:
+  void find_at_vertex(std::uint32_t block_vertex);
+  void find_at_edge(std::uint32_t block_edge);
+  /// A vertex acts where no rod that leaves it comes nearer; kNoFeature: no vertex there.
+  bool owned_by_ends(std::uint32_t block_vertex, std::uint32_t ground_vertex,
+                     const Vec3& out) const;
   void touch(ContactPoint& contact, const Vec3& on_ground, const Vec3& on_block);
 
   const IndexedSurface& ground_;
   const SurfaceFeatures& block_;
   double reach_;  ///< both radii, m
   double clearance_ = 0.0;
+  Mat3 rotation_ = Mat3::Identity();
   std::vector<Vec3> placed_;  ///< block vertices in the frame of the ground
   std::vector<ContactPoint> contacts_;
 };

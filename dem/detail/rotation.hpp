@@ -12,9 +12,8 @@ Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& 
 Quat turn_of(const Vec3& rotation);
 
 struct StepTurn {
-  Quat orientation;  ///< world_from_body at the end
-  Vec3
-      angular_velocity;  ///< mean of the one at the begin and the one at the end, rad/s, world axes
+  Quat orientation;       ///< world_from_body at the end
+  Vec3 angular_velocity;  ///< mean of both ends, rad/s, world axes
 };
 
 /// One short step at constant momentum, second order and reversible to third (explicit midpoint on

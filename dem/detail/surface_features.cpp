@@ -21,7 +21,7 @@ constexpr double kConeSlack = 1e-9;
 /// normals: 3 degrees at a right angle, as much as a block of the settled depth tilts.
 constexpr double kGiveShare = 0.037;
 /// The most that gives, for faces back to back. Few directions are so near the limit that their own
-/// must be known.
+/// give must be computed.
 constexpr double kMostGive = 2.0 * kGiveShare;
 
 double give_of(const Vec3& normal, const Vec3& other) {
@@ -49,7 +49,7 @@ bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec
     if (direction.dot(surface.ray(e, vertex)) > slack) return false;
   }
   // At the bottom of a pit all edges rise away from a direction into the solid, too. The
-  // angle-weighted normal tells the two apart without exception (Baerentzen & Aanaes 2005).
+  // angle-weighted normal distinguishes the two without exception (Baerentzen & Aanaes 2005).
   return !(direction.dot(surface.vertex_normals[vertex]) < 0.0);
 }
 
