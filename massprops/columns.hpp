@@ -1,5 +1,5 @@
 #pragma once
-/// What pieces of a body count more than once, by integrating along vertical columns.
+/// What the convex pieces of a body count more than once, by integrating along vertical columns.
 #include <cstddef>
 
 #include "massprops/line_pieces.hpp"

@@ -157,7 +157,7 @@ void add_wedge(Skin& skin, const Vec3& p, const Vec3& q, const Vec3& left, const
     piece.box.include(end + r * left);
     piece.box.include(end + r * right);
     // The corner where the tangents at both ends of the arc meet; beyond 120 degrees the arc is
-    // held by a square.
+    // enclosed by a square.
     piece.box.include(end + reach * w);
     if (bend > 2.0 * kPi / 3.0) {
       piece.box.include(end + Vec3::Constant(r));
@@ -169,7 +169,7 @@ void add_wedge(Skin& skin, const Vec3& p, const Vec3& q, const Vec3& left, const
   skin.area += (q - p).norm() * bend * r;
 }
 
-/// Where the triangles beside an edge do not say which side is out: the cylinder all round.
+/// Where the triangles beside an edge do not define which side is out: the whole cylinder.
 void add_cylinder(Skin& skin, const Vec3& p, const Vec3& q) {
   const double length = (q - p).norm();
   if (!(length > 0.0)) return;

@@ -62,12 +62,12 @@ TEST_F(Tables, ColumnNamesIgnoreCaseAndUnits) {
 TEST_F(Tables, UnitOfTheTableIsApplied) {
   expect_axes(read("L,I,S\n300,200,100\n", {.units = 0.01}).blocks.at(0), 3, 2, 1);
   expect_axes(read("L_cm,I_cm,S_cm\n300,200,100\n", {.units = 0.01}).blocks.at(0), 3, 2, 1);
-  // Without a unit asked for, the header's is taken and said.
+  // Without a unit asked for, the header's is used and noted.
   const DimensionTable named = read("L_cm,I_cm,S_cm\n300,200,100\n");
   expect_axes(named.blocks.at(0), 3, 2, 1);
   ASSERT_EQ(named.notes.size(), 1u);
   EXPECT_TRUE(contains(named.notes[0], "cm"));
-  // One that is not the header's is obeyed, and said too.
+  // One that is not the header's is obeyed, and noted too.
   const DimensionTable other = read("L_cm,I_cm,S_cm\n300,200,100\n", {.units = 0.001});
   expect_axes(other.blocks.at(0), 0.3, 0.2, 0.1);
   ASSERT_EQ(other.notes.size(), 1u);

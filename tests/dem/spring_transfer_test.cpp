@@ -1,4 +1,4 @@
-// What tangential springs hold when weights move from one point of a law to another.
+// What tangential springs carry when weights move from one point of a patch to another.
 #include <gtest/gtest.h>
 
 #include "dem/detail/contact_forces.hpp"

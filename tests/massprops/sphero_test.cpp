@@ -326,7 +326,7 @@ TEST_P(RoughRock, TrueErrorIsInsideTheStatedOneAndTurnsWithTheBody) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RoughRock, testing::Range(0u, 8u));
 
 // A shallow dent on one face, with reflex edges far shorter than the columns are apart: unless a
-// column meets it, nothing tells of it but the allowance for the unseen.
+// column meets it, only the allowance for the unseen covers it.
 TEST(SpheroMass, WhatColumnsMayMissIsAllowedFor) {
   const double r = 0.02, side = 1e-3, depth = 5e-4;
   TriangleMesh dented = box_mesh(Vec3::Ones());
