@@ -39,7 +39,7 @@ bool is_hdf5(const std::string& path) {
 
 DimensionColumns columns_from(const std::string& text, const std::string& units) {
   DimensionColumns columns;
-  if (!units.empty()) columns.unit = length_unit(units);
+  if (!units.empty()) columns.units = length_unit(units);
   std::map<std::string, std::string> quantities, given;  // by each other
   for (const std::string& item : split_list(text)) {
     const std::size_t equals = item.find('=');

@@ -1,5 +1,5 @@
 #pragma once
-/// How much of a population's classes is owed to the box that L, I and S were taken from.
+/// How far a population's classes depend on the box that L, I and S were measured on.
 #include <span>
 #include <string>
 #include <vector>

@@ -27,8 +27,7 @@ struct DimensionColumns {
   std::string S = "S";
   std::optional<std::string> mass = {};  ///< none: a column called "mass", if there is one
   std::optional<std::string> name = {};  ///< none: a column called "id", "name" or "block", if any
-  std::optional<double> unit =
-      {};  ///< metres per unit of L, I, S; none: as the header says, else 1
+  std::optional<double> units = {};  ///< m per unit of L, I, S; none: as the header says, else 1
 };
 
 /// Reads comma, semicolon, tab or blank separated tables, with a header line or without one (then
@@ -38,7 +37,7 @@ struct DimensionColumns {
 /// the comma is not the separator. A row with more or fewer fields than the first is refused, and
 /// so is a number with a comma in a table that separates by commas; rows with zero, negative,
 /// missing or unreadable axes, or with axes outside 1e-9 to 1e9 m, are skipped and noted; a mass
-/// that can't be read is noted and left out. Text that is not UTF-8 is taken for Windows-1252;
+/// that can't be read is noted and left out. Text that is not UTF-8 is read as Windows-1252;
 /// that, and a unit that makes most blocks longer than 50 m, is noted too. Names and notes are
 /// UTF-8.
 /// @throws InputError  no file, not text, no such column (the message lists those found), several

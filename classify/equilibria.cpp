@@ -1,10 +1,10 @@
 #include "classify/equilibria.hpp"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "core/disjoint_sets.hpp"
+#include "mesh/half_edges.hpp"
 #include "shapes/convex_hull.hpp"
 
 namespace clast {
@@ -29,22 +29,24 @@ struct Polytope {
 Polytope polytope(const TriangleMesh& hull) {
   const auto count = static_cast<std::uint32_t>(hull.triangles.size());
   std::vector<Vec3> area(count);
-  std::vector<std::array<std::uint32_t, 4>> sides;  // smaller vertex, larger, backwards?, triangle
   for (std::uint32_t t = 0; t < count; ++t) {
     const auto& [a, b, c] = hull.triangles[t];
     area[t] = (hull.vertices[b] - hull.vertices[a]).cross(hull.vertices[c] - hull.vertices[a]);
-    for (const auto& [from, to] : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) {
-      sides.push_back({std::min(from, to), std::max(from, to), from > to ? 1u : 0u, t});
-    }
   }
-  std::sort(sides.begin(), sides.end());
+  const std::vector<HalfEdge> sides = sorted_half_edges(hull);
+  // The hull is closed: two triangles at each edge, one of which runs along it from low to high.
+  const auto each_edge = [&](const auto& use) {
+    for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
+      const std::size_t left = edge[0].forward ? 0 : 1;
+      use(edge[0].low, edge[0].high, edge[left].triangle, edge[1 - left].triangle);
+    });
+  };
   DisjointSets faces(count);
-  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-    const std::uint32_t t = sides[i][3], u = sides[i + 1][3];
+  each_edge([&](std::uint32_t, std::uint32_t, std::uint32_t t, std::uint32_t u) {
     if (area[t].cross(area[u]).norm() <= kOneFace * area[t].norm() * area[u].norm()) {
       faces.join(t, u);
     }
-  }
+  });
   Polytope result;
   result.vertices = hull.vertices;
   result.normals.assign(count, Vec3::Zero());
@@ -54,10 +56,10 @@ Polytope polytope(const TriangleMesh& hull) {
   for (Vec3& normal : result.normals) {
     if (normal.squaredNorm() > 0.0) normal.normalize();
   }
-  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-    const std::uint32_t f = faces.find(sides[i][3]), g = faces.find(sides[i + 1][3]);
-    if (f != g) result.ridges.push_back({sides[i][0], sides[i][1], f, g});
-  }
+  each_edge([&](std::uint32_t from, std::uint32_t to, std::uint32_t t, std::uint32_t u) {
+    const std::uint32_t f = faces.find(t), g = faces.find(u);
+    if (f != g) result.ridges.push_back({from, to, f, g});
+  });
   return result;
 }
 

@@ -15,7 +15,7 @@ struct MeasuredBlock {
                     ///< unit
   std::optional<double> mass;  ///< kg
   double axis_error = 0.0;     ///< m; each axis may be off by so much
-  std::vector<Axes> by_box;    ///< m; by each of `kBoxConventions`; empty for axes taken by tape
+  std::vector<Axes> by_box;    ///< m; by each of `kBoxConventions`; empty for axes measured by tape
   /// Lengths above are in a unit that nobody knows: the block has a shape, but no size and no mass.
   bool unscaled = false;
 };

@@ -70,7 +70,7 @@ std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks)
                     "which is up to " +
                     with_digits(widest->axis_error, 3) +
                     " m: their classes are guesses; give the error you measured with as "
-                    "--axis-error");
+                    "`axis_error`");
   }
   return notes;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// All that is said of a population, and of two of them.
+/// The statistics of a population, and the comparison of two.
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -6,7 +6,7 @@
 namespace clast {
 namespace {
 
-// An axis is never taken thinner than this share of itself, however large the error.
+// An axis is never assumed thinner than this share of itself, however large the error.
 constexpr double kThinnest = 1e-6;
 
 /// The ratios of a block.
@@ -75,7 +75,7 @@ void add_edge(const Ratios& from, const Ratios& to, const std::vector<SchemeLimi
   }
 }
 
-/// Places in every piece that the limits cut the polygon into: inside it, on each of its edges and
+/// Points in every part that the limits cut the polygon into: inside it, on each of its edges and
 /// at each of its corners, for a class may hold no more than a limit.
 std::vector<Ratios> places_of_all_pieces(const Polygon& polygon,
                                          const std::vector<SchemeLimit>& limits) {

@@ -9,7 +9,7 @@ namespace clast {
 
 /// Every class that some axes L >= I >= S have which are each within `axis_error` of `axes`, in the
 /// order of `class_names`. On a limit a class is possible where `shape_class` gives it.
-/// @param axis_error  m, positive and finite; an axis is never taken thinner than 1e-6 of itself
+/// @param axis_error  m, positive and finite; an axis is never assumed thinner than 1e-6 of itself
 /// @throws InputError  unknown scheme
 std::vector<std::string> possible_classes(const std::string& scheme, const Axes& axes,
                                           double axis_error, const SchemeOptions& options = {});

@@ -58,7 +58,7 @@ struct SchemeRatio {
   std::vector<double> limits;  ///< ascending
 };
 
-/// The ratios a scheme looks at for these axes; crossing any limit that is next to the value
+/// The ratios that a scheme uses for these axes; crossing any limit that is next to the value
 /// changes the class.
 /// @throws InputError  unknown scheme
 std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& axes,

@@ -233,7 +233,7 @@ double reading_step(std::span<const double> values) {
     step = a;
     if (step < smallest) return 0.0;
   }
-  // One tape held closer than the others must not hide the step of the rest.
+  // One size measured more finely than the others must not hide the step of the rest.
   const double divisor = largest / std::round(largest / step);  // sheds the rounding of the steps
   step = divisor;
   for (const double factor : {2.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0}) {
@@ -243,7 +243,7 @@ double reading_step(std::span<const double> values) {
     });
     if (10 * static_cast<std::size_t>(on_it) >= 9 * values.size()) step = wider;
   }
-  // One value, or all equal, are multiples of themselves and say nothing of how they were read.
+  // One value, or all equal, are multiples of themselves and do not show how they were read.
   return step < 0.5 * largest ? step : 0.0;
 }
 

@@ -57,7 +57,7 @@ double reading_step(std::span<const double> values);
 
 /// How well the law fits: distance and p-value, by parametric bootstrap (`distances_by_chance`):
 /// because the parameters are fitted, tables of Kolmogorov's test would flatter the law. Beyond
-/// 1,000 sizes samples of 1,000 stand in, with D taken times the root of the number of sizes.
+/// 1,000 sizes samples of 1,000 stand in, with D scaled by the root of the number of sizes.
 /// @param step   of the readings, m; 0 for continuous sizes. With it, curves are compared halfway
 ///               between readings, where the law and the readings mean the same
 /// @cite stephens1974

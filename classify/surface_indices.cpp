@@ -113,7 +113,7 @@ std::map<std::string, double> surface_indices(const SpheroPolyhedron& body, doub
     indices["bagi_orosz_flakiness"] = orientation.flakiness();
     indices["bagi_orosz_rodness"] = orientation.rodness();
   } catch (const GeometryError&) {
-    // A narrow tunnel says nothing against the other indices.
+    // A narrow tunnel does not invalidate the other indices.
   }
   return indices;
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// Which normal law acts, how it is shared among contact points, and how stiff it is.
+/// The constitutive law of the normal force, how it is shared among contact points, and its
+/// stiffness.
 /// @cite garcia2022
 #include <string>
 #include <variant>
@@ -24,7 +25,7 @@ std::vector<std::string> contact_law_names();
 
 /// How contact stiffness is shared among the points of one block.
 enum class ContactWeights {
-  kPatch,    ///< by overlap within each contact patch; a patch carries one law
+  kPatch,    ///< by overlap within each contact patch; each patch carries the law once
   kOverlap,  ///< by overlap among all points of the block (Eq. 8)
   kCount,    ///< equally among all points of the block (Eq. 7)
   kNone,     ///< every point carries the full stiffness
@@ -34,7 +35,7 @@ enum class ContactWeights {
 ContactWeights contact_weights(const std::string& name);
 std::string name_of(ContactWeights weights);
 
-/// Stiffnesses and the time step they ask for.
+/// Stiffnesses and the time step that they require.
 struct ContactStiffness {
   double normal = 0.0;      ///< k_n, N/m
   double tangential = 0.0;  ///< k_t, N/m

@@ -8,6 +8,9 @@
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 /// Vertices, edges and faces of the ground near the block, each once.

@@ -1,5 +1,5 @@
 #pragma once
-/// How near a placed block is to the ground.
+/// The gap or overlap between a placed block and the ground.
 #include <memory>
 #include <optional>
 

@@ -1,17 +1,17 @@
 #pragma once
-/// The overlap of a contact over one time step, and what a law makes of it.
+/// The overlap of a contact over one time step, and the response of a law to it.
 #include <algorithm>
 #include <cmath>
 
 namespace clast {
 
-/// Overlap as a parabola in time: the place a velocity Verlet step gives it is one. Negative: not
+/// Overlap as a parabola in time, as the position in a velocity Verlet step is. Negative: not
 /// touching.
 struct OverlapPath {
   double duration = 0.0;  ///< s
-  double before = 0.0;    ///< overlap at the begin, m
+  double before = 0.0;    ///< overlap at the beginning, m
   double after = 0.0;     ///< at the end, m
-  double rate = 0.0;      ///< at the begin, m/s; positive: getting deeper
+  double rate = 0.0;      ///< at the beginning, m/s; positive: getting deeper
 
   double bend() const {
     return duration > 0.0 ? (after - before - rate * duration) / (duration * duration) : 0.0;
@@ -37,11 +37,12 @@ struct OverlapPath {
   }
 };
 
-/// What a law answers to a path, per unit of weight.
+/// The response of a law to a path, per unit of weight.
 ///
-/// A Verlet step takes the force at its begin as constant for the place, and the mean of the forces
-/// at both ends for the speed. Where a law starts, reverses or ends inside the step that is wrong
-/// to first order; `impulse` and `moment` are what is missing then (docs/theory.md), else zero.
+/// A Verlet step takes the force at its beginning as constant for the position, and the mean of the
+/// forces at both ends for the velocity. Where a law starts, reverses or ends inside the step that
+/// is wrong to first order; `impulse` and `moment` are what is missing then (docs/theory.md), else
+/// zero.
 struct NormalResponse {
   double force = 0.0;    ///< at the end, N, never negative
   double work = 0.0;     ///< taken from the bodies along the path, J
@@ -67,7 +68,7 @@ class PathIntegral {
       work_ += share * path_.rate_at(time);
     }
   }
-  /// The answer when the path ends with this force.
+  /// The response when the path ends with this force.
   NormalResponse ending_with(double force) const {
     const double step = path_.duration;
     return {force, work_, impulse_ - 0.5 * step * (first_force_ + force),

@@ -14,13 +14,16 @@
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 /// A flight ends this close to the first touch, s.
 constexpr double kLandingTime = 5e-10;
-/// How much farther each look for the touch goes after one that fell short of it.
+/// Growth of the stride of the search for the first touch after one that fell short of it.
 constexpr double kLookFarther = 8.0;
-/// A settled block may lie deeper than its rest depth by this factor before it counts as lost.
+/// A block at rest may lie deeper than its settled depth by this factor before it counts as lost.
 constexpr double kSettledSlack = 1.1;
 
 /// The run in progress.
@@ -41,11 +44,11 @@ class Release {
         radius_(body.bounding_radius()) {}
 
   ReleaseResult run() {
-    meet_ground(moving_.motion(), 0.0);
+    update_contacts(moving_.motion(), 0.0);
     result_.energy = {};
     result_.energy.initial = energy();
     while (true) {
-      if (const std::optional<StopReason> reason = stopped()) {
+      if (const std::optional<StopReason> reason = stop_reason()) {
         result_.stop_reason = *reason;
         break;
       }
@@ -60,13 +63,13 @@ class Release {
   }
 
   double start_overlap() {
-    meet_ground(moving_.motion(), 0.0);
+    update_contacts(moving_.motion(), 0.0);
     return std::max(forces_.max_overlap(), pierced_depth(terrain_.impl().surface, surface_,
                                                          moving_.state().world_from_body()));
   }
 
  private:
-  std::optional<StopReason> stopped() {
+  std::optional<StopReason> stop_reason() {
     if (!moving_.finite()) {
       result_.message = "the motion is not finite any more at " + with_digits(time_, 6) + " s";
       return StopReason::kError;
@@ -77,8 +80,8 @@ class Release {
     return std::nullopt;
   }
 
-  /// How long the block can fly for sure: the time in which no point of it can travel farther than
-  /// the nearest thing it might touch.
+  /// How long the block flies without contact: the time in which no point of it can travel farther
+  /// than the nearest thing it might touch.
   double safe_time() {
     const double spin = flight_->top_spin(), g = settings_.gravity;
     // Of a point that turns with the body: centripetal, and from the change of the spin (Euler).
@@ -91,7 +94,7 @@ class Release {
                              settings_.stiffness.time_step);
   }
 
-  /// Moves to another time of the flight and looks for contacts there.
+  /// Moves to another time of the flight and searches for contacts there.
   const std::vector<ContactPoint>& look_at(double flown) {
     const double g = settings_.gravity, time = std::abs(flown - flown_);
     travel_ += (moving_.state().velocity.norm() + flight_->top_spin() * radius_) * time +
@@ -101,8 +104,7 @@ class Release {
     return search_.contacts(moving_.state().world_from_body(), travel_);
   }
 
-  /// A piece of flight: as far as it is safe, at least a time step, and never beyond the first
-  /// touch.
+  /// Flies as far as no contact can come, at least a time step, and never beyond the first touch.
   void fly() {
     const RigidState begin = moving_.state();
     if (!flight_) {
@@ -138,7 +140,7 @@ class Release {
         (begin.velocity.norm() + 4.0 * middle_speed + moving_.state().velocity.norm());
     resting_ = 0.0;
     ++result_.flight_pieces;
-    meet_ground(moving_.motion(), 0.0);
+    update_contacts(moving_.motion(), 0.0);
     result_.energy.reassigned += moving_.first_kick(settings_.stiffness.time_step, load_.force,
                                                     load_.torque, {0.0, 0.0, -settings_.gravity});
     advance(begin, duration, true);
@@ -187,7 +189,7 @@ class Release {
     const BodyMotion motion = moving_.begin_step(dt, load_.force, load_.torque, gravity);
     travel_ += dt * moving_.top_speed();
     result_.path_length += dt * motion.velocity.norm();
-    meet_ground(motion, dt);
+    update_contacts(motion, dt);
     moving_.end_step(dt, load_.force, load_.torque, gravity);
     if (load_.event) {
       const EventLoad& event = *load_.event;
@@ -204,7 +206,7 @@ class Release {
     advance(begin, dt, false);
   }
 
-  void meet_ground(const BodyMotion& motion, double dt) {
+  void update_contacts(const BodyMotion& motion, double dt) {
     const bool flying = forces_.empty();
     load_ = forces_.update(search_.contacts(motion.world_from_body, travel_), motion, {}, dt,
                            result_.energy);
@@ -240,10 +242,10 @@ class Release {
     // The potential counts from the end height, so that the scale does not depend on the datum.
     ledger.close(energy(), ledger.initial - body_.mass * settings_.gravity * place.z());
     const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
-    const double rest_depth = body_.mass * settings_.gravity / forces_.rest_stiffness();
-    result_.below_ground =
-        (ground && place.z() < *ground) || (result_.stop_reason == StopReason::kRest &&
-                                            forces_.settled_depth() > kSettledSlack * rest_depth);
+    const double settled_depth = body_.mass * settings_.gravity / forces_.rest_stiffness();
+    result_.below_ground = (ground && place.z() < *ground) ||
+                           (result_.stop_reason == StopReason::kRest &&
+                            forces_.settled_depth() > kSettledSlack * settled_depth);
   }
 
   const TerrainSurface& terrain_;
@@ -257,7 +259,7 @@ class Release {
   double radius_;
   ContactLoad load_;
   std::optional<FreeFlight> flight_;  ///< the one in progress
-  double flown_ = 0.0;                ///< time since its begin, s
+  double flown_ = 0.0;                ///< time since it began, s
   double time_ = 0.0;
   double travel_ = 0.0;
   double resting_ = 0.0;

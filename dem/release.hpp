@@ -33,7 +33,7 @@ struct ReleaseSettings {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// The contacts of an instant, seen as one.
+/// The contacts of an instant, summed up.
 struct Touch {
   std::uint32_t points = 0;   ///< contact points; 0 in flight, where the rest means nothing
   double overlap = 0.0;       ///< of the deepest, m
@@ -41,7 +41,7 @@ struct Touch {
   std::uint16_t zone = 0;     ///< of the ground there
 };
 
-/// A piece of motion between two instants, handed to observers in order of time.
+/// The motion between two instants, passed to observers in order of time.
 struct MotionStep {
   double begin_time = 0.0;  ///< s
   double end_time = 0.0;
@@ -51,12 +51,12 @@ struct MotionStep {
   Touch touch;          ///< at the end; a flight that ends by a touch has one
 };
 
-/// The state inside a step: exact in flight, interpolated (cubic centre, turned steadily) else.
+/// The state inside a step: exact in flight, interpolated (cubic centre, steady turn) else.
 RigidState state_at(const RigidBody& body, const MotionStep& step, double time, double gravity);
 
 using MotionObserver = std::function<void(const MotionStep&)>;
 
-/// What is known of a run when it is over.
+/// The result of a run.
 struct ReleaseResult {
   StopReason stop_reason = StopReason::kError;
   std::string message;    ///< of an error, else empty
@@ -69,7 +69,7 @@ struct ReleaseResult {
   bool below_ground = false;         ///< as docs/theory.md defines it
   EnergyLedger energy;
   std::uint64_t contact_steps = 0;
-  std::uint64_t flight_pieces = 0;  ///< pieces of flight between two looks at the ground
+  std::uint64_t flight_pieces = 0;  ///< parts of flights between two contact searches
   std::uint64_t impacts = 0;        ///< flights ended by a contact
 };
 

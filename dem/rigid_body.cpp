@@ -8,6 +8,8 @@
 
 namespace clast {
 
+using namespace dem_detail;
+
 double RigidBody::bounding_radius() const {
   double largest = 0.0;
   for (const Vec3& vertex : shape.vertices) largest = std::max(largest, vertex.norm());

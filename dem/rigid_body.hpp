@@ -20,7 +20,7 @@ struct RigidState {
   Pose world_from_body() const { return {position, orientation}; }
 };
 
-/// A block as the dynamics sees it: in its principal frame, origin at the centre of mass.
+/// A block in its principal frame, origin at the centre of mass.
 struct RigidBody {
   SpheroPolyhedron shape;       ///< body frame
   double mass = 0.0;            ///< kg
@@ -41,7 +41,7 @@ double rotational_energy(const RigidBody& body, const RigidState& state);
 /// Lowest z of the rounded body.
 double lowest_point(const RigidBody& body, const RigidState& state);
 
-/// Moves the state along the exact flight without contact: ballistic centre, torque-free rotation
+/// The state after an exact flight without contact: ballistic centre, torque-free rotation
 /// in closed form (angular momentum kept to rounding).
 RigidState free_flight(const RigidBody& body, const RigidState& state, double duration,
                        double gravity);

@@ -11,9 +11,9 @@
 namespace clast {
 namespace {
 
-/// Rest depth that `auto` allows: 2 cm, or 2 % of S for small blocks.
-constexpr double kRestDepth = 0.02;
-constexpr double kRestDepthShare = 0.02;
+/// Settled depth that `auto` allows: 2 cm, or 2 % of S for small blocks.
+constexpr double kSettledDepth = 0.02;
+constexpr double kSettledDepthShare = 0.02;
 /// Deepest impact allowed, share of S.
 constexpr double kImpactDepthShare = 0.25;
 /// Time step times the highest contact frequency. Explicit stepping is stable below 2; a twentieth
@@ -25,7 +25,7 @@ constexpr double kTravelShare = 0.25;
 /// Arm of the rolling spring, share of S: k_r = k_t (S/2)^2 winds up over the same slip as k_t.
 constexpr double kRollingArmShare = 0.5;
 /// Share of k_n that carries a block at rest below which `auto` warns of what it costs.
-constexpr double kDearRestShare = 1e-3;
+constexpr double kCostlyRestShare = 1e-3;
 /// What such a ground is compared with: the e_n^2 of the paper's zones.
 constexpr double kUsualRestShare = 0.01;
 
@@ -45,6 +45,65 @@ double largest_mobility(const RigidBody& body) {
     largest = std::max(largest, solver.eigenvalues()[2]);
   }
   return largest;
+}
+
+/// The most demanding of all bodies in every respect.
+struct Demand {
+  double normal = 0.0;  ///< k_n that "auto" takes, N/m
+  double mobility = 0.0;
+  double smallest_moment = 1e300;
+  double smallest_side = 1e300;
+};
+
+Demand demand_of(std::span<const ContactBody> bodies, const ContactGround& ground, double fastest,
+                 double gravity) {
+  Demand demand;
+  for (const ContactBody& body : bodies) {
+    const double depth = std::min(kSettledDepth, kSettledDepthShare * body.smallest_side);
+    const double deepest = kImpactDepthShare * body.smallest_side;
+    demand.normal = std::max({demand.normal, body.mass * gravity / (ground.rest_share * depth),
+                              body.mass * fastest * fastest / (deepest * deepest)});
+    demand.mobility = std::max(demand.mobility, body.mobility);
+    demand.smallest_moment = std::min(demand.smallest_moment, body.smallest_moment);
+    demand.smallest_side = std::min(demand.smallest_side, body.smallest_side);
+  }
+  return demand;
+}
+
+/// Sets the depths that the chosen stiffness leads to.
+/// @returns  the largest settled depth as a share of its body's S
+double find_depths(StiffnessChoice& choice, std::span<const ContactBody> bodies,
+                   const ContactGround& ground, double fastest, double gravity) {
+  const double normal = choice.stiffness.normal;
+  double deepest_share = 0.0;
+  for (const ContactBody& body : bodies) {
+    const double settled = body.mass * gravity / (normal * ground.rest_share);
+    // m v^2/2 + m g h = k h^2/2
+    const double weight = body.mass * gravity;
+    const double impact =
+        (weight + std::sqrt(weight * weight + normal * body.mass * fastest * fastest)) / normal;
+    choice.settled_depth = std::max(choice.settled_depth, settled);
+    choice.impact_depth = std::max(choice.impact_depth, impact);
+    deepest_share = std::max(deepest_share, settled / body.smallest_side);
+  }
+  return deepest_share;
+}
+
+std::string softness_warning(const StiffnessChoice& choice, double automatic,
+                             double deepest_share) {
+  return "k_n = " + with_digits(choice.stiffness.normal, 3) + " N/m is softer than the " +
+         with_digits(automatic, 3) + " N/m that \"auto\" would take: rest is " +
+         with_digits(choice.settled_depth, 3) + " m deep (" +
+         with_digits(100.0 * deepest_share, 3) + " % of S) and the fastest impact goes " +
+         with_digits(choice.impact_depth, 3) + " m deep";
+}
+
+std::string cost_warning(const ContactStiffness& chosen, double rest_share) {
+  return "energy_restitution = " + with_digits(rest_share, 3) +
+         " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +
+         with_digits(chosen.normal, 3) + " N/m and steps of " + with_digits(chosen.time_step, 3) +
+         " s: " + with_digits(std::sqrt(kUsualRestShare / rest_share), 3) +
+         " times the work of 0.01";
 }
 
 }  // namespace
@@ -85,29 +144,18 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   if (bodies.empty()) {
     throw SimulationError("stiffness: there is no block to choose it for; give one");
   }
-  const double rest_share = ground.rest_share, rate = ground.rate;
-  double normal = 0.0, mobility = 0.0, smallest_moment = 1e300, smallest_side = 1e300;
-  for (const ContactBody& body : bodies) {
-    const double depth = std::min(kRestDepth, kRestDepthShare * body.smallest_side);
-    const double deepest = kImpactDepthShare * body.smallest_side;
-    normal = std::max({normal, body.mass * gravity / (rest_share * depth),
-                       body.mass * fastest * fastest / (deepest * deepest)});
-    mobility = std::max(mobility, body.mobility);
-    smallest_moment = std::min(smallest_moment, body.smallest_moment);
-    smallest_side = std::min(smallest_side, body.smallest_side);
-  }
-
+  const Demand demand = demand_of(bodies, ground, fastest, gravity);
   StiffnessChoice choice;
   ContactStiffness& chosen = choice.stiffness;
-  chosen.normal = options.normal.value_or(normal);
+  chosen.normal = options.normal.value_or(demand.normal);
   chosen.tangential = options.tangential.value_or(chosen.normal);
-  const double arm = kRollingArmShare * smallest_side;
+  const double arm = kRollingArmShare * demand.smallest_side;
   chosen.rolling = options.rolling.value_or(chosen.tangential * arm * arm);
-  const double frequency =
-      std::max(rate * std::sqrt(chosen.normal * mobility),
-               std::sqrt(std::max(chosen.tangential * mobility, chosen.rolling / smallest_moment)));
+  const double frequency = std::max(ground.rate * std::sqrt(chosen.normal * demand.mobility),
+                                    std::sqrt(std::max(chosen.tangential * demand.mobility,
+                                                       chosen.rolling / demand.smallest_moment)));
   // A step in contact may not carry a block past the ground, however soft that is.
-  const double travel = fastest > 0.0 ? kTravelShare * smallest_side / fastest : 1e300;
+  const double travel = fastest > 0.0 ? kTravelShare * demand.smallest_side / fastest : 1e300;
   const double resolved = std::min(kStepTimesFrequency / frequency, travel);
   chosen.time_step = options.time_step.value_or(resolved);
   const double most = std::min(kUnstable / frequency, travel);
@@ -118,33 +166,12 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
         with_digits(resolved, 3) + " s resolves every contact: give that, or leave it out");
   }
 
-  double worst_rest_share = 0.0;
-  for (const ContactBody& body : bodies) {
-    const double rest = body.mass * gravity / (chosen.normal * rest_share);
-    // m v^2/2 + m g h = k h^2/2
-    const double weight = body.mass * gravity;
-    const double impact =
-        (weight + std::sqrt(weight * weight + chosen.normal * body.mass * fastest * fastest)) /
-        chosen.normal;
-    choice.settled_depth = std::max(choice.settled_depth, rest);
-    choice.impact_depth = std::max(choice.impact_depth, impact);
-    worst_rest_share = std::max(worst_rest_share, rest / body.smallest_side);
+  const double deepest_share = find_depths(choice, bodies, ground, fastest, gravity);
+  if (chosen.normal < 0.999 * demand.normal) {
+    choice.warnings.push_back(softness_warning(choice, demand.normal, deepest_share));
   }
-  if (chosen.normal < 0.999 * normal) {
-    choice.warnings.push_back(
-        "k_n = " + with_digits(chosen.normal, 3) + " N/m is softer than the " +
-        with_digits(normal, 3) + " N/m that \"auto\" would take: rest is " +
-        with_digits(choice.settled_depth, 3) + " m deep (" +
-        with_digits(100.0 * worst_rest_share, 3) + " % of S) and the fastest impact goes " +
-        with_digits(choice.impact_depth, 3) + " m deep");
-  }
-  if (!options.normal && rest_share < kDearRestShare) {
-    choice.warnings.push_back(
-        "energy_restitution = " + with_digits(rest_share, 3) +
-        " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +
-        with_digits(chosen.normal, 3) + " N/m and steps of " + with_digits(chosen.time_step, 3) +
-        " s: " + with_digits(std::sqrt(kUsualRestShare / rest_share), 3) +
-        " times the work of 0.01");
+  if (!options.normal && ground.rest_share < kCostlyRestShare) {
+    choice.warnings.push_back(cost_warning(chosen, ground.rest_share));
   }
   if (chosen.time_step * frequency > 0.5) {
     choice.warnings.push_back("time step " + with_digits(chosen.time_step, 3) +

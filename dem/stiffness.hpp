@@ -16,7 +16,7 @@ struct StiffnessOptions {
   std::optional<double> tangential;  ///< k_t, N/m
   std::optional<double> rolling;     ///< k_r, N m/rad
   std::optional<double> time_step;   ///< s
-  ContactLaw law;                    ///< tells the rest depth and the fastest rate of a contact
+  ContactLaw law;                    ///< sets the settled depth and the fastest rate of a contact
 };
 
 /// What a body requires of its contacts, computed once: the mobility needs all its points.
@@ -38,7 +38,7 @@ ContactGround contact_ground(std::span<const GroundParameters> zones, const Cont
 /// A choice of stiffness, with warnings about what a user's own value leads to.
 struct StiffnessChoice {
   ContactStiffness stiffness;
-  double settled_depth = 0.0;  ///< deepest rest depth, m g/(k_n e_n^2) or m g/k_n by law, m
+  double settled_depth = 0.0;  ///< deepest settled depth, m g/(k_n e_n^2) or m g/k_n by law, m
   double impact_depth = 0.0;   ///< deepest of an impact at `fastest` over bodies, m
   std::vector<std::string> warnings;
 };
@@ -46,9 +46,9 @@ struct StiffnessChoice {
 /// k_n such that a body rests no deeper than d = min(2 cm, 2 % of S), m g/(e_n^2 d) under the
 /// energy-restitution law, largest over all bodies and zones; stiffer where an impact at `fastest`
 /// would go deeper than S/4. k_t = k_n, k_r from k_t and the block's size, and a time step with a
-/// stated margin below the fastest contact oscillation (docs/theory.md). Bodies that meet each
-/// other share one stiffness; one that meets only ground is given alone, so that what it gets does
-/// not depend on others.
+/// stated margin below the fastest contact oscillation (docs/theory.md). Bodies that touch each
+/// other share one stiffness; one that touches only ground is passed alone, so that its stiffness
+/// does not depend on others.
 /// @param fastest  speed no block can exceed: from release heights and the lowest ground, m/s
 /// @throws SimulationError  nothing to choose for, or a time step of the user's beyond the limit of
 ///                          stability or a quarter of S at `fastest`

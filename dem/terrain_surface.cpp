@@ -9,6 +9,9 @@
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 /// Height at which the vertical through (x, y) meets the face, if it does.

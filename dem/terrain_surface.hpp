@@ -10,8 +10,8 @@
 
 namespace clast {
 
-/// A checked terrain as the contact search sees it. Solid is below the triangles (against their
-/// normals). Overhangs and vertical walls are allowed; holes are not seen.
+/// A checked terrain for the contact search. Solid is below the triangles (against their
+/// normals). Overhangs and vertical walls are allowed; holes are not checked.
 class TerrainSurface {
  public:
   /// @param mesh    triangles with normals out of the ground, welded, z up, local frame, m
@@ -31,7 +31,7 @@ class TerrainSurface {
   /// Height of the skin on the vertical through (x, y): the surface nearest to `z_near`, out of all
   /// that face upwards there. None outside the surveyed plan area.
   std::optional<double> height(double x, double y, double z_near) const;
-  /// True when some triangle lies above or below (x, y).
+  /// True when some triangle is above or below (x, y).
   bool covers(double x, double y) const;
 
   struct Impl;

@@ -8,25 +8,28 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
-#include "dem/detail/encounters.hpp"
+#include "dem/detail/contact_pairs.hpp"
 #include "dem/detail/rotation.hpp"
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
-/// Bodies handed to a thread at a time.
+/// Bodies that a thread takes at a time.
 constexpr std::size_t kBodiesAtATime = 16;
-constexpr std::uint32_t kTerrain = Encounter::kTerrain;
-/// How far an orientation's norm may be from 1 before it is taken for a mistake.
+constexpr std::uint32_t kTerrain = ContactPair::kTerrain;
+/// How far an orientation's norm may be from 1 before it counts as a mistake.
 constexpr double kUnitSlack = 1e-6;
 
-/// Adds what the events of one pair give to one of its bodies.
+/// Adds the events of one pair to those of one of its bodies.
 void add_event(std::optional<EventLoad>& sum, const EventLoad& event, bool is_block) {
   if (!sum) sum.emplace();
   sum->impulse += is_block ? event.impulse : Vec3(-event.impulse);
   sum->angular_impulse += is_block ? event.angular_impulse : event.angular_impulse_on_other;
-  if (!is_block) return;  // only a block against what is fixed is shifted
+  if (!is_block) return;  // only a block against a fixed body is shifted
   sum->moment += event.moment;
   sum->angular_moment += event.angular_moment;
 }
@@ -36,7 +39,7 @@ std::string name_of_body(std::size_t body) { return "body " + std::to_string(bod
 }  // namespace
 
 struct World::Impl {
-  Impl(std::vector<RigidBody> bodies, const WorldSettings& with, const TerrainSurface* on,
+  Impl(std::vector<RigidBody> of_shapes, const WorldSettings& with, const TerrainSurface* on,
        std::vector<GroundParameters> ground_zones)
       : settings(with), terrain(on), zones(std::move(ground_zones)), team(with.threads) {
     settings.check();
@@ -46,8 +49,8 @@ struct World::Impl {
                             " ground zones but parameters are given for " +
                             std::to_string(zones.size()));
     }
-    shapes.reserve(bodies.size());
-    for (RigidBody& body : bodies) {
+    shapes.reserve(of_shapes.size());
+    for (RigidBody& body : of_shapes) {
       body.check("shape " + std::to_string(shapes.size()));
       shapes.emplace_back(std::move(body));
     }
@@ -61,13 +64,13 @@ struct World::Impl {
   void begin_moves(double dt);
   void end_moves(double dt);
   void prepare();
-  void take_out_what_left();
+  void remove_bodies_off_terrain();
   void advance(double dt);
   /// What Verlet steps lose when they begin with the present loads, J.
   double first_kicks() const;
   void refuse_deep_starts() const;
   EnergyLedger losses() const {
-    EnergyLedger sum = encounters.losses();
+    EnergyLedger sum = pairs.losses();
     sum.reassigned += reassigned;
     return sum;
   }
@@ -79,11 +82,11 @@ struct World::Impl {
   std::vector<Shape> shapes;
   ThreadTeam team;
 
-  std::vector<Actor> actors;
-  Encounters encounters{terrain, rules(std::span(&settings.between_bodies, 1), {}),
-                        rules(zones, terrain ? std::span<const std::uint16_t>(terrain->impl().zones)
-                                             : std::span<const std::uint16_t>())};
-  std::size_t prepared = 0;  ///< bodies that take part already
+  std::vector<WorldBody> bodies;
+  ContactPairs pairs{terrain, rules(std::span(&settings.between_bodies, 1), {}),
+                     rules(zones, terrain ? std::span<const std::uint16_t>(terrain->impl().zones)
+                                          : std::span<const std::uint16_t>())};
+  std::size_t prepared = 0;  ///< bodies that are part of the motion already
 
   double time = 0.0;
   double initial = 0.0;     ///< energy that bodies brought, J
@@ -93,65 +96,65 @@ struct World::Impl {
 
 void World::Impl::begin_moves(double dt) {
   const Vec3 gravity(0.0, 0.0, -settings.gravity);
-  team.run(actors.size(), kBodiesAtATime, [&](std::size_t i) {
-    Actor& actor = actors[i];
-    if (!actor.still()) {
-      actor.motion = actor.moving.begin_step(dt, actor.force, actor.torque, gravity);
+  team.run(bodies.size(), kBodiesAtATime, [&](std::size_t i) {
+    WorldBody& body = bodies[i];
+    if (!body.still()) {
+      body.motion = body.moving.begin_step(dt, body.force, body.torque, gravity);
     }
   });
 }
 
 void World::Impl::end_moves(double dt) {
   const Vec3 gravity(0.0, 0.0, -settings.gravity);
-  team.run(actors.size(), kBodiesAtATime, [&](std::size_t i) {
-    Actor& actor = actors[i];
-    actor.force = actor.torque = Vec3::Zero();
-    actor.corrected = 0.0;
+  team.run(bodies.size(), kBodiesAtATime, [&](std::size_t i) {
+    WorldBody& body = bodies[i];
+    body.force = body.torque = Vec3::Zero();
+    body.corrected = 0.0;
     std::uint64_t touching = 0, as_block = 0;
     std::optional<EventLoad> events;
-    for (const std::uint32_t e : encounters.of(i)) {
-      const Encounter& pair = encounters.all()[e];
+    for (const std::uint32_t e : pairs.of(i)) {
+      const ContactPair& pair = pairs.all()[e];
       const ContactLoad& load = pair.contacts->load();
       const bool is_block = pair.block == i;
-      actor.force += is_block ? load.force : Vec3(-load.force);
-      actor.torque += is_block ? load.torque : load.torque_on_other;
+      body.force += is_block ? load.force : Vec3(-load.force);
+      body.torque += is_block ? load.torque : load.torque_on_other;
       if (load.event) add_event(events, *load.event, is_block);
       if (!pair.contacts->touching()) continue;
       ++touching;
       if (is_block) ++as_block;
     }
-    if (actor.still()) return;
-    actor.moving.end_step(dt, actor.force, actor.torque, gravity);
-    if (events && dt > 0.0) {  // else they were given at the end of the step before
-      actor.corrected = actor.moving.correct(events->impulse, events->angular_impulse,
-                                             events->moment, events->angular_moment, gravity);
+    if (body.still()) return;
+    body.moving.end_step(dt, body.force, body.torque, gravity);
+    if (events && dt > 0.0) {  // else they were applied at the end of the step before
+      body.corrected = body.moving.correct(events->impulse, events->angular_impulse, events->moment,
+                                           events->angular_moment, gravity);
     }
-    const double specific = actor.moving.kinetic_energy() / actor.shape->body.mass;
-    actor.resting = touching > 0 && specific < settings.rest_energy ? actor.resting + dt : 0.0;
-    actor.pair_steps += as_block;
-    const Vec3& place = actor.moving.state().position;
-    actor.off_terrain = terrain && !terrain->covers(place.x(), place.y());
+    const double specific = body.moving.kinetic_energy() / body.shape->body.mass;
+    body.resting = touching > 0 && specific < settings.rest_energy ? body.resting + dt : 0.0;
+    body.pair_steps += as_block;
+    const Vec3& place = body.moving.state().position;
+    body.off_terrain = terrain && !terrain->covers(place.x(), place.y());
   });
-  for (const Actor& actor : actors) reassigned -= actor.corrected;
+  for (const WorldBody& body : bodies) reassigned -= body.corrected;
 }
 
 double World::Impl::first_kicks() const {
   double sum = 0.0;
-  for (const Actor& actor : actors) {
-    if (actor.still()) continue;
-    sum += actor.moving.first_kick(settings.stiffness.time_step, actor.force, actor.torque,
-                                   {0.0, 0.0, -settings.gravity});
+  for (const WorldBody& body : bodies) {
+    if (body.still()) continue;
+    sum += body.moving.first_kick(settings.stiffness.time_step, body.force, body.torque,
+                                  {0.0, 0.0, -settings.gravity});
   }
   return sum;
 }
 
 void World::Impl::prepare() {
-  if (prepared == actors.size()) return;
-  encounters.set_slack(actors);
+  if (prepared == bodies.size()) return;
+  pairs.set_slack(bodies);
   // Bodies that start in contact bring what is stored there.
   const double before = losses().reassigned;
-  encounters.refresh(actors);
-  encounters.begin(actors, prepared);
+  pairs.refresh(bodies);
+  pairs.begin(bodies, prepared);
   const double brought = losses().reassigned - before;
   reassigned -= brought;
   initial -= brought;
@@ -159,57 +162,59 @@ void World::Impl::prepare() {
   reassigned -= first_kicks();
   end_moves(0.0);
   reassigned += first_kicks();
-  prepared = actors.size();
+  prepared = bodies.size();
 }
 
 void World::Impl::refuse_deep_starts() const {
-  for (const Encounter& pair : encounters.all()) {
+  for (const ContactPair& pair : pairs.all()) {
     if (pair.between(prepared)) continue;
-    const Shape& block = *actors[pair.block].shape;
+    const Shape& block = *bodies[pair.block].shape;
     double size = block.body.size();
-    if (pair.ground != kTerrain) size = std::min(size, actors[pair.ground].shape->body.size());
+    if (pair.reference != kTerrain)
+      size = std::min(size, bodies[pair.reference].shape->body.size());
     const double overlap = pair.contacts->max_overlap();
     if (overlap <= settings.start_overlap * size) continue;
-    const std::string other = pair.ground == kTerrain ? "the ground" : name_of_body(pair.ground);
+    const std::string other =
+        pair.reference == kTerrain ? "the ground" : name_of_body(pair.reference);
     throw SimulationError(name_of_body(pair.block) + " starts inside " + other + ", " +
                           with_digits(overlap, 6) + " m deep; place it farther away");
   }
 }
 
-void World::Impl::take_out_what_left() {
-  for (std::uint32_t i = 0; i < actors.size(); ++i) {
-    Actor& actor = actors[i];
-    if (actor.still() || !actor.off_terrain) continue;
-    encounters.part(i, actors);
-    actor.left = true;
-    actor.motion = actor.without_motion();
+void World::Impl::remove_bodies_off_terrain() {
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    WorldBody& body = bodies[i];
+    if (body.still() || !body.off_terrain) continue;
+    pairs.end_contacts_of(i, bodies);
+    body.left = true;
+    body.motion = body.without_motion();
   }
 }
 
 double World::Impl::energy_now() const {
   double sum = 0.0;
-  for (const Actor& actor : actors) {
-    if (actor.fixed) continue;
-    sum += actor.energy(settings.gravity);
+  for (const WorldBody& body : bodies) {
+    if (body.fixed) continue;
+    sum += body.energy(settings.gravity);
   }
-  return sum + encounters.stored_energy();
+  return sum + pairs.stored_energy();
 }
 
 void World::Impl::advance(double dt) {
   prepare();
   begin_moves(dt);
-  encounters.refresh(actors);
-  encounters.update(actors, dt, team);
+  pairs.refresh(bodies);
+  pairs.update(bodies, dt, team);
   end_moves(dt);
   time += dt;
   ++steps;
-  for (std::size_t i = 0; i < actors.size(); ++i) {
-    if (!actors[i].moving.finite()) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies[i].moving.finite()) {
       throw SimulationError("the motion of " + name_of_body(i) + " is not finite any more at " +
                             with_digits(time, 6) + " s; a shorter time step may help");
     }
   }
-  take_out_what_left();
+  remove_bodies_off_terrain();
 }
 
 void WorldSettings::check() const {
@@ -265,48 +270,48 @@ std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fix
   RigidState start = state;
   start.orientation.normalize();
   if (fixed) start.velocity = start.angular_velocity = Vec3::Zero();
-  const Actor& actor = impl_->actors.emplace_back(impl_->shapes[shape], start, fixed);
-  if (!fixed) impl_->initial += actor.energy(impl_->settings.gravity);
+  const WorldBody& body = impl_->bodies.emplace_back(impl_->shapes[shape], start, fixed);
+  if (!fixed) impl_->initial += body.energy(impl_->settings.gravity);
   return body_count() - 1;
 }
 
 void World::step() { impl_->advance(impl_->settings.stiffness.time_step); }
 
 StopReason World::run_until(double time) {
-  const auto over = [&](const Actor& actor) {
-    return actor.still() || actor.resting >= impl_->settings.rest_duration;
+  const auto over = [&](const WorldBody& body) {
+    return body.still() || body.resting >= impl_->settings.rest_duration;
   };
-  while (!std::all_of(impl_->actors.begin(), impl_->actors.end(), over)) {
+  while (!std::all_of(impl_->bodies.begin(), impl_->bodies.end(), over)) {
     const double left = time - impl_->time;
     if (!(left > 0.0)) return StopReason::kMaxTime;
     impl_->advance(std::min(left, impl_->settings.stiffness.time_step));
   }
-  const bool any_here = std::any_of(impl_->actors.begin(), impl_->actors.end(),
-                                    [](const Actor& actor) { return !actor.still(); });
+  const bool any_here = std::any_of(impl_->bodies.begin(), impl_->bodies.end(),
+                                    [](const WorldBody& body) { return !body.still(); });
   return any_here ? StopReason::kRest : StopReason::kLeftTerrain;
 }
 
 double World::time() const { return impl_->time; }
-std::size_t World::body_count() const { return impl_->actors.size(); }
+std::size_t World::body_count() const { return impl_->bodies.size(); }
 const RigidState& World::state(std::size_t body) const {
-  return impl_->actors.at(body).moving.state();
+  return impl_->bodies.at(body).moving.state();
 }
 const RigidBody& World::shape_of(std::size_t body) const {
-  return impl_->actors.at(body).shape->body;
+  return impl_->bodies.at(body).shape->body;
 }
-bool World::fixed(std::size_t body) const { return impl_->actors.at(body).fixed; }
+bool World::fixed(std::size_t body) const { return impl_->bodies.at(body).fixed; }
 bool World::resting(std::size_t body) const {
-  const Actor& actor = impl_->actors.at(body);
-  return actor.fixed || actor.resting >= impl_->settings.rest_duration;
+  const WorldBody& asked = impl_->bodies.at(body);
+  return asked.fixed || asked.resting >= impl_->settings.rest_duration;
 }
-bool World::left_terrain(std::size_t body) const { return impl_->actors.at(body).left; }
-Vec3 World::contact_force(std::size_t body) const { return impl_->actors.at(body).force; }
-Vec3 World::contact_torque(std::size_t body) const { return impl_->actors.at(body).torque; }
+bool World::left_terrain(std::size_t body) const { return impl_->bodies.at(body).left; }
+Vec3 World::contact_force(std::size_t body) const { return impl_->bodies.at(body).force; }
+Vec3 World::contact_torque(std::size_t body) const { return impl_->bodies.at(body).torque; }
 
 double World::overlap(std::size_t body, std::size_t other) const {
-  for (const Encounter& pair : impl_->encounters.all()) {
-    if ((pair.block == body && pair.ground == other) ||
-        (pair.block == other && pair.ground == body)) {
+  for (const ContactPair& pair : impl_->pairs.all()) {
+    if ((pair.block == body && pair.reference == other) ||
+        (pair.block == other && pair.reference == body)) {
       return pair.contacts->max_overlap();
     }
   }
@@ -315,20 +320,20 @@ double World::overlap(std::size_t body, std::size_t other) const {
 
 Vec3 World::linear_momentum() const {
   Vec3 sum = Vec3::Zero();
-  for (const Actor& actor : impl_->actors) {
-    if (!actor.fixed) sum += actor.shape->body.mass * actor.moving.state().velocity;
+  for (const WorldBody& body : impl_->bodies) {
+    if (!body.fixed) sum += body.shape->body.mass * body.moving.state().velocity;
   }
   return sum;
 }
 
 Vec3 World::angular_momentum() const {
   Vec3 sum = Vec3::Zero();
-  for (const Actor& actor : impl_->actors) {
-    if (actor.fixed) continue;
-    const RigidState& state = actor.moving.state();
-    const RigidBody& body = actor.shape->body;
-    sum += state.position.cross(body.mass * state.velocity) +
-           clast::angular_momentum(body.moments, state.orientation, state.angular_velocity);
+  for (const WorldBody& body : impl_->bodies) {
+    if (body.fixed) continue;
+    const RigidState& state = body.moving.state();
+    const RigidBody& rigid = body.shape->body;
+    sum += state.position.cross(rigid.mass * state.velocity) +
+           dem_detail::angular_momentum(rigid.moments, state.orientation, state.angular_velocity);
   }
   return sum;
 }
@@ -339,9 +344,9 @@ EnergyLedger World::energy() const {
   // The potential counts from the heights at the end, so that the scale does not depend on the
   // datum.
   double datum = 0.0;
-  for (const Actor& actor : impl_->actors) {
-    if (actor.fixed) continue;
-    datum += actor.shape->body.mass * impl_->settings.gravity * actor.moving.state().position.z();
+  for (const WorldBody& body : impl_->bodies) {
+    if (body.fixed) continue;
+    datum += body.shape->body.mass * impl_->settings.gravity * body.moving.state().position.z();
   }
   ledger.close(impl_->energy_now(), ledger.initial - datum);
   return ledger;
@@ -350,9 +355,9 @@ EnergyLedger World::energy() const {
 WorldStatistics World::statistics() const {
   WorldStatistics statistics;
   statistics.steps = impl_->steps;
-  statistics.lists_made = impl_->encounters.lists_made();
-  for (const Actor& actor : impl_->actors) statistics.pair_steps += actor.pair_steps;
-  for (const Encounter& pair : impl_->encounters.all()) {
+  statistics.broad_phases = impl_->pairs.broad_phases();
+  for (const WorldBody& body : impl_->bodies) statistics.pair_steps += body.pair_steps;
+  for (const ContactPair& pair : impl_->pairs.all()) {
     ++statistics.near_pairs;
     if (pair.contacts->near()) ++statistics.searched_pairs;
     if (pair.contacts->touching()) ++statistics.touching_pairs;

@@ -25,20 +25,20 @@ struct WorldSettings {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// What is known of the contacts, now and over the run.
+/// Counts of bodies' contacts, now and over the run.
 struct WorldStatistics {
   std::uint64_t steps = 0;
-  std::uint64_t lists_made = 0;    ///< how often near bodies were searched for anew
+  std::uint64_t broad_phases = 0;  ///< how often near bodies were searched again
   std::uint64_t pair_steps = 0;    ///< touching pairs, summed over the steps
-  std::size_t near_pairs = 0;      ///< now: bounding spheres overlap, or soon might
-  std::size_t searched_pairs = 0;  ///< now: near enough to keep a contact search
+  std::size_t near_pairs = 0;  ///< now, of the broad phase: bounding spheres overlap or soon might
+  std::size_t searched_pairs = 0;  ///< now, of the narrow phase: near enough to search for contacts
   std::size_t touching_pairs = 0;  ///< now
   std::size_t contact_points = 0;  ///< now
   double max_overlap = 0.0;        ///< now, m
 };
 
 /// Bodies in motion. Every body has a shape out of a common list, a state, and may be fixed: then
-/// nothing moves it. Bodies and terrain meet by the same contact search and the same law.
+/// nothing moves it. Bodies and terrain touch by the same contact search and the same law.
 ///
 /// Invariant: states, contacts and energies always belong to one instant, `time()`.
 class World {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace clast {
+namespace clast::massprops_detail {
 namespace {
 
 constexpr double kSigmas = 3.0;
@@ -58,7 +58,7 @@ struct Column {
     }
   }
 
-  void take_union() {
+  void subtract_union() {
     std::sort(intervals.begin(), intervals.end(), [](const LineInterval& a, const LineInterval& b) {
       return a.low < b.low || (a.low == b.low && a.high < b.high);
     });
@@ -74,8 +74,8 @@ struct Column {
     }
   }
 
-  /// Rounding can unbalance the crossings only within about 1e-16 of a vertex; such a line tells
-  /// nothing, and one column of a grid may be left out.
+  /// Rounding can unbalance the crossings only within about 1e-16 of a vertex; such a line
+  /// is left out, as one column of a grid may be.
   bool balanced() const {
     int sum = 0;
     for (const Crossing& c : crossings) sum += c.sign;
@@ -175,7 +175,7 @@ class BlockSum {
   std::vector<Moments>& row(std::size_t number) { return number % 2 == 0 ? lower_ : upper_; }
   std::size_t columns_met() const { return met_; }
 
-  /// Takes in the blocks of two by two columns that the two rows hold.
+  /// Adds the blocks of two by two columns in the two rows.
   void add_rows() {
     for (std::size_t i = 0; i + 1 < lower_.size(); i += 2) {
       add_block({&lower_[i], &lower_[i + 1], &upper_[i], &upper_[i + 1]});
@@ -262,7 +262,7 @@ Excess Columns::excess(std::size_t per_side) const {
       Column& column = columns[i];
       if (column.balanced()) {
         column.add_core();
-        column.take_union();
+        column.subtract_union();
       } else {
         column.clear();
       }
@@ -281,4 +281,4 @@ Excess Columns::excess(std::size_t per_side) const {
   return excess;
 }
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

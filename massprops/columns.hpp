@@ -1,11 +1,11 @@
 #pragma once
-/// What pieces of a body count more than once, by integrating along vertical columns.
+/// What the convex pieces of a body count more than once, by integrating along vertical columns.
 #include <cstddef>
 
 #include "massprops/line_pieces.hpp"
 #include "massprops/skin.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 /// What columns find, and how well they know it.
 struct Excess {
@@ -48,4 +48,4 @@ class Columns {
   LinePieces pieces_, overlaps_;
 };
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace clast {
+namespace clast::massprops_detail {
 namespace {
 
 // A plane this close to vertical bounds a line on its side, not along it.
@@ -36,7 +36,7 @@ LinePieces::LinePieces(const std::vector<SkinPiece>& pieces, double radius)
       const Slope bound{-n.x() / n.z(), -n.y() / n.z(), plane.offset / n.z()};
       (n.z() > 0.0 ? upper : lower).push_back(bound);
     }
-    // A line meets the planes' common part where every lower bound is below every upper one.
+    // A line crosses the planes' common part where every lower bound is below every upper one.
     for (const Slope& low : lower) {
       for (const Slope& high : upper) {
         sides.push_back(
@@ -124,7 +124,7 @@ LineTriangles::LineTriangles(const TriangleMesh& core) {
       t.box.include(t.corner[i]);
     }
     const Vec3 n = (t.corner[1] - t.corner[0]).cross(t.corner[2] - t.corner[0]);
-    // Seen edge-on, or without area: the height is clamped to the triangle's own range.
+    // Edge-on to the line, or without area: the height is clamped to the triangle's own range.
     if (std::abs(n.z()) > 0.0) {
       t.plane = {-n.x() / n.z(), -n.y() / n.z(), n.dot(t.corner[0]) / n.z()};
     }
@@ -163,4 +163,4 @@ double LineTriangles::height(std::size_t triangle, double x, double y) const {
   return std::clamp(t.plane.at(x, y), t.box.low.z(), t.box.high.z());
 }
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

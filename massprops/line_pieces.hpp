@@ -6,7 +6,7 @@
 
 #include "massprops/skin.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 /// Of numbers; empty when low >= high.
 struct LineInterval {
@@ -19,7 +19,7 @@ struct Slope {
   double at(double x, double y) const { return x_slope * x + y_slope * y + height; }
 };
 
-/// Convex pieces made ready for vertical lines; sorted by their lowest y and packed, since rows of
+/// Convex pieces prepared for vertical lines; sorted by their lowest y and packed, since rows of
 /// lines meet neighbours one after the other.
 class LinePieces {
  public:
@@ -28,7 +28,7 @@ class LinePieces {
   std::size_t size() const { return pieces_.size(); }
   /// Lowest and highest y of a piece; the lowest ascend.
   LineInterval rows(std::size_t piece) const { return pieces_[piece].rows; }
-  /// The x between which lines at `y` can meet the piece.
+  /// The x between which lines at `y` can cross the piece.
   LineInterval reach(std::size_t piece, double y) const;
   /// The part of the line at (x, y) inside the piece, x within its reach.
   LineInterval cut(std::size_t piece, double x, double y) const;
@@ -53,7 +53,7 @@ class LinePieces {
   std::vector<Slope> slopes_;
 };
 
-/// The core's triangles made ready for vertical lines, sorted by their lowest y.
+/// The core's triangles prepared for vertical lines, sorted by their lowest y.
 class LineTriangles {
  public:
   explicit LineTriangles(const TriangleMesh& core);
@@ -79,4 +79,4 @@ class LineTriangles {
   std::vector<Triangle> triangles_;
 };
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

@@ -24,7 +24,7 @@ struct PrincipalFrame {
 /// magnitude is positive (the first such), the last is turned to make the frame right-handed.
 ///
 /// Moments are nearly equal when they differ by less than 1e-6 of the largest, or than the tensor's
-/// stated error lets them be told apart. The axes between them are then set by convention: all
+/// stated error lets them be distinguished. The axes between them are then set by convention: all
 /// three equal, the source's own; two equal, one is the source's x axis as far as it is
 /// perpendicular to the third principal axis (y where that is within 26 degrees of x).
 /// @throws GeometryError  inertia not positive definite, or breaking the triangle inequality

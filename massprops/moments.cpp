@@ -7,7 +7,7 @@
 #include "core/number_text.hpp"
 #include "mesh/mesh_topology.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 Moments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double six_volumes = a.dot(b.cross(c));
@@ -67,4 +67,4 @@ void check_closed(const TriangleMesh& mesh, const char* what) {
                       "; its volume would be meaningless, repair it first");
 }
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

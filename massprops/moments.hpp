@@ -4,7 +4,7 @@
 #include "massprops/mass_properties.hpp"
 #include "mesh/triangle_mesh.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 /// Integrals of 1, x and x x^T over a solid.
 struct Moments {
@@ -18,7 +18,7 @@ struct Moments {
     second += other.second;
     return *this;
   }
-  /// Adds `factor` times the other solid; -1 takes it away.
+  /// Adds `factor` times the other solid; -1 subtracts it.
   void add(const Moments& other, double factor) {
     volume += factor * other.volume;
     first += factor * other.first;
@@ -29,7 +29,7 @@ struct Moments {
 /// Of the signed tetrahedron between the origin and a triangle. @cite mirtich1996
 Moments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Sum over the triangles, with vertices taken relative to `origin`.
+/// Sum over the triangles, with vertices relative to `origin`.
 Moments polyhedron_moments(const TriangleMesh& mesh, const Vec3& origin);
 
 /// Mean of the vertices that triangles use, summed about the first so that large offsets keep their
@@ -47,4 +47,4 @@ void check_density(double density);
 /// @throws GeometryError  open, non-manifold or inconsistently oriented
 void check_closed(const TriangleMesh& mesh, const char* what);
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-namespace clast {
+namespace clast::massprops_detail {
 namespace {
 
 using Polygon = std::vector<Vec3>;
@@ -49,8 +49,8 @@ void add_polygon(const Polygon& polygon, NormalCone& sum) {
   }
 }
 
-/// Whether the polyhedron lies on the far side of the cone: told by an edge that is a corner of the
-/// hull of the edges as seen from `inner`, a direction inside the cone.
+/// Whether the polyhedron lies on the far side of the cone: by an edge that is a corner of the hull
+/// of the edges as seen from `inner`, a direction inside the cone.
 bool is_peak(std::span<const Vec3> edges, std::span<const double> bends, const Vec3& inner) {
   const Vec3 across = inner.unitOrthogonal();
   std::size_t corner = 0;
@@ -85,4 +85,4 @@ NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> bend
   return is_peak(edges, bends, cone.first.normalized()) ? cone : NormalCone{};
 }
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

@@ -4,7 +4,7 @@
 
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 /// Integrals over the part of the unit sphere in a cone.
 struct NormalCone {
@@ -16,7 +16,7 @@ struct NormalCone {
 /// Cone of all u with u . e <= 0 for every edge direction e: polar to the polyhedron at the vertex.
 /// Empty where the polyhedron surrounds the vertex (a notch).
 /// @param edges  unit directions of the edges that leave the vertex
-/// @param bends  exterior dihedral angle of each, > 0 convex; tells a peak from a notch
+/// @param bends  exterior dihedral angle of each, > 0 convex; distinguishes a peak from a notch
 NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> bends);
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

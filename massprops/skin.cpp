@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "massprops/normal_cone.hpp"
+#include "mesh/half_edges.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 namespace {
 
 // A triangle lower than this share of the core's diagonal has no usable normal.
@@ -27,12 +28,6 @@ struct Ridge {
   std::size_t left = 0, right = 0;  ///< triangles
   double bend = 0.0;                ///< exterior dihedral angle, > 0 convex, rad
   bool defined = false;             ///< exactly two usable triangles, opposite directions
-};
-
-struct HalfEdge {
-  std::uint32_t low, high;
-  std::uint32_t triangle;
-  bool forward;  ///< runs from low to high
 };
 
 std::vector<Triangle> triangles_of(const TriangleMesh& core) {
@@ -59,33 +54,16 @@ double bend_angle(const Vec3& direction, const Vec3& left, const Vec3& right) {
 }
 
 std::vector<Ridge> ridges_of(const TriangleMesh& core, const std::vector<Triangle>& triangles) {
-  std::vector<HalfEdge> half_edges;
-  half_edges.reserve(3 * core.triangles.size());
-  for (std::uint32_t t = 0; t < core.triangles.size(); ++t) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const std::uint32_t p = core.triangles[t][corner];
-      const std::uint32_t q = core.triangles[t][(corner + 1) % 3];
-      half_edges.push_back({std::min(p, q), std::max(p, q), t, p < q});
-    }
-  }
-  std::sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& x, const HalfEdge& y) {
-    return std::tie(x.low, x.high, x.triangle) < std::tie(y.low, y.high, y.triangle);
-  });
-
   std::vector<Ridge> ridges;
-  for (std::size_t first = 0; first < half_edges.size();) {
-    std::size_t last = first + 1;
-    while (last < half_edges.size() && half_edges[last].low == half_edges[first].low &&
-           half_edges[last].high == half_edges[first].high) {
-      ++last;
-    }
+  const std::vector<HalfEdge> sides = sorted_half_edges(core);
+  for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
     Ridge ridge;
-    ridge.from = half_edges[first].low;
-    ridge.to = half_edges[first].high;
-    if (last - first == 2 && half_edges[first].forward != half_edges[first + 1].forward) {
-      const bool in_order = half_edges[first].forward;
-      ridge.left = half_edges[in_order ? first : first + 1].triangle;
-      ridge.right = half_edges[in_order ? first + 1 : first].triangle;
+    ridge.from = edge[0].low;
+    ridge.to = edge[0].high;
+    if (edge.size() == 2 && edge[0].forward != edge[1].forward) {
+      const std::size_t left = edge[0].forward ? 0 : 1;
+      ridge.left = edge[left].triangle;
+      ridge.right = edge[1 - left].triangle;
       ridge.defined = triangles[ridge.left].usable && triangles[ridge.right].usable;
     }
     if (ridge.defined) {
@@ -94,8 +72,7 @@ std::vector<Ridge> ridges_of(const TriangleMesh& core, const std::vector<Triangl
           bend_angle(direction, triangles[ridge.left].normal, triangles[ridge.right].normal);
     }
     ridges.push_back(ridge);
-    first = last;
-  }
+  });
   return ridges;
 }
 
@@ -180,7 +157,7 @@ void add_wedge(Skin& skin, const Vec3& p, const Vec3& q, const Vec3& left, const
     piece.box.include(end + r * left);
     piece.box.include(end + r * right);
     // The corner where the tangents at both ends of the arc meet; beyond 120 degrees the arc is
-    // held by a square.
+    // enclosed by a square.
     piece.box.include(end + reach * w);
     if (bend > 2.0 * kPi / 3.0) {
       piece.box.include(end + Vec3::Constant(r));
@@ -192,7 +169,7 @@ void add_wedge(Skin& skin, const Vec3& p, const Vec3& q, const Vec3& left, const
   skin.area += (q - p).norm() * bend * r;
 }
 
-/// Where the triangles beside an edge do not say which side is out: the cylinder all round.
+/// Where the triangles beside an edge do not define which side is out: the whole cylinder.
 void add_cylinder(Skin& skin, const Vec3& p, const Vec3& q) {
   const double length = (q - p).norm();
   if (!(length > 0.0)) return;
@@ -329,4 +306,4 @@ Skin make_skin(const TriangleMesh& core, double radius, double clear_radius) {
   return skin;
 }
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

@@ -5,7 +5,7 @@
 
 #include "massprops/moments.hpp"
 
-namespace clast {
+namespace clast::massprops_detail {
 
 /// n . x <= d.
 struct HalfSpace {
@@ -49,4 +49,4 @@ struct Skin {
 ///                      `radius`; the same for several radii gives all of them the same overlaps
 Skin make_skin(const TriangleMesh& core, double radius, double clear_radius);
 
-}  // namespace clast
+}  // namespace clast::massprops_detail

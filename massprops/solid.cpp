@@ -6,6 +6,8 @@
 
 namespace clast {
 
+using namespace massprops_detail;
+
 MassProperties solid_mass_properties(const TriangleMesh& mesh, double density) {
   check_density(density);
   check_closed(mesh, "mesh");

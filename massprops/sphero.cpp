@@ -11,6 +11,9 @@
 #include "massprops/skin.hpp"
 
 namespace clast {
+
+using namespace massprops_detail;
+
 namespace {
 
 constexpr std::size_t kFirstGrid = 64;
@@ -19,7 +22,7 @@ constexpr std::size_t kLastGrid = 4096;
 constexpr double kOrder = 1.75;
 // A closed convex surface turns through 4 pi in all; this is the rounding of the sum.
 constexpr double kTurning = 1e-9;
-// Step of the radius for the area, as a share of it, and the accuracy asked of the result.
+// Step of the radius for the area, as a share of it, and the accuracy required of the result.
 constexpr double kAreaStep = 0.05;
 constexpr double kAreaAccuracy = 1e-3;
 
@@ -30,7 +33,7 @@ void check_radius(double radius) {
 }
 
 /// Ball or capsule, by pieces: the core has no faces.
-MassProperties without_faces(const SpheroPolyhedron& body, double density) {
+MassProperties ball_or_capsule(const SpheroPolyhedron& body, double density) {
   const double r = body.radius;
   const bool ball = body.vertices.size() == 1 && body.edges.empty();
   const bool capsule = body.vertices.size() == 2 && body.edges.size() == 1;
@@ -100,8 +103,8 @@ MassProperties exact_sum(const LocalCore& core, const Skin& skin, double density
   return mass_properties_from(sum, core.origin, core.rotation, density);
 }
 
-/// Turned so that no face, edge or symmetry plane of a man-made core is along the columns, where
-/// thousands of them would err the same way.
+/// Turned so that no face, edge or symmetry plane of a man-made core is parallel to the columns,
+/// where thousands of them would err the same way.
 LocalCore turned(LocalCore core) {
   const Quat oblique = Quat(0.8731, 0.2917, -0.1843, 0.3449).normalized();
   const Mat3 local_from_core = oblique.toRotationMatrix();
@@ -136,11 +139,11 @@ MassProperties less_excess(const LocalCore& core, const Skin& skin, const Excess
 MassProperties convex_sphero_mass_properties(const SpheroPolyhedron& body, double density) {
   check_density(density);
   check_radius(body.radius);
-  if (body.faces.empty()) return without_faces(body, density);
+  if (body.faces.empty()) return ball_or_capsule(body, density);
   const LocalCore core = local_core(body);
   const Skin skin = make_skin(core.mesh, body.radius, body.radius);
   if (!is_convex(skin)) {
-    throw GeometryError("core is not convex: it has a reflex edge, or more than one piece");
+    throw GeometryError("core is not convex: it has a reflex edge, or more than one component");
   }
   return exact_sum(core, skin, density);
 }
@@ -152,7 +155,7 @@ MassProperties sphero_mass_properties(const SpheroPolyhedron& body, double densi
   if (!(accuracy >= 1e-9 && accuracy <= 0.1)) {
     throw InputError("accuracy " + with_digits(accuracy, 6) + ": must be from 1e-9 to 0.1");
   }
-  if (body.faces.empty()) return without_faces(body, density);
+  if (body.faces.empty()) return ball_or_capsule(body, density);
   const LocalCore core = local_core(body);
   const Skin skin = make_skin(core.mesh, body.radius, body.radius);
   if (is_convex(skin)) return exact_sum(core, skin, density);
@@ -172,7 +175,7 @@ double sphero_area(const SpheroPolyhedron& body) {
   check_radius(body.radius);
   const double r = body.radius;
   if (body.faces.empty()) {
-    without_faces(body, 1.0);  // refuses what is neither ball nor capsule
+    ball_or_capsule(body, 1.0);  // refuses what is neither ball nor capsule
     const double length = (body.vertices.back() - body.vertices.front()).norm();
     return 4.0 * kPi * r * r + 2.0 * kPi * r * length;
   }

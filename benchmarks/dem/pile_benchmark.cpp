@@ -2,7 +2,7 @@
 // measured after 1.2 simulated seconds, when most of them touch. Real time is what threads shorten,
 // processor time what they must not lengthen.
 // Counters: steps per second, time per touching pair and step, pairs that are listed, that keep a
-// search, and that touch, and a digest of the final states, which tells whether two builds or
+// search, and that touch, and a digest of the final states, which shows whether two builds or
 // thread counts computed the same.
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // Whole releases of a concave rock of about 600 kg on a rough slope of 36 degrees in 0.5 m cells
 // with 0.10 m roughness, until it stops or leaves: e_n^2 0.01, mu 0.70, mu_R 0.18.
 // Counters: time per step (contact steps and pieces of flight), processor time per 10 simulated
-// seconds and per release, steps, and a digest of the final states, which tells whether two builds
+// seconds and per release, steps, and a digest of the final states, which shows whether two builds
 // computed the same.
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 // Mass properties of rounded concave rocks, by columns: against the number of core vertices, the
-// asked accuracy and the grain of the surface, and of real scans taken as cores.
-// Counters: core vertices, columns' stated error, and the volume, which tells whether two builds
+// asked accuracy and the grain of the surface, and of real scans used as cores.
+// Counters: core vertices, columns' stated error, and the volume, which shows whether two builds
 // computed the same.
 #include "massprops/sphero.hpp"
 
@@ -52,7 +52,7 @@ BENCHMARK(concave_rock)
     ->Args({35, 10, 40, 6})
     ->Unit(benchmark::kMillisecond);
 
-/// A scan taken as the core, with a radius of so many per mille of its shortest side.
+/// A scan used as the core, with a radius of so many per mille of its shortest side.
 void real_scan(benchmark::State& state, const char* file, double share) {
   TriangleMesh core;
   try {

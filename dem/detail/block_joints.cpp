@@ -6,7 +6,7 @@
 
 #include "core/disjoint_sets.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 std::vector<std::uint32_t> planes(const SurfaceFeatures& block) {
@@ -66,4 +66,4 @@ BlockJoints block_joints(const SurfaceFeatures& block) {
   return made;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

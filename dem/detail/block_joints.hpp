@@ -6,7 +6,7 @@
 
 #include "dem/detail/surface_features.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// Planes and lines in one numbering: a plane by a face of it, a line after all faces.
 struct BlockJoints {
@@ -22,4 +22,4 @@ struct BlockJoints {
 
 BlockJoints block_joints(const SurfaceFeatures& block);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -7,15 +7,15 @@
 
 #include "mesh/triangle_mesh.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Parts per square root of the vertex count.
 constexpr double kPartsPerRoot = 2.0;
-/// Smaller parts are not worth their book-keeping.
+/// Smaller parts cost more than they save.
 constexpr std::size_t kSmallestPart = 16;
 
-/// What a part is made of: a vertex (radius 0) or a side.
+/// A member of a part: a vertex (radius 0) or a side.
 struct Item {
   BlockSide side;
   bool is_vertex = false;
@@ -99,4 +99,4 @@ BlockParts block_parts(const SurfaceFeatures& block) {
   return made;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

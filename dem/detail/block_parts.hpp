@@ -1,11 +1,11 @@
 #pragma once
-/// A block cut into compact parts, so that what is far from the ground can sleep as one.
+/// A block cut into compact parts: one far from the ground is checked as a whole.
 #include <cstdint>
 #include <vector>
 
 #include "dem/detail/surface_features.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// An edge or a face of a block with a ball around it, in the body frame.
 struct BlockSide {
@@ -34,4 +34,4 @@ struct BlockParts {
 /// then looking over the parts and looking into the few near the ground cost about the same.
 BlockParts block_parts(const SurfaceFeatures& block);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -1,13 +1,13 @@
 #pragma once
-/// The surface of a block with what every search for its contacts asks of it.
+/// The surface of a block with what every contact search needs of it.
 #include "dem/detail/block_joints.hpp"
 #include "dem/detail/block_parts.hpp"
 #include "dem/detail/indexed_surface.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
-/// Made once per shape: in a pile thousands of pairs refer to a few of these, so that they stay in
-/// the caches.
+/// One per shape: in a pile thousands of pairs refer to a few of these, so that they stay in the
+/// caches.
 struct BlockSurface : IndexedSurface {
   explicit BlockSurface(const SpheroPolyhedron& body)
       : IndexedSurface(indexed_surface(body)),
@@ -17,4 +17,4 @@ struct BlockSurface : IndexedSurface {
   BlockJoints joints;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

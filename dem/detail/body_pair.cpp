@@ -3,50 +3,55 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// What the search needs is dropped when the bounds are this share of the block's smallest side
 /// apart: farther than where it was made, so that a pair at the limit does not make it every step.
 constexpr double kDropShare = 0.2;
 
-std::variant<ContactSearch, BareContacts> search_for(const IndexedSurface& ground,
-                                                     const BlockSurface& block, double size) {
-  if (ground.features.faces.empty()) return BareContacts(ground, block);
-  return ContactSearch(ground, block, size);
+std::variant<ContactSearch, RodContacts> search_for(const IndexedSurface& reference,
+                                                    const BlockSurface& block, double size) {
+  if (reference.features.faces.empty()) return RodContacts(reference, block);
+  return ContactSearch(reference, block, size);
 }
 
 }  // namespace
 
-bool takes_grounds_place(const IndexedSurface& first, double first_radius,
-                         const IndexedSurface& second, double second_radius) {
+bool first_is_reference(const IndexedSurface& first, double first_radius,
+                        const IndexedSurface& second, double second_radius) {
   const bool first_has = !first.features.faces.empty(), second_has = !second.features.faces.empty();
   if (first_has != second_has) return first_has;
   return first_radius >= second_radius;
 }
 
-BodyPair::Near::Near(const IndexedSurface& ground, const BlockSurface& block, double size,
+BodyPair::Near::Near(const IndexedSurface& reference, const BlockSurface& block, double size,
                      const Rules& rules)
-    : search(search_for(ground, block, size)),
+    : search(search_for(reference, block, size)),
       forces(rules.zones, rules.zone_of_face, block, size, rules.stiffness, rules.weights,
              rules.law) {}
 
-BodyPair::BodyPair(const IndexedSurface& ground, const BlockSurface& block, double block_radius,
+BodyPair::BodyPair(const IndexedSurface& reference, const BlockSurface& block, double block_radius,
                    double size, const Rules& rules)
-    : ground_(ground), block_(block), block_radius_(block_radius), size_(size), rules_(rules) {}
+    : reference_(reference),
+      block_(block),
+      block_radius_(block_radius),
+      size_(size),
+      rules_(rules) {}
 
 double BodyPair::gap_of_bounds(const Vec3& block_centre) const {
-  const Vec3 nearest = block_centre.cwiseMax(ground_.extent.low).cwiseMin(ground_.extent.high);
-  return (block_centre - nearest).norm() - block_radius_ - ground_.radius;
+  const Vec3 nearest =
+      block_centre.cwiseMax(reference_.extent.low).cwiseMin(reference_.extent.high);
+  return (block_centre - nearest).norm() - block_radius_ - reference_.radius;
 }
 
-const ContactLoad& BodyPair::update(const BodyMotion& ground, const BodyMotion& block,
+const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotion& block,
                                     double duration) {
-  const Pose pose = ground.world_from_body.inverse() * block.world_from_body;
+  const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
   load_ = {};
   if (!near_) {
     if (gap_of_bounds(pose.translation) > 0.0) return load_;
-    near_.emplace(ground_, block_, size_, rules_);
+    near_.emplace(reference_, block_, size_, rules_);
   } else {
     // A turn by an angle a moves no point farther than 2 sin(a/2) times its distance.
     const double turn = 2.0 * (near_->pose.rotation.conjugate() * pose.rotation).vec().norm();
@@ -58,34 +63,34 @@ const ContactLoad& BodyPair::update(const BodyMotion& ground, const BodyMotion& 
     near_.reset();
     return load_;
   }
-  find_points(ground.world_from_body, pose);
-  load_ = near_->forces.update(near_->points, block, ground, duration, ledger_);
+  find_points(reference.world_from_body, pose);
+  load_ = near_->forces.update(near_->points, block, reference, duration, ledger_);
   if (near_->forces.empty()) {
     if (ContactSearch* search = std::get_if<ContactSearch>(&near_->search)) {
       near_->asleep_until = search->safe_travel();
     } else {
-      near_->asleep_until = near_->travel + std::get<BareContacts>(near_->search).clearance();
+      near_->asleep_until = near_->travel + std::get<RodContacts>(near_->search).clearance();
     }
   }
   return load_;
 }
 
-void BodyPair::part(const BodyMotion& ground, const BodyMotion& block) {
-  if (near_) near_->forces.update({}, block, ground, 0.0, ledger_);
+void BodyPair::end_contacts(const BodyMotion& reference, const BodyMotion& block) {
+  if (near_) near_->forces.update({}, block, reference, 0.0, ledger_);
   near_.reset();
   load_ = {};
 }
 
-void BodyPair::find_points(const Pose& world_from_ground, const Pose& ground_from_block) {
+void BodyPair::find_points(const Pose& world_from_reference, const Pose& reference_from_block) {
   if (ContactSearch* search = std::get_if<ContactSearch>(&near_->search)) {
-    near_->points = search->contacts(ground_from_block, near_->travel);
+    near_->points = search->contacts(reference_from_block, near_->travel);
   } else {
-    near_->points = std::get<BareContacts>(near_->search).contacts(ground_from_block);
+    near_->points = std::get<RodContacts>(near_->search).contacts(reference_from_block);
   }
   for (ContactPoint& point : near_->points) {
-    point.normal = world_from_ground.rotation * point.normal;
-    point.foot = world_from_ground * point.foot;
+    point.normal = world_from_reference.rotation * point.normal;
+    point.foot = world_from_reference * point.foot;
   }
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

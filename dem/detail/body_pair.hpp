@@ -3,20 +3,20 @@
 #include <optional>
 #include <variant>
 
-#include "dem/detail/bare_contacts.hpp"
 #include "dem/detail/contact_forces.hpp"
+#include "dem/detail/rod_contacts.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
-/// One of the two takes the ground's place: everything is searched in its frame. The pair counts
-/// how far they move against each other from the poses themselves, sleeps while that can't bring
-/// them together, and holds what the search needs only while they are near.
+/// The narrow phase runs in the frame of one of the two, the reference body. The pair measures how
+/// far they move against each other from the poses themselves, sleeps while that can't bring them
+/// together, and keeps what the search needs only while they are near.
 class BodyPair {
  public:
   /// What all pairs of a kind share. Everything referred to must outlive the pair.
   struct Rules {
     std::span<const GroundParameters> zones;
-    std::span<const std::uint16_t> zone_of_face;  ///< of the ground; empty: all are of zone 0
+    std::span<const std::uint16_t> zone_of_face;  ///< of the reference; empty: all are of zone 0
     ContactStiffness stiffness;
     ContactWeights weights = ContactWeights::kPatch;
     ContactLaw law;
@@ -24,13 +24,13 @@ class BodyPair {
 
   /// @param block_radius  of the rounded block about its origin, m
   /// @param size          smallest side of the smaller body, m
-  BodyPair(const IndexedSurface& ground, const BlockSurface& block, double block_radius,
+  BodyPair(const IndexedSurface& reference, const BlockSurface& block, double block_radius,
            double size, const Rules& rules);
 
   /// Loads at the present places after a step of `duration`; every joule goes to `ledger()`.
-  const ContactLoad& update(const BodyMotion& ground, const BodyMotion& block, double duration);
-  /// Ends all contacts, as when a body is taken away; what they stored goes to the ledger.
-  void part(const BodyMotion& ground, const BodyMotion& block);
+  const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
+  /// Ends all contacts, as when a body is removed; what they stored goes to the ledger.
+  void end_contacts(const BodyMotion& reference, const BodyMotion& block);
 
   const ContactLoad& load() const { return load_; }
   bool touching() const { return near_ && !near_->forces.empty(); }
@@ -43,19 +43,20 @@ class BodyPair {
  private:
   /// What is known while the two are near.
   struct Near {
-    Near(const IndexedSurface& ground, const BlockSurface& block, double size, const Rules& rules);
-    std::variant<ContactSearch, BareContacts> search;
+    Near(const IndexedSurface& reference, const BlockSurface& block, double size,
+         const Rules& rules);
+    std::variant<ContactSearch, RodContacts> search;
     ContactForces forces;
     std::vector<ContactPoint> points;  ///< in world axes
-    Pose pose;                         ///< ground_from_block of the last step
+    Pose pose;                         ///< reference_from_block of the last step
     double travel = 0.0;               ///< no point of the block moved farther since the start, m
     double asleep_until = -1.0;        ///< travel before which nothing can touch
   };
 
   double gap_of_bounds(const Vec3& block_centre) const;
-  void find_points(const Pose& world_from_ground, const Pose& ground_from_block);
+  void find_points(const Pose& world_from_reference, const Pose& reference_from_block);
 
-  const IndexedSurface& ground_;
+  const IndexedSurface& reference_;
   const BlockSurface& block_;
   double block_radius_;
   double size_;
@@ -65,9 +66,9 @@ class BodyPair {
   EnergyLedger ledger_;
 };
 
-/// True when the first of two bodies takes the ground's place: a body with faces before one
-/// without, then the larger, then the first.
-bool takes_grounds_place(const IndexedSurface& first, double first_radius,
-                         const IndexedSurface& second, double second_radius);
+/// True when the first of two bodies is the reference body: one with faces before one without, then
+/// the larger, then the first.
+bool first_is_reference(const IndexedSurface& first, double first_radius,
+                        const IndexedSurface& second, double second_radius);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

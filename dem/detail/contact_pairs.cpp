@@ -1,254 +1,128 @@
-// Contacts of block edges and faces: which pairs may touch soon, and those that do.
+#include "dem/detail/contact_pairs.hpp"
+
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "dem/detail/contact_search.hpp"
-#include "dem/detail/segment_distance.hpp"
+#include "dem/detail/terrain_impl.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
-/// A turn can make edges and faces touch that are deeper than anything that touches already: by
-/// this share of that depth, and this many margins.
-constexpr double kDeeperShare = 0.5, kDeeperMargins = 0.25;
-/// A list of pairs is kept while this share of the movement it allows is left.
-constexpr double kWorthKeeping = 0.3;
-/// Sides whose states are fetched ahead, and of these the nearer ones whose pairs are: about what
-/// the processor can have on its way from memory at a time.
-constexpr std::size_t kStatesAhead = 8, kPairsAhead = 4;
+/// Bounding spheres this far apart are listed, as a share of the mean radius of the bodies that
+/// move: the list then lasts for tens of steps of a falling block.
+constexpr double kSlackShare = 0.15;
+/// Pairs that a thread takes at a time.
+constexpr std::size_t kPairsAtATime = 8;
 
 }  // namespace
 
-bool ContactSearch::meets_edge(std::uint32_t edge, const Vec3& normal) const {
-  return in_arc(block_, block_.edges[edge], -(rotation_.transpose() * normal));
-}
-
-bool ContactSearch::edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge& of_block,
-                                const Vec3& normal) const {
-  const Vec3 in_body = -(rotation_.transpose() * normal);
-  return near_arc(ground_.features, of_ground, normal) && near_arc(block_, of_block, in_body);
-}
-
-void ContactSearch::list_due_sides() {
-  due_sides_.clear();
-  for (const std::uint32_t s : awake_sides_) due_sides_.add_if(side_due_[s] <= moved_, s);
-  for (std::size_t i = 0; i < std::min(kStatesAhead, due_sides_.size()); ++i) {
-    __builtin_prefetch(&side_states_[due_sides_[i]]);
+void ContactPairs::set_slack(std::span<const WorldBody> bodies) {
+  double radii = 0.0, moving = 0.0;
+  for (const WorldBody& body : bodies) {
+    if (body.fixed) continue;
+    radii += body.shape->radius;
+    moving += 1.0;
   }
+  slack_ = kSlackShare * (moving > 0.0 ? radii / moving : 1.0);
 }
 
-void ContactSearch::look_at_due_sides(double within) {
-  // A pile is larger than the caches: the next sides are fetched while this one is looked at.
-  const std::size_t count = due_sides_.size();
-  for (std::size_t i = 0; i < std::min(kPairsAhead, count); ++i) {
-    __builtin_prefetch(side_states_[due_sides_[i]].awake.data());
+ContactPair ContactPairs::contact_pair(std::uint32_t first, std::uint32_t second,
+                                       std::span<const WorldBody> bodies) const {
+  const Shape& a = *bodies[first].shape;
+  if (second == ContactPair::kTerrain) {
+    return {second, first,
+            std::make_unique<BodyPair>(terrain_->impl().surface, a.surface, a.radius, a.body.size(),
+                                       on_terrain_)};
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i + kStatesAhead < count) __builtin_prefetch(&side_states_[due_sides_[i + kStatesAhead]]);
-    if (i + kPairsAhead < count) {
-      __builtin_prefetch(side_states_[due_sides_[i + kPairsAhead]].awake.data());
+  const Shape& b = *bodies[second].shape;
+  const double size = std::min(a.body.size(), b.body.size());
+  if (first_is_reference(a.surface, a.radius, b.surface, b.radius)) {
+    return {first, second,
+            std::make_unique<BodyPair>(a.surface, b.surface, b.radius, size, between_bodies_)};
+  }
+  return {second, first,
+          std::make_unique<BodyPair>(b.surface, a.surface, a.radius, size, between_bodies_)};
+}
+
+std::vector<BroadPhase::Pair> ContactPairs::pairs_to_keep(std::span<const WorldBody> bodies) const {
+  std::vector<BroadPhase::Pair> wanted;
+  for (const BroadPhase::Pair& pair : broad_phase_.pairs()) {
+    if (!bodies[pair[0]].left && !bodies[pair[1]].left) wanted.push_back(pair);
+  }
+  if (terrain_) {
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+      if (!bodies[i].still()) wanted.push_back({i, ContactPair::kTerrain});
     }
-    look_at_side(due_sides_[i], moved_, within);
+    std::sort(wanted.begin(), wanted.end());
   }
+  return wanted;
 }
 
-void ContactSearch::look_at_side(std::uint32_t s, double until, double within) {
-  SideState& state = side_states_[s];
-  if (std::min(state.list_until, state.others_clear_until) <= until && !list_holds(s, until)) {
-    list_pairs(s, within);
+void ContactPairs::refresh(std::span<const WorldBody> bodies) {
+  spheres_.clear();
+  for (const WorldBody& body : bodies) {
+    spheres_.push_back({body.motion.world_from_body.translation, body.shape->radius, body.still()});
   }
-  if (state.sleepers_due <= until) list_awake_pairs(s, std::max(until, moved_ + list_ahead()));
-  double due = std::min(state.list_until, state.sleepers_due);
-  double clear_until = std::min(state.others_clear_until, state.sleepers_clear_until);
-  for (Pair& pair : state.awake) {
-    if (pair.due <= until) look_at_pair(parts_.sides[s].feature, pair);
-    due = std::min(due, pair.due);
-    clear_until = std::min(clear_until, pair.clear_until);
-  }
-  side_due_[s] = due;
-  state.clear_until = clear_until;
-}
-
-void ContactSearch::list_awake_pairs(std::uint32_t s, double horizon) {
-  SideState& state = side_states_[s];
-  std::vector<Pair>& pairs = side_lists_[s].pairs;
-  auto place = pairs.begin();
-  for (const Pair& awake : state.awake) {
-    while (!place->same_features(awake)) ++place;
-    *place = awake;
-  }
-  state.awake.clear();
-  state.sleepers_due = state.sleepers_clear_until = 1e300;
-  for (const Pair& pair : pairs) {
-    if (pair.due <= horizon) {
-      state.awake.push_back(pair);
+  if (!broad_phase_.refresh(spheres_, slack_)) return;
+  ++broad_phases_;
+  // Both lists are sorted: pairs in both go on, those no longer near end.
+  std::vector<ContactPair> known = std::exchange(pairs_, {});
+  auto old = known.begin();
+  const auto end_until = [&](const BroadPhase::Pair& key) {
+    for (; old != known.end() && old->key() < key; ++old) {
+      old->contacts->end_contacts(motion_of(old->reference, bodies), motion_of(old->block, bodies));
+      ended_ += old->contacts->ledger();
+    }
+  };
+  for (const BroadPhase::Pair& pair : pairs_to_keep(bodies)) {
+    end_until(pair);
+    if (old != known.end() && old->key() == pair) {
+      pairs_.push_back(std::move(*old++));
     } else {
-      state.sleepers_due = std::min(state.sleepers_due, pair.due);
-      state.sleepers_clear_until = std::min(state.sleepers_clear_until, pair.clear_until);
+      pairs_.push_back(contact_pair(pair[0], pair[1], bodies));
     }
   }
-}
-
-bool ContactSearch::list_holds(std::uint32_t s, double until) {
-  const BlockSide& side = parts_.sides[s];
-  const SideList& list = side_lists_[s];
-  const double used =
-      (placed(side.middle) - list.listed).norm() + side.radius * (turned_ - list.listed_turned);
-  const double left = list.list_holds - used;
-  if (!(left > std::max(until - moved_, kWorthKeeping * list.list_holds))) return false;
-  SideState& state = side_states_[s];
-  state.list_until = moved_ + left;
-  state.others_clear_until = moved_ + (list.others_clear - used);
-  return true;
-}
-
-void ContactSearch::list_pairs(std::uint32_t s, double within) {
-  const BlockSide& side = parts_.sides[s];
-  SideState& state = side_states_[s];
-  SideList& list = side_lists_[s];
-  const LocalGround& ground = part_states_[list.part].ground;
-  const Vec3 middle = placed(side.middle);
-  list.pairs.clear();
-  state.awake.clear();
-  state.sleepers_due = -1.0;
-  const double complete = completeness(part_states_[list.part]);
-  const double by_plane = std::min(ground.plane.clearance(middle) - side.radius, complete);
-  const auto hold = [&](double list_holds, double others_clear) {
-    list.listed = middle;
-    list.listed_turned = turned_;
-    list.list_holds = list_holds;
-    list.others_clear = others_clear;
-    state.list_until = moved_ + list_holds;
-    state.others_clear_until = moved_ + others_clear;
-  };
-  if (by_plane > within) return hold(by_plane - reach_, by_plane - reach_);
-  const double listed = within + side.radius;
-  double others = complete + side.radius;
-  const auto consider = [&](ContactKind kind, std::uint32_t feature, double squared_distance) {
-    if (squared_distance < listed * listed) {
-      list.pairs.push_back({kind, feature, moved_, moved_});
-    } else if (squared_distance < others * others) {
-      others = std::sqrt(squared_distance);
-    }
-  };
-  if (!side.is_face) {
-    for (const LocalGround::Edge& edge : ground.edges) {
-      const Vec3 out = middle - edge.start;
-      const double along = std::clamp(edge.direction.dot(out), 0.0, edge.length);
-      consider(ContactKind::kEdgeEdge, edge.edge, (out - along * edge.direction).squaredNorm());
-    }
-  }
-  if (side.is_face || reach_ > 0.0) {
-    const ContactKind kind = side.is_face ? ContactKind::kFaceVertex : ContactKind::kEdgeVertex;
-    for (const LocalGround::Corner& corner : ground.corners) {
-      consider(kind, corner.vertex, (middle - corner.point).squaredNorm());
-    }
-  }
-  hold(asleep(others - side.radius), others - side.radius - reach_);
-}
-
-double ContactSearch::deepest_pair() const {
-  return deepest_ > 0.0 ? (1.0 + kDeeperShare) * deepest_ + kDeeperMargins * margin_ : 0.0;
-}
-
-double ContactSearch::asleep(double apart) const {
-  // Features that have passed each other inside the ground touch as deep as the block has sunk, so
-  // they must be seen again when the one distance meets the other.
-  return std::min(apart - reach_, 0.5 * (apart - deepest_pair()));
-}
-
-void ContactSearch::sleep(Pair& pair, double apart) const {
-  pair.clear_until = moved_ + (apart - reach_);
-  pair.due = moved_ + asleep(apart);
-}
-
-void ContactSearch::look_at_pair(std::uint32_t block_feature, Pair& pair) {
-  switch (pair.kind) {
-    case ContactKind::kEdgeEdge:
-      look_at_edges(block_feature, pair);
-      break;
-    case ContactKind::kEdgeVertex:
-      look_at_edge_vertex(block_feature, pair);
-      break;
-    default:
-      look_at_face_vertex(block_feature, pair);
+  end_until({ContactPair::kTerrain, ContactPair::kTerrain});
+  of_body_.assign(bodies.size(), {});
+  for (std::uint32_t e = 0; e < pairs_.size(); ++e) {
+    if (pairs_[e].reference != ContactPair::kTerrain) of_body_[pairs_[e].reference].push_back(e);
+    of_body_[pairs_[e].block].push_back(e);
   }
 }
 
-void ContactSearch::look_at_edges(std::uint32_t block_edge, Pair& pair) {
-  const SurfaceEdge& edge = block_.edges[block_edge];
-  const SurfaceEdge& other = ground_.features.edges[pair.ground_feature];
-  const Vec3 along = rotation_ * edge.direction;
-  const Vec3 start = placed(block_.vertices[edge.vertices[0]]);
-  const Vec3& base = ground_.features.vertices[other.vertices[0]];
-  const ClosestOnSegments closest =
-      closest_on_segments(start, along, edge.length, base, other.direction, other.length);
-  sleep(pair, closest.between.norm());
-  if (!closest.crossing) return;
-  Vec3 normal = along.cross(other.direction);
-  normal *= (normal.dot(ground_.features.edge_normal(other)) >= 0.0 ? 1.0 : -1.0) / normal.norm();
-  const double gap = normal.dot(start - base);
-  if (gap >= reach_ || gap < -depth_limit_) return;
-  if (!edges_carry(other, edge, normal)) return;
-  ContactPoint contact;
-  contact.kind = ContactKind::kEdgeEdge;
-  contact.block_feature = block_edge;
-  contact.ground_feature = pair.ground_feature;
-  contact.ground_face = other.faces[0];
-  contact.normal = normal;
-  contact.overlap = reach_ - gap;
-  contact.foot = base + closest.second * other.direction + ground_.radius * normal;
-  touch(pair, contact);
+void ContactPairs::update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team) {
+  team.run(pairs_.size(), kPairsAtATime, [&](std::size_t e) {
+    const ContactPair& pair = pairs_[e];
+    pair.contacts->update(motion_of(pair.reference, bodies), motion_of(pair.block, bodies),
+                          duration);
+  });
 }
 
-void ContactSearch::look_at_edge_vertex(std::uint32_t block_edge, Pair& pair) {
-  const SurfaceEdge& edge = block_.edges[block_edge];
-  const Vec3& corner = ground_.features.vertices[pair.ground_feature];
-  const Vec3 start = placed(block_.vertices[edge.vertices[0]]);
-  const Vec3 along = rotation_ * edge.direction;
-  const double s = along.dot(corner - start);
-  const Vec3 out = start + std::clamp(s, 0.0, edge.length) * along - corner;
-  const double distance = out.norm();
-  sleep(pair, distance);
-  if (distance >= reach_ || s <= 0.0 || s >= edge.length || !(distance > 0.0)) return;
-  const Vec3 normal = out / distance;
-  if (meets_edge(block_edge, normal) && in_cone(ground_.features, pair.ground_feature, normal)) {
-    touch_corner(block_edge, pair, normal, distance);
+void ContactPairs::begin(std::span<const WorldBody> bodies, std::size_t known) {
+  for (const ContactPair& pair : pairs_) {
+    if (pair.between(known)) continue;
+    pair.contacts->update(motion_of(pair.reference, bodies), motion_of(pair.block, bodies), 0.0);
   }
 }
 
-void ContactSearch::look_at_face_vertex(std::uint32_t block_face, Pair& pair) {
-  const SurfaceFace& face = block_.faces[block_face];
-  const Vec3& corner = ground_.features.vertices[pair.ground_feature];
-  const Vec3 in_body = rotation_.transpose() * (corner - position_);
-  if (depth_in_face(block_, face, in_body) < 0.0) {
-    return sleep(pair, std::abs(nearest_on_face(block_, block_face, in_body).distance));
+void ContactPairs::end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies) {
+  for (const std::uint32_t e : of_body_[body]) {
+    const ContactPair& pair = pairs_[e];
+    pair.contacts->end_contacts(motion_of(pair.reference, bodies), motion_of(pair.block, bodies));
   }
-  const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);
-  sleep(pair, std::abs(height));
-  if (height >= reach_ || height < -depth_limit_) return;
-  const Vec3 normal = -(rotation_ * face.normal);
-  if (near_cone(ground_.features, pair.ground_feature, normal)) {
-    touch_corner(block_face, pair, normal, height);
-  }
+  broad_phase_ = {};  // the broad phase runs again without it
 }
 
-void ContactSearch::touch_corner(std::uint32_t block_feature, Pair& pair, const Vec3& normal,
-                                 double distance) {
-  ContactPoint contact;
-  contact.kind = pair.kind;
-  contact.block_feature = block_feature;
-  contact.ground_feature = pair.ground_feature;
-  contact.ground_face = ground_.face_of_vertex[pair.ground_feature];
-  contact.normal = normal;
-  contact.overlap = reach_ - distance;
-  contact.foot = ground_.features.vertices[pair.ground_feature] + ground_.radius * normal;
-  touch(pair, contact);
+EnergyLedger ContactPairs::losses() const {
+  EnergyLedger sum = ended_;
+  for (const ContactPair& pair : pairs_) sum += pair.contacts->ledger();
+  return sum;
 }
 
-void ContactSearch::touch(Pair& pair, const ContactPoint& contact) {
-  pair.due = pair.clear_until = moved_;
-  add(contact);
+double ContactPairs::stored_energy() const {
+  double sum = 0.0;
+  for (const ContactPair& pair : pairs_) sum += pair.contacts->stored_energy();
+  return sum;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

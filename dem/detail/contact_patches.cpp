@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Normals within a patch differ by at most 30 degrees: smoothly curved, not a ridge.
@@ -20,18 +20,19 @@ std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& p
                                               const Quat& orientation) {
   const std::size_t count = points.size();
   if (count == 1) {  // by whatever rule
-    law_.assign(1, 0);
+    patch_.assign(1, 0);
     share_.assign(1, 1.0);
     return share_;
   }
   share_.assign(count, weights_ == ContactWeights::kCount ? 1.0 / static_cast<double>(count) : 1.0);
-  law_.assign(count, 0);
-  if (weights_ == ContactWeights::kNone) std::iota(law_.begin(), law_.end(), std::size_t{0});
+  patch_.assign(count, 0);
+  if (weights_ == ContactWeights::kNone) std::iota(patch_.begin(), patch_.end(), std::size_t{0});
   if (weights_ == ContactWeights::kNone || weights_ == ContactWeights::kCount) return share_;
   if (weights_ == ContactWeights::kPatch) join(points, orientation);
-  law_overlap_.assign(count, 0.0);
-  for (std::size_t i = 0; i < count; ++i) law_overlap_[law_of(i)] += points[i].overlap;
-  for (std::size_t i = 0; i < count; ++i) share_[i] = points[i].overlap / law_overlap_[law_of(i)];
+  patch_overlap_.assign(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) patch_overlap_[patch_of(i)] += points[i].overlap;
+  for (std::size_t i = 0; i < count; ++i)
+    share_[i] = points[i].overlap / patch_overlap_[patch_of(i)];
   return share_;
 }
 
@@ -82,7 +83,7 @@ void ContactPatches::link(const std::vector<ContactPoint>& points) {
 }
 
 void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& orientation) {
-  std::iota(law_.begin(), law_.end(), std::size_t{0});
+  std::iota(patch_.begin(), patch_.end(), std::size_t{0});
   if (!same_features(points)) link(points);
   // Flat or smoothly convex ground between the two.
   const auto smooth_between = [](const ContactPoint& a, const ContactPoint& b) {
@@ -95,13 +96,13 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
   normals_in_body_.clear();
   for (const ContactPoint& point : points)
     normals_in_body_.push_back(body_from_world * point.normal);
-  // A side wall joins nothing that stands on the ground: two feet stay two.
+  // A side wall joins no points on the ground: two feet stay two.
   const auto wall = [&](std::uint32_t joint, std::uint32_t point) {
     return joint < block_.faces.size() &&
            block_.faces[joint].normal.dot(normals_in_body_[point]) > -kFacingCosine;
   };
   const auto name = [&](std::size_t point) {
-    while (law_[point] != point) point = law_[point] = law_[law_[point]];
+    while (patch_[point] != point) point = patch_[point] = patch_[patch_[point]];
     return point;
   };
   // Neighbours mostly join all there is; then the many other links can't add anything.
@@ -112,11 +113,11 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
     if (a == b) continue;
     if (wall(link.joint, link.point) || wall(link.joint, link.earlier)) continue;
     if (smooth_between(points[link.point], points[link.earlier])) {
-      law_[std::max(a, b)] = std::min(a, b);
+      patch_[std::max(a, b)] = std::min(a, b);
       --patches;
     }
   }
-  for (std::size_t i = 0; i < law_.size(); ++i) law_[i] = law_[law_[i]];
+  for (std::size_t i = 0; i < patch_.size(); ++i) patch_[i] = patch_[patch_[i]];
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Which contact points act as one, and what share of the stiffness each carries.
+/// Contact patches: points that act as one, and the share of the stiffness that each carries.
 /// @cite garcia2022 (Eqs. 6-8)
 #include <array>
 #include <span>
@@ -9,7 +9,7 @@
 #include "dem/contact_law.hpp"
 #include "dem/detail/contact_search.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// The weights of the contact points of one pair of bodies.
 class ContactPatches {
@@ -18,10 +18,10 @@ class ContactPatches {
   ContactPatches(const BlockSurface& block, ContactWeights weights)
       : block_(block.features), joints_(block.joints), weights_(weights) {}
 
-  /// Weight of every point, valid until the next call. Points that share a law have the same
-  /// number in `law_of`.
+  /// Weight of every point, valid until the next call. Points of one patch have the same number in
+  /// `patch_of`.
   std::span<const double> share(const std::vector<ContactPoint>& points, const Quat& orientation);
-  std::size_t law_of(std::size_t point) const { return law_[point]; }
+  std::size_t patch_of(std::size_t point) const { return patch_[point]; }
 
  private:
   /// Two points that lie on the same plane or line of the block.
@@ -46,8 +46,8 @@ class ContactPatches {
 
   // Of the last call. The links depend only on the features, which mostly stay from call to call.
   std::vector<double> share_;
-  std::vector<std::size_t> law_;  ///< smallest point of the same law
-  std::vector<double> law_overlap_;
+  std::vector<std::size_t> patch_;  ///< smallest point of the same patch
+  std::vector<double> patch_overlap_;
   std::vector<Vec3> normals_in_body_;
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< of the block, by point
   std::vector<Link> links_;  ///< neighbours in the order of points first, then all others
@@ -57,4 +57,4 @@ class ContactPatches {
   std::vector<std::uint32_t> last_on_joint_;  ///< entry of `on_joint_`, by joint
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -6,7 +6,7 @@
 #include "dem/detail/deep_contacts.hpp"
 #include "dem/detail/flying_ball.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Candidate lists look ahead this share of the block's smallest side: long enough to be rebuilt
@@ -24,12 +24,23 @@ constexpr double kPairMargins = 3.0;
 /// What is due is listed for this many calls like the last, but for this share of a margin at
 /// least.
 constexpr double kListCalls = 16.0, kShortest = 1.0 / 16.0;
-/// What the ball around the block can fly is taken as it is when it is this many times what is
-/// worthwhile: less than what it costs to look closer.
+/// The flight of the ball around the block is enough when it is this many times what is worthwhile:
+/// less than what a closer search costs.
 constexpr double kBallSteps = 16.0;
 constexpr double kLongestFlight = 60.0;  ///< s
-/// Looking for a longer flight starts at the first of these many margins and goes on in strides.
+/// The search for a longer flight starts at the first of these numbers of margins and goes on in
+/// strides.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
+
+/// From distance = speed t + acceleration t^2/2, in the form that keeps its digits.
+double time_over(double distance, double speed, double acceleration) {
+  if (!(distance > 0.0)) return 0.0;
+  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
+}
+
+double distance_in(double time, double speed, double acceleration) {
+  return time * (speed + 0.5 * acceleration * time);
+}
 
 }  // namespace
 
@@ -69,11 +80,11 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   if (moved_ >= next_part_ || moved_ > horizon_) wake();
   list_due_sides();
   for (const std::uint32_t v : awake_vertices_) {
-    if (vertex_due_[v] <= moved_) look_at_vertex(v, moved_);
+    if (vertex_due_[v] <= moved_) update_vertex(v, moved_);
   }
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  look_at_due_sides(std::max(reach_, deepest_pair()) + kPairMargins * margin_);
-  drop_resolved(contacts_, ground_, surface_, ground_from_body, size_);
+  update_due_sides(std::max(reach_, deepest_pair()) + kPairMargins * margin_);
+  remove_resolved(contacts_, ground_, surface_, ground_from_body, size_);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   if (!contacts_.empty()) {
@@ -106,19 +117,19 @@ void ContactSearch::wake() {
       PartState& part = part_states_[p];
       if (part.due > moved_) continue;
       const bool was_near = part.near;
-      look_at_part(p, moved_);
+      update_part(p, moved_);
       relist = relist || part.near != was_near;
     }
   }
   if (relist) return list_awake(moved_ + list_ahead());
-  survey_parts();
+  find_next_part();
 }
 
 double ContactSearch::list_ahead() const {
   return std::clamp(kListCalls * last_move_, kShortest * margin_, margin_);
 }
 
-void ContactSearch::survey_parts() {
+void ContactSearch::find_next_part() {
   next_part_ = 1e300;
   for (const PartState& part : part_states_) next_part_ = std::min(next_part_, part.due);
 }
@@ -140,7 +151,7 @@ bool ContactSearch::sleep_whole() {
   return true;
 }
 
-void ContactSearch::take_up_ground(double complete) {
+void ContactSearch::gather_ground(double complete) {
   if (ground_complete_ - (moved_ - ground_gathered_at_) >= complete) return;
   ground_complete_ = complete + kGroundMargins * margin_;
   ground_gathered_at_ = moved_;
@@ -148,13 +159,13 @@ void ContactSearch::take_up_ground(double complete) {
   for (PartState& part : part_states_) part.near_face = 0;
 }
 
-void ContactSearch::look_at_part(std::uint32_t p, double until) {
+void ContactSearch::update_part(std::uint32_t p, double until) {
   const BlockPart& part = parts_.parts[p];
   PartState& state = part_states_[p];
   const Vec3 centre = placed(part.centre);
   const double touching = part.radius + reach_;
-  // Often it is known well enough without measuring: from where it was, or from the plane.
-  take_up_ground(touching + 2.0 * kPartMargins * margin_);
+  // Often the last measurement or the plane bounds the gap well enough.
+  gather_ground(touching + 2.0 * kPartMargins * margin_);
   const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
   const double enough = std::max(margin_, until - moved_);
   double gap = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
@@ -165,7 +176,7 @@ void ContactSearch::look_at_part(std::uint32_t p, double until) {
   if (gap <= enough) {
     double distance = complete;
     if (state.due < 0.0) {
-      // Nothing is known yet, it may lie deep inside.
+      // Not measured yet: it may lie deep inside.
       const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
       const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
       distance = nearest ? nearest->distance : far;
@@ -189,7 +200,7 @@ void ContactSearch::gather(std::uint32_t p, double distance) {
   const BlockPart& part = parts_.parts[p];
   PartState& state = part_states_[p];
   // How deep a vertex of the part can be inside the ground: unknown at the start, not at all when
-  // the part slept, as last seen when it was near.
+  // the part slept, as last measured when it was near.
   double deepest = state.due < 0.0 ? part.radius - distance : 0.0;
   for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
     VertexState& vertex = vertex_states_[v];
@@ -214,7 +225,7 @@ void ContactSearch::gather(std::uint32_t p, double distance) {
   state.gathered_at = moved_;
   state.due = moved_ + ahead;
   state.near = true;
-  take_up_ground(state.complete);
+  gather_ground(state.complete);
   state.ground.gather(ground_.features, local_, placed(part.centre), part.radius + state.complete);
 }
 
@@ -239,7 +250,7 @@ void ContactSearch::list_awake(double horizon) {
     list(part.first_side, part.end_side, side_due_, awake_sides_);
   }
   sleepers_clear_until_ = sleepers_clear_until;
-  survey_parts();
+  find_next_part();
 }
 
 double ContactSearch::safe_travel() {
@@ -266,21 +277,12 @@ double ContactSearch::safe_time(const FlightBounds& flight, double worthwhile) {
 }
 
 double ContactSearch::search_time(const FlightBounds& flight, double first) {
-  // distance = speed t + acceleration t^2/2, in the form that keeps its digits.
-  const auto time_over = [](double distance, double speed, double acceleration) {
-    if (!(distance > 0.0)) return 0.0;
-    return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
-  };
-  const auto moved_in = [](double time, double speed, double acceleration) {
-    return time * (speed + 0.5 * acceleration * time);
-  };
-  // What is known decays with every movement. Measuring what could touch first, and only that,
-  // shows how long the block can really fly; each stride is made only when the one before was
-  // clear.
+  // Bounds shrink with every movement. Measuring what could touch first, and only that, gives how
+  // long the block can fly; each stride is made only when the one before was clear.
   const double spin_rate = flight.spin.norm();
   double wanted = first;
   while (true) {
-    const double farthest = moved_in(wanted, flight.top_speed, flight.gravity);
+    const double farthest = distance_in(wanted, flight.top_speed, flight.gravity);
     const double until = moved_ + farthest;
     double time = 1e300, others_clear_until = 1e300;
     // The time that a ball around `arm` needs for its distance, looked at again when that is short.
@@ -292,11 +294,11 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
       }
       const Vec3 arm = rotation_ * in_body;
       const double speed = (flight.velocity + flight.spin.cross(arm)).norm() + radius * spin_rate;
-      const double needed = std::min(farthest, moved_in(wanted, speed, flight.acceleration));
+      const double needed = std::min(farthest, distance_in(wanted, speed, flight.acceleration));
       if (clear_until < moved_ + needed) look(moved_ + needed);
       const double distance = clear_until - moved_;
-      if (moved_in(time, speed, flight.acceleration) <= distance ||
-          moved_in(time, flight.top_speed, flight.gravity) <= distance) {
+      if (distance_in(time, speed, flight.acceleration) <= distance ||
+          distance_in(time, flight.top_speed, flight.gravity) <= distance) {
         return;
       }
       time = std::max(time_over(distance, speed, flight.acceleration),
@@ -307,7 +309,7 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
       if (part_states_[p].near) continue;
       const double others = time;
       consider(part_states_[p].due, parts_.parts[p].centre, parts_.parts[p].radius,
-               [&](double needed) { look_at_part(p, needed); });
+               [&](double needed) { update_part(p, needed); });
       if (part_states_[p].near) {
         time = others;
         relist = true;
@@ -320,12 +322,12 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
     others_clear_until = std::min(others_clear_until, sleepers_clear_until_);
     for (const std::uint32_t v : awake_vertices_) {
       consider(vertex_due_[v], block_.vertices[parts_.vertices[v]], 0.0,
-               [&](double needed) { look_at_vertex(v, needed); });
+               [&](double needed) { update_vertex(v, needed); });
     }
     for (const std::uint32_t s : awake_sides_) {
       const BlockSide& side = parts_.sides[s];
       consider(side_states_[s].clear_until, side.middle, side.radius,
-               [&](double needed) { look_at_side(s, needed, reach_ + (needed - moved_)); });
+               [&](double needed) { update_side(s, needed, reach_ + (needed - moved_)); });
     }
     time = std::min(time, time_over(others_clear_until - moved_, flight.top_speed, flight.gravity));
     if (time < wanted || farthest >= kLastLook * margin_) return time;
@@ -349,4 +351,4 @@ void ContactSearch::add(const ContactPoint& contact) {
   contacts_.push_back(contact);
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

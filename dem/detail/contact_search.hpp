@@ -1,12 +1,12 @@
 #pragma once
-/// Finds the contact points of one block on the ground, or on another block that takes the ground's
-/// place: everything here is in the frame of the ground.
+/// Narrow phase: finds the contact points of one block on a reference body, the terrain or another
+/// block. That body is called the ground here, and everything is in its frame.
 ///
 /// Everything is paced by how far any point of the block has moved since the start, `moved_`.
 /// Whatever is found to be a distance d away sleeps until it has grown by d, so that nothing can
 /// touch unseen and most of the block costs nothing most of the time. The block is cut into parts
-/// that sleep as one; a part near the ground holds a list of the ground near it, in which its
-/// vertices and its sides (edges and faces) look for what they may touch.
+/// that sleep as one; a part near the ground keeps a list of the ground near it, in which its
+/// vertices and its sides (edges and faces) search for features that they may touch.
 #include <cstdint>
 #include <vector>
 
@@ -14,7 +14,7 @@
 #include "dem/detail/local_ground.hpp"
 #include "dem/detail/number_list.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 enum class ContactKind : std::uint8_t {
   kVertexGround,  ///< block vertex against a face, edge or vertex of the ground
@@ -28,7 +28,7 @@ struct ContactPoint {
   ContactKind kind = ContactKind::kVertexGround;
   std::uint32_t block_feature = 0;   ///< vertex, edge or face of the block
   std::uint32_t ground_feature = 0;  ///< edge or vertex of the ground; a face for kVertexGround
-  std::uint32_t ground_face = 0;     ///< a face next to the contact: tells the zone
+  std::uint32_t ground_face = 0;     ///< a face next to the contact: gives the zone
   Vec3 normal = Vec3::UnitZ();       ///< unit, out of the ground into the block
   Vec3 foot = Vec3::Zero();          ///< on the ground's skin
   double overlap = 0.0;              ///< m, positive
@@ -61,9 +61,9 @@ class ContactSearch {
   /// search for it has found little it is not repeated at once, as in `safe_time`.
   double safe_travel();
   /// How long no contact can come on such a flight (valid after `contacts`), s. Away from the
-  /// ground that is told by the ball around the block. Near it the search costs as much as several
+  /// ground the ball around the block gives it. Near it the search costs as much as several
   /// steps, so it is not repeated at once where one has found too little: then 0.
-  /// @param worthwhile  s: a shorter time is of no use to the caller
+  /// @param worthwhile  s: a shorter time does not help the caller
   double safe_time(const FlightBounds& flight, double worthwhile);
 
  private:
@@ -93,31 +93,32 @@ class ContactSearch {
     double sure_outside_until = -1.0;
   };
   /// A side of the block with an edge or vertex of the ground.
-  struct Pair {
+  struct FeaturePair {
     ContactKind kind;
     std::uint32_t ground_feature;
-    double due;          ///< look at it again
+    double due;          ///< check it again
     double clear_until;  ///< cannot touch before
 
-    bool same_features(const Pair& other) const {
+    bool same_features(const FeaturePair& other) const {
       return kind == other.kind && ground_feature == other.ground_feature;
     }
   };
-  /// What every look at a side reads: one cache line, and the pairs themselves. In a pile this is
+  /// What every check of a side reads: one cache line, and the pairs themselves. In a pile this is
   /// most of what comes from memory.
   struct alignas(64) SideState {
     double clear_until = -1.0;
-    // Of the pairs that are not due soon what `Pair` tells of each: for the first of them. Until
-    // when the list of pairs holds, and until when what is not listed cannot touch.
+    // `due` and `clear_until` of the pairs that are not due soon: of the first of them.
+    // Until when the list of pairs holds, and until when what is not listed cannot touch.
     double sleepers_due = -1.0, sleepers_clear_until = -1.0;
     double list_until = -1.0;
     double others_clear_until = -1.0;
-    std::vector<Pair> awake;  ///< copies of the listed pairs that are due soon, in their order
+    std::vector<FeaturePair>
+        awake;  ///< copies of the listed pairs that are due soon, in their order
   };
-  /// What is needed only where a side's lists are made anew.
+  /// What is needed only where a side's lists are renewed.
   struct SideList {
     std::uint32_t part = 0;
-    std::vector<Pair> pairs;  ///< all listed; of those awake the copies count
+    std::vector<FeaturePair> pairs;  ///< all listed; of those awake the copies count
     // When the list ends and what is not listed can touch, as movement from where the middle was
     // when listed, and `turned_` then.
     double list_holds = 0.0, others_clear = 0.0;
@@ -128,14 +129,14 @@ class ContactSearch {
   void move_to(const Pose& ground_from_body);
   void wake();
   bool sleep_whole();
-  /// Makes `local_` hold everything that near a block moved no farther than so.
-  void take_up_ground(double complete);
+  /// Makes `local_` complete up to this distance from the block.
+  void gather_ground(double complete);
   /// How far lists of what is due look ahead, m.
   double list_ahead() const;
   /// Until when it must be known whether the part can touch.
-  void look_at_part(std::uint32_t p, double until);
+  void update_part(std::uint32_t p, double until);
   void gather(std::uint32_t p, double distance);
-  void survey_parts();
+  void find_next_part();
   void list_awake(double horizon);
   double search_time(const FlightBounds& flight, double first);
   double completeness(const PartState& part) const {
@@ -143,8 +144,8 @@ class ContactSearch {
   }
 
   /// Until when it must be known whether the vertex can touch.
-  void look_at_vertex(std::uint32_t vertex, double until);
-  bool look_at_sure_face(std::uint32_t vertex, const Vec3& centre);
+  void update_vertex(std::uint32_t vertex, double until);
+  bool update_sure_face(std::uint32_t vertex, const Vec3& centre);
   void measure_vertex(std::uint32_t vertex, const Vec3& centre);
   /// Direction in which a vertex inside the ground is pushed: to the surface point, or up to the
   /// plane in which a ground that ends there goes on.
@@ -160,23 +161,24 @@ class ContactSearch {
 
   /// The sides that are due: fetches what the first of them need.
   void list_due_sides();
-  void look_at_due_sides(double within);
+  void update_due_sides(double within);
   /// Everything of the side that is due until then; lists pairs within a distance.
-  void look_at_side(std::uint32_t s, double until, double within);
+  void update_side(std::uint32_t s, double until, double within);
   bool list_holds(std::uint32_t s, double until);
   void list_awake_pairs(std::uint32_t s, double horizon);
   void list_pairs(std::uint32_t s, double within);
-  void look_at_edges(std::uint32_t block_edge, Pair& pair);
-  void look_at_edge_vertex(std::uint32_t block_edge, Pair& pair);
-  void look_at_face_vertex(std::uint32_t block_face, Pair& pair);
-  void look_at_pair(std::uint32_t block_feature, Pair& pair);
+  void update_edges(std::uint32_t block_edge, FeaturePair& pair);
+  void update_edge_vertex(std::uint32_t block_edge, FeaturePair& pair);
+  void update_face_vertex(std::uint32_t block_face, FeaturePair& pair);
+  void update_pair(std::uint32_t block_feature, FeaturePair& pair);
   /// How deep an edge or a face may be in contact without having been seen before, m.
   double deepest_pair() const;
   /// How far the block can move before features this far apart must be looked at again.
-  double asleep(double apart) const;
-  void sleep(Pair& pair, double apart) const;
-  void touch_corner(std::uint32_t block_feature, Pair& pair, const Vec3& normal, double distance);
-  void touch(Pair& pair, const ContactPoint& contact);
+  double sleep_distance(double apart) const;
+  void sleep(FeaturePair& pair, double apart) const;
+  void touch_corner(std::uint32_t block_feature, FeaturePair& pair, const Vec3& normal,
+                    double distance);
+  void touch(FeaturePair& pair, const ContactPoint& contact);
 
   void add(const ContactPoint& contact);
   Vec3 placed(const Vec3& in_body) const { return position_ + rotation_ * in_body; }
@@ -202,7 +204,7 @@ class ContactSearch {
   Vec3 position_ = Vec3::Zero();
   bool started_ = false;
   double travel_ = 0.0;     ///< the caller's
-  double moved_ = 0.0;      ///< since the start, as seen from call to call, m
+  double moved_ = 0.0;      ///< since the start, summed from call to call, m
   double turned_ = 0.0;     ///< likewise: bounds what turning moves a point at an arm of 1 m, m
   double last_move_ = 0.0;  ///< growth of `moved_` in the last call, m
   LocalGround local_;       ///< around the whole block
@@ -213,7 +215,7 @@ class ContactSearch {
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
   std::vector<SideState> side_states_;      ///< in the order of parts_.sides, likewise ...
   std::vector<SideList> side_lists_;
-  std::vector<double> vertex_due_, side_due_;  ///< `moved_` at which to look again
+  std::vector<double> vertex_due_, side_due_;  ///< `moved_` at which to check again
   double next_part_ = -1.0;                    ///< the first part is due then
   double horizon_ = -1.0;                      ///< everything due before it is listed as awake
   bool listed_for_flight_ = false;             ///< the list is longer than contact steps need
@@ -221,9 +223,9 @@ class ContactSearch {
   NumberList due_sides_;                ///< of this call
   double sleepers_clear_until_ = -1.0;  ///< no other vertex or side of parts near the ground
                                         ///< touches before
-  double search_at_ = -1.0;             ///< no use in searching for a longer flight before
+  double search_at_ = -1.0;             ///< no longer flight is searched for before
   double deepest_ = 0.0;                ///< largest overlap at the last call, m
   std::vector<ContactPoint> contacts_;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -1,10 +1,10 @@
-// Contacts of block vertices: what is known of each, when it must be measured, and how it touches.
+// Contacts of block vertices: when each must be measured, and how it touches.
 #include <algorithm>
 #include <cmath>
 
 #include "dem/detail/contact_search.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// A vertex that may have moved all its distance but really moved less than this share of it needs
@@ -12,8 +12,8 @@ namespace {
 constexpr double kLittleMoved = 0.5;
 /// And one that is known to be this many margins away needs none either.
 constexpr double kEnough = 0.25;
-/// Faces up to this many margins behind the nearest are told apart from it.
-constexpr double kToldApartMargins = 4.0;
+/// Faces up to this many margins behind the nearest are distinguished from it.
+constexpr double kDistinctMargins = 4.0;
 
 }  // namespace
 
@@ -21,11 +21,11 @@ bool ContactSearch::meets_vertex(std::uint32_t vertex, const Vec3& normal) const
   return in_cone(block_, vertex, -(rotation_.transpose() * normal));
 }
 
-void ContactSearch::look_at_vertex(std::uint32_t v, double until) {
+void ContactSearch::update_vertex(std::uint32_t v, double until) {
   VertexState& state = vertex_states_[v];
   const Vec3 centre = placed(block_.vertices[parts_.vertices[v]]);
-  if (look_at_sure_face(v, centre)) return;
-  // Often it is known well enough without measuring: from where it was, or from the plane.
+  if (update_sure_face(v, centre)) return;
+  // Often the last measurement or the plane bounds the gap well enough.
   const PartState& part = part_states_[state.part];
   const double gap = state.distance - reach_;
   const double by_movement = gap - (centre - state.seen).norm();
@@ -44,7 +44,7 @@ void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
   const PartState& part = part_states_[state.part];
   const double complete = completeness(part);
   // Other faces are measured only as far as it matters that they are farther.
-  const double beyond = state.distance < reach_ + margin_ ? kToldApartMargins * margin_ : 0.0;
+  const double beyond = state.distance < reach_ + margin_ ? kDistinctMargins * margin_ : 0.0;
   const LocalGround::Nearest found =
       part.ground.nearest(ground_.features, centre, complete, beyond, state.near_face);
   const NearestPoint& nearest = found.nearest;
@@ -54,7 +54,7 @@ void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
   state.seen_at = moved_;
   state.seen = centre;
   state.sure_face = kNoFeature;
-  // Beyond what the list holds nothing is known, not even the side.
+  // Beyond the list nothing is known, not even the side.
   state.distance = depth < complete ? nearest.distance : complete;
   vertex_due_[v] = moved_ + (state.distance - reach_);
   if (depth >= complete) return;
@@ -98,7 +98,7 @@ NearestPoint ContactSearch::nearest_forwards(std::uint32_t v, const Vec3& centre
   return best;
 }
 
-bool ContactSearch::look_at_sure_face(std::uint32_t v, const Vec3& centre) {
+bool ContactSearch::update_sure_face(std::uint32_t v, const Vec3& centre) {
   VertexState& state = vertex_states_[v];
   if (state.sure_face == kNoFeature) return false;
   const SurfaceFace& face = ground_.features.faces[state.sure_face];
@@ -169,7 +169,7 @@ void ContactSearch::add_outside_contacts(std::uint32_t v, const Vec3& centre) {
     for (int k = 0; k < 3; ++k) {
       const SurfaceEdge& edge = ground.edges[face.edges[k]];
       // Each edge once. Over one sharper than a right angle lies air that is behind the plane of
-      // either face, but there is none to be told behind a border.
+      // either face, but behind a border there is none.
       if (edge.faces[0] == f && edge.convex() && (height >= 0.0 || edge.kind == EdgeKind::kRidge)) {
         const double along = edge.direction.dot(centre - ground.vertices[edge.vertices[0]]);
         if (along >= 0.0 && along <= edge.length) {
@@ -197,4 +197,4 @@ void ContactSearch::add_outside_contacts(std::uint32_t v, const Vec3& centre) {
   }
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// A contact resolves only those that push elsewhere: normals more than 45 degrees apart.
@@ -13,7 +13,7 @@ constexpr double kShallowShare = 0.5;
 /// A contact that is no deeper than this share of the block's smallest side stays: blocks at rest
 /// are not that deep, and what comes and goes there would keep them moving.
 constexpr double kDeepShare = 0.05;
-/// An edge is looked at this share of the overlap to either side of the contact: at the contact
+/// An edge is checked this share of the overlap to either side of the contact: at the contact
 /// itself it just enters the other body, and any push would set it free.
 constexpr double kAsideShare = 0.5;
 /// A push sets free what it leaves inside by less than this share of itself.
@@ -41,7 +41,7 @@ bool free_of(const IndexedSurface& surface, const Places& places, const Vec3& pu
   });
 }
 
-/// True when the point is in the solid, or hardly out of it. What has no faces has no inside.
+/// True when the point is in the solid, or hardly out of it. A body without faces has no inside.
 bool hardly_out_of(const IndexedSurface& surface, const Vec3& place, double overlap) {
   if (surface.features.faces.empty()) return true;
   const std::optional<NearestPoint> nearest = surface.nearest(place, 2.0 * overlap);
@@ -50,8 +50,8 @@ bool hardly_out_of(const IndexedSurface& surface, const Vec3& place, double over
 
 }  // namespace
 
-void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
-                   const IndexedSurface& block, const Pose& ground_from_block, double size) {
+void remove_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
+                     const IndexedSurface& block, const Pose& ground_from_block, double size) {
   const double reach = ground.radius + block.radius;
   const auto resolved = [&](const ContactPoint& deep) {
     if (deep.kind == ContactKind::kVertexGround || deep.overlap <= reach + kDeepShare * size) {
@@ -97,4 +97,4 @@ void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& gr
   contacts = std::move(kept);
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

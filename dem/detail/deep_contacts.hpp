@@ -1,16 +1,16 @@
 #pragma once
-/// Contacts that only look like some because the cores overlap.
+/// Removes contacts that are none, found only because the cores overlap.
 #include <vector>
 
 #include "dem/detail/contact_search.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
-/// Drops contacts of edges and faces that would be gone once a shallower contact has pushed the
+/// Removes contacts of edges and faces that would be gone once a shallower contact has pushed the
 /// block out: where a block overhangs an edge, its own wall is deep behind the ground's wall though
 /// it only sank a little into the top. Contacts of the skins alone are left as they are.
 /// @param contacts  in the frame of the ground
-void drop_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
-                   const IndexedSurface& block, const Pose& ground_from_block, double size);
+void remove_resolved(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
+                     const IndexedSurface& block, const Pose& ground_from_block, double size);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

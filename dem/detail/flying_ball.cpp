@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
-/// A piece of the path moves the ball by this share of a cell, or of its radius when that is more.
+/// A stretch of the path moves the ball by this share of a cell, or of its radius when that is
+/// more.
 constexpr double kPieceShare = 0.5;
 
 /// True when no ground of these cells reaches up to a ball anywhere within `spread` of `middle` in
@@ -46,7 +47,7 @@ double clear_time(const PlanGrid& grid, const FlyingBall& ball, double longest) 
   };
   double clear = 0.0;
   while (clear < longest) {
-    // It moves no faster than this during a piece that is no longer than the one before would be.
+    // It moves no faster than this during a stretch that is no longer than the one before would be.
     const double fall = std::abs(ball.velocity.z() - ball.gravity * clear);
     const double speed = std::max(along.norm(), fall);
     const double duration =
@@ -64,4 +65,4 @@ double clear_time(const PlanGrid& grid, const FlyingBall& ball, double longest) 
   return clear;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

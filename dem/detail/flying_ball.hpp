@@ -3,7 +3,7 @@
 /// tumbles, happens inside its bounding ball.
 #include "dem/detail/indexed_surface.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A ball on a ballistic path.
 struct FlyingBall {
@@ -14,10 +14,10 @@ struct FlyingBall {
 };
 
 /// A time in which the ball touches no triangle of the ground, s; 0 when it might do so at once.
-/// Told by the height ranges of the plan grid alone, cell by cell along the path, so that it is too
+/// From the height ranges of the plan grid alone, cell by cell along the path, so that it is too
 /// short by about what the ground rises within a cell. It ends at the latest where the centre comes
 /// to a cell without ground.
-/// @param longest  s: no time beyond this is of use
+/// @param longest  s: a longer time is not searched for
 double clear_time(const PlanGrid& grid, const FlyingBall& ball, double longest);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

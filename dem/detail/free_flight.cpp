@@ -4,7 +4,7 @@
 
 #include "dem/detail/rotation.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Turns below this, rad, take a single Runge-Kutta step, which errs by 2e-15 rad there and is
@@ -39,4 +39,4 @@ RigidState FreeFlight::after(double duration) {
   return state;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

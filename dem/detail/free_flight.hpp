@@ -5,7 +5,7 @@
 #include "dem/detail/free_rotation.hpp"
 #include "dem/rigid_body.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A flight from one instant on: ballistic centre, torque-free rotation. Any instant of it costs
 /// the same. The body must outlive it.
@@ -13,7 +13,7 @@ class FreeFlight {
  public:
   FreeFlight(const RigidBody& body, const RigidState& begin, double gravity);
 
-  /// The state at a time since the begin, s. Cheapest beside the instant asked for last.
+  /// The state at a time since the beginning, s. Cheapest next to the last instant computed.
   RigidState after(double duration);
   const RigidState& begin() const { return begin_; }
   /// The spin never exceeds this, rad/s: the energy, all in the smallest moment.
@@ -27,7 +27,7 @@ class FreeFlight {
   double top_spin_;
   double last_time_ = 0.0;
   Quat last_orientation_;
-  std::optional<FreeRotation> rotation_;  ///< set up when the first turn asks for it
+  std::optional<FreeRotation> rotation_;  ///< set up when the first turn needs it
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

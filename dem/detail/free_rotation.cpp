@@ -7,15 +7,15 @@
 
 #include "dem/detail/rotation.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Mobilities that differ by less than this share are the same.
 constexpr double kSameMoments = 1e-14;
-/// Smallest complement of k^2: closer to the separatrix than rounding can tell.
+/// Smallest complement of k^2: closer to the separatrix than rounding resolves.
 constexpr double kSmallestComplement = 1e-30;
 /// Both of the momentum's shares off the middle axis below this: near the unstable rest point of
-/// its orbit the amplitude tells too little, and the turn is stepped.
+/// its orbit the amplitude is too inaccurate, and the turn is stepped.
 constexpr double kUnstable = 1e-5;
 constexpr int kLandenSteps = 40;
 
@@ -58,6 +58,8 @@ double jacobi_amplitude(double argument, double complement) {
   }
   return phi;
 }
+
+double square(double x) { return x * x; }
 
 /// Carlson's degenerate integral R_C(x, y) for y > 0.
 double carlson_c(double x, double y) {
@@ -160,15 +162,18 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
   }
   // About the axis of the smallest moment or about that of the largest: which one the tip of the
   // momentum circles in the body.
-  const auto square = [](double x) { return x * x; };
   const double decider = upper * square(in_body[axes[0]]) - lower * square(in_body[axes[2]]);
   const bool about_smallest = decider > 0.0 || (decider == 0.0 && upper >= lower);
   if (!about_smallest) std::swap(axes[0], axes[2]);
   pole_ = axes[0];
   middle_ = axes[1];
   other_ = axes[2];
+  set_orbit(mobility, in_body, size, about_smallest ? 1.0 : -1.0, std::abs(decider));
+}
+
+void FreeRotation::set_orbit(const Vec3& mobility, const Vec3& in_body, double size, double sign,
+                             double decider) {
   // Differences of mobility from the pole's: all positive with this sign.
-  const double sign = about_smallest ? 1.0 : -1.0;
   const double to_middle = sign * (mobility[pole_] - mobility[middle_]);
   const double to_other = sign * (mobility[pole_] - mobility[other_]);
   const double beyond = sign * (mobility[middle_] - mobility[other_]);
@@ -181,8 +186,7 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
     steady_rate_ = size * mobility[middle_];
     return;
   }
-  complement_ =
-      std::clamp(to_other * std::abs(decider) / (z * to_middle), kSmallestComplement, 1.0);
+  complement_ = std::clamp(to_other * decider / (z * to_middle), kSmallestComplement, 1.0);
   modulus_ = 1.0 - complement_;
   characteristic_ = beyond / to_middle;
   side_ = in_body[pole_] < 0.0 ? -1.0 : 1.0;
@@ -249,4 +253,4 @@ Quat FreeRotation::after(double duration) const {
   return (turn_of(precessed * direction_) * orientation_ * Quat(turned)).normalized();
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

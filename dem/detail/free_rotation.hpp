@@ -3,13 +3,13 @@
 /// an elliptic integral of the third kind for the precession. @cite landau1976 @cite carlson1995
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A rotation without torque from one instant on. Costs the same for any duration.
 class FreeRotation {
  public:
   /// @param moments      principal, along the body axes, kg m^2
-  /// @param orientation  world_from_body at the begin
+  /// @param orientation  world_from_body at the beginning
   /// @param momentum     angular, world axes, kg m^2/s
   FreeRotation(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
 
@@ -17,6 +17,11 @@ class FreeRotation {
   Quat after(double duration) const;
 
  private:
+  /// Sets what the closed form needs, once the axes are known.
+  /// @param in_body  unit momentum along the body axes
+  /// @param sign     makes all differences of mobility from the pole's positive
+  void set_orbit(const Vec3& mobility, const Vec3& in_body, double size, double sign,
+                 double decider);
   /// Columns in body axes: the momentum, the pole's azimuth about it, and their product.
   Mat3 frame_at(double amplitude) const;
   double third_kind(double amplitude) const;
@@ -48,4 +53,4 @@ class FreeRotation {
   Mat3 first_frame_ = Mat3::Identity();
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Faces per cell that the grid aims at; two are what a regular grid of squares has.
@@ -254,4 +254,4 @@ IndexedSurface indexed_surface(const SpheroPolyhedron& body) {
   return surface;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -9,7 +9,7 @@
 #include "dem/detail/surface_features.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// The point of a surface nearest to a query, with the side the query lies on.
 struct NearestPoint {
@@ -71,7 +71,7 @@ class PlanGrid {
 
 struct IndexedSurface {
   SurfaceFeatures features;
-  std::vector<std::uint32_t> face_of_vertex;  ///< one face at every vertex: tells its zone
+  std::vector<std::uint32_t> face_of_vertex;  ///< one face at every vertex: gives its zone
   double radius = 0.0;                        ///< the skin is this far outside the features, m
   Bounds extent;                              ///< of the vertices
   bool of_block = false;                      ///< not of a terrain
@@ -82,7 +82,7 @@ struct IndexedSurface {
   std::optional<NearestPoint> nearest(const Vec3& query, double reach,
                                       std::uint32_t guess = kNoFeature) const;
   /// A lower bound of the distance from `query` to the triangles, by height ranges alone; 0 when
-  /// that can't tell. Cheap, for points well above the ground.
+  /// they give none. Cheap, for points well above the ground.
   double height_clearance(const Vec3& query, double reach) const;
   /// Faces whose bounds come within `reach` of the box, sorted.
   std::vector<std::uint32_t> faces_near(const Bounds& box, double reach) const;
@@ -95,4 +95,4 @@ IndexedSurface indexed_surface(const TriangleMesh& mesh, double radius,
 /// The surface of a block, in the frame of its core.
 IndexedSurface indexed_surface(const SpheroPolyhedron& body);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

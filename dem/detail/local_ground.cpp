@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast {
+namespace clast::dem_detail {
 
 void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, double reach) {
   const SurfaceFeatures& features = ground.features;
@@ -39,7 +39,7 @@ void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, doubl
     edges.push_back({features.vertices[edge.vertices[0]], edge.direction, edge.length, e});
   }
   for (const std::uint32_t v : corners_met) corners.push_back({features.vertices[v], v});
-  lay_plane(features);
+  fit_plane(features);
 }
 
 void LocalGround::gather(const SurfaceFeatures& features, const LocalGround& from,
@@ -61,10 +61,10 @@ void LocalGround::gather(const SurfaceFeatures& features, const LocalGround& fro
   for (const Corner& corner : from.corners) {
     if (within(centre - corner.point, reach)) corners.push_back(corner);
   }
-  lay_plane(features);
+  fit_plane(features);
 }
 
-void LocalGround::lay_plane(const SurfaceFeatures& features) {
+void LocalGround::fit_plane(const SurfaceFeatures& features) {
   Vec3 sum = Vec3::Zero();
   for (const Face& face : faces) sum += face.normal;
   const double length = sum.norm();
@@ -108,4 +108,4 @@ LocalGround::Nearest LocalGround::nearest(const SurfaceFeatures& features, const
   return found;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -6,14 +6,14 @@
 
 #include "dem/detail/indexed_surface.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A plane that no ground of some region rises above: bounds the distance to all of it at once.
 struct GroundPlane {
   Vec3 normal = Vec3::UnitZ();  ///< mean of the faces' normals
   double top = -1e300;          ///< largest normal . point on the ground, m
 
-  /// Lower bound of the distance of a point over the ground; negative when it can't tell.
+  /// Lower bound of the distance of a point over the ground; negative when it gives none.
   double clearance(const Vec3& point) const { return normal.dot(point) - top; }
 };
 struct LocalGround {
@@ -38,8 +38,8 @@ struct LocalGround {
   std::vector<Corner> corners;  ///< pointed ones
   GroundPlane plane;            ///< over all of it
 
-  /// Takes up everything within `reach` of the point, from the whole ground or from what was taken
-  /// up before. Ordered by number.
+  /// Gathers everything within `reach` of the point, from the whole ground or from what was
+  /// gathered before. Ordered by number.
   void gather(const IndexedSurface& ground, const Vec3& centre, double reach);
   void gather(const SurfaceFeatures& features, const LocalGround& from, const Vec3& centre,
               double reach);
@@ -51,13 +51,13 @@ struct LocalGround {
   };
   /// Nearest point of the faces to `query`.
   /// @param limit   m: what is farther does not matter
-  /// @param beyond  m: how much farther than the nearest other faces are told apart
+  /// @param beyond  m: how much farther than the nearest other faces are measured
   /// @param guess   entry of a face that may be near: the answer is the same, but sooner found
   Nearest nearest(const SurfaceFeatures& features, const Vec3& query, double limit, double beyond,
                   std::uint32_t guess) const;
 
  private:
-  void lay_plane(const SurfaceFeatures& features);
+  void fit_plane(const SurfaceFeatures& features);
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -2,7 +2,7 @@
 
 #include "dem/detail/rotation.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 MovingBody::MovingBody(const RigidBody& body, const RigidState& start)
     : body_(body), radius_(body.bounding_radius()), smallest_moment_(body.moments.minCoeff()) {
@@ -40,7 +40,7 @@ double MovingBody::correct(const Vec3& impulse, const Vec3& angular_impulse, con
                            const Vec3& angular_moment, const Vec3& gravity) {
   const double before = kinetic_energy();
   const Vec3 shift = moment / body_.mass;
-  const Vec3 turn = motion().turned_by(angular_moment);
+  const Vec3 turn = motion().inverse_inertia_times(angular_moment);
   state_.velocity += impulse / body_.mass;
   state_.position += shift;
   momentum_ += angular_impulse;
@@ -55,7 +55,8 @@ double MovingBody::first_kick(double duration, const Vec3& force, const Vec3& to
   if (force.isZero() && torque.isZero()) return 0.0;
   const Vec3 weight = body_.mass * gravity;
   const double push = (force + weight).squaredNorm() - weight.squaredNorm();
-  return 0.125 * duration * duration * (push / body_.mass + torque.dot(motion().turned_by(torque)));
+  return 0.125 * duration * duration *
+         (push / body_.mass + torque.dot(motion().inverse_inertia_times(torque)));
 }
 
 BodyMotion MovingBody::motion() const {
@@ -74,4 +75,4 @@ bool MovingBody::finite() const {
          state_.orientation.coeffs().allFinite();
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -1,18 +1,18 @@
 #pragma once
 /// One step of a rigid body under contact loads: velocity Verlet with the angular momentum as the
 /// rotational state.
-#include "dem/detail/contact_forces.hpp"
+#include "dem/detail/body_motion.hpp"
 #include "dem/rigid_body.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
-/// A body on its way. `begin_step` and `end_step` alternate; contacts are evaluated between them.
+/// A moving body. `begin_step` and `end_step` alternate; contacts are evaluated between them.
 class MovingBody {
  public:
   MovingBody(const RigidBody& body, const RigidState& start);
 
   const RigidState& state() const { return state_; }
-  /// Puts it elsewhere, as after a flight.
+  /// Sets its state, as after a flight.
   void place(const RigidState& state);
 
   /// Half a kick, then the move to the new place. Returns that place and the mean velocities.
@@ -21,8 +21,8 @@ class MovingBody {
   /// Half a kick by the loads at the new place.
   void end_step(double duration, const Vec3& force, const Vec3& torque, const Vec3& gravity);
 
-  /// Gives what the events inside the step just ended add to it.
-  /// @returns  the energy this gives the body, kinetic and potential, J
+  /// Applies what the events inside the last step add to it.
+  /// @returns  the energy that this adds, kinetic and potential, J
   double correct(const Vec3& impulse, const Vec3& angular_impulse, const Vec3& moment,
                  const Vec3& angular_moment, const Vec3& gravity);
 
@@ -50,4 +50,4 @@ class MovingBody {
   double corrected_by_ = 0.0;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

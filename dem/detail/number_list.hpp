@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace clast {
+namespace clast::dem_detail {
 
 class NumberList {
  public:
@@ -27,4 +27,4 @@ class NumberList {
   std::size_t count_ = 0;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Where the segment goes through the face, as a share of its length.
@@ -78,4 +78,4 @@ double pierced_depth(const IndexedSurface& ground, const BlockSurface& block,
   return deepest > 0.0 ? deepest + ground.radius + block.radius : 0.0;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Rotation per Runge-Kutta step, rad.
@@ -76,4 +76,4 @@ Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& mom
   return Quat(q);
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 /// without torque. Moments are principal; orientations are world_from_body.
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity);
 Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
@@ -12,9 +12,8 @@ Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& 
 Quat turn_of(const Vec3& rotation);
 
 struct StepTurn {
-  Quat orientation;  ///< world_from_body at the end
-  Vec3
-      angular_velocity;  ///< mean of the one at the begin and the one at the end, rad/s, world axes
+  Quat orientation;       ///< world_from_body at the end
+  Vec3 angular_velocity;  ///< mean of both ends, rad/s, world axes
 };
 
 /// One short step at constant momentum, second order and reversible to third (explicit midpoint on
@@ -27,4 +26,4 @@ StepTurn turned_one_step(const Vec3& moments, const Quat& orientation, const Vec
 Quat freely_turned(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                    double duration);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

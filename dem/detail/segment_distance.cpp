@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Squared sine below which two lines count as parallel.
@@ -38,4 +38,4 @@ double segment_distance(const Vec3& a, const Vec3& u, double length_a, const Vec
   return closest_on_segments(a, u, length_a, b, v, length_b).between.norm();
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -2,7 +2,7 @@
 /// Where two segments come closest.
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 struct ClosestOnSegments {
   double first = 0.0;           ///< along the first segment, m
@@ -19,4 +19,4 @@ ClosestOnSegments closest_on_segments(const Vec3& a, const Vec3& u, double lengt
 double segment_distance(const Vec3& a, const Vec3& u, double length_a, const Vec3& b, const Vec3& v,
                         double length_b);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

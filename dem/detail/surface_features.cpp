@@ -7,8 +7,9 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/half_edges.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Sine of the angle between faces below which an edge counts as flat: single-precision files leave
@@ -20,7 +21,7 @@ constexpr double kConeSlack = 1e-9;
 /// normals: 3 degrees at a right angle, as much as a block of the settled depth tilts.
 constexpr double kGiveShare = 0.037;
 /// The most that gives, for faces back to back. Few directions are so near the limit that their own
-/// must be known.
+/// give must be computed.
 constexpr double kMostGive = 2.0 * kGiveShare;
 
 double give_of(const Vec3& normal, const Vec3& other) {
@@ -48,7 +49,7 @@ bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec
     if (direction.dot(surface.ray(e, vertex)) > slack) return false;
   }
   // At the bottom of a pit all edges rise away from a direction into the solid, too. The
-  // angle-weighted normal tells the two apart without exception (Baerentzen & Aanaes 2005).
+  // angle-weighted normal distinguishes the two without exception (Baerentzen & Aanaes 2005).
   return !(direction.dot(surface.vertex_normals[vertex]) < 0.0);
 }
 
@@ -75,20 +76,11 @@ EdgeKind kind_of(const SurfaceFace& first, const SurfaceFace& second, const Vec3
   return EdgeKind::kFlat;
 }
 
-/// One side of a face, filed under the lower of its two vertices.
-struct HalfEdge {
-  std::uint32_t high;
-  std::uint32_t side;  ///< 3 face + k
-
-  std::uint32_t face() const { return side / 3; }
-  auto operator<=>(const HalfEdge&) const = default;
-};
-
-/// Adds the edge that these half edges make.
-void add_edge(SurfaceFeatures& surface, std::uint32_t low, std::span<const HalfEdge> halves) {
-  const std::uint32_t high = halves[0].high;
-  if (halves.size() > 2) {
-    throw GeometryError(std::to_string(halves.size()) + " triangles meet in the edge at " +
+/// Adds the edge on which these sides of faces lie.
+void add_edge(SurfaceFeatures& surface, std::span<const HalfEdge> sides) {
+  const std::uint32_t low = sides[0].low, high = sides[0].high;
+  if (sides.size() > 2) {
+    throw GeometryError(std::to_string(sides.size()) + " triangles meet in the edge at " +
                         place(surface.vertices[low]) + "; the surface must be manifold");
   }
   SurfaceEdge edge;
@@ -98,14 +90,14 @@ void add_edge(SurfaceFeatures& surface, std::uint32_t low, std::span<const HalfE
   edge.direction = reach / edge.length;
   edge.faces = {kNoFeature, kNoFeature};
   edge.kind = EdgeKind::kBorder;
-  for (std::size_t i = 0; i < halves.size(); ++i) {
-    SurfaceFace& face = surface.faces[halves[i].face()];
-    const std::uint32_t k = halves[i].side % 3;
-    face.edges[k] = static_cast<std::uint32_t>(surface.edges.size());
-    edge.faces[i] = halves[i].face();
-    edge.along[i] = face.vertices[k] == low;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    SurfaceFace& face = surface.faces[sides[i].triangle];
+    const auto corner = std::find(face.vertices.begin(), face.vertices.end(), sides[i].from());
+    face.edges[corner - face.vertices.begin()] = static_cast<std::uint32_t>(surface.edges.size());
+    edge.faces[i] = sides[i].triangle;
+    edge.along[i] = sides[i].forward;
   }
-  if (halves.size() == 2) {
+  if (sides.size() == 2) {
     const SurfaceFace& second = surface.faces[edge.faces[1]];
     edge.kind = kind_of(surface.faces[edge.faces[0]], second,
                         into_face(second, edge.direction, edge.along[1]));
@@ -113,41 +105,12 @@ void add_edge(SurfaceFeatures& surface, std::uint32_t low, std::span<const HalfE
   surface.edges.push_back(edge);
 }
 
-void make_edges(SurfaceFeatures& surface, std::size_t wires) {
-  std::vector<std::uint32_t> offsets(surface.vertices.size() + 1, 0);
-  const auto each_half = [&](const auto& visit) {
-    for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = surface.faces[f].vertices[k];
-        const std::uint32_t b = surface.faces[f].vertices[(k + 1) % 3];
-        visit(std::min(a, b), HalfEdge{std::max(a, b), 3 * f + k});
-      }
-    }
-  };
-  each_half([&](std::uint32_t low, const HalfEdge&) { ++offsets[low + 1]; });
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  std::vector<HalfEdge> halves(offsets.back());
-  std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-  each_half([&](std::uint32_t low, const HalfEdge& half) { halves[next[low]++] = half; });
-  next = {};
-
+void make_edges(SurfaceFeatures& surface, const TriangleMesh& mesh, std::size_t wires) {
+  const std::vector<HalfEdge> sides = sorted_half_edges(mesh);
   std::size_t count = wires;
-  const auto each_edge = [&](const auto& visit) {
-    for (std::uint32_t low = 0; low < surface.vertices.size(); ++low) {
-      for (std::size_t i = offsets[low], end; i < offsets[low + 1]; i = end) {
-        for (end = i + 1; end < offsets[low + 1] && halves[end].high == halves[i].high;) ++end;
-        visit(low, std::span(halves).subspan(i, end - i));
-      }
-    }
-  };
-  for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
-    std::sort(halves.begin() + offsets[v], halves.begin() + offsets[v + 1]);
-  }
-  each_edge([&](std::uint32_t, std::span<const HalfEdge>) { ++count; });
+  for_each_edge(sides, [&](std::span<const HalfEdge>) { ++count; });
   surface.edges.reserve(count);
-  each_edge([&](std::uint32_t low, std::span<const HalfEdge> of_edge) {
-    add_edge(surface, low, of_edge);
-  });
+  for_each_edge(sides, [&](std::span<const HalfEdge> edge) { add_edge(surface, edge); });
 }
 
 void add_wires(SurfaceFeatures& surface, std::span<const std::array<std::uint32_t, 2>> wires) {
@@ -163,7 +126,7 @@ void add_wires(SurfaceFeatures& surface, std::span<const std::array<std::uint32_
   }
 }
 
-void file_edges(SurfaceFeatures& surface) {
+void index_edges(SurfaceFeatures& surface) {
   surface.edge_offsets.assign(surface.vertices.size() + 1, 0);
   for (const SurfaceEdge& edge : surface.edges) {
     for (const std::uint32_t v : edge.vertices) ++surface.edge_offsets[v + 1];
@@ -219,10 +182,10 @@ SurfaceFeatures surface_features(const TriangleMesh& mesh,
   SurfaceFeatures surface;
   surface.vertices = mesh.vertices;
   make_faces(surface, mesh);
-  make_edges(surface, wires.size());
+  make_edges(surface, mesh, wires.size());
   add_wires(surface, wires);
   make_vertex_normals(surface);
-  file_edges(surface);
+  index_edges(surface);
   find_pointed(surface);
   return surface;
 }
@@ -284,4 +247,4 @@ bool straight_on(const Vec3& first_ray, const Vec3& second_ray) {
   return first_ray.cross(second_ray).norm() < kFlatSine && first_ray.dot(second_ray) < 0.0;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -1,13 +1,13 @@
 #pragma once
-/// Faces, edges and vertices of a triangulated surface with everything the contact rules ask of
-/// them. The ground and the blocks are described by the same structure.
+/// Faces, edges and vertices of a triangulated surface with everything that the contact rules need
+/// of them. The ground and the blocks are described by the same structure.
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 inline constexpr std::uint32_t kNoFeature = 0xffffffffu;
 
@@ -37,8 +37,8 @@ struct SurfaceEdge {
   bool convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kValley; }
 };
 
-/// A whole surface. What a large terrain would hold in vain is not here: what follows from these
-/// in a few operations is computed when asked for.
+/// A whole surface. To keep large terrains small, what follows from these in a few operations is
+/// computed when it is needed.
 struct SurfaceFeatures {
   std::vector<Vec3> vertices;
   std::vector<SurfaceFace> faces;
@@ -88,4 +88,4 @@ bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3&
 /// True when two edges that leave a vertex along these rays go straight on into each other.
 bool straight_on(const Vec3& first_ray, const Vec3& second_ray);
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -7,7 +7,7 @@ namespace clast {
 
 struct TerrainSurface::Impl {
   TriangleMesh mesh;
-  IndexedSurface surface;
+  dem_detail::IndexedSurface surface;
   std::vector<std::uint16_t> zones;  ///< of every triangle
   std::uint16_t zone_count = 0;
 };

@@ -60,15 +60,15 @@ TEST_F(Tables, ColumnNamesIgnoreCaseAndUnits) {
 }
 
 TEST_F(Tables, UnitOfTheTableIsApplied) {
-  expect_axes(read("L,I,S\n300,200,100\n", {.unit = 0.01}).blocks.at(0), 3, 2, 1);
-  expect_axes(read("L_cm,I_cm,S_cm\n300,200,100\n", {.unit = 0.01}).blocks.at(0), 3, 2, 1);
-  // Without a unit asked for, the header's is taken and said.
+  expect_axes(read("L,I,S\n300,200,100\n", {.units = 0.01}).blocks.at(0), 3, 2, 1);
+  expect_axes(read("L_cm,I_cm,S_cm\n300,200,100\n", {.units = 0.01}).blocks.at(0), 3, 2, 1);
+  // Without a unit asked for, the header's is used and noted.
   const DimensionTable named = read("L_cm,I_cm,S_cm\n300,200,100\n");
   expect_axes(named.blocks.at(0), 3, 2, 1);
   ASSERT_EQ(named.notes.size(), 1u);
   EXPECT_TRUE(contains(named.notes[0], "cm"));
-  // One that is not the header's is obeyed, and said too.
-  const DimensionTable other = read("L_cm,I_cm,S_cm\n300,200,100\n", {.unit = 0.001});
+  // One that is not the header's is obeyed, and noted too.
+  const DimensionTable other = read("L_cm,I_cm,S_cm\n300,200,100\n", {.units = 0.001});
   expect_axes(other.blocks.at(0), 0.3, 0.2, 0.1);
   ASSERT_EQ(other.notes.size(), 1u);
   EXPECT_TRUE(contains(other.notes[0], "cm") && contains(other.notes[0], "0.001"));
@@ -84,7 +84,7 @@ TEST_F(Tables, UnitOfTheTableIsApplied) {
 
 // 0.42/0.6 in any unit: ratios are of the numbers as they were written.
 TEST_F(Tables, RatiosCarryNoRoundingOfTheUnit) {
-  const auto block = read("L,I,S\n1,3,0.7\n", {.unit = 1e-6}).blocks.at(0);
+  const auto block = read("L,I,S\n1,3,0.7\n", {.units = 1e-6}).blocks.at(0);
   EXPECT_EQ(block.as_written.S / block.as_written.I, 0.7);
   EXPECT_EQ(block.as_written.I / block.as_written.L, 1.0 / 3.0);
 }
@@ -224,7 +224,7 @@ TEST_F(Tables, WhatCannotBeReadIsRefused) {
   EXPECT_NE(refusal("3,2,1\n", {.L = "1", .I = "2", .S = "9"}).find("\"9\""), std::string::npos);
   EXPECT_NE(refusal("L,I,S\n").find("no usable row"), std::string::npos);
   EXPECT_NE(refusal("L,I,S\n0,0,0\n").find("row 2"), std::string::npos);
-  EXPECT_NE(refusal("L,I,S\n3,2,1\n", {.unit = 0.0}).find("unit"), std::string::npos);
+  EXPECT_NE(refusal("L,I,S\n3,2,1\n", {.units = 0.0}).find("unit"), std::string::npos);
 }
 
 // As Excel saves a sheet with accents in western Europe.
@@ -276,18 +276,18 @@ TEST_F(Tables, AxesThatNoBlockHasAreSkipped) {
     EXPECT_TRUE(said) << part;
   }
   // The range is of metres, whatever the unit.
-  EXPECT_EQ(read("L,I,S\n2e12,2e12,2e12\n", {.unit = 1e-6}).blocks.size(), 1u);
+  EXPECT_EQ(read("L,I,S\n2e12,2e12,2e12\n", {.units = 1e-6}).blocks.size(), 1u);
 }
 
 TEST_F(Tables, AUnitThatMakesHugeBlocksIsDoubted) {
   const std::string note = read("L,I,S\n90,70,50\n80,60,50\n").notes.at(0);
   EXPECT_TRUE(contains(note, "90 m") && contains(note, "(0.9 m in cm, 0.09 m in mm)") &&
-              contains(note, "--units"));
-  EXPECT_TRUE(contains(read("L,I,S\n90,70,50\n", {.unit = 1.0}).notes.at(0), "90 m"));
+              contains(note, "`units`"));
+  EXPECT_TRUE(contains(read("L,I,S\n90,70,50\n", {.units = 1.0}).notes.at(0), "90 m"));
   EXPECT_TRUE(contains(read("L_m,I_m,S_m\n90,70,50\n").notes.at(0), "90 m"));
   EXPECT_TRUE(contains(read("L,I,S\n0.9,0.7,0.5\n0.9,0.7,0.5\n0.9,70,0.5\n").notes.at(0),
                        "1 block is longer than 50 m, up to 70 m"));
-  EXPECT_TRUE(read("L,I,S\n90,70,50\n", {.unit = 0.01}).notes.empty());
+  EXPECT_TRUE(read("L,I,S\n90,70,50\n", {.units = 0.01}).notes.empty());
   EXPECT_TRUE(read("L,I,S\n50,40,30\n").notes.empty());
 }
 

@@ -50,7 +50,7 @@ TEST(FieldClasses, EveryClassWithinTheErrorOfTheTapeIsNamed) {
       const ClassCertainty certainty = class_certainty(scheme, axes, kTapeError);
       said.emplace_back(certainty.others.begin(), certainty.others.end());
       said.back().insert(certainty.name);
-      said.back().erase("neither");  // a line: no grid meets it but by chance
+      said.back().erase("neither");  // a line: a grid hits it only by chance
       EXPECT_EQ(certainty.survives, certainty.others.empty());
     }
     std::vector<std::set<std::string>> seen(said.size());

@@ -45,7 +45,7 @@ TEST(PopulationNotes, AnErrorAsLargeAsTheAxesIsSaid) {
       population_notes(std::vector{block("A", 0.05), block("B", 0.01), block("C", 0.0099)});
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_TRUE(contains(notes[0], "2 of 3 blocks") && contains(notes[0], "0.05 m") &&
-              contains(notes[0], "--axis-error"));
+              contains(notes[0], "`axis_error`"));
 }
 
 }  // namespace

@@ -6,23 +6,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/detail/broad_phase.hpp"
 #include "dem/detail/deep_contacts.hpp"
-#include "dem/detail/near_pairs.hpp"
 #include "tests/support/test_worlds.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
-class NearPairsWalk : public testing::TestWithParam<unsigned> {};
+class BroadPhaseWalk : public testing::TestWithParam<unsigned> {};
 
-TEST_P(NearPairsWalk, MissesNoOverlap) {
+TEST_P(BroadPhaseWalk, MissesNoOverlap) {
   Random random(GetParam());
   std::vector<BoundingSphere> spheres;
   for (int i = 0; i < 60; ++i) {
     spheres.push_back({3.0 * random.uniform() * random.direction(),
                        i == 0 ? 2.0 : random.uniform(0.05, 0.4), i % 10 == 0});
   }
-  NearPairs near;
+  BroadPhase near;
   std::size_t lists = 0, overlaps = 0;
   for (int step = 0; step < 400; ++step) {
     for (BoundingSphere& sphere : spheres) {
@@ -33,7 +36,7 @@ TEST_P(NearPairsWalk, MissesNoOverlap) {
     for (std::uint32_t i = 0; i < spheres.size(); ++i) {
       for (std::uint32_t j = i + 1; j < spheres.size(); ++j) {
         const bool listed =
-            std::binary_search(near.pairs().begin(), near.pairs().end(), NearPairs::Pair{i, j});
+            std::binary_search(near.pairs().begin(), near.pairs().end(), BroadPhase::Pair{i, j});
         if (spheres[i].fixed && spheres[j].fixed) {
           EXPECT_FALSE(listed);
         } else if ((spheres[i].centre - spheres[j].centre).norm() <
@@ -48,10 +51,10 @@ TEST_P(NearPairsWalk, MissesNoOverlap) {
   EXPECT_LT(lists, 200u);
   EXPECT_GT(lists, 5u);
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, NearPairsWalk, testing::Range(1u, 5u));
+INSTANTIATE_TEST_SUITE_P(Seeds, BroadPhaseWalk, testing::Range(1u, 5u));
 
-TEST(NearPairs, AreMadeAnewWhenABodyComes) {
-  NearPairs near;
+TEST(BroadPhase, AreMadeAnewWhenABodyComes) {
+  BroadPhase near;
   std::vector<BoundingSphere> spheres = {{{0, 0, 0}, 1.0, false}};
   EXPECT_TRUE(near.refresh(spheres, 0.1));
   spheres.push_back({{0.5, 0, 0}, 1.0, false});
@@ -201,7 +204,7 @@ TEST(Contacts, OfFlushCubesPushThemApartUpwards) {
   }
 }
 
-TEST(BareContacts, OfRodsAndBalls) {
+TEST(RodContacts, OfRodsAndBalls) {
   const BlockSurface rod(capsule(1.0, 1.0, 0.1).shape);
   const BlockSurface sphere(ball(1.0, 0.2).shape);
   const auto expect_one = [](const std::vector<ContactPoint>& contacts, const Vec3& foot,
@@ -211,7 +214,7 @@ TEST(BareContacts, OfRodsAndBalls) {
     EXPECT_LT((contacts[0].foot - foot).norm(), 1e-12);
   };
   const Quat quarter(Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()));
-  BareContacts crossed(rod, rod), ball_on_rod(rod, sphere), rod_on_ball(sphere, rod);
+  RodContacts crossed(rod, rod), ball_on_rod(rod, sphere), rod_on_ball(sphere, rod);
   expect_one(crossed.contacts({{0.2, 0.1, 0.19}, quarter}), {0.2, 0, 0.1}, 0.01);
   // Beside its middle, beside its end, and past it.
   expect_one(ball_on_rod.contacts({{0.3, 0, 0.28}, Quat::Identity()}), {0.3, 0, 0.1}, 0.02);
@@ -231,11 +234,11 @@ TEST(BareContacts, OfRodsAndBalls) {
 TEST(GroundsPlace, IsTakenByFacesThenSizeThenOrder) {
   const BlockSurface sphere(ball(1.0, 0.2).shape);
   const BlockSurface cube(box(1.0, Vec3::Ones()).shape);
-  EXPECT_TRUE(takes_grounds_place(cube, 0.1, sphere, 0.5));
-  EXPECT_FALSE(takes_grounds_place(sphere, 0.5, cube, 0.1));
-  EXPECT_TRUE(takes_grounds_place(cube, 0.5, cube, 0.4));
-  EXPECT_FALSE(takes_grounds_place(cube, 0.4, cube, 0.5));
-  EXPECT_TRUE(takes_grounds_place(cube, 0.5, cube, 0.5));
+  EXPECT_TRUE(first_is_reference(cube, 0.1, sphere, 0.5));
+  EXPECT_FALSE(first_is_reference(sphere, 0.5, cube, 0.1));
+  EXPECT_TRUE(first_is_reference(cube, 0.5, cube, 0.4));
+  EXPECT_FALSE(first_is_reference(cube, 0.4, cube, 0.5));
+  EXPECT_TRUE(first_is_reference(cube, 0.5, cube, 0.5));
 }
 
 }  // namespace

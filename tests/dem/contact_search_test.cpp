@@ -11,6 +11,9 @@
 #include "tests/support/test_rock.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 std::vector<ContactPoint> from_scratch(const TerrainSurface& terrain, const RigidBody& body,
@@ -126,7 +129,7 @@ TEST(SafeTime, NoContactBeforeIt) {
   EXPECT_GT(flown, 1.2 * by_top_speed);
 }
 
-// Told by cells alone, so never too long, and on flat ground too short by one piece of the path.
+// From cells alone, so never too long, and on flat ground too short by one stretch of the path.
 TEST(FlyingBall, TouchesNothingBeforeItsClearTime) {
   Random random(3);
   double flown = 0.0;

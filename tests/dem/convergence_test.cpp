@@ -33,7 +33,7 @@ std::pair<double, double> contact_end(const Case& which) {
 }
 
 /// Error of the centre 5 ms after a unit mass at 1 m/s has left again, root mean square over steps
-/// that meet the reversal at different places, and the largest error of the energy balance.
+/// that reach the reversal at different places, and the largest error of the energy balance.
 struct Error {
   double place = 0.0;
   double ledger = 0.0;

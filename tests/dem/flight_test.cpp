@@ -15,7 +15,7 @@ constexpr double kG = 9.81;
 struct Landing {
   double time = -1.0;
   RigidState state;
-  int pieces = 0;
+  int flight_pieces = 0;
 };
 
 Landing first_landing(const TerrainSurface& terrain, const RigidBody& body, const RigidState& start,
@@ -27,7 +27,7 @@ Landing first_landing(const TerrainSurface& terrain, const RigidBody& body, cons
                    [&](const MotionStep& step) {
                      if (landing.time >= 0.0) return;
                      if (step.flight) {
-                       ++landing.pieces;
+                       ++landing.flight_pieces;
                      } else {
                        landing.time = step.begin_time;
                        landing.state = step.begin;
@@ -69,7 +69,7 @@ TEST(Landing, TumblingBlocksTouchAtTheRootOfTheExactFlight) {
     }
     const Landing landing = first_landing(terrain, body, start, touching + 1e-3);
     EXPECT_NEAR(landing.time, touching, 1e-9) << "seed " << seed;
-    EXPECT_LT(landing.pieces, 150) << "seed " << seed;
+    EXPECT_LT(landing.flight_pieces, 150) << "seed " << seed;
   }
 }
 
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, Attitude,
                                          Kind::kNearlyPure, Kind::kBesideUnstable));
 
 // Across its axis of symmetry a needle or a plate turns steadily: every such axis is a principal
-// one. Exactly across, so that nothing along the axis tells the ways of turning apart.
+// one. Exactly across, so that nothing along the axis distinguishes the ways of turning.
 TEST(FreeRotation, SymmetricBodiesTurnSteadilyAcrossTheirAxis) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double odd : {20.0, 300.0}) {
@@ -197,11 +197,11 @@ TEST(FreeRotation, OneLongFlightEqualsManyShortOnes) {
   RigidState state;
   state.velocity = {3.0, 1.0, 5.0};
   state.angular_velocity = {2.0, 7.0, -1.0};
-  RigidState pieces = state;
-  for (int i = 0; i < 100; ++i) pieces = free_flight(body, pieces, 0.01, kG);
+  RigidState stepped = state;
+  for (int i = 0; i < 100; ++i) stepped = free_flight(body, stepped, 0.01, kG);
   const RigidState whole = free_flight(body, state, 1.0, kG);
-  EXPECT_LT((pieces.position - whole.position).norm(), 1e-12);
-  EXPECT_LT(pieces.orientation.angularDistance(whole.orientation), 1e-12);
+  EXPECT_LT((stepped.position - whole.position).norm(), 1e-12);
+  EXPECT_LT(stepped.orientation.angularDistance(whole.orientation), 1e-12);
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ TEST(ObliqueBody, ImpulseOfRandomBlocks) {
   }
 }
 
-// A sphere that meets the ground at 60 degrees: slides through with mu 0.3, rolls off with 0.7.
+// A sphere that hits the ground at 60 degrees: slides through with mu 0.3, rolls off with 0.7.
 TEST(ObliqueSphere, SlidesOrSticks) {
   const TerrainSurface terrain = ground(plane_mesh(5.0, 5));
   const RigidBody body = ball(1.0, 0.1);

@@ -26,7 +26,7 @@ TerrainSurface cliff() {
 class PiercedStart : public testing::TestWithParam<double> {};
 
 // A plate that leans over the crest at 45 degrees, its centre over the air. The crest is `depth`
-// behind its lower face, which none of its corners tells.
+// behind its lower face, which none of its corners shows.
 TEST_P(PiercedStart, IsRefusedWithItsDepth) {
   const double depth = GetParam();
   const TerrainSurface terrain = cliff();

@@ -79,7 +79,7 @@ void PrintTo(const Hold& hold, std::ostream* out) {
 
 class StaticLimit : public testing::TestWithParam<Hold> {};
 
-// 34.99 degrees for 0.70 and 16.70 for 0.30: no creep for a minute just below, none held above.
+// 34.99 degrees for 0.70 and 16.70 for 0.30: no creep for a minute just below, none stopped above.
 TEST_P(StaticLimit, HoldsBelowAndSlidesAbove) {
   const auto& [friction, law] = GetParam();
   const double limit = std::atan(friction);

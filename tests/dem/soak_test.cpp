@@ -54,7 +54,7 @@ TEST_P(Soak, NoBlockIsLostAndTheEnergyBalances) {
     EXPECT_LT(result.energy.error, 0.005) << i;
     reassigned[i] = share;
   });
-  // What weights and changing contacts take or give is a term of the balance, not a hiding place.
+  // What changes of weights and contacts dissipate or add is a term of the balance and stays small.
   std::sort(reassigned.begin(), reassigned.end());
   EXPECT_GT(reassigned[kReleases / 20], -0.02);
   EXPECT_LT(reassigned[kReleases - kReleases / 20], 0.15);

@@ -1,6 +1,6 @@
 // The step of `auto` is short enough: half of it stops blocks at the same places. Single runs are
 // chaotic (a stop moves by metres either way), so the shift is that of means, and the mean over
-// more releases than the bar speaks of tells that it is not met by luck.
+// more releases than the bar requires show that it is not met by luck.
 #include <gtest/gtest.h>
 
 #include <cmath>

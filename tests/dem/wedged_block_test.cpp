@@ -1,5 +1,5 @@
-// Blocks that fall into clefts narrower or little wider than they are: held between two walls they
-// come to rest, and what changing contacts take or give stays small.
+// Blocks that fall into clefts narrower or little wider than they are: between two walls they come
+// to rest, and what changes of contacts dissipate or add stays small.
 #include <gtest/gtest.h>
 
 #include "dem/ground_gap.hpp"

@@ -10,7 +10,7 @@
 namespace clast {
 namespace {
 
-/// Rocks, boxes, balls and rods of all sizes, two of which are thrown at each other.
+/// Rocks, boxes, balls and rods of all sizes, two of which are launched at each other.
 std::vector<RigidBody> zoo() {
   return {ball(1.0, 0.1),
           capsule(1.5, 0.3, 0.06),
@@ -20,24 +20,24 @@ std::vector<RigidBody> zoo() {
           rock(4, {0.16, 0.17, 0.12}, 0.0, 300.0, 5)};
 }
 
-struct Throw {
+struct Launch {
   std::size_t shapes[2];
   RigidState states[2];
 };
 
-Throw random_throw(std::uint64_t seed) {
+Launch random_launch(std::uint64_t seed) {
   Random random(seed);
-  Throw thrown;
+  Launch launch;
   const Vec3 line = random.direction();
   for (const int i : {0, 1}) {
-    thrown.shapes[i] = random.below(6);
-    RigidState& state = thrown.states[i];
+    launch.shapes[i] = random.below(6);
+    RigidState& state = launch.states[i];
     state.orientation = random.rotation();
     state.position = (i == 0 ? 0.25 : -0.25) * line + 0.03 * random.direction();
     state.velocity = (i == 0 ? -2.0 : 2.0) * line + 0.3 * random.direction();
     state.angular_velocity = 4.0 * random.direction();
   }
-  return thrown;
+  return launch;
 }
 
 class Collisions : public testing::TestWithParam<ContactWeights> {};
@@ -46,15 +46,15 @@ TEST_P(Collisions, KeepMomentumAndAccountForEnergy) {
   const std::vector<RigidBody> shapes = zoo();
   int touched = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const Throw thrown = random_throw(seed);
+    const Launch launch = random_launch(seed);
     WorldSettings settings = stiff_world(shapes[0], 1e6, 40.0);
     settings.weights = GetParam();
     settings.between_bodies = {0.1, 0.6, 0.3};
     World world(shapes, settings);
     double linear = 0.0;
     for (const int i : {0, 1}) {
-      world.add_body(thrown.shapes[i], thrown.states[i]);
-      linear += shapes[thrown.shapes[i]].mass * thrown.states[i].velocity.norm();
+      world.add_body(launch.shapes[i], launch.states[i]);
+      linear += shapes[launch.shapes[i]].mass * launch.states[i].velocity.norm();
     }
     const Vec3 momentum = world.linear_momentum(), spin = world.angular_momentum();
     bool apart = true;
@@ -75,18 +75,18 @@ INSTANTIATE_TEST_SUITE_P(Weights, Collisions,
                                          ContactWeights::kCount, ContactWeights::kNone),
                          [](const auto& test) { return name_of(test.param); });
 
-// Which of two bodies takes the ground's place is told by their shapes, not by their order.
+// Which of two bodies is the reference body follows from their shapes, not from their order.
 TEST(Order, OfBodiesChangesNothing) {
   const std::vector<RigidBody> shapes = zoo();
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const Throw thrown = random_throw(seed);
-    if (thrown.shapes[0] == thrown.shapes[1]) continue;
+    const Launch launch = random_launch(seed);
+    if (launch.shapes[0] == launch.shapes[1]) continue;
     WorldSettings settings = stiff_world(shapes[0], 1e6, 40.0);
     settings.between_bodies = {0.1, 0.6, 0.3};
     World world(shapes, settings), swapped(shapes, settings);
     for (const int i : {0, 1}) {
-      world.add_body(thrown.shapes[i], thrown.states[i]);
-      swapped.add_body(thrown.shapes[1 - i], thrown.states[1 - i]);
+      world.add_body(launch.shapes[i], launch.states[i]);
+      swapped.add_body(launch.shapes[1 - i], launch.states[1 - i]);
     }
     world.run_until(0.15);
     swapped.run_until(0.15);

@@ -67,7 +67,7 @@ TEST_P(Spheres, Oblique) {
     const std::vector<RigidBody> shapes = {ball(1.0, 0.1), ball(second_mass, 0.15)};
     WorldSettings settings = stiff_world(shapes[0], 1e8, 100.0);
     settings.between_bodies = {restitution, friction, 0.0};
-    // Aimed so that the line of centres is x when they meet.
+    // Aimed so that the line of centres is x when they collide.
     World aimed(shapes, settings);
     const double until = 1e-4 / 2.0;
     aimed.add_body(0, at({0, -3.0 * until, 0}, {2.0, 3.0, 0.0}));
@@ -210,7 +210,7 @@ TEST_P(ElasticBlocks, KeepTheirEnergyOrSayWhereItWent) {
   world.add_body(3, at({-0.3, 0.1, 0.05}, {3.0, 0.4, 1.0}));
   world.add_body(4, at({0.2, 0, 0}, {-1.0, -2.0, 0.5}));
   add_room(world, 0, 0.6);
-  // Without weights energy must stay; with them what changes must be told.
+  // Without weights energy must stay; with them what changes must be booked.
   const int wanted = GetParam() == ContactWeights::kNone ? 100 : 40;
   int bounces = 0;
   std::size_t before = 0;

@@ -11,10 +11,13 @@
 #include "shapes/convex_hull.hpp"
 
 namespace clast {
+
+using namespace massprops_detail;
+
 namespace {
 
 /// Moments of the rounded hull from its definition and a fine grid of lines alone: balls on the
-/// vertices, whole cylinders on the edges, slabs over the faces. A convex body meets a line in one
+/// vertices, whole cylinders on the edges, slabs over the faces. A convex body cuts a line in one
 /// interval, from the lowest to the highest point of any of them.
 Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
   std::vector<SkinPiece> parts;

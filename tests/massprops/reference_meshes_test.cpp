@@ -39,7 +39,7 @@ TriangleMesh stored_mesh(const std::string& file) {
   return mesh;
 }
 
-/// As the table counts: equal vertices joined, all pieces kept, outward on the whole.
+/// As the table counts: equal vertices joined, all components kept, outward on the whole.
 TriangleMesh reference_mesh(const std::string& file) {
   const TriangleMesh mesh = welded(stored_mesh(file), 0.0);
   return signed_volume(mesh) < 0.0 ? turned_over(mesh) : mesh;
@@ -112,7 +112,7 @@ TEST(ReferenceMeshes, MapCoordinatesCostNoDigits) {
     const MassProperties shifted = solid_mass_properties(far, 1.0);
     EXPECT_NEAR(shifted.volume / near.volume, 1.0, kBar);
     EXPECT_TRUE(shifted.inertia.isApprox(near.inertia, kBar));
-    // The place itself can't be told better than the doubles there stand apart.
+    // The place itself is known no better than the spacing of doubles there.
     EXPECT_LT((shifted.centre - shift - near.centre).norm(), kBar * diagonal + 0x1p-30);
     // Within what the grid may have moved, it is also the reference's body.
     const double moved = 0x1p-31 * std::sqrt(3.0) * value(row, "area") / near.volume;
@@ -134,12 +134,12 @@ TEST(ReferenceMeshes, InwardOnesAreRefusedUntilAScanTurnsThem) {
 
 TEST(ReferenceMeshes, ScansDropInnerShellsUnlessTheyAreToBeKept) {
   for_each_closed_mesh([](const ReferenceRow& row, const TriangleMesh& mesh) {
-    const bool pieces = row.at("components") != "1";
-    const double outer = value(row, pieces ? "largest_component_volume" : "volume");
+    const bool has_components = row.at("components") != "1";
+    const double outer = value(row, has_components ? "largest_component_volume" : "volume");
     const Scan dropped = cleaned_scan(mesh, row.at("file"));
     EXPECT_NEAR(solid_mass_properties(dropped.mesh, 1.0).volume / outer, 1.0, kBar);
-    EXPECT_EQ(dropped.report.inner_shells > 0, pieces);
-    if (!pieces) return;
+    EXPECT_EQ(dropped.report.inner_shells > 0, has_components);
+    if (!has_components) return;
     const Scan kept =
         cleaned_scan(turned_over(mesh), row.at("file"), {.repair = {.keep_inner_shells = true}});
     const double volume = solid_mass_properties(kept.mesh, 1.0).volume;

@@ -1,5 +1,5 @@
 #pragma once
-/// Which bodies are near each other: bounding spheres that overlap, or soon might.
+/// Broad phase: which bodies are near each other, as their bounding spheres overlap or soon might.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -7,21 +7,22 @@
 
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
-/// A body as the broad phase sees it.
+/// A body in the broad phase.
 struct BoundingSphere {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
   bool fixed = false;  ///< two fixed bodies are no pair
 };
 
-class NearPairs {
+class BroadPhase {
  public:
   using Pair = std::array<std::uint32_t, 2>;  ///< smaller number first
 
-  /// Makes the list anew when a body has moved half the slack since it was made, or the number of
-  /// bodies has changed. Until it says true the list held every pair of spheres that overlapped.
+  /// Lists the pairs again when a body has moved half the slack since the last time, or the number
+  /// of bodies has changed; true then. Until that call the list held every pair of overlapping
+  /// spheres.
   /// @param slack  how far spheres may be apart to be listed, m; above 0
   bool refresh(std::span<const BoundingSphere> spheres, double slack);
 
@@ -33,4 +34,4 @@ class NearPairs {
   std::vector<Pair> pairs_;
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -1,11 +1,11 @@
 #pragma once
-/// A body of a world on its way, and the shape it shares with others.
+/// A moving or fixed body of a world, and the shape it shares with others.
 #include <utility>
 
 #include "dem/detail/block_surface.hpp"
 #include "dem/detail/moving_body.hpp"
 
-namespace clast {
+namespace clast::dem_detail {
 
 /// A shape with what contacts need of it, once for all bodies that have it.
 struct Shape {
@@ -16,9 +16,9 @@ struct Shape {
   double radius;  ///< of the rounded body about its centre, m
 };
 
-struct Actor {
-  /// @param of_shape  must outlive the actor
-  Actor(const Shape& of_shape, const RigidState& start, bool is_fixed)
+struct WorldBody {
+  /// @param of_shape  must outlive the body
+  WorldBody(const Shape& of_shape, const RigidState& start, bool is_fixed)
       : shape(&of_shape), moving(of_shape.body, start), fixed(is_fixed), motion(moving.motion()) {
     if (fixed) motion = without_motion();
   }
@@ -41,9 +41,9 @@ struct Actor {
   BodyMotion motion;         ///< over the last step
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
-  double corrected = 0.0;        ///< energy that events inside the last step gave it, J
+  double corrected = 0.0;        ///< energy that events inside the last step added, J
   double resting = 0.0;          ///< s
   std::uint64_t pair_steps = 0;  ///< touching pairs in which it is the block, summed over steps
 };
 
-}  // namespace clast
+}  // namespace clast::dem_detail

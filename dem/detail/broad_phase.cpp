@@ -1,9 +1,9 @@
-#include "dem/detail/near_pairs.hpp"
+#include "dem/detail/broad_phase.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace clast {
+namespace clast::dem_detail {
 namespace {
 
 /// Axis along which the spheres spread most: the sweep goes along it.
@@ -21,7 +21,7 @@ int widest_axis(std::span<const BoundingSphere> spheres) {
 
 }  // namespace
 
-bool NearPairs::refresh(std::span<const BoundingSphere> spheres, double slack) {
+bool BroadPhase::refresh(std::span<const BoundingSphere> spheres, double slack) {
   bool valid = centres_.size() == spheres.size();
   for (std::size_t i = 0; valid && i < spheres.size(); ++i) {
     valid = (spheres[i].centre - centres_[i]).squaredNorm() <= 0.25 * slack * slack;
@@ -55,4 +55,4 @@ bool NearPairs::refresh(std::span<const BoundingSphere> spheres, double slack) {
   return true;
 }
 
-}  // namespace clast
+}  // namespace clast::dem_detail

@@ -1,18 +1,21 @@
-// What tangential springs hold when weights move from one point of a law to another.
+// What tangential springs carry when weights move from one point of a patch to another.
 #include <gtest/gtest.h>
 
 #include "dem/detail/contact_forces.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {
+
+using namespace dem_detail;
+
 namespace {
 
 constexpr double kStep = 1e-4, kStiffness = 1e6, kDepth = 1e-3, kSlip = 4e-5;
 
 /// A cube on level ground whose lower corners are loaded as asked.
-class HandedSprings : public testing::TestWithParam<ContactWeights> {
+class SpringTransfer : public testing::TestWithParam<ContactWeights> {
  protected:
-  HandedSprings() {
+  SpringTransfer() {
     motion_.world_from_body = {Vec3(0.0, 0.0, 0.5 - kDepth), Quat::Identity()};
     motion_.begin_position = motion_.world_from_body.translation;
   }
@@ -47,7 +50,7 @@ class HandedSprings : public testing::TestWithParam<ContactWeights> {
 
 // One corner alone is pushed by k_t s. Others that share its load share its spring: the force on
 // the block stays, and nothing is lost.
-TEST_P(HandedSprings, ForceAndEnergyStayWhenPointsJoin) {
+TEST_P(SpringTransfer, ForceAndEnergyStayWhenPointsJoin) {
   load({kDepth}, Vec3::Zero());
   const double force = -load({kDepth}, Vec3(kSlip / kStep, 0.0, 0.0)).force.x();
   EXPECT_NEAR(force, kStiffness * kSlip, 1e-9 * force);
@@ -60,7 +63,7 @@ TEST_P(HandedSprings, ForceAndEnergyStayWhenPointsJoin) {
   const double stored = 0.5 * kStiffness * (kDepth * kDepth + kSlip * kSlip);
   EXPECT_NEAR(forces_.stored_energy(), stored, 1e-9 * stored);
 }
-INSTANTIATE_TEST_SUITE_P(Weights, HandedSprings,
+INSTANTIATE_TEST_SUITE_P(Weights, SpringTransfer,
                          testing::Values(ContactWeights::kPatch, ContactWeights::kOverlap,
                                          ContactWeights::kCount),
                          [](const auto& test) { return name_of(test.param); });

@@ -1,0 +1,74 @@
+#pragma once
+/// How bodies move over a time step, alone and against each other.
+#include "core/pose.hpp"
+
+namespace clast::dem_detail {
+
+/// How a body moved over a step: its place at the end, its mean velocities, and those it began
+/// with. A body that does not move is the default.
+struct BodyMotion {
+  Pose world_from_body;                  ///< origin at the centre of mass
+  Vec3 velocity = Vec3::Zero();          ///< of the centre, m/s
+  Vec3 angular_velocity = Vec3::Zero();  ///< rad/s, world axes
+
+  Vec3 begin_position = Vec3::Zero();  ///< of the centre
+  Vec3 begin_velocity = Vec3::Zero();
+  Vec3 begin_angular_velocity = Vec3::Zero();
+
+  double inverse_mass = 0.0;            ///< 1/kg; 0 for a body that is fixed
+  Vec3 inverse_moments = Vec3::Zero();  ///< along the body axes, 1/(kg m^2)
+
+  Vec3 velocity_at(const Vec3& point) const {
+    return velocity + angular_velocity.cross(point - world_from_body.translation);
+  }
+  /// The mean velocity of what was at `point` when the step began.
+  Vec3 velocity_from(const Vec3& point) const {
+    return velocity + angular_velocity.cross(point - begin_position);
+  }
+  Vec3 begin_velocity_at(const Vec3& point) const {
+    return begin_velocity + begin_angular_velocity.cross(point - begin_position);
+  }
+  /// False for what stood still all the step, as the ground does.
+  bool moves() const {
+    return !(velocity.isZero(0.0) && angular_velocity.isZero(0.0) && begin_velocity.isZero(0.0) &&
+             begin_angular_velocity.isZero(0.0));
+  }
+  /// In world axes.
+  Vec3 inverse_inertia_times(const Vec3& torque) const {
+    const Vec3 in_body = world_from_body.rotation.conjugate() * torque;
+    return world_from_body.rotation * Vec3(inverse_moments.cwiseProduct(in_body));
+  }
+};
+
+/// How the block of a pair moved against the other body over a step.
+struct PairMotion {
+  PairMotion(const BodyMotion& of_block, const BodyMotion& of_other, double step)
+      : block(of_block),
+        other(of_other),
+        duration(step),
+        spin(of_block.angular_velocity - of_other.angular_velocity),
+        other_moves(of_other.moves()) {}
+
+  /// Mean velocities of what is at a place when the step ends ...
+  Vec3 velocity_at(const Vec3& place) const {
+    return other_moves ? Vec3(block.velocity_at(place) - other.velocity_at(place))
+                       : block.velocity_at(place);
+  }
+  /// ... and of what was there when it began.
+  Vec3 velocity_from(const Vec3& place) const {
+    return other_moves ? Vec3(block.velocity_from(place) - other.velocity_from(place))
+                       : block.velocity_from(place);
+  }
+  Vec3 begin_velocity_at(const Vec3& place) const {
+    return other_moves ? Vec3(block.begin_velocity_at(place) - other.begin_velocity_at(place))
+                       : block.begin_velocity_at(place);
+  }
+
+  const BodyMotion& block;
+  const BodyMotion& other;
+  double duration;  ///< s
+  Vec3 spin;        ///< mean, rad/s
+  bool other_moves;
+};
+
+}  // namespace clast::dem_detail

@@ -1,0 +1,88 @@
+#pragma once
+/// The contact pairs of a world: bodies that the broad phase finds near each other or the terrain,
+/// with their contacts from step to step.
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "dem/detail/body_pair.hpp"
+#include "dem/detail/broad_phase.hpp"
+#include "dem/detail/world_body.hpp"
+#include "dem/terrain_surface.hpp"
+
+namespace clast::dem_detail {
+
+/// Two bodies, or a body and the terrain.
+struct ContactPair {
+  /// The terrain's number in a pair of bodies.
+  static constexpr std::uint32_t kTerrain = 0xffffffffu;
+
+  std::uint32_t reference;  ///< kTerrain, or the body in whose frame contacts are searched
+  std::uint32_t block;
+  std::unique_ptr<BodyPair> contacts;
+
+  BroadPhase::Pair key() const { return {std::min(reference, block), std::max(reference, block)}; }
+  /// True when no body of it has a number from `end` on.
+  bool between(std::size_t end) const {
+    return block < end && (reference == kTerrain || reference < end);
+  }
+};
+
+/// All pairs, each kept as long as the two stay near. Loops write only what belongs to one pair, so
+/// that the number of threads changes no bit.
+class ContactPairs {
+ public:
+  /// @param terrain         none, or it must outlive the pairs
+  /// @param between_bodies  rules of two bodies; what they refer to must outlive the pairs
+  /// @param on_terrain      rules of a body on the terrain, likewise
+  ContactPairs(const TerrainSurface* terrain, const BodyPair::Rules& between_bodies,
+               const BodyPair::Rules& on_terrain)
+      : terrain_(terrain), between_bodies_(between_bodies), on_terrain_(on_terrain) {}
+
+  /// How far bounding spheres may be apart to be listed follows from the bodies that move.
+  void set_slack(std::span<const WorldBody> bodies);
+  /// Runs the broad phase where that is due, and ends pairs that are no longer near.
+  void refresh(std::span<const WorldBody> bodies);
+  /// Runs the narrow phase and the contact law of all pairs at the places that the bodies have
+  /// moved to in a step of `duration`.
+  void update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team);
+  /// The same, without a step, for pairs with a new body.
+  /// @param known  bodies from this number on are new
+  void begin(std::span<const WorldBody> bodies, std::size_t known);
+  /// Ends the contacts of a body that leaves the world.
+  void end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies);
+
+  /// First a body's with the terrain, then by the other body; sorted by the smaller number.
+  std::span<const ContactPair> all() const { return pairs_; }
+  /// Places in `all` of the pairs of a body, ascending.
+  std::span<const std::uint32_t> of(std::size_t body) const { return of_body_[body]; }
+
+  /// What contacts dissipated or reassigned, also those that have ended, J.
+  EnergyLedger losses() const;
+  double stored_energy() const;  ///< J
+  std::uint64_t broad_phases() const { return broad_phases_; }
+
+ private:
+  const BodyMotion& motion_of(std::uint32_t body, std::span<const WorldBody> bodies) const {
+    return body == ContactPair::kTerrain ? still_ground_ : bodies[body].motion;
+  }
+  std::vector<BroadPhase::Pair> pairs_to_keep(std::span<const WorldBody> bodies) const;
+  ContactPair contact_pair(std::uint32_t first, std::uint32_t second,
+                           std::span<const WorldBody> bodies) const;
+
+  const TerrainSurface* terrain_;
+  BodyPair::Rules between_bodies_, on_terrain_;
+  BodyMotion still_ground_;
+  BroadPhase broad_phase_;
+  double slack_ = 0.0;  ///< of the broad phase, m
+  std::vector<BoundingSphere> spheres_;
+  std::vector<ContactPair> pairs_;
+  std::vector<std::vector<std::uint32_t>> of_body_;
+  EnergyLedger ended_;  ///< losses of pairs that have ended
+  std::uint64_t broad_phases_ = 0;
+};
+
+}  // namespace clast::dem_detail
