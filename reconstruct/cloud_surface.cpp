@@ -13,6 +13,7 @@
 #include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "mesh/mesh_topology.hpp"
+#include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/cloud_margin.hpp"
@@ -22,7 +23,6 @@
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/poisson.hpp"
 #include "reconstruct/detail/seen_surface.hpp"
-#include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 
 namespace clast {
@@ -261,7 +261,7 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
             : std::vector<Vec3>(points.begin(), points.end()),
       dense ? std::span<const int>(kManyFirst) : std::span<const int>(kFewFirst), options.trim);
   const reconstruct_detail::SeenSurface& seen = body.seen;
-  TriangleMesh open = reconstruct_detail::with_triangles(body.surface, seen.seen);
+  TriangleMesh open = with_triangles(body.surface, seen.seen);
   reconstruct_detail::cut_touching_edges(open);
   reconstruct_detail::split_pinched_vertices(open);
   open = largest_piece(open);

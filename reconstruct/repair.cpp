@@ -7,6 +7,8 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "mesh/self_intersection.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "mesh/weld.hpp"
 #include "reconstruct/detail/crossing_mends.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
@@ -16,7 +18,6 @@
 #include "reconstruct/detail/spikes.hpp"
 #include "reconstruct/detail/surface_copy.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
-#include "reconstruct/weld.hpp"
 
 namespace clast {
 
@@ -240,7 +241,7 @@ class Route {
     if (shared > 0) {
       text += text.empty() ? "" : "; ";
       text += counted(shared, "edge", "edges") + " shared by more than two triangles, near " +
-              at(welded_.vertices[reconstruct_detail::first_non_manifold_edge(welded_)[0]]);
+              at(welded_.vertices[triangle_neighbours(welded_).first_non_manifold[0]]);
     }
     fail("the surface is not closed: " + text + kAdvice);
   }
@@ -350,7 +351,7 @@ class Route {
       if (!options_.keep_inner_shells) continue;
       TriangleMesh cavity = *shell;
       reconstruct_detail::split_pinched_vertices(cavity);
-      if ((volume > 0.0) == block_outward) reconstruct_detail::turn_over(cavity);
+      if ((volume > 0.0) == block_outward) turn_over(cavity);
       mesh_ = merged(std::move(mesh_), cavity);
     }
     note(DefectKind::kInnerShell, shells.size(), area, shells[0]->vertices[0]);
@@ -358,7 +359,7 @@ class Route {
 
   void turn_outward() {
     if (signed_volume(mesh_) > 0.0) return;
-    reconstruct_detail::turn_over(mesh_);
+    turn_over(mesh_);
     std::swap(report_.volume_below, report_.volume_above);
     for (FilledHole& hole : report_.holes) std::swap(hole.volume_below, hole.volume_above);
     note(DefectKind::kInward, 1);

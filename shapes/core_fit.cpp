@@ -13,6 +13,7 @@
 #include "mesh/edge_collapse.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/surface_samples.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "shapes/detail/skin_distance.hpp"
 

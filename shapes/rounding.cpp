@@ -11,6 +11,7 @@
 #include "mesh/mesh_topology.hpp"
 #include "mesh/plane_fit.hpp"
 #include "mesh/self_intersection.hpp"
+#include "mesh/triangle_geometry.hpp"
 
 namespace clast {
 

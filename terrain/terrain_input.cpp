@@ -10,19 +10,20 @@
 #include "core/text_file.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/point_cloud.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "terrain/detail/breaklines.hpp"
 #include "terrain/detail/cloud_input.hpp"
 #include "terrain/detail/cracks.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/grid_holes.hpp"
 #include "terrain/detail/layers.hpp"
-#include "terrain/detail/mending.hpp"
 #include "terrain/detail/resampling.hpp"
 #include "terrain/detail/spike_groups.hpp"
 #include "terrain/detail/spikes.hpp"
 #include "terrain/detail/surface_holes.hpp"
+#include "terrain/detail/surface_repair.hpp"
 #include "terrain/detail/thinning.hpp"
-#include "terrain/detail/triangle_links.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_source.hpp"
 #include "terrain/terrain_file.hpp"
@@ -189,13 +190,12 @@ void mend(RawSurface& raw, const std::vector<std::string>& files,
   terrain_detail::drop_useless_triangles(raw, files, zone_of_file, report);
   terrain_detail::level_spike_groups(raw.mesh, options.spike_steepness, options.crack, report);
   terrain_detail::close_cracks(raw, options.crack, report);
-  terrain_detail::drop_unused_vertices(raw.mesh);
+  drop_unused_vertices(raw.mesh);
   terrain_detail::orient_upwards(raw, report);
   terrain_detail::drop_double_ground(raw, options.crack, report);
-  terrain_detail::fill_surface_holes(
-      raw, options.fill.value_or(kMeshHole * terrain_detail::median_edge(raw.mesh)), options.crack,
-      report);
-  terrain_detail::note_gaps(raw, terrain_detail::median_edge(raw.mesh), report);
+  terrain_detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * median_edge(raw.mesh)),
+                                     options.crack, report);
+  terrain_detail::note_gaps(raw, median_edge(raw.mesh), report);
   terrain_detail::note_slivers(raw, report);
 }
 

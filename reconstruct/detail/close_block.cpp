@@ -8,8 +8,8 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "reconstruct/detail/holes.hpp"
-#include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/stated_bounds.hpp"
 
 namespace clast::reconstruct_detail {
@@ -88,7 +88,7 @@ bool turn_outward(TriangleMesh& open) {
 }
 
 /// The report of the same surface turned over.
-void turn_over(RepairReport& report) {
+void swap_sides(RepairReport& report) {
   std::swap(report.volume_below, report.volume_above);
   for (FilledHole& hole : report.holes) std::swap(hole.volume_below, hole.volume_above);
   for (DoubledSurface& copy : report.doubled) {
@@ -157,7 +157,7 @@ Underside moved(Underside side, double unit, const Move& move) {
 
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& field) {
   const ScanOptions& options = field.scan;
-  if (turn_outward(open.surface)) turn_over(open.repaired);
+  if (turn_outward(open.surface)) swap_sides(open.repaired);
   if (open.repaired.as_read.triangles > 0) {  // the surface of a cloud has no small holes
     const std::vector<FilledHole> filled = fill_holes(open.surface, false);
     open.repaired =

@@ -6,6 +6,7 @@
 
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "reconstruct/detail/crossings.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/pieces.hpp"

@@ -5,7 +5,7 @@
 
 #include "core/random.hpp"
 #include "mesh/half_edges.hpp"
-#include "reconstruct/detail/soup.hpp"
+#include "mesh/sub_mesh.hpp"
 
 namespace clast::reconstruct_detail {
 

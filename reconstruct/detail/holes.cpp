@@ -22,7 +22,6 @@
 #include "mesh/half_edges.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/loop_filling.hpp"
-#include "reconstruct/detail/soup.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -192,7 +191,7 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
   std::erase_if(loops,
                 [&](const auto& loop) { return loop.size() > most_edges || loop.size() < 3; });
   if (loops.empty()) return filled;
-  std::set<std::array<std::uint32_t, 2>> edges;
+  std::set<EdgeKey> edges;
   for (const HalfEdge& side : sorted_half_edges(mesh)) edges.insert({side.low, side.high});
   for (const std::vector<std::uint32_t>& loop : loops) {
     std::vector<Triangle> best;
@@ -201,7 +200,7 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
       bool crosses = false;
       for (std::size_t k = 2; k + 1 < loop.size(); ++k) {
         const std::uint32_t other = loop[(apex + k) % loop.size()];
-        crosses |= edges.contains({std::min(loop[apex], other), std::max(loop[apex], other)});
+        crosses |= edges.contains(edge_key(loop[apex], other));
       }
       std::vector<Triangle> candidate = fan(loop, apex);
       const double area = area_of(mesh, candidate);
@@ -211,9 +210,7 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
     }
     if (best.empty()) continue;
     for (const Triangle& t : best) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        edges.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
-      }
+      for (std::size_t k = 0; k < 3; ++k) edges.insert(edge_key(t[k], t[(k + 1) % 3]));
     }
     mesh.triangles.insert(mesh.triangles.end(), best.begin(), best.end());
     std::vector<Vec3> border;

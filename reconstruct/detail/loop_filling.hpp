@@ -1,12 +1,12 @@
 #pragma once
 /// Triangles across a small loop, between its own corners.
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
 #include <span>
 #include <vector>
 
+#include "mesh/half_edges.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::reconstruct_detail {
@@ -19,13 +19,6 @@ struct LoopFilling {
   /// highest, or under the planes that its neighbours lie in, m^3; both at least 0.
   double volume_below = 0.0, volume_above = 0.0;
 };
-
-/// Vertices of an edge, the smaller number first.
-using EdgeKey = std::array<std::uint32_t, 2>;
-
-inline EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
-  return a < b ? EdgeKey{a, b} : EdgeKey{b, a};
-}
 
 /// Of all triangulations of `loop` that repeat no edge of `edges`, the one with the least bending:
 /// the sum of dihedral angle times length over its edges and those of the loop, with the triangles

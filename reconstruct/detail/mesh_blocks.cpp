@@ -6,6 +6,7 @@
 
 #include "core/number_text.hpp"
 #include "mesh/mesh_topology.hpp"
+#include "mesh/weld.hpp"
 #include "reconstruct/detail/choose_standing.hpp"
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/detail/cloud.hpp"
@@ -18,7 +19,6 @@
 #include "reconstruct/detail/spikes.hpp"
 #include "reconstruct/detail/surface_copy.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
-#include "reconstruct/weld.hpp"
 
 namespace clast::reconstruct_detail {
 

@@ -5,7 +5,6 @@
 
 #include "core/types.hpp"
 #include "mesh/mesh_topology.hpp"
-#include "reconstruct/detail/soup.hpp"
 
 namespace clast::reconstruct_detail {
 

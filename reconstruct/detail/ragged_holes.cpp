@@ -6,10 +6,10 @@
 
 #include "core/disjoint_sets.hpp"
 #include "mesh/half_edges.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/loop_filling.hpp"
-#include "reconstruct/detail/soup.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -54,9 +54,7 @@ std::vector<FilledHole> close_ragged_holes(TriangleMesh& mesh) {
     edges.insert(edges.end(), {sides[0].low, sides[0].high});
     if (sides.size() != 1) return;
     const TriangleMesh::Triangle& t = mesh.triangles[sides[0].triangle];
-    beyond[{sides[0].low, sides[0].high}] = (mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                                                .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
-                                                .normalized();
+    beyond[{sides[0].low, sides[0].high}] = area_vector(mesh, t).normalized();
   });
   for (const std::vector<std::uint32_t>& loop : loops) {
     if (loop.size() < 3 || loop.size() > kMostCorners || !large[loop[0]]) continue;

@@ -1,6 +1,5 @@
 #pragma once
 /// From triangles that meet anyhow to pieces that are manifold and face one way.
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,21 +15,9 @@ struct Mended {
   Vec3 place = Vec3::Zero();  ///< of the first; meaningless when `count` is 0
 };
 
-/// `triangles` over the vertices of `source`, unused vertices left out.
-TriangleMesh compacted(const TriangleMesh& source,
-                       const std::vector<TriangleMesh::Triangle>& triangles);
-
-/// The mesh with only the triangles that `keep` says, without unused vertices, orders kept.
-/// @pre one flag for each triangle
-TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep);
-
 /// Takes the marked triangles out, and the vertices that only they use. Counts triangles.
 /// @pre one flag for each triangle
 Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop);
-
-/// Vertices of the first edge with more than two triangles.
-/// @pre there is one
-std::array<std::uint32_t, 2> first_non_manifold_edge(const TriangleMesh& mesh);
 
 /// Of two triangles with the same corners and opposite turn, one is kept where the surface goes on
 /// at both sides (stored twice, or two-sided throughout), none where it doesn't (a sliver welded
@@ -60,8 +47,6 @@ struct Orientation {
 /// Makes neighbours over edges with two triangles agree; each piece keeps the turn that most of its
 /// triangles have.
 Orientation orient_consistently(TriangleMesh& mesh);
-
-void turn_over(TriangleMesh& mesh);
 
 /// All of the above, and `cut_touching_edges`, in order.
 struct SoupMends {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/weld.hpp"
 #include "reconstruct/detail/outliers.hpp"
 #include "reconstruct/detail/unseen_bounds.hpp"
-#include "reconstruct/weld.hpp"
 #include "shapes/oriented_box.hpp"
 
 namespace clast::reconstruct_detail {

@@ -9,7 +9,7 @@
 #include "core/number_text.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "reconstruct/weld.hpp"
+#include "mesh/weld.hpp"
 
 namespace clast {
 

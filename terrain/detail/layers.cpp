@@ -5,9 +5,9 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "terrain/detail/mending.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -34,8 +34,8 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
   };
   std::vector<Hit> hits;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!(area_vector(mesh, t).z() > 0.0)) continue;
-    const Vec3 middle = centroid(mesh, t);
+    if (!(area_vector(mesh, mesh.triangles[t]).z() > 0.0)) continue;
+    const Vec3 middle = centroid(mesh, mesh.triangles[t]);
     hits.assign(1, {middle.z(), t, true});
     for (const std::uint32_t other : index.near(Vec2(middle.head<2>()))) {
       const PlanBox& box = boxes[other];
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
         continue;
       }
       const std::optional<double> z = height_on(mesh, other, middle.head<2>());
-      if (z) hits.push_back({*z, other, area_vector(mesh, other).z() > 0.0});
+      if (z) hits.push_back({*z, other, area_vector(mesh, mesh.triangles[other]).z() > 0.0});
     }
     if (hits.size() == 1) continue;
     std::sort(hits.begin(), hits.end());
@@ -61,16 +61,16 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
 }  // namespace
 
 void drop_double_ground(RawSurface& surface, double width, TerrainReport& report) {
-  TriangleMesh& mesh = surface.mesh;
+  const TriangleMesh& mesh = surface.mesh;
   const std::vector<std::uint32_t> twin = doubles_of(mesh, std::max(width, kNoRoom));
   if (std::all_of(twin.begin(), twin.end(), [](std::uint32_t t) { return t == kNoTriangle; })) {
     return;
   }
-  const std::vector<std::uint32_t> piece = pieces_of(mesh, triangle_links(mesh));
+  const std::vector<std::uint32_t> piece = manifold_components(triangle_neighbours(mesh));
   const std::size_t count = *std::max_element(piece.begin(), piece.end()) + 1u;
   std::vector<double> area(count, 0.0), doubled(count, 0.0);
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
-    const double plan = std::max(0.0, area_vector(mesh, t).z() / 2.0);
+    const double plan = std::max(0.0, area_vector(mesh, mesh.triangles[t]).z() / 2.0);
     area[piece[t]] += plan;
     if (twin[t] != kNoTriangle && piece[twin[t]] != piece[t]) doubled[piece[t]] += plan;
   }
@@ -81,21 +81,18 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
   }
   double folded = 0.0, dropped_area = 0.0;
   Vec3 folded_at = Vec3::Zero(), dropped_at = Vec3::Zero();
-  std::size_t kept = 0;
+  std::vector<bool> keep(twin.size());
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
-    const double plan = area_vector(mesh, t).z() / 2.0;
-    if (dropped[piece[t]]) {
-      if (dropped_area == 0.0) dropped_at = centroid(mesh, t);
+    const double plan = area_vector(mesh, mesh.triangles[t]).z() / 2.0;
+    keep[t] = !dropped[piece[t]];
+    if (!keep[t]) {
+      if (dropped_area == 0.0) dropped_at = centroid(mesh, mesh.triangles[t]);
       dropped_area += plan;
-      continue;
-    }
-    if (twin[t] != kNoTriangle && !dropped[piece[twin[t]]]) {
-      if (folded == 0.0) folded_at = centroid(mesh, t);
+    } else if (twin[t] != kNoTriangle && !dropped[piece[twin[t]]]) {
+      if (folded == 0.0) folded_at = centroid(mesh, mesh.triangles[t]);
       // Two that face up are each seen from the other.
-      folded += area_vector(mesh, twin[t]).z() > 0.0 ? plan / 2.0 : plan;
+      folded += area_vector(mesh, mesh.triangles[twin[t]]).z() > 0.0 ? plan / 2.0 : plan;
     }
-    mesh.triangles[kept] = mesh.triangles[t];
-    surface.source[kept++] = surface.source[t];
   }
   const double all = std::accumulate(area.begin(), area.end(), 0.0);
   if (folded > kFoldedShare * all) {
@@ -108,15 +105,12 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
     report.notes.push_back("the ground folds over itself on " + with_digits(folded, 3) +
                            " m2, the first at " + place(folded_at));
   }
-  mesh.triangles.resize(kept);
-  surface.source.resize(kept);
   const auto pieces_dropped =
       static_cast<std::size_t>(std::count(dropped.begin(), dropped.end(), true));
   if (pieces_dropped == 0) return;
+  keep_triangles(surface, keep);
   report.dropped_pieces += pieces_dropped;
-  drop_unused_vertices(mesh);
-  const TriangleLinks links = triangle_links(mesh);
-  report.boundary_edges = links.border_edges;
+  report.boundary_edges = triangle_neighbours(mesh).border_edges;
   report.components -= pieces_dropped;
   report.notes.push_back(
       std::to_string(pieces_dropped) + " small pieces of " + with_digits(dropped_area, 3) +

@@ -8,9 +8,9 @@
 
 #include "core/disjoint_sets.hpp"
 #include "core/number_text.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/ring_plane.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -66,7 +66,7 @@ class Surroundings {
   Surroundings(const TriangleMesh& mesh, const std::vector<bool>& loose,
                const std::vector<bool>& few, double width)
       : mesh_(mesh), loose_(loose), width_(std::max(width, kSamePlace)) {
-    const TriangleLinks links = triangle_links(mesh);
+    const TriangleNeighbours links = triangle_neighbours(mesh);
     std::vector<bool> wanted = few, border(mesh.vertices.size(), false);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const TriangleMesh::Triangle& corners = mesh.triangles[t];

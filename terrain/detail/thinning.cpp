@@ -14,9 +14,11 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "terrain/detail/mending.hpp"
+#include "mesh/half_edges.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -43,7 +45,7 @@ std::vector<bool> kept_triangles(const TriangleMesh& mesh) {
   const std::vector<PlanBox> boxes = plan_boxes(mesh);
   std::vector<PlanBox> steep;
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
-    const Vec3 area = area_vector(mesh, t);
+    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
     if (area.z() <= kSteep * area.norm()) steep.push_back(boxes[t]);
   }
   if (steep.empty()) return kept;
@@ -57,14 +59,12 @@ std::vector<bool> kept_triangles(const TriangleMesh& mesh) {
   return kept;
 }
 
-using Edge = std::array<std::uint32_t, 2>;
-
 /// The triangulation that grows, in rounds, by what is farthest off.
 class Growing {
  public:
   /// @param edges   of the old surface, apart from those that stay
   /// @param length  of a usual edge, m
-  Growing(const std::vector<Vec3>& vertices, std::span<const Edge> edges, double length,
+  Growing(const std::vector<Vec3>& vertices, std::span<const EdgeKey> edges, double length,
           double tolerance)
       : vertices_(vertices),
         edges_(edges),
@@ -73,7 +73,7 @@ class Growing {
         handles_(vertices.size()),
         edge_index_(boxes_of(vertices, edges)) {}
 
-  void constrain(const Edge& edge) {
+  void constrain(const EdgeKey& edge) {
     triangulation_.insert_constraint(handle(edge[0]), handle(edge[1]));
   }
 
@@ -90,7 +90,7 @@ class Growing {
       const std::vector<std::uint32_t> crossed = far_edges();
       if (crossed.empty()) return;
       for (const std::uint32_t i : crossed) {
-        const Edge& edge = edges_[i];
+        const EdgeKey& edge = edges_[i];
         if (!is_in(edge[0])) {
           handle(edge[0]);
         } else if (!is_in(edge[1])) {
@@ -109,7 +109,7 @@ class Growing {
 
  private:
   static std::vector<PlanBox> boxes_of(const std::vector<Vec3>& vertices,
-                                       std::span<const Edge> edges) {
+                                       std::span<const EdgeKey> edges) {
     std::vector<PlanBox> boxes(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i) {
       for (const std::uint32_t v : edges[i]) boxes[i].include(vertices[v].head<2>());
@@ -180,8 +180,8 @@ class Growing {
     for (auto edge = triangulation_.finite_edges_begin(); edge != triangulation_.finite_edges_end();
          ++edge) {
       if (triangulation_.is_constrained(*edge)) continue;  // an old one: no other crosses it
-      const Edge ends = {edge->first->vertex(Triangulation::cw(edge->second))->info(),
-                         edge->first->vertex(Triangulation::ccw(edge->second))->info()};
+      const EdgeKey ends = {edge->first->vertex(Triangulation::cw(edge->second))->info(),
+                            edge->first->vertex(Triangulation::ccw(edge->second))->info()};
       const std::optional<std::uint32_t> farthest = farthest_across(ends);
       if (farthest) wanted.push_back(*farthest);
     }
@@ -190,7 +190,7 @@ class Growing {
     return wanted;
   }
 
-  std::optional<std::uint32_t> farthest_across(const Edge& ends) {
+  std::optional<std::uint32_t> farthest_across(const EdgeKey& ends) {
     const Vec3 &from = vertices_[ends[0]], &to = vertices_[ends[1]];
     const Vec3 along = to - from;
     std::optional<std::uint32_t> farthest;
@@ -224,7 +224,7 @@ class Growing {
   static constexpr double kPiece = 4.0;  // usual edges
 
   const std::vector<Vec3>& vertices_;
-  std::span<const Edge> edges_;
+  std::span<const EdgeKey> edges_;
   double length_;
   double tolerance_;
   Triangulation triangulation_;
@@ -262,9 +262,9 @@ std::optional<std::uint32_t> triangle_under(const TriangleMesh& mesh, const Plan
 void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
   const std::vector<bool> kept = kept_triangles(mesh);
-  const TriangleLinks links = triangle_links(mesh);
+  const TriangleNeighbours links = triangle_neighbours(mesh);
   std::vector<bool> fixed(mesh.vertices.size(), false), in_free(mesh.vertices.size(), false);
-  std::vector<Edge> constraints, edges;
+  std::vector<EdgeKey> constraints, edges;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (kept[t]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -273,7 +273,7 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
       const std::uint32_t other = links.across[t][k];
       if (other == kNoTriangle || kept[other] || surface.source[other] != surface.source[t]) {
         fixed[a] = fixed[b] = true;
-        constraints.push_back({std::min(a, b), std::max(a, b)});
+        constraints.push_back(edge_key(a, b));
       } else if (t < other) {
         edges.push_back({a, b});
       }
@@ -290,7 +290,7 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
 
   Growing growing(mesh.vertices, edges, length, tolerance);
   try {
-    for (const Edge& edge : constraints) growing.constrain(edge);
+    for (const EdgeKey& edge : constraints) growing.constrain(edge);
     growing.grow(free);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     throw GeometryError(

@@ -8,8 +8,8 @@
 #include "core/random.hpp"
 #include "massprops/solid.hpp"
 #include "mesh/mesh_io.hpp"
+#include "mesh/weld.hpp"
 #include "reconstruct/scan.hpp"
-#include "reconstruct/weld.hpp"
 #include "tests/support/reference_data.hpp"
 #include "tests/support/refusal.hpp"
 

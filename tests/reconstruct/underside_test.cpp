@@ -7,8 +7,8 @@
 #include "core/error.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
+#include "mesh/sub_mesh.hpp"
 #include "reconstruct/detail/pieces.hpp"
-#include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/cut_blocks.hpp"
@@ -114,7 +114,7 @@ TEST(Underside, ABlockThatLeansIsBuriedFromTheGroundOn) {
     const Vec3 middle = (open.vertices[a] + open.vertices[b] + open.vertices[c]) / 3.0;
     keep.push_back(middle.z() > 0.15 || middle.x() < -0.2);
   }
-  open = reconstruct_detail::with_triangles(open, keep);
+  open = with_triangles(open, keep);
   const Underside side = *closed_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
   EXPECT_GT(side.gap, 0.05);
   ASSERT_TRUE(side.upper_volume.has_value());
@@ -215,8 +215,7 @@ TriangleMesh without_overhangs(const TriangleMesh& body, double steepest) {
     const Vec3 normal = (q - p).cross(r - p).normalized();
     keep[t] = normal.z() > -steepest || (p.z() + q.z() + r.z()) / 3.0 > middle;
   }
-  TriangleMesh seen =
-      reconstruct_detail::pieces_of(reconstruct_detail::with_triangles(body, keep)).front().mesh;
+  TriangleMesh seen = reconstruct_detail::pieces_of(with_triangles(body, keep)).front().mesh;
   reconstruct_detail::split_pinched_vertices(seen);
   return seen;
 }

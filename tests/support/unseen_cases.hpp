@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "mesh/sub_mesh.hpp"
 #include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/scan.hpp"
@@ -163,8 +164,7 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
       keep[t] = z > lowest && !(faces_down && z < level(0.5));
     }
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) return std::nullopt;
-    found.open =
-        reconstruct_detail::pieces_of(reconstruct_detail::with_triangles(mesh, keep)).front().mesh;
+    found.open = reconstruct_detail::pieces_of(with_triangles(mesh, keep)).front().mesh;
     reconstruct_detail::split_pinched_vertices(found.open);
   }
   found.missing = 1.0 - surface_area(found.open) / surface_area(mesh);
