@@ -18,8 +18,8 @@
 #include "mesh/edge_collapse.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
-#include "reconstruct/detail/crossing_mends.hpp"
-#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/components.hpp"
+#include "reconstruct/detail/crossing_repair.hpp"
 
 namespace clast {
 
@@ -78,11 +78,11 @@ std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
 /// The last way: what still crosses is cut out and filled anew, which closes a tunnel that is too
 /// narrow for the number of vertices. None where that doesn't help, or changes more than a sliver.
 std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origin) {
-  const std::vector<std::uint32_t> piece = triangle_components(mesh);
-  if (*std::max_element(piece.begin(), piece.end()) > 0) return std::nullopt;
+  const std::vector<std::uint32_t> component = triangle_components(mesh);
+  if (*std::max_element(component.begin(), component.end()) > 0) return std::nullopt;
   const TriangleMesh start = reconstruct_detail::on_grid(mesh, origin);
   std::optional<reconstruct_detail::FreedSurface> freed =
-      reconstruct_detail::freed_of_crossings(start, origin);
+      reconstruct_detail::free_of_crossings(start, origin);
   if (!freed || freed->wrap_bias ||
       static_cast<double>(freed->mesh.vertices.size()) >
           kMostRefill * static_cast<double>(mesh.vertices.size())) {

@@ -8,7 +8,7 @@
 #include "core/number_text.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
-#include "reconstruct/detail/film.hpp"
+#include "reconstruct/detail/bottom_closure.hpp"
 #include "reconstruct/detail/hole_patch.hpp"
 #include "reconstruct/detail/sections.hpp"
 #include "reconstruct/detail/space_below.hpp"
@@ -34,7 +34,7 @@ constexpr double kMostPointedBest = 3.0;  ///< ... and may rise to this power
 /// an uneven rim each tells of a part, and the largest volume counts.
 constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
 /// A rim is uneven where its heights spread over more than this share of the whole. The sections do
-/// not say then what hangs beside them, and the best shape is put at this share between the film
+/// not say then what hangs beside them, and the best shape is put at this share between the closure
 /// and the largest cone: the median of 100 blocks of which what faces down steeply was taken away.
 constexpr double kEven = 0.05, kUnevenShare = 0.35;
 /// A rim hangs down to the ground where it is no farther above it than the first share of the
@@ -130,8 +130,8 @@ class Closing {
     first_vertex_ = result_.lower.vertices.size();
     reconstruct_detail::HolePatch patch = fill(rims[0]);
     describe(rims[0]);
-    bracket(rims,
-            reconstruct_detail::Film(result_.lower, std::move(patch), first_vertex_, result_.down));
+    bracket(rims, reconstruct_detail::BottomClosure(result_.lower, std::move(patch), first_vertex_,
+                                                    result_.down));
     return std::move(result_);
   }
 
@@ -170,38 +170,38 @@ class Closing {
     result_.rim_length = rim.length;
   }
 
-  void bracket(const std::vector<Rim>& rims, const reconstruct_detail::Film& film) {
+  void bracket(const std::vector<Rim>& rims, const reconstruct_detail::BottomClosure& closure) {
     const reconstruct_detail::Sections sections(result_.lower, -result_.down);
-    film_volume_ = sections.volume_above(sections.lowest());
-    if (!(film_volume_ > 0.0)) {
+    closure_volume_ = sections.volume_above(sections.lowest());
+    if (!(closure_volume_ > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
-                          with_digits(film_volume_, 3) +
+                          with_digits(closure_volume_, 3) +
                           " m3); turn its faces outward, and check that it is one side of a block");
     }
     const std::vector<double> heights = rim_heights(rims[0]);
     const Bottom bottom =
         bottom_below(heights, heights[(heights.size() - 1) / 2], sections.highest());
     bound(bottom.lowest, sections.highest());
-    guess(heights, sections, bottom.likely, film);
+    guess(heights, sections, bottom.likely, closure);
     const double filling = area_from(result_.best, result_.first_invented);
     result_.invented_share = filling / surface_area(result_.best);
   }
 
   /// Which triangles of `lower` were not scanned.
-  std::vector<bool> films() const {
-    std::vector<bool> film(result_.lower.triangles.size(), false);
-    for (std::size_t t = 0; t < film.size(); ++t) {
-      film[t] = t >= result_.first_invented;
-      if (film[t] || !options_.was_seen) continue;
+  std::vector<bool> closures() const {
+    std::vector<bool> closure(result_.lower.triangles.size(), false);
+    for (std::size_t t = 0; t < closure.size(); ++t) {
+      closure[t] = t >= result_.first_invented;
+      if (closure[t] || !options_.was_seen) continue;
       const auto& [a, b, c] = result_.lower.triangles[t];
       const std::vector<Vec3>& at = result_.lower.vertices;
-      film[t] = !options_.was_seen((at[a] + at[b] + at[c]) / 3.0);
+      closure[t] = !options_.was_seen((at[a] + at[b] + at[c]) / 3.0);
     }
-    return film;
+    return closure;
   }
 
   void bound(double bottom, double highest) {
-    reconstruct_detail::UnseenParts parts{films(), {}, options_.margin};
+    reconstruct_detail::UnseenParts parts{closures(), {}, options_.margin};
     result_.assumption = "the unseen part lies within the planes of the flanks that were seen";
     if (faces_ground()) {
       parts.floor = Plane{options_.ground->normal, bottom};
@@ -223,12 +223,12 @@ class Closing {
 
   /// The shape that the sections make likeliest, no larger than the upper one.
   void guess(const std::vector<double>& heights, const reconstruct_detail::Sections& sections,
-             double bottom, const reconstruct_detail::Film& film) {
+             double bottom, const reconstruct_detail::BottomClosure& closure) {
     const auto quantile = [&](double share) {
       return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
     };
-    double largest = film_volume_, deepest = 0.0;
-    result_.best_volume = film_volume_;
+    double largest = closure_volume_, deepest = 0.0;
+    result_.best_volume = closure_volume_;
     for (const double share : kRimShares) {
       const double level = quantile(share);
       const Continued below = continued(sections, level, bottom);
@@ -239,11 +239,11 @@ class Closing {
       result_.best_volume = std::max(result_.best_volume, below.best_volume);
     }
     const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
-    if (uneven) result_.best_volume = std::lerp(film_volume_, largest, kUnevenShare);
+    if (uneven) result_.best_volume = std::lerp(closure_volume_, largest, kUnevenShare);
     if (result_.upper_volume) {
       result_.best_volume = std::min(result_.best_volume, *result_.upper_volume);
     }
-    settle_best(film, deepest);
+    settle_best(closure, deepest);
   }
 
   /// The upper volume is no larger than all that nobody looked through. A block that can be looked
@@ -256,7 +256,7 @@ class Closing {
     const double share = below.foot_area / below.plan_area;
     const double buried = std::clamp((share - kFootShare) / (1.0 - kFootShare), 0.0, 1.0);
     const double depth = sunk + buried * std::max(0.0, ground - bottom - sunk);
-    const double hull = film_volume_ + below.volume + below.foot_area * depth;
+    const double hull = closure_volume_ + below.volume + below.foot_area * depth;
     if (hull >= *result_.upper_volume) return;
     result_.notes.push_back("photos show " + with_digits(100.0 * (1.0 - share), 3) +
                             " % of its plan to be clear of the ground: that takes " +
@@ -327,15 +327,15 @@ class Closing {
 
   /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
   /// more pointed, then drawn back, until it does not.
-  void settle_best(const reconstruct_detail::Film& film, double deepest) {
-    const double added = result_.best_volume - film_volume_;
-    reconstruct_detail::Move start = film.holding(added, kBestPower, deepest);
-    if (faces_ground()) start = film.lying(*options_.ground, start, added, kMostPointedBest);
+  void settle_best(const reconstruct_detail::BottomClosure& closure, double deepest) {
+    const double added = result_.best_volume - closure_volume_;
+    reconstruct_detail::Move start = closure.holding(added, kBestPower, deepest);
+    if (faces_ground()) start = closure.lying(*options_.ground, start, added, kMostPointedBest);
     deepest = std::max(deepest, start.depth);
     const std::size_t crossings = crossing_triangles(result_.lower).size();
     const auto fits = [&] { return crossing_triangles(result_.best).size() <= crossings; };
     for (double power = start.power; power <= kMostPointedBest; power *= 1.5) {
-      result_.best = film.lowered(film.holding(added, power, deepest));
+      result_.best = closure.lowered(closure.holding(added, power, deepest));
       if (fits()) break;
     }
     double share = 1.0;
@@ -361,7 +361,7 @@ class Closing {
   const UndersideOptions& options_;
   Underside result_;
   std::size_t first_vertex_ = 0;
-  double film_volume_ = 0.0;  ///< of `lower`, m^3
+  double closure_volume_ = 0.0;  ///< of `lower`, m^3
 };
 
 }  // namespace

@@ -77,14 +77,14 @@ struct Underside {
 /// together; those below 0.3 % of the surface are closed flat and count as seen.
 ///
 /// Of a convex body every tangent plane of the seen surface has all of it on one side, also the
-/// unseen part: the upper volume fills the space between the films and these planes, moved out by
-/// what the seen surface stands out over its own tangent planes, down to the ground where one is
+/// unseen part: the upper volume fills the space between the closures and these planes, moved out
+/// by what the seen surface stands out over its own tangent planes, down to the ground where one is
 /// known. Where it is known what was looked through, the upper volume is no larger than all that
 /// was not. Where that leaves more than a third as much again as was seen (as much again above a
 /// ground), there is no upper volume. See docs/theory.md for the best guess, and for what was
 /// measured.
 ///
-/// @param open  oriented 2-manifold in one piece; small holes may be left
+/// @param open  oriented 2-manifold in one component; small holes may be left
 /// @returns none where no hole is large enough: the scan is closed, or nearly
 /// @throws GeometryError  not an oriented manifold; a sheet; or a rim that can't be filled. The
 ///                        message says how large and where the hole is

@@ -51,7 +51,7 @@ void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points) {
       if (!done[next]) open.push({1.0 - std::abs(normals[point].dot(normals[next])), point, next});
     }
   };
-  for (const std::uint32_t start : outermost) {  // a second piece, if there is one, starts anew
+  for (const std::uint32_t start : outermost) {  // a second component, if there is one, starts anew
     if (done[start]) continue;
     settle(start, points[start] - middle);
     while (!open.empty()) {

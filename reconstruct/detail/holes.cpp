@@ -97,25 +97,25 @@ double area_of(const mesh_detail::CgalMesh& mesh, const std::vector<Face>& faces
 }
 
 /// Moves the vertices to a surface that is smooth at the border, but no farther from a membrane
-/// over it than half its width. Returns six times the volume under the film.
+/// over it than half its width. Returns six times the volume under the membrane.
 double bulge(mesh_detail::CgalMesh& mesh, const std::vector<Face>& patch,
              const std::vector<Vertex>& added, const FilledHole& hole) {
   Processing::fair(mesh, added, CGAL::parameters::fairing_continuity(0));
-  const double film_volume = sixfold_volume(mesh, patch, hole.centre);
+  const double membrane_volume = sixfold_volume(mesh, patch, hole.centre);
   const double limit = kMostBulge * 2.0 * area_of(mesh, patch) / hole.perimeter;
-  std::vector<Vec3> film;
-  for (const Vertex v : added) film.push_back(point_of(mesh, v));
+  std::vector<Vec3> membrane;
+  for (const Vertex v : added) membrane.push_back(point_of(mesh, v));
   Processing::fair(mesh, added);
   double highest = 0.0;
   for (std::size_t i = 0; i < added.size(); ++i) {
-    highest = std::max(highest, (point_of(mesh, added[i]) - film[i]).norm());
+    highest = std::max(highest, (point_of(mesh, added[i]) - membrane[i]).norm());
   }
-  if (highest <= limit) return film_volume;
+  if (highest <= limit) return membrane_volume;
   for (std::size_t i = 0; i < added.size(); ++i) {
-    const Vec3 p = film[i] + limit / highest * (point_of(mesh, added[i]) - film[i]);
+    const Vec3 p = membrane[i] + limit / highest * (point_of(mesh, added[i]) - membrane[i]);
     mesh.point(added[i]) = mesh_detail::CgalPoint(p.x(), p.y(), p.z());
   }
-  return film_volume;
+  return membrane_volume;
 }
 
 /// Unit normals of the triangles beyond the sides of a border, in the order of its vertices.
@@ -150,9 +150,9 @@ void fill(mesh_detail::CgalMesh& mesh, Halfedge border, const std::vector<Vec3>&
   }
   Processing::refine(mesh, patch, std::back_inserter(more), std::back_inserter(added));
   patch.insert(patch.end(), more.begin(), more.end());
-  const double film =
+  const double membrane =
       added.empty() ? sixfold_volume(mesh, patch, hole.centre) : bulge(mesh, patch, added, hole);
-  const double bulged = (sixfold_volume(mesh, patch, hole.centre) - film) / 6.0;
+  const double bulged = (sixfold_volume(mesh, patch, hole.centre) - membrane) / 6.0;
   hole.volume_below = std::max(0.0, cones.below + bulged);
   hole.volume_above = std::max(0.0, cones.above - bulged);
   hole.area = area_of(mesh, patch);

@@ -10,10 +10,10 @@
 #include "reconstruct/detail/choose_standing.hpp"
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/detail/cut_out.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
-#include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/ragged_holes.hpp"
 #include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/spikes.hpp"
@@ -42,24 +42,24 @@ std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& 
                         std::optional<Vec3> where = {}, double size = 0.0) {
     if (count > 0) report.defects.push_back({kind, count, dropped / area, size, where});
   };
-  const auto note_mended = [&](DefectKind kind, const Mended& mended) {
-    note(kind, mended.count, mended.area, mended.place);
+  const auto note_change = [&](DefectKind kind, const Change& change) {
+    note(kind, change.count, change.area, change.place);
   };
   note(DefectKind::kNearVertices, welded(raw, 0.0).vertices.size() - mesh.vertices.size(), 0.0, {},
        tolerance * options.unit);
   note(DefectKind::kNoArea, raw.triangles.size() - mesh.triangles.size());
-  const SoupMends mends = mend_soup(mesh, kFinArea);
-  if (mesh.triangles.empty() || !mends.orientation.orientable) return std::nullopt;
-  note_mended(DefectKind::kFolded, mends.folded);
-  note_mended(DefectKind::kFin, mends.fins);
-  note_mended(DefectKind::kTouchingEdge, mends.touching);
-  const std::size_t turned = mends.orientation.turned + turn_hanging_scraps(mesh);
+  const SoupRepair repair = repair_soup(mesh, kFinArea);
+  if (mesh.triangles.empty() || !repair.orientation.orientable) return std::nullopt;
+  note_change(DefectKind::kFolded, repair.folded);
+  note_change(DefectKind::kFin, repair.fins);
+  note_change(DefectKind::kTouchingEdge, repair.touching);
+  const std::size_t turned = repair.orientation.turned + turn_hanging_scraps(mesh);
   if (turned > 0) {
-    note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[mends.orientation.first]);
+    note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[repair.orientation.first]);
   }
   const std::vector<FilledHole> ragged = close_ragged_holes(mesh);
   if (inspect(mesh).closed()) return std::nullopt;
-  note_mended(DefectKind::kPinchedVertex, split_pinched_vertices(mesh));
+  note_change(DefectKind::kPinchedVertex, split_pinched_vertices(mesh));
   const Spikes spikes = flatten_spikes(mesh);
   note(DefectKind::kSpike, spikes.count, 0.0, spikes.place, spikes.highest * options.unit);
   report = with_fillings(std::move(report), ragged, surface_area(mesh), options.unit);
@@ -67,8 +67,8 @@ std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& 
 }
 
 /// Notes a copy of the surface that is dropped.
-void note_copy(RepairReport& report, DoubledSurface doubled, const Piece& piece, double first_area,
-               double unit) {
+void note_copy(RepairReport& report, DoubledSurface doubled, const Component& component,
+               double first_area, double unit) {
   doubled.offset *= unit;
   doubled.distance *= unit;
   doubled.volume_change *= unit * unit * unit;
@@ -77,33 +77,33 @@ void note_copy(RepairReport& report, DoubledSurface doubled, const Piece& piece,
   report.volume_above = std::max(report.volume_above, doubled.volume_change);
   report.doubled.push_back(doubled);
   report.defects.push_back(
-      {DefectKind::kDoubleSheet, 1, piece.area / first_area, 0.0, piece.mesh.vertices[0]});
+      {DefectKind::kDoubleSheet, 1, component.area / first_area, 0.0, component.mesh.vertices[0]});
 }
 
-/// Drops copies of the first piece, once that is the best of them, and notes them.
-/// @returns whether that piece is closed and nothing but copies and scraps is beside it: repair
+/// Drops copies of the first component, once that is the best of them, and notes them.
+/// @returns whether that component is closed and nothing but copies and scraps is beside it: repair
 /// does the rest
-bool drop_copies(std::vector<Piece>& pieces, RepairReport& report, double unit) {
-  put_best_copy_first(pieces);
-  const TriangleMesh& first = pieces[0].mesh;
+bool drop_copies(std::vector<Component>& components, RepairReport& report, double unit) {
+  put_best_copy_first(components);
+  const TriangleMesh& first = components[0].mesh;
   const double diagonal = bounds(first).diagonal();
   const TriangleTree tree(first);
   bool others = false;
-  std::vector<Piece> kept;
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    const bool scrap = pieces[i].area < kScrapArea * pieces[0].area;
-    const auto copy = scrap ? std::nullopt : copy_of_surface(pieces[i].mesh, tree, diagonal);
+  std::vector<Component> kept;
+  for (std::size_t i = 1; i < components.size(); ++i) {
+    const bool scrap = components[i].area < kScrapArea * components[0].area;
+    const auto copy = scrap ? std::nullopt : copy_of_surface(components[i].mesh, tree, diagonal);
     others |= !scrap && !copy;
     if (copy) {
-      note_copy(report, described_copy(*copy, pieces[i], first, tree), pieces[i], pieces[0].area,
-                unit);
+      note_copy(report, described_copy(*copy, components[i], first, tree), components[i],
+                components[0].area, unit);
     } else {
-      kept.push_back(std::move(pieces[i]));
+      kept.push_back(std::move(components[i]));
     }
   }
-  pieces.resize(1);
-  for (Piece& piece : kept) pieces.push_back(std::move(piece));
-  return !others && inspect(pieces[0].mesh).closed();
+  components.resize(1);
+  for (Component& component : kept) components.push_back(std::move(component));
+  return !others && inspect(components[0].mesh).closed();
 }
 
 /// Are all holes of the sheet so small that none is an unseen side?
@@ -117,13 +117,13 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
   return true;
 }
 
-/// Of the pieces of what stands at one place the first is the block. Said where another is no
+/// Of the components of what stands at one place the first is the block. Said where another is no
 /// scrap.
-std::string left_out(const std::vector<Piece>& pieces) {
-  if (pieces.size() < 2 || pieces[1].area <= kScrapArea * pieces[0].area) return "";
+std::string left_out(const std::vector<Component>& components) {
+  if (components.size() < 2 || components[1].area <= kScrapArea * components[0].area) return "";
   return "another piece of the scan that stands close to this block, with " +
-         with_digits(100.0 * pieces[1].area / pieces[0].area, 3) + " % of its area, near " +
-         place(pieces[1].mesh.vertices[0]) +
+         with_digits(100.0 * components[1].area / components[0].area, 3) + " % of its area, near " +
+         place(components[1].mesh.vertices[0]) +
          ", was left out; to have both, save each to a file of its own";
 }
 
@@ -134,10 +134,10 @@ std::vector<FieldBlock> blocks_on_ground(const OpenSheet& sheet, const TriangleM
   const NearestPoints tree(points);
   std::vector<FieldBlock> blocks;
   for (const ChosenBlock& block : chosen.blocks) {
-    std::vector<Piece> pieces = pieces_nearest_to(sheet.mesh, tree, block.numbers);
-    if (pieces.empty()) refuse_bare_ground(name, 1.0);
-    const std::string others = left_out(pieces);
-    TriangleMesh rock = std::move(pieces.front().mesh);
+    std::vector<Component> components = components_nearest_to(sheet.mesh, tree, block.numbers);
+    if (components.empty()) refuse_bare_ground(name, 1.0);
+    const std::string others = left_out(components);
+    TriangleMesh rock = std::move(components.front().mesh);
     split_pinched_vertices(rock);
     blocks.push_back(close_block({.surface = std::move(rock),
                                   .ground = block.ground,
@@ -157,13 +157,14 @@ std::vector<FieldBlock> mesh_blocks(const TriangleMesh& raw, const std::string& 
                                     const FieldScanOptions& options) {
   std::optional<OpenSheet> sheet = open_sheet(raw, options.scan);
   if (!sheet) return {clean_block(raw, name, options)};
-  std::vector<Piece> pieces = pieces_of(sheet->mesh);
-  if (drop_copies(pieces, sheet->repaired, options.scan.unit)) {
+  std::vector<Component> components = components_of(sheet->mesh);
+  if (drop_copies(components, sheet->repaired, options.scan.unit)) {
     return {clean_block(raw, name, options)};
   }
   if (!sheet->repaired.doubled.empty()) {
     sheet->mesh = {};
-    for (const Piece& piece : pieces) sheet->mesh = merged(std::move(sheet->mesh), piece.mesh);
+    for (const Component& component : components)
+      sheet->mesh = merged(std::move(sheet->mesh), component.mesh);
   }
   if (options.find_ground && !has_only_small_holes(sheet->mesh)) {
     const std::vector<Vec3> points = points_over(sheet->mesh);
@@ -172,19 +173,20 @@ std::vector<FieldBlock> mesh_blocks(const TriangleMesh& raw, const std::string& 
     }
   }
   double scraps = 0.0;
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    if (pieces[i].area > kScrapArea * pieces[0].area) {
+  for (std::size_t i = 1; i < components.size(); ++i) {
+    if (components[i].area > kScrapArea * components[0].area) {
       return {clean_block(raw, name, options)};  // says what is wrong
     }
-    scraps += pieces[i].area / surface_area(sheet->mesh);
+    scraps += components[i].area / surface_area(sheet->mesh);
   }
-  if (pieces.size() > 1) {
+  if (components.size() > 1) {
     sheet->repaired.defects.push_back(
-        {DefectKind::kIsland, pieces.size() - 1, scraps, 0.0, pieces[1].mesh.vertices[0]});
+        {DefectKind::kIsland, components.size() - 1, scraps, 0.0, components[1].mesh.vertices[0]});
   }
-  return {close_block(
-      {.surface = std::move(pieces[0].mesh), .raw = &raw, .repaired = std::move(sheet->repaired)},
-      name, options)};
+  return {close_block({.surface = std::move(components[0].mesh),
+                       .raw = &raw,
+                       .repaired = std::move(sheet->repaired)},
+                      name, options)};
 }
 
 }  // namespace clast::reconstruct_detail

@@ -18,10 +18,10 @@ namespace {
 /// The search of a filling is cubic in the corners.
 constexpr std::size_t kMostCorners = 150;
 /// Components with less of the area that touch the rest nowhere are not closed here.
-constexpr double kLoosePiece = 0.05;
+constexpr double kLooseComponent = 0.05;
 
-/// Of each vertex: does the piece that it is of, connected over vertices, have enough area?
-std::vector<bool> on_large_piece(const TriangleMesh& mesh) {
+/// Of each vertex: does the component that it is of, connected over vertices, have enough area?
+std::vector<bool> on_large_component(const TriangleMesh& mesh) {
   DisjointSets sets(mesh.vertices.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     sets.join(t[0], t[1]);
@@ -36,7 +36,7 @@ std::vector<bool> on_large_piece(const TriangleMesh& mesh) {
   }
   std::vector<bool> large(mesh.vertices.size());
   for (std::uint32_t v = 0; v < large.size(); ++v) {
-    large[v] = area[sets.find(v)] > kLoosePiece * whole;
+    large[v] = area[sets.find(v)] > kLooseComponent * whole;
   }
   return large;
 }
@@ -47,7 +47,7 @@ std::vector<FilledHole> close_ragged_holes(TriangleMesh& mesh) {
   std::vector<FilledHole> filled;
   const std::vector<std::vector<std::uint32_t>> loops = hole_loops(mesh);
   if (loops.empty()) return filled;
-  const std::vector<bool> large = on_large_piece(mesh);
+  const std::vector<bool> large = on_large_component(mesh);
   std::set<EdgeKey> edges;
   std::map<EdgeKey, Vec3> beyond;  // normals beside border sides
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {

@@ -41,9 +41,9 @@ std::array<std::size_t, 2> smoothest_pair(const std::vector<Vec3>& wing) {
 }
 
 /// Removes the triangles at edges where both neighbours run the same way, where they are few.
-Mended take_out_disagreeing(TriangleMesh& mesh) {
+Change drop_disagreeing(TriangleMesh& mesh) {
   std::vector<bool> drop(mesh.triangles.size(), false);
-  Mended result;
+  Change result;
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
     if (sides.size() != 2 || sides[0].forward != sides[1].forward) return;
     if (result.count++ == 0) result.place = mesh.vertices[sides[0].low];
@@ -51,14 +51,14 @@ Mended take_out_disagreeing(TriangleMesh& mesh) {
   });
   const auto dropped = static_cast<double>(std::count(drop.begin(), drop.end(), true));
   if (dropped > kFewDisagree * static_cast<double>(drop.size())) return {};
-  result.area = taken_out(mesh, drop).area;
+  result.area = drop_triangles(mesh, drop).area;
   return result;
 }
 
 }  // namespace
 
-Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop) {
-  Mended result;
+Change drop_triangles(TriangleMesh& mesh, const std::vector<bool>& drop) {
+  Change result;
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!drop[t]) {
@@ -72,7 +72,7 @@ Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop) {
   return result;
 }
 
-Mended drop_opposite_pairs(TriangleMesh& mesh) {
+Change drop_opposite_pairs(TriangleMesh& mesh) {
   std::vector<bool> second(mesh.triangles.size(), false);
   std::vector<TriangleCopy> pairs;
   for (const TriangleCopy& copy : repeated_triangles(mesh.triangles, CopyTurn::kEither)) {
@@ -94,11 +94,11 @@ Mended drop_opposite_pairs(TriangleMesh& mesh) {
   for (const auto& [first, other] : pairs) {
     if (goes_on[first] < 2) drop[first] = true;
   }
-  return taken_out(mesh, drop);
+  return drop_triangles(mesh, drop);
 }
 
-Mended drop_fins(TriangleMesh& mesh, double largest_share) {
-  Mended result;
+Change drop_fins(TriangleMesh& mesh, double largest_share) {
+  Change result;
   for (int round = 0; round < kFinRounds; ++round) {
     const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
     const std::vector<std::uint32_t> patch = manifold_components(triangle_neighbours(mesh, sorted));
@@ -144,7 +144,7 @@ Mended drop_fins(TriangleMesh& mesh, double largest_share) {
     }
     std::vector<bool> drop(mesh.triangles.size());
     for (std::size_t t = 0; t < drop.size(); ++t) drop[t] = fate[patch[t]] == kDrop;
-    const Mended now = taken_out(mesh, drop);
+    const Change now = drop_triangles(mesh, drop);
     if (now.count == 0) break;
     if (result.count == 0) result.place = now.place;
     result.count += now.count;
@@ -153,7 +153,7 @@ Mended drop_fins(TriangleMesh& mesh, double largest_share) {
   return result;
 }
 
-Mended drop_fins_at_borders(TriangleMesh& mesh) {
+Change drop_fins_at_borders(TriangleMesh& mesh) {
   const VertexCorners around(mesh);
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   std::vector<int> shared(mesh.triangles.size(), 0);
@@ -168,7 +168,7 @@ Mended drop_fins_at_borders(TriangleMesh& mesh) {
                 return around.at(v).size() == 1;
               });
   }
-  return taken_out(mesh, drop);
+  return drop_triangles(mesh, drop);
 }
 
 Orientation orient_consistently(TriangleMesh& mesh) {
@@ -189,34 +189,34 @@ Orientation orient_consistently(TriangleMesh& mesh) {
   return result;
 }
 
-SoupMends mend_soup(TriangleMesh& mesh, double largest_fin) {
-  SoupMends mends;
-  mends.folded = drop_opposite_pairs(mesh);
-  if (mesh.triangles.empty()) return mends;
-  if (inspect(mesh).non_manifold_edges > 0) mends.fins = drop_fins(mesh, largest_fin);
-  if (mends.fins.count > 0) {
-    const Mended more = drop_fins_at_borders(mesh);
-    mends.fins.count += more.count;
-    mends.fins.area += more.area;
+SoupRepair repair_soup(TriangleMesh& mesh, double largest_fin) {
+  SoupRepair repair;
+  repair.folded = drop_opposite_pairs(mesh);
+  if (mesh.triangles.empty()) return repair;
+  if (inspect(mesh).non_manifold_edges > 0) repair.fins = drop_fins(mesh, largest_fin);
+  if (repair.fins.count > 0) {
+    const Change more = drop_fins_at_borders(mesh);
+    repair.fins.count += more.count;
+    repair.fins.area += more.area;
   }
   const TriangleMesh as_faced = mesh;
-  mends.orientation = orient_consistently(mesh);
-  if (!mends.orientation.orientable) {
+  repair.orientation = orient_consistently(mesh);
+  if (!repair.orientation.orientable) {
     // Of two sheets that touched, two triangles may be left that were never neighbours.
     mesh = as_faced;
-    mends.touching = take_out_disagreeing(mesh);
-    mends.orientation = orient_consistently(mesh);
+    repair.touching = drop_disagreeing(mesh);
+    repair.orientation = orient_consistently(mesh);
   }
-  if (!mends.orientation.orientable || inspect(mesh).non_manifold_edges == 0) return mends;
-  const Mended cut = cut_touching_edges(mesh);
-  if (mends.touching.count == 0) mends.touching.place = cut.place;
-  mends.touching.count += cut.count;
-  mends.touching.area += cut.area;
+  if (!repair.orientation.orientable || inspect(mesh).non_manifold_edges == 0) return repair;
+  const Change cut = cut_touching_edges(mesh);
+  if (repair.touching.count == 0) repair.touching.place = cut.place;
+  repair.touching.count += cut.count;
+  repair.touching.area += cut.area;
   const Orientation again = orient_consistently(mesh);
-  mends.orientation.turned += again.turned;
-  mends.orientation.orientable = again.orientable;
-  mends.orientation.conflict = again.conflict;
-  return mends;
+  repair.orientation.turned += again.turned;
+  repair.orientation.orientable = again.orientable;
+  repair.orientation.conflict = again.conflict;
+  return repair;
 }
 
 }  // namespace clast::reconstruct_detail

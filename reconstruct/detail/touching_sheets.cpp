@@ -88,8 +88,8 @@ std::vector<Vec3> wings(const TriangleMesh& mesh, std::span<const HalfEdge> side
   return result;
 }
 
-Mended cut_touching_edges(TriangleMesh& mesh) {
-  Mended result;
+Change cut_touching_edges(TriangleMesh& mesh) {
+  Change result;
   std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   DisjointSets corners(3 * mesh.triangles.size());
   const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
@@ -113,13 +113,13 @@ Mended cut_touching_edges(TriangleMesh& mesh) {
     if (sides.size() < 3) return;
     for (const HalfEdge& side : sides) drop[side.triangle] = true;
   });
-  result.area = taken_out(mesh, drop).area;
+  result.area = drop_triangles(mesh, drop).area;
   return result;
 }
 
-Mended split_pinched_vertices(TriangleMesh& mesh) {
+Change split_pinched_vertices(TriangleMesh& mesh) {
   const std::vector<bool> split = split_by_groups(mesh, corner_fans(mesh, sorted_half_edges(mesh)));
-  Mended result;
+  Change result;
   result.count = static_cast<std::size_t>(std::count(split.begin(), split.end(), true));
   if (result.count > 0) {
     result.place = mesh.vertices[static_cast<std::size_t>(

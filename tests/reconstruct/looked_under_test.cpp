@@ -8,7 +8,7 @@
 #include "massprops/solid.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/underside.hpp"
 #include "shapes/oriented_box.hpp"
@@ -46,7 +46,7 @@ class Photographed {
       keep[t] = middle.z() > 0.0 && seen(middle, tree_.face_normal(t), t);
     }
     TriangleMesh mesh =
-        std::move(reconstruct_detail::pieces_of(with_triangles(body_, keep)).front().mesh);
+        std::move(reconstruct_detail::components_of(with_triangles(body_, keep)).front().mesh);
     reconstruct_detail::split_pinched_vertices(mesh);
     return mesh;
   }

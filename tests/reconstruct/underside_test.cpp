@@ -8,7 +8,7 @@
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/sub_mesh.hpp"
-#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/cut_blocks.hpp"
@@ -215,7 +215,7 @@ TriangleMesh without_overhangs(const TriangleMesh& body, double steepest) {
     const Vec3 normal = (q - p).cross(r - p).normalized();
     keep[t] = normal.z() > -steepest || (p.z() + q.z() + r.z()) / 3.0 > middle;
   }
-  TriangleMesh seen = reconstruct_detail::pieces_of(with_triangles(body, keep)).front().mesh;
+  TriangleMesh seen = reconstruct_detail::components_of(with_triangles(body, keep)).front().mesh;
   reconstruct_detail::split_pinched_vertices(seen);
   return seen;
 }

@@ -1,4 +1,4 @@
-#include "reconstruct/detail/crossing_mends.hpp"
+#include "reconstruct/detail/crossing_repair.hpp"
 
 #include <cmath>
 #include <utility>
@@ -7,9 +7,9 @@
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/triangle_neighbours.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/detail/crossings.hpp"
 #include "reconstruct/detail/holes.hpp"
-#include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/detail/wrap.hpp"
 
@@ -27,9 +27,9 @@ constexpr double kWrapVolume = 0.08;
 constexpr double kCoarseWrapVolume = 0.5;
 
 /// The strategies, each from the surface that the one before left.
-class CrossingMends {
+class CrossingRepair {
  public:
-  CrossingMends(TriangleMesh mesh, const Vec3& origin)
+  CrossingRepair(TriangleMesh mesh, const Vec3& origin)
       : mesh_(std::move(mesh)), origin_(origin), volume_(std::abs(signed_volume(mesh_))) {}
 
   std::optional<FreedSurface> freed() {
@@ -93,7 +93,7 @@ class CrossingMends {
       }
       std::erase_if(trial.triangles, touched);
       if (trial.triangles.empty()) return std::nullopt;
-      trial = std::move(pieces_of(trial).front().mesh);
+      trial = std::move(components_of(trial).front().mesh);
       split_pinched_vertices(trial);
       close_by_fans(trial, kFanEdges);
       if (inspect(trial).boundary_edges > 0) fill_holes(trial);
@@ -133,8 +133,8 @@ TriangleMesh on_grid(TriangleMesh mesh, const Vec3& origin) {
   return mesh;
 }
 
-std::optional<FreedSurface> freed_of_crossings(const TriangleMesh& mesh, const Vec3& origin) {
-  return CrossingMends(mesh, origin).freed();
+std::optional<FreedSurface> free_of_crossings(const TriangleMesh& mesh, const Vec3& origin) {
+  return CrossingRepair(mesh, origin).freed();
 }
 
 }  // namespace clast::reconstruct_detail
