@@ -151,10 +151,10 @@ MeshReport inspect(const TriangleMesh& mesh) {
   report.euler_characteristic =
       static_cast<long>(used) - static_cast<long>(report.edges) + static_cast<long>(faces);
   const std::vector<std::uint32_t> components = triangle_components(mesh);
-  std::vector<bool> counted_piece(mesh.triangles.size(), false);
+  std::vector<bool> seen(mesh.triangles.size(), false);
   for (std::size_t t = 0; t < components.size(); ++t) {
-    if (collapsed(mesh.triangles[t]) || counted_piece[components[t]]) continue;
-    counted_piece[components[t]] = true;
+    if (collapsed(mesh.triangles[t]) || seen[components[t]]) continue;
+    seen[components[t]] = true;
     ++report.components;
   }
   return report;

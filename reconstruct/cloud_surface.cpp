@@ -257,7 +257,7 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   const double cell = options.cell * box.diagonal();
   const bool dense = cell > kSpacings * reconstruct_detail::spacing(points);
   const Body body = body_through(
-      dense ? reconstruct_detail::thinned(points, cell)
+      dense ? reconstruct_detail::decimated(points, cell)
             : std::vector<Vec3>(points.begin(), points.end()),
       dense ? std::span<const int>(kManyFirst) : std::span<const int>(kFewFirst), options.trim);
   const reconstruct_detail::SeenSurface& seen = body.seen;

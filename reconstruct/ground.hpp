@@ -10,7 +10,7 @@
 
 namespace clast {
 
-/// How ground is told from blocks. Shares are of the diagonal of the scan.
+/// How ground is distinguished from blocks. Shares are of the diagonal of the scan.
 struct GroundOptions {
   std::uint64_t seed = 1;    ///< of the draws of planes
   int trials = 1000;         ///< planes drawn

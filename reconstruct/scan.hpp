@@ -31,7 +31,7 @@ void visit_fields(const ScanOptions& options, Visit&& visit) {
 struct Scan {
   TriangleMesh mesh;               ///< closed, 2-manifold, outward; metres, z up; cavities inward
   RepairReport report;             ///< places in the coordinates of the file
-  std::vector<std::string> notes;  ///< each mend in words, with counts, and doubts about the file
+  std::vector<std::string> notes;  ///< each repair in words, with counts, and doubts about the file
 };
 
 /// Reads, repairs, scales and turns upright.

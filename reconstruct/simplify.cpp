@@ -27,18 +27,18 @@ namespace {
 
 namespace Simplification = CGAL::Surface_mesh_simplification;
 
-/// Targets tried in turn, as multiples of the one asked for, when a thinned mesh crosses itself:
+/// Targets tried in turn, as multiples of the one asked for, when a simplified mesh crosses itself:
 /// tunnels of a porous scan need vertices to stay open.
 constexpr double kMultiples[] = {1.0, 1.25, 1.5, 2.0};
 /// Share of the volume that drawing crossing triangles together may change.
 constexpr double kVolumeKept = 1e-3;
 /// Rounds of collapsing what crosses before more vertices are tried.
 constexpr int kUntanglings = 20;
-/// So many times the vertices a thinned mesh may have once what crosses was filled anew.
+/// So many times the vertices a simplified mesh may have once what crosses was filled anew.
 constexpr double kMostRefill = 2.0;
 /// And so much of its volume may change: the body that is made of it is scaled to the scan's.
 constexpr double kRefillVolume = 0.01;
-/// Triangles at one vertex of a surface that is thinned within seconds.
+/// Triangles at one vertex of a surface that is simplified within seconds.
 constexpr std::uint32_t kMostAround = 500;
 
 /// Edges of a closed mesh with `vertices` vertices: V - E + F = chi and 3 F = 2 E.
@@ -139,10 +139,10 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   for (const double multiple : kMultiples) {
     const auto target = std::max<std::size_t>(
         4, static_cast<std::size_t>(multiple * static_cast<double>(options.target_vertices)));
-    TriangleMesh thinned = collapsed_to(start, edges_of(target, report.euler_characteristic));
-    if (first.triangles.empty()) first = thinned;
-    for (Vec3& vertex : thinned.vertices) vertex += origin;
-    if (std::optional<TriangleMesh> sound = untangled(thinned)) return std::move(*sound);
+    TriangleMesh fewer = collapsed_to(start, edges_of(target, report.euler_characteristic));
+    if (first.triangles.empty()) first = fewer;
+    for (Vec3& vertex : fewer.vertices) vertex += origin;
+    if (std::optional<TriangleMesh> sound = untangled(fewer)) return std::move(*sound);
   }
   std::optional<TriangleMesh> sound = refilled(first, origin);
   for (TriangleMesh* made : {&first, sound ? &*sound : nullptr}) {

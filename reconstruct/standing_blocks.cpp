@@ -13,7 +13,7 @@ namespace {
 constexpr double kClear = 3.0;       ///< times the roughness: certainly above the ground
 constexpr double kSmoothest = 3e-4;  ///< of the diagonal; a ground made by a program has none
 constexpr double kThinCell =
-    1.0 / 200.0;                ///< of the diagonal: components are told apart on fewer points
+    1.0 / 200.0;                ///< of the diagonal: components are separated on fewer points
 constexpr double kReach = 2.5;  ///< cells from one point of a component to the next
 constexpr double kLeastOfLargest = 0.05;  ///< of the points of the largest component
 constexpr double kSlenderest = 0.1;  ///< height over plan diagonal; a step in the ground has less
@@ -53,7 +53,7 @@ Wall wall_near(const Vec3& point, const Vec3& block_centre, std::span<const Vec3
           near.front().distance};
 }
 
-/// Components of thinned points above the ground, as they are seen from it.
+/// Components of decimated points above the ground, as they are seen from it.
 struct Component {
   std::vector<Vec3> points;
   double height = 0.0, plan_diagonal = 0.0;
@@ -92,9 +92,9 @@ class Standing {
       if (heights_[i] > clear_) above.push_back(points_[i]);
     }
     if (above.empty()) return;
-    const std::vector<Vec3> thin = reconstruct_detail::thinned(above, cell_);
+    const std::vector<Vec3> sparse = reconstruct_detail::decimated(above, cell_);
     for (const std::vector<std::uint32_t>& set :
-         reconstruct_detail::clusters(thin, kReach * cell_, 10)) {
+         reconstruct_detail::clusters(sparse, kReach * cell_, 10)) {
       if (!components_.empty() &&
           static_cast<double>(set.size()) <
               kLeastOfLargest * static_cast<double>(components_.front().points.size())) {
@@ -103,10 +103,10 @@ class Standing {
       Component component;
       Bounds box, plan;
       for (const std::uint32_t i : set) {
-        component.points.push_back(thin[i]);
-        component.height = std::max(component.height, ground_.height(thin[i]));
-        box.include(thin[i]);
-        const Vec3 flat = turn_ * thin[i];
+        component.points.push_back(sparse[i]);
+        component.height = std::max(component.height, ground_.height(sparse[i]));
+        box.include(sparse[i]);
+        const Vec3 flat = turn_ * sparse[i];
         plan.include({flat.x(), flat.y(), 0.0});
       }
       component.centre = 0.5 * (box.low + box.high);

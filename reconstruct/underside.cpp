@@ -31,21 +31,21 @@ constexpr double kBestShare = 0.6;
 constexpr double kBestPower = 2.0 / 3.0;
 constexpr double kMostPointedBest = 3.0;  ///< ... and may rise to this power
 /// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
-/// an uneven rim each tells of a part, and the largest volume counts.
+/// an uneven rim each stands for a part, and the largest volume counts.
 constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
 /// A rim is uneven where its heights spread over more than this share of the whole. The sections do
 /// not say then what hangs beside them, and the best shape is put at this share between the closure
-/// and the largest cone: the median of 100 blocks of which what faces down steeply was taken away.
+/// and the largest cone: the median of 100 blocks of which what faces down steeply was removed.
 constexpr double kEven = 0.05, kUnevenShare = 0.35;
 /// A rim hangs down to the ground where it is no farther above it than the first share of the
 /// height, and does not from the second share on.
 constexpr double kAtGround = 0.02, kClearOfGround = 0.06;
 /// Where up to the first share of the rim hangs, the block has sunk into the ground by this share
-/// of its height at most; where the second share and more does, nothing tells how deep it goes.
+/// of its height at most; where the second share and more does, nothing says how deep it goes.
 constexpr double kFewHang = 0.05, kManyHang = 0.15;
 constexpr double kSunk = 0.05;
 /// A block stands on a foot where photos looked under it but for this share of its plan; where all
-/// of it meets the ground, nothing tells how deep it goes.
+/// of it meets the ground, nothing says how deep it goes.
 constexpr double kFootShare = 0.5;
 /// A hole that faces within this of straight down is the ground's side.
 constexpr double kFacesDown = 0.5;  // cos 60 degrees
@@ -303,7 +303,7 @@ class Closing {
   };
 
   /// A rim that is clear of the ground nearly all around shows that the block lies on it; else
-  /// nothing tells how deep it goes. In between it is in between, so that a hair's breadth of the
+  /// nothing says how deep it goes. In between it is in between, so that a hair's breadth of the
   /// rim decides nothing.
   /// @param rim  heights, ascending
   Bottom bottom_below(const std::vector<double>& rim, double mean_rim, double highest) {

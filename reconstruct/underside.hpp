@@ -40,7 +40,7 @@ struct UndersideOptions {
   /// Space that was looked through, in the frame of the scan: above the ground that is given, no
   /// rock is there.
   const SeenThrough* through = nullptr;
-  /// Tells of a place on the open surface whether it was scanned; what was not is a filling of
+  /// Whether a place on the open surface was scanned; what was not is a filling of
   /// small holes. None: all of it was.
   std::function<bool(const Vec3&)> was_seen = {};
   /// How well the open surface is known; null: it is exact.

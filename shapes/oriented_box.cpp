@@ -138,7 +138,7 @@ class Hull {
   void trace_outline(const Mat3& frame) {
     for (std::size_t f = 0; f < up_.size(); ++f) {
       const auto i = static_cast<Eigen::Index>(f);
-      // Faces on edge look up, all of them: told by rounding, the loop would run to and fro on
+      // Faces on edge look up, all of them: decided by rounding, the loop would run to and fro on
       // them.
       up_[f] = slopes_[i] >= -kOnEdge * areas_[i];
     }
@@ -164,7 +164,7 @@ class Hull {
       outline_ = convex_loop(std::move(outline_));
       return;
     }
-    // Faces on edge, told up from down by rounding, can pinch the loop.
+    // Faces on edge, up or down by rounding, can pinch the loop.
     outline_.clear();
     for (const Edge& edge : edges_) {
       if (up_[edge.face] == up_[edge.other_face]) continue;

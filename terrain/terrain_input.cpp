@@ -18,7 +18,7 @@
 #include "terrain/detail/surface_files.hpp"
 #include "terrain/detail/surface_holes.hpp"
 #include "terrain/detail/surface_repair.hpp"
-#include "terrain/detail/thinning.hpp"
+#include "terrain/detail/simplification.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_source.hpp"
 #include "terrain/terrain_file.hpp"
@@ -33,7 +33,7 @@ using terrain_detail::SurfaceKind;
 
 // Beyond this, coordinates are moved to a local origin.
 constexpr double kLargeCoordinate = 1e4;  // m
-// Holes of a mesh up to so many median edges are filled unless told else.
+// Holes of a mesh up to so many median edges are filled by default.
 constexpr double kMeshHole = 3.0;
 // A ground smaller or larger than this is rather one in other units.
 constexpr double kSmallGround = 2.0, kLargeGround = 1e5;  // m
@@ -258,7 +258,7 @@ Terrain read_terrain(const TerrainOptions& options) {
   }
   terrain_detail::smooth(raw.mesh, options.smoothing, terrain.report);
   add_breaklines(raw, options.breaklines, terrain.report);
-  if (options.tolerance) terrain_detail::thin(raw, *options.tolerance, terrain.report);
+  if (options.tolerance) terrain_detail::simplify_surface(raw, *options.tolerance, terrain.report);
   terrain.surface = std::move(raw.mesh);
   terrain.frame.crs = raw.crs;
   move_to_local_origin(terrain);

@@ -77,7 +77,7 @@ bool lies_inside(const TriangleMesh& component, const TriangleMesh& block,
                  const TriangleTree& tree) {
   const Vec3& start = component.vertices[0];
   if (!encloses(block, start)) return false;
-  // The block may still face inwards, so only sides that differ tell something.
+  // The block may still face inwards, so only sides that differ mean something.
   const double side = tree.signed_distance(start) < 0.0 ? -1.0 : 1.0;
   const double touching = -kTouching * bounds(block).diagonal();
   return std::all_of(component.vertices.begin(), component.vertices.end(), [&](const Vec3& vertex) {

@@ -17,7 +17,7 @@ struct EnclosedSpace {
   std::vector<Vec3> places;  ///< on the planes, behind the closure, its corners among them
 };
 
-/// @param closure      faces out of the body
+/// @param closure   faces out of the body
 /// @param centre    a place within all half-spaces n . p <= d, before the closure
 /// @param farthest  m
 /// @returns none where a way through the closure leads farther than `farthest`

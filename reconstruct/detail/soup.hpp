@@ -8,14 +8,14 @@
 
 namespace clast::reconstruct_detail {
 
-/// What a mend took out or changed.
+/// What one step of a repair dropped or changed.
 struct Change {
   std::size_t count = 0;
-  double area = 0.0;          ///< of what was taken out
+  double area = 0.0;          ///< of what was dropped
   Vec3 place = Vec3::Zero();  ///< of the first; meaningless when `count` is 0
 };
 
-/// Takes the marked triangles out, and the vertices that only they use. Counts triangles.
+/// Drops the marked triangles, and the vertices that only they use. Counts triangles.
 /// @pre one flag for each triangle
 Change drop_triangles(TriangleMesh& mesh, const std::vector<bool>& drop);
 
@@ -24,13 +24,13 @@ Change drop_triangles(TriangleMesh& mesh, const std::vector<bool>& drop);
 /// flat). Counts those dropped.
 Change drop_opposite_pairs(TriangleMesh& mesh);
 
-/// A component of surface that stands on the rest and has less of its area than this is a fin.
+/// A part of the surface that stands on the rest and has less of its area than this is a fin.
 inline constexpr double kFinArea = 0.05;
 
-/// Drops small components of surface that meet the rest on edges of more than two triangles and go
+/// Drops small parts of the surface that meet the rest on edges of more than two triangles and go
 /// on less smoothly there than the rest does without them: fins, and sheets that lie on the
 /// surface. Counts triangles.
-/// @param largest_share  of the area that such a component may have
+/// @param largest_share  of the area that such a part may have
 Change drop_fins(TriangleMesh& mesh, double largest_share);
 
 /// Drops triangles that meet the rest on one edge alone and have a tip of their own. In a scan that

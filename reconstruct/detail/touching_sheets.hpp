@@ -15,7 +15,7 @@ std::vector<Vec3> wings(const TriangleMesh& mesh, std::span<const HalfEdge> side
 
 /// Makes edges of more than two triangles into edges of two, without moving anything: sheets that
 /// touch are parted so that each pair bounds rock. Where that can't be, the triangles at the edge
-/// are taken out. Counts edges.
+/// are dropped. Counts edges.
 /// @pre oriented as well as it can be
 Change cut_touching_edges(TriangleMesh& mesh);
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr double kMostCells = 2e9;
 constexpr std::uint32_t kMostHeights = 64;  // kept per cell
-constexpr double kPinholes = 3.0;           // cells: holes up to this are filled unless told else
+constexpr double kPinholes = 3.0;           // cells: holes up to this are filled by default
 constexpr long kOutlierReach = 2;           // cells on every side whose medians are compared
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 

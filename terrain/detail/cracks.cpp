@@ -256,7 +256,7 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
   if (report.components < 2) return;
   const TriangleMesh& mesh = surface.mesh;
   const TriangleNeighbours links = triangle_neighbours(mesh);
-  const std::vector<std::uint32_t> piece = manifold_components(links);
+  const std::vector<std::uint32_t> component = manifold_components(links);
   std::vector<BorderSide> sides;
   std::vector<PlanBox> boxes;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -279,7 +279,7 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
     double nearest = 1e300;
     for (const std::uint32_t s : index.near(here.grown(reach))) {
       const auto& [other, k] = sides[s];
-      if (piece[other] == piece[triangle]) continue;
+      if (component[other] == component[triangle]) continue;
       const Vec3& a = mesh.vertices[mesh.triangles[other][k]];
       const Vec3 along = mesh.vertices[mesh.triangles[other][(k + 1) % 3]] - a;
       // Beside it in plan: above or below it counts as near.

@@ -12,9 +12,9 @@
 namespace clast::terrain_detail {
 namespace {
 
-constexpr double kSmallPiece = 0.05;   // of the plan area of the largest piece
+constexpr double kSmallComponent = 0.05;   // of the plan area of the largest component
 constexpr double kNoRoom = 1e-6;       // m, between two faces, at least
-constexpr double kMostlyOver = 0.9;    // of a piece's plan area, beyond which it lies double
+constexpr double kMostlyOver = 0.9;    // of a component's plan area, beyond which it lies double
 constexpr double kFoldedShare = 1e-3;  // of all plan area, under which folds are only noted
 
 /// For every triangle that faces up, the one that faces up next over its centroid, if no face
@@ -66,29 +66,29 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
   if (std::all_of(twin.begin(), twin.end(), [](std::uint32_t t) { return t == kNoTriangle; })) {
     return;
   }
-  const std::vector<std::uint32_t> piece = manifold_components(triangle_neighbours(mesh));
-  const std::size_t count = *std::max_element(piece.begin(), piece.end()) + 1u;
+  const std::vector<std::uint32_t> component = manifold_components(triangle_neighbours(mesh));
+  const std::size_t count = *std::max_element(component.begin(), component.end()) + 1u;
   std::vector<double> area(count, 0.0), doubled(count, 0.0);
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
     const double plan = std::max(0.0, area_vector(mesh, mesh.triangles[t]).z() / 2.0);
-    area[piece[t]] += plan;
-    if (twin[t] != kNoTriangle && piece[twin[t]] != piece[t]) doubled[piece[t]] += plan;
+    area[component[t]] += plan;
+    if (twin[t] != kNoTriangle && component[twin[t]] != component[t]) doubled[component[t]] += plan;
   }
   const double largest = *std::max_element(area.begin(), area.end());
   std::vector<bool> dropped(count, false);
   for (std::size_t p = 0; p < count; ++p) {
-    dropped[p] = area[p] < kSmallPiece * largest && doubled[p] > kMostlyOver * area[p];
+    dropped[p] = area[p] < kSmallComponent * largest && doubled[p] > kMostlyOver * area[p];
   }
   double folded = 0.0, dropped_area = 0.0;
   Vec3 folded_at = Vec3::Zero(), dropped_at = Vec3::Zero();
   std::vector<bool> keep(twin.size());
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
     const double plan = area_vector(mesh, mesh.triangles[t]).z() / 2.0;
-    keep[t] = !dropped[piece[t]];
+    keep[t] = !dropped[component[t]];
     if (!keep[t]) {
       if (dropped_area == 0.0) dropped_at = centroid(mesh, mesh.triangles[t]);
       dropped_area += plan;
-    } else if (twin[t] != kNoTriangle && !dropped[piece[twin[t]]]) {
+    } else if (twin[t] != kNoTriangle && !dropped[component[twin[t]]]) {
       if (folded == 0.0) folded_at = centroid(mesh, mesh.triangles[t]);
       // Two that face up are each seen from the other.
       folded += area_vector(mesh, mesh.triangles[twin[t]]).z() > 0.0 ? plan / 2.0 : plan;
@@ -105,15 +105,15 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
     report.notes.push_back("the ground folds over itself on " + with_digits(folded, 3) +
                            " m2, the first at " + place(folded_at));
   }
-  const auto pieces_dropped =
+  const auto components_dropped =
       static_cast<std::size_t>(std::count(dropped.begin(), dropped.end(), true));
-  if (pieces_dropped == 0) return;
+  if (components_dropped == 0) return;
   keep_triangles(surface, keep);
-  report.dropped_pieces += pieces_dropped;
+  report.dropped_pieces += components_dropped;
   report.boundary_edges = triangle_neighbours(mesh).border_edges;
-  report.components -= pieces_dropped;
+  report.components -= components_dropped;
   report.notes.push_back(
-      std::to_string(pieces_dropped) + " small pieces of " + with_digits(dropped_area, 3) +
+      std::to_string(components_dropped) + " small pieces of " + with_digits(dropped_area, 3) +
       " m2 in plan that lie over other ground were dropped, the first at " + place(dropped_at));
 }
 

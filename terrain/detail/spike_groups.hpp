@@ -5,7 +5,7 @@
 
 namespace clast::terrain_detail {
 
-/// Levels what `level_spikes` can't tell: a few vertices side by side that stand far off the ground
+/// Levels what `level_spikes` can't judge: a few vertices side by side that stand far off the ground
 /// around all of them, and single ones on the border, in the rim of a hole or at a cut between
 /// tiles. A group is what edges steeper than `steepness` part from the rest. It must be farther off
 /// the plane through the ground around it than `steepness` times its distance from that, and than

@@ -104,22 +104,22 @@ std::vector<Loop> border_loops(const TriangleMesh& mesh, const TriangleNeighbour
 }
 
 /// Loops that run the other way round than an outer border. Of upright loops and of slits, whose
-/// sides may overlap, either way may be the hole's: they are holes where their piece has a larger
+/// sides may overlap, either way may be the hole's: they are holes where their component has a larger
 /// loop, which is then the outer one.
 std::vector<bool> which_are_holes(const TriangleNeighbours& links, const std::vector<Loop>& loops,
                                   double slit) {
-  const std::vector<std::uint32_t> piece = manifold_components(links);
+  const std::vector<std::uint32_t> component = manifold_components(links);
   const auto size = [](const Loop& loop) { return (loop.box.high - loop.box.low).norm(); };
   std::map<std::uint32_t, double> largest;
   for (const Loop& loop : loops) {
-    double& known = largest[piece[loop.triangles[0]]];
+    double& known = largest[component[loop.triangles[0]]];
     known = std::max(known, size(loop));
   }
   std::vector<bool> holes;
   for (const Loop& loop : loops) {
     const bool upright = std::abs(loop.area.z()) < kSteepLoop * loop.area.norm();
     const bool narrow = loop.area.norm() <= slit * loop.length;
-    const bool inner = size(loop) < largest[piece[loop.triangles[0]]];
+    const bool inner = size(loop) < largest[component[loop.triangles[0]]];
     holes.push_back(loop.area.dot(loop.normal) < 0.0 || ((upright || narrow) && inner));
   }
   return holes;

@@ -1,4 +1,4 @@
-#include "terrain/detail/thinning.hpp"
+#include "terrain/detail/simplification.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -195,12 +195,12 @@ class Growing {
     const Vec3 along = to - from;
     std::optional<std::uint32_t> farthest;
     double most = tolerance_;
-    // In pieces: the box of a long edge would hold much that is far from it.
-    const double pieces = std::ceil(along.head<2>().norm() / (kPiece * length_));
-    for (double piece = 0.0; piece < pieces; ++piece) {
+    // In parts: the box of a long edge would hold much that is far from it.
+    const double parts = std::ceil(along.head<2>().norm() / (kPart * length_));
+    for (double part = 0.0; part < parts; ++part) {
       PlanBox box;
-      box.include((from + piece / pieces * along).head<2>());
-      box.include((from + (piece + 1.0) / pieces * along).head<2>());
+      box.include((from + part / parts * along).head<2>());
+      box.include((from + (part + 1.0) / parts * along).head<2>());
       for (const std::uint32_t i : edge_index_.near(box)) {
         const auto& [a, b] = edges_[i];
         if (a == ends[0] || a == ends[1] || b == ends[0] || b == ends[1]) continue;
@@ -221,7 +221,7 @@ class Growing {
     return farthest;
   }
 
-  static constexpr double kPiece = 4.0;  // usual edges
+  static constexpr double kPart = 4.0;  // usual edges
 
   const std::vector<Vec3>& vertices_;
   std::span<const EdgeKey> edges_;
@@ -259,7 +259,7 @@ std::optional<std::uint32_t> triangle_under(const TriangleMesh& mesh, const Plan
 
 }  // namespace
 
-void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
+void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
   const std::vector<bool> kept = kept_triangles(mesh);
   const TriangleNeighbours links = triangle_neighbours(mesh);
