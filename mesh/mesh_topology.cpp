@@ -110,7 +110,7 @@ std::string MeshReport::summary() const {
   if (degenerate_triangles > 0) {
     defects.push_back(counted(degenerate_triangles, "degenerate triangle", "degenerate triangles"));
   }
-  if (components > 1) defects.push_back(std::to_string(components) + " pieces");
+  if (components > 1) defects.push_back(std::to_string(components) + " components");
   if (defects.empty()) return "closed";
   std::string text;
   for (const std::string& defect : defects) text += (text.empty() ? "" : ", ") + defect;

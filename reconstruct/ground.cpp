@@ -253,7 +253,8 @@ std::optional<Ground> found_ground(std::span<const Vec3> points, const GroundOpt
   Bounds box;
   for (const Vec3& p : points) box.include(p);
   const double diagonal = points.empty() ? 0.0 : box.diagonal();
-  const std::vector<Vec3> sparse = reconstruct_detail::decimated(points, kDecimationCell * diagonal);
+  const std::vector<Vec3> sparse =
+      reconstruct_detail::decimated(points, kDecimationCell * diagonal);
   if (sparse.size() < 50) return std::nullopt;
   const double tolerance = options.tolerance * diagonal;
   const Plane plane = consensus_plane(sparse, tolerance, options);
@@ -262,7 +263,8 @@ std::optional<Ground> found_ground(std::span<const Vec3> points, const GroundOpt
     return static_cast<double>(count) / static_cast<double>(sparse.size());
   };
   if (share(sides.on) < kLeastShare || share(sides.below) > kMostBelow) return std::nullopt;
-  if (!goes_on_around(sparse, plane, tolerance, 3.0 * kDecimationCell * diagonal)) return std::nullopt;
+  if (!goes_on_around(sparse, plane, tolerance, 3.0 * kDecimationCell * diagonal))
+    return std::nullopt;
 
   const Quat turn = Quat::FromTwoVectors(plane.normal, Vec3::UnitZ());
   const Vec3 origin =

@@ -17,8 +17,8 @@ struct RepairOptions {
   /// four edges and edges of more than two triangles are refused then, spikes and crossings stay.
   bool invent = true;
   double largest_hole = 0.4;  ///< share of the repaired surface that one filling may be
-  /// How places are given in messages and report, for example in the coordinates of the scan's file;
-  /// empty: in those of the mesh.
+  /// How places are given in messages and report, for example in the coordinates of the scan's
+  /// file; empty: in those of the mesh.
   std::function<Vec3(const Vec3&)> place_told = {};
 
   void check() const;  ///< throws InputError naming the field and its value

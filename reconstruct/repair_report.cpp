@@ -157,7 +157,9 @@ class Sentences {
     if (fans > 0) {
       notes.push_back(counted(fans, "hole", "holes") + " with " +
                       counted(fan_edges, "border edge", "border edges") + " in all closed by " +
-                      (largest_fan <= reconstruct_detail::kFanEdges ? "a fan" : "triangles between their corners"));
+                      (largest_fan <= reconstruct_detail::kFanEdges
+                           ? "a fan"
+                           : "triangles between their corners"));
     }
     if (largest != nullptr) {
       notes.push_back(counted(fillings, "hole", "holes") + " filled; the largest has " +

@@ -105,7 +105,7 @@ void refuse_wide_fan(const TriangleMesh& mesh) {
   if (*most <= kMostAround) return;
   throw GeometryError(std::to_string(*most) + " triangles meet at one vertex, near " +
                       place(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
-                      ": to thin such a fan takes hours; remesh the surface with triangles of even "
+                      ": to simplify such a fan takes hours; remesh the surface with triangles of even "
                       "size first (isotropic remeshing), or ask for " +
                       std::to_string(mesh.vertices.size()) + " vertices, which keeps all of them");
 }
@@ -123,7 +123,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   options.check();
   const MeshReport report = inspect(mesh);
   if (!report.closed() || !report.oriented() || report.pinched_vertices > 0) {
-    throw GeometryError("only a closed surface can be thinned, this one has " + report.summary());
+    throw GeometryError("only a closed surface can be simplified, this one has " + report.summary());
   }
   if (mesh.vertices.size() <= options.target_vertices) return mesh;
   refuse_wide_fan(mesh);
@@ -152,7 +152,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   if (sound && crossing_triangles(*sound).empty()) return std::move(*sound);
   const auto crossings = crossing_triangles(first);
   const auto input_crossings = crossing_triangles(mesh);
-  std::string message = "thinned to " + std::to_string(options.target_vertices) +
+  std::string message = "simplified to " + std::to_string(options.target_vertices) +
                         " vertices the surface passes through itself";
   if (!crossings.empty()) {
     message += " near " + place(first.vertices[first.triangles[crossings[0][0]][0]]);

@@ -19,7 +19,8 @@ struct SimplifyOptions {
 /// narrow even for that is closed, where that changes the volume by less than 1 %. A mesh at or
 /// below the target is returned as it is.
 /// @param mesh  closed, 2-manifold, outward
-/// @throws GeometryError  mesh not closed; more than 500 triangles meet at a vertex; or the simplified
+/// @throws GeometryError  mesh not closed; more than 500 triangles meet at a vertex; or the
+/// simplified
 ///                        mesh crosses itself all the same
 /// @cite lindstrom1998
 TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options = {});

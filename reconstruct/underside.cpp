@@ -139,7 +139,7 @@ class Closing {
   void refuse_sheet(const Rim& rim, double share) const {
     if (share <= options_.largest_share) return;
     throw GeometryError(
-        "the largest piece is the ground, or one side of a block: a sheet whose "
+        "the largest component is the ground, or one side of a block: a sheet whose "
         "border of " +
         std::to_string(rim.loop.size()) + " edges near " +
         place(result_.lower.vertices[rim.loop[0]]) + " spans " + with_digits(100.0 * share, 3) +

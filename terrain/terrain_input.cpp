@@ -13,12 +13,12 @@
 #include "terrain/detail/cracks.hpp"
 #include "terrain/detail/layers.hpp"
 #include "terrain/detail/resampling.hpp"
+#include "terrain/detail/simplification.hpp"
 #include "terrain/detail/spike_groups.hpp"
 #include "terrain/detail/spikes.hpp"
 #include "terrain/detail/surface_files.hpp"
 #include "terrain/detail/surface_holes.hpp"
 #include "terrain/detail/surface_repair.hpp"
-#include "terrain/detail/simplification.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_source.hpp"
 #include "terrain/terrain_file.hpp"
@@ -154,12 +154,12 @@ void check_suits(const TerrainOptions& options, SurfaceKind kind) {
   if (!terrain_file) return;
   if (options.resolution) {
     refuse(
-        "a terrain file is checked and mended already; leave out resolution, or start from the "
+        "a terrain file is checked and repaired already; leave out resolution, or start from the "
         "survey");
   }
   if (options.tolerance || options.smoothing > 0 || options.fill) {
     refuse(
-        "a terrain file is checked and mended already; leave out fill, smoothing and tolerance, or "
+        "a terrain file is checked and repaired already; leave out fill, smoothing and tolerance, or "
         "start from the survey");
   }
   if (!options.zones.empty()) refuse("a terrain file has its zones already; leave zones out");

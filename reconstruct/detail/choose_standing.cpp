@@ -31,7 +31,7 @@ ChosenBlocks choose_standing(const std::vector<Vec3>& points, const Ground& grou
         name, static_cast<double>(standing.ground.size()) / static_cast<double>(points.size()));
   }
   ChosenBlocks chosen;
-  chosen.notes.push_back("the ground around it was found and taken away");
+  chosen.notes.push_back("the ground around it was found and removed");
   if (split) {
     for (const StandingBlock& block : standing.blocks) {
       chosen.blocks.push_back(with_ground(block, points, ground));
@@ -48,7 +48,7 @@ ChosenBlocks choose_standing(const std::vector<Vec3>& points, const Ground& grou
 }
 
 void refuse_bare_ground(const std::string& name, double share) {
-  throw GeometryError(name + ": the largest piece is the ground (" + with_digits(100.0 * share, 3) +
+  throw GeometryError(name + ": the largest component is the ground (" + with_digits(100.0 * share, 3) +
                       " % of the scan) and nothing that rises from it is a block; scan a block and "
                       "the ground around "
                       "it, or, if this is one block alone, use --ground none");

@@ -121,7 +121,7 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
 /// scrap.
 std::string left_out(const std::vector<Component>& components) {
   if (components.size() < 2 || components[1].area <= kScrapArea * components[0].area) return "";
-  return "another piece of the scan that stands close to this block, with " +
+  return "another component of the scan that stands close to this block, with " +
          with_digits(100.0 * components[1].area / components[0].area, 3) + " % of its area, near " +
          place(components[1].mesh.vertices[0]) +
          ", was left out; to have both, save each to a file of its own";

@@ -28,7 +28,7 @@ void add(Change& dropped, const Component& component) {
 
 [[noreturn]] void refuse_components(std::size_t others, bool open, double share) {
   throw GeometryError(
-      std::to_string(others + 1) + " separate pieces, the second with " +
+      std::to_string(others + 1) + " separate components, the second with " +
       with_digits(100.0 * share, 4) + " % of the area of the first; " +
       (open ? "if they are parts of one block, align and merge them first (CloudCompare: Fine "
               "registration, then Merge); otherwise "

@@ -11,8 +11,9 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr double kDecimationCell = 1.0 / 150.0;  ///< of the diagonal: sets are separated on fewer points
-constexpr double kReach = 3.0;             ///< cells from one point of a set to the next,
+constexpr double kDecimationCell =
+    1.0 / 150.0;                ///< of the diagonal: sets are separated on fewer points
+constexpr double kReach = 3.0;  ///< cells from one point of a set to the next,
 /// or so many spacings of the sparsest points: this quantile of all.
 constexpr double kSpacings = 4.0, kThinnest = 0.98;
 constexpr double kNear = 0.25;  ///< of the largest set's diagonal

@@ -79,7 +79,7 @@ class ShpReader {
     const std::optional<double> value = parsed_number(word);
     if (!value) fail(what + " is needed, found \"" + printable(word) + "\"");
     if (!std::isfinite(*value)) {
-      fail(what + " is \"" + printable(word) + "\", not a finite number; mend the file");
+      fail(what + " is \"" + printable(word) + "\", not a finite number; correct the file");
     }
     return *value;
   }

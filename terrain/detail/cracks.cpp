@@ -297,8 +297,8 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
   }
   if (apart == 0) return;
   report.notes.push_back("the ground is in " + std::to_string(report.components) +
-                         " pieces with gaps or steps between them: " + std::to_string(apart) +
-                         " border vertices are near another piece but apart from it, the nearest "
+                         " components with gaps or steps between them: " + std::to_string(apart) +
+                         " border vertices are near another component but apart from it, the nearest "
                          "by " +
                          with_digits(narrowest, 3) + " m, at " + place(at) +
                          "; a block that gets there leaves the terrain. Join the tiles, or give a "

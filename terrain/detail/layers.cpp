@@ -12,10 +12,10 @@
 namespace clast::terrain_detail {
 namespace {
 
-constexpr double kSmallComponent = 0.05;   // of the plan area of the largest component
-constexpr double kNoRoom = 1e-6;       // m, between two faces, at least
-constexpr double kMostlyOver = 0.9;    // of a component's plan area, beyond which it lies double
-constexpr double kFoldedShare = 1e-3;  // of all plan area, under which folds are only noted
+constexpr double kSmallComponent = 0.05;  // of the plan area of the largest component
+constexpr double kNoRoom = 1e-6;          // m, between two faces, at least
+constexpr double kMostlyOver = 0.9;       // of a component's plan area, beyond which it lies double
+constexpr double kFoldedShare = 1e-3;     // of all plan area, under which folds are only noted
 
 /// For every triangle that faces up, the one that faces up next over its centroid, if no face
 /// between faces down; and the other way round. Also one that faces down and lies on it: an
@@ -113,7 +113,7 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
   report.boundary_edges = triangle_neighbours(mesh).border_edges;
   report.components -= components_dropped;
   report.notes.push_back(
-      std::to_string(components_dropped) + " small pieces of " + with_digits(dropped_area, 3) +
+      std::to_string(components_dropped) + " small components of " + with_digits(dropped_area, 3) +
       " m2 in plan that lie over other ground were dropped, the first at " + place(dropped_at));
 }
 

@@ -34,7 +34,7 @@ void check_one_height(const TriangleMesh& mesh, double cell, const std::filesyst
                       std::to_string(mesh.triangles.size()) +
                       " triangles stand upright or overhang, the first at " + place(first) +
                       "; a grid has one height over every place, so that it can't hold them. Leave "
-                      "out resolution, or thin the mesh with a tolerance, which keeps them");
+                      "out resolution, or simplify the mesh with a tolerance, which keeps them");
 }
 
 /// Numbers of the columns or rows whose centres lie from `low` to `high`.

@@ -294,7 +294,7 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
     growing.grow(free);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     throw GeometryError(
-        "the border of the ground crosses itself in plan, so that it can't be thinned; leave out "
+        "the border of the ground crosses itself in plan, so that it can't be simplified; leave out "
         "tolerance, or cut the ground there");
   }
 
@@ -328,7 +328,7 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
     result.source.push_back(source);
   }
   drop_unused_vertices(result.mesh);
-  std::string note = "thinned within " + with_digits(tolerance, 4) +
+  std::string note = "simplified within " + with_digits(tolerance, 4) +
                      " m: " + std::to_string(result.mesh.triangles.size()) + " of " +
                      std::to_string(mesh.triangles.size()) + " triangles; nowhere more than " +
                      with_digits(growing.largest(), 4) + " m above or below what was there";

@@ -104,8 +104,8 @@ std::vector<Loop> border_loops(const TriangleMesh& mesh, const TriangleNeighbour
 }
 
 /// Loops that run the other way round than an outer border. Of upright loops and of slits, whose
-/// sides may overlap, either way may be the hole's: they are holes where their component has a larger
-/// loop, which is then the outer one.
+/// sides may overlap, either way may be the hole's: they are holes where their component has a
+/// larger loop, which is then the outer one.
 std::vector<bool> which_are_holes(const TriangleNeighbours& links, const std::vector<Loop>& loops,
                                   double slit) {
   const std::vector<std::uint32_t> component = manifold_components(links);

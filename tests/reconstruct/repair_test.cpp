@@ -291,7 +291,7 @@ TEST(Repair, TheCornersOfCoarseModelsAreNoSpikes) {
 TEST(Repair, SheetsThatTouchAlongAnEdgeArePartedOnTheRocksSide) {
   const TriangleMesh two = merged(box_mesh({1, 1, 1}), at(box_mesh({1, 1, 1}), {1, 1, 0}));
   const std::string message = refusal<GeometryError>([&] { repaired(two); });
-  EXPECT_TRUE(contains(message, "2 separate pieces, the second with 100 % of the area"));
+  EXPECT_TRUE(contains(message, "2 separate components, the second with 100 % of the area"));
   EXPECT_TRUE(contains(message, "save each block to a file of its own"));
   // The smaller of two that touch is a scrap of the larger.
   const TriangleMesh scrap = at(scaled(box_mesh({1, 1, 1}), 0.1), {1, 1, 0});
@@ -340,7 +340,7 @@ TEST(Repair, HalvesThatDontMeetAreToldToBeMerged) {
   TriangleMesh lower = upper;
   for (Vec3& v : lower.vertices) v = Vec3(-v.x(), v.y(), -v.z()) + Vec3(4, 0, 0);
   const std::string message = refusal<GeometryError>([&] { repaired(merged(upper, lower)); });
-  EXPECT_TRUE(contains(message, "2 separate pieces"));
+  EXPECT_TRUE(contains(message, "2 separate components"));
   EXPECT_TRUE(contains(message, "align and merge them first (CloudCompare"));
 }
 

@@ -192,15 +192,15 @@ TEST(Scan, LooseScrapsAreDroppedWithANote) {
 
 TEST(Scan, TwoBlocksInOneFileAreRefused) {
   const TriangleMesh two = merged(random_rock(6), at(scaled(random_rock(7), 0.5), {5, 0, 0}));
-  EXPECT_HAS(refusal(two), "2 separate pieces");
+  EXPECT_HAS(refusal(two), "2 separate components");
 }
 
 TEST(Scan, OverlappingBlocksAreNotTakenForABubble) {
   // The first vertex of the second box lies inside the first box, others lie outside.
   const TriangleMesh box = box_mesh({1, 1, 1});
   const TriangleMesh two = merged(box, at(box, {0.5, 0.3, 0.2}));
-  EXPECT_HAS(refusal(two), "2 separate pieces");
-  EXPECT_HAS(refusal(inverted(two)), "2 separate pieces");
+  EXPECT_HAS(refusal(two), "2 separate components");
+  EXPECT_HAS(refusal(inverted(two)), "2 separate components");
 }
 
 TEST(Scan, TouchingAtOneVertexIsSplit) {

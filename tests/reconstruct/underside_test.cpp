@@ -298,7 +298,7 @@ TEST(Underside, ASheetIsRefusedWithItsBorder) {
   }
   const std::string message = refusal<GeometryError>([&] { closed_underside(sheet); });
   EXPECT_TRUE(contains(message,
-                       "the largest piece is the ground, or one side of a block: a sheet whose "
+                       "the largest component is the ground, or one side of a block: a sheet whose "
                        "border of 20 edges near"))
       << message;
 }
