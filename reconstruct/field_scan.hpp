@@ -48,7 +48,7 @@ struct FieldScan {
 /// @throws InputError     what `read_mesh` and `stream_cloud` throw; a cloud of too few points;
 ///                        coordinates that lost the block's shape because the file keeps too few
 ///                        digits of them
-/// @throws GeometryError  only ground, and what `cleaned_scan` and `closed_underside` throw
+/// @throws GeometryError  only ground, and what `clean_scan` and `close_underside` throw
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options = {});
 
 /// The same of a mesh or of points in memory; `name` is used in messages.

@@ -248,7 +248,7 @@ double roughness_of(std::span<const Vec3> points, const Ground::Surface& surface
 
 }  // namespace
 
-std::optional<Ground> found_ground(std::span<const Vec3> points, const GroundOptions& options) {
+std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOptions& options) {
   options.check();
   Bounds box;
   for (const Vec3& p : points) box.include(p);

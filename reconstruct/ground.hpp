@@ -49,6 +49,6 @@ class Ground {
 /// @param points  without outliers, m
 /// @returns none where no plane is the ground of the rest: a block by itself
 /// @cite fischler1981
-std::optional<Ground> found_ground(std::span<const Vec3> points, const GroundOptions& options = {});
+std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOptions& options = {});
 
 }  // namespace clast

@@ -195,13 +195,13 @@ void RepairOptions::check() const {
   }
 }
 
-Repaired repaired(const TriangleMesh& dirty, const RepairOptions& options) {
+RepairedMesh repair_mesh(const TriangleMesh& dirty, const RepairOptions& options) {
   options.check();
   reconstruct_detail::check_coordinates(dirty);
   const Vec3 origin = local_origin(bounds(dirty));
   TriangleMesh local = dirty;
   for (Vec3& v : local.vertices) v -= origin;
-  RepairLog log(origin, options.place_told);
+  RepairLog log(origin, options.reported_place);
   const TriangleMesh welded_mesh = weld_as_needed(local, options.weld_tolerance, log);
   TriangleMesh mesh = welded_mesh;
   repair_soup(mesh, options.invent, log);

@@ -29,7 +29,7 @@ enum class DefectKind {
   kTunnel         ///< goes through the block: reported, nothing is done
 };
 
-/// All defects of one kind. Lengths in metres; places as `RepairOptions::place_told` says.
+/// All defects of one kind. Lengths in metres; places as `RepairOptions::reported_place` says.
 struct Defect {
   DefectKind kind;
   std::size_t count = 0;    ///< vertices, edges, triangles, components or holes: what `kind` names

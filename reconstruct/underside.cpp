@@ -8,6 +8,7 @@
 #include "core/number_text.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "reconstruct/detail/bottom_closure.hpp"
 #include "reconstruct/detail/hole_patch.hpp"
 #include "reconstruct/detail/sections.hpp"
@@ -58,7 +59,7 @@ struct Rim {
   double length = 0.0;
 };
 
-Rim measured_rim(const TriangleMesh& mesh, std::vector<std::uint32_t> loop) {
+Rim measure_rim(const TriangleMesh& mesh, std::vector<std::uint32_t> loop) {
   Rim rim;
   const Vec3 origin = mesh.vertices[loop[0]];
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -77,9 +78,7 @@ Rim measured_rim(const TriangleMesh& mesh, std::vector<std::uint32_t> loop) {
 double area_from(const TriangleMesh& mesh, std::size_t first) {
   double doubled = 0.0;
   for (std::size_t i = first; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    doubled +=
-        (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
+    doubled += area_vector(mesh, mesh.triangles[i]).norm();
   }
   return 0.5 * doubled;
 }
@@ -107,7 +106,7 @@ class Closing {
     }
     std::vector<Rim> rims;
     for (std::vector<std::uint32_t>& loop : boundary_loops(result_.lower)) {
-      rims.push_back(measured_rim(result_.lower, std::move(loop)));
+      rims.push_back(measure_rim(result_.lower, std::move(loop)));
     }
     if (rims.empty()) return std::nullopt;
     std::stable_sort(rims.begin(), rims.end(), [](const Rim& a, const Rim& b) {
@@ -153,7 +152,7 @@ class Closing {
   }
 
   reconstruct_detail::HolePatch fill(const Rim& rim) {
-    reconstruct_detail::HolePatch patch = reconstruct_detail::filled_hole(result_.lower, rim.loop);
+    reconstruct_detail::HolePatch patch = reconstruct_detail::fill_hole(result_.lower, rim.loop);
     TriangleMesh& mesh = result_.lower;
     mesh.vertices.insert(mesh.vertices.end(), patch.vertices.begin(), patch.vertices.end());
     mesh.triangles.insert(mesh.triangles.end(), patch.triangles.begin(), patch.triangles.end());
@@ -382,8 +381,8 @@ void UndersideOptions::check() const {
   }
 }
 
-std::optional<Underside> closed_underside(const TriangleMesh& open,
-                                          const UndersideOptions& options) {
+std::optional<Underside> close_underside(const TriangleMesh& open,
+                                         const UndersideOptions& options) {
   options.check();
   return Closing(open, options).run();
 }

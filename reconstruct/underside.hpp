@@ -89,7 +89,7 @@ struct Underside {
 /// @throws GeometryError  not an oriented manifold; a sheet; or a rim that can't be filled. The
 ///                        message says how large and where the hole is
 /// @cite schneider2014
-std::optional<Underside> closed_underside(const TriangleMesh& open,
-                                          const UndersideOptions& options = {});
+std::optional<Underside> close_underside(const TriangleMesh& open,
+                                         const UndersideOptions& options = {});
 
 }  // namespace clast

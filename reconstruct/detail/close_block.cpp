@@ -113,7 +113,7 @@ std::optional<Underside> close_unseen_side(const OpenBlock& open, const ScannedS
   if (scanned) closing.was_seen = [&](const Vec3& place) { return scanned->holds(place); };
   closing.margin = open.margin;
   try {
-    return closed_underside(open.surface, closing);
+    return close_underside(open.surface, closing);
   } catch (const GeometryError& error) {
     throw GeometryError(name + ": " + error.what());
   }
@@ -165,7 +165,7 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
   }
   const std::unique_ptr<const ScannedSurface> scanned = scanned_part(open);
   std::optional<Underside> side = close_unseen_side(open, scanned.get(), name, field.through);
-  FieldBlock block{cleaned_scan(side ? side->best : open.surface, name, options), {}, {}};
+  FieldBlock block{clean_scan(side ? side->best : open.surface, name, options), {}, {}};
   RepairReport& report = block.scan.report;
   report = joined(std::move(open.repaired), std::move(report));
   if (!side) {
@@ -187,7 +187,7 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
 
 FieldBlock clean_block(const TriangleMesh& raw, const std::string& name,
                        const FieldScanOptions& field) {
-  FieldBlock block{cleaned_scan(raw, name, field.scan), {}, {}};
+  FieldBlock block{clean_scan(raw, name, field.scan), {}, {}};
   if (was_changed(block.scan.report)) {
     const ScannedSurface scanned(raw);
     const TriangleMesh closed = in_file_units(block.scan.mesh, field.scan);

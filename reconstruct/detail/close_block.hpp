@@ -25,11 +25,11 @@ struct OpenBlock {
 /// Fills small holes, closes the unseen side, repairs, bounds what stays open, and turns the block
 /// to metres with z up.
 /// @param name  of the scan, for messages
-/// @throws GeometryError  what `cleaned_scan` and `closed_underside` throw
+/// @throws GeometryError  what `clean_scan` and `close_underside` throw
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& options);
 
 /// A mesh that needs no more than repair.
-/// @throws GeometryError  what `cleaned_scan` throws
+/// @throws GeometryError  what `clean_scan` throws
 FieldBlock clean_block(const TriangleMesh& raw, const std::string& name,
                        const FieldScanOptions& options);
 

@@ -99,7 +99,7 @@ std::vector<FieldBlock> cloud_blocks(const std::vector<Vec3>& raw, const std::st
   NearAndFar sets = near_and_far(points);
   refuse_separate_sets(sets, name);
   std::optional<Ground> ground;
-  if (options.find_ground) ground = found_ground(points);
+  if (options.find_ground) ground = find_ground(points);
   if (!ground) return {block_alone(std::move(sets), std::move(notes), name, options)};
 
   const ChosenBlocks chosen = choose_standing(points, *ground, name, options.split);

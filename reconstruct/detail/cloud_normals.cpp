@@ -7,6 +7,7 @@
 #include <queue>
 #include <utility>
 
+#include "mesh/triangle_geometry.hpp"
 #include "reconstruct/detail/cloud.hpp"
 
 namespace clast::reconstruct_detail {
@@ -64,10 +65,9 @@ void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points) {
 
 std::size_t correct_normals(std::vector<Vec3>& normals, const TriangleMesh& surface) {
   std::vector<Vec3> areas(normals.size(), Vec3::Zero());
-  for (const auto& [a, b, c] : surface.triangles) {
-    const Vec3 area = (surface.vertices[b] - surface.vertices[a])
-                          .cross(surface.vertices[c] - surface.vertices[a]);
-    for (const std::uint32_t v : {a, b, c}) areas[v] += area;
+  for (const TriangleMesh::Triangle& t : surface.triangles) {
+    const Vec3 area = area_vector(surface, t);
+    for (const std::uint32_t v : t) areas[v] += area;
   }
   std::size_t corrected = 0;
   for (std::size_t v = 0; v < normals.size(); ++v) {

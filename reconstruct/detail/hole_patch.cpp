@@ -21,8 +21,8 @@ constexpr int kRefinements = 6;
 /// negative ones, with which a membrane may leave the hull of its rim.
 constexpr double kSmallestWeight = 1e-3;
 
-HolePatch triangulated(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop,
-                       double density) {
+HolePatch triangulate(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop,
+                      double density) {
   mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
   const auto first = mesh_detail::CgalMesh::Vertex_index(loop[0]),
              second = mesh_detail::CgalMesh::Vertex_index(loop[1]);
@@ -118,11 +118,11 @@ HolePatch star(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop)
 
 }  // namespace
 
-HolePatch filled_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
+HolePatch fill_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
   HolePatch patch;
   double density = std::sqrt(2.0);
   for (int i = 0; i < kRefinements; ++i, density *= 1.5) {
-    patch = triangulated(mesh, loop, density);
+    patch = triangulate(mesh, loop, density);
     if (patch.triangles.empty()) return star(mesh, loop);
     if (patch.vertices.size() >= std::max(kFewest, loop.size() / 2)) break;
   }

@@ -21,11 +21,11 @@ struct HolePatch {
   std::vector<double> bulge;
 };
 
-/// Fills `loop` as a membrane does: triangulated, refined to the density of the rim, and every
-/// new vertex in the mean of its neighbours (harmonic, weights of cotangents).
+/// Fills `loop` as a membrane does: triangulated, refined to the density of the rim, and every new
+/// vertex in the mean of its neighbours (harmonic, weights of cotangents). Where no triangulation
+/// is found, a star of triangles from the middle of the rim.
 /// @param loop  as `boundary_loops` gives it
-/// Where no triangulation is found, a star of triangles from the middle of the rim.
 /// @cite liepa2003
-HolePatch filled_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop);
+HolePatch fill_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop);
 
 }  // namespace clast::reconstruct_detail

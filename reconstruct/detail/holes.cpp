@@ -70,7 +70,7 @@ Vertex star_over(mesh_detail::CgalMesh& mesh, Halfedge border) {
   }
   CGAL::Euler::fill_hole(border, mesh);
   const Vertex middle = mesh.target(CGAL::Euler::add_center_vertex(border, mesh));
-  const Vec3 centre = measured_hole(points).centre;
+  const Vec3 centre = measure_hole(points).centre;
   mesh.point(middle) = mesh_detail::CgalPoint(centre.x(), centre.y(), centre.z());
   return middle;
 }
@@ -173,7 +173,7 @@ bool is_unseen_side(const std::vector<Vec3>& border, double seen_area) {
   return share > kUnseenShare || (share > kSmallestUnseenShare && sides_wide > kUnseenWidth);
 }
 
-FilledHole measured_hole(const std::vector<Vec3>& border) {
+FilledHole measure_hole(const std::vector<Vec3>& border) {
   FilledHole hole;
   hole.border_edges = border.size();
   for (std::size_t i = 0; i < border.size(); ++i) {
@@ -215,7 +215,7 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
     mesh.triangles.insert(mesh.triangles.end(), best.begin(), best.end());
     std::vector<Vec3> border;
     for (const std::uint32_t v : loop) border.push_back(mesh.vertices[v]);
-    filled.push_back(measured_hole(border));
+    filled.push_back(measure_hole(border));
     filled.back().area = smallest;
     filled.back().fan = true;
   }
@@ -233,7 +233,7 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides) {
     for (const Vertex v : CGAL::vertices_around_face(start, work)) {
       border.push_back(point_of(work, v));
     }
-    FilledHole hole = measured_hole(border);
+    FilledHole hole = measure_hole(border);
     if (!unseen_sides && is_unseen_side(border, area)) continue;
     try {
       fill(work, start, border, hole);

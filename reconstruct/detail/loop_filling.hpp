@@ -28,10 +28,8 @@ struct LoopFilling {
 /// @param edges    all edges of the mesh
 /// @returns none where every triangulation repeats an edge
 /// @cite liepa2003
-std::optional<LoopFilling> filled_loop(const TriangleMesh& mesh,
-                                       std::span<const std::uint32_t> loop,
-                                       std::span<const Vec3> normals,
-                                       const std::set<EdgeKey>& edges);
+std::optional<LoopFilling> fill_loop(const TriangleMesh& mesh, std::span<const std::uint32_t> loop,
+                                     std::span<const Vec3> normals, const std::set<EdgeKey>& edges);
 
 /// Volumes (m^3) under and over a flat filling of a loop, of the cones up to where the planes
 /// beyond its sides pass its middle: a convex surface stays within the upper one. The mean over the

@@ -95,7 +95,7 @@ bool drop_copies(std::vector<Component>& components, RepairReport& report, doubl
     const auto copy = scrap ? std::nullopt : copy_of_surface(components[i].mesh, tree, diagonal);
     others |= !scrap && !copy;
     if (copy) {
-      note_copy(report, described_copy(*copy, components[i], first, tree), components[i],
+      note_copy(report, describe_copy(*copy, components[i], first, tree), components[i],
                 components[0].area, unit);
     } else {
       kept.push_back(std::move(components[i]));
@@ -168,7 +168,7 @@ std::vector<FieldBlock> mesh_blocks(const TriangleMesh& raw, const std::string& 
   }
   if (options.find_ground && !has_only_small_holes(sheet->mesh)) {
     const std::vector<Vec3> points = points_over(sheet->mesh);
-    if (const std::optional<Ground> ground = found_ground(points)) {
+    if (const std::optional<Ground> ground = find_ground(points)) {
       return blocks_on_ground(*sheet, raw, points, *ground, name, options);
     }
   }

@@ -75,7 +75,7 @@ void sort_out_components(TriangleMesh& block, std::span<const Component> compone
     if (!small) {
       if (const auto copy = copy_of_surface(mesh, tree, diagonal)) {
         add(closed ? copies : sheets, component);
-        log.note(described_copy(*copy, component, block, tree));
+        log.note(describe_copy(*copy, component, block, tree));
         continue;
       }
     }

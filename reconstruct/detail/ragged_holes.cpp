@@ -63,9 +63,9 @@ std::vector<FilledHole> close_ragged_holes(TriangleMesh& mesh) {
       border.push_back(mesh.vertices[loop[i]]);
       normals.push_back(beyond.at(edge_key(loop[i], loop[(i + 1) % loop.size()])));
     }
-    const std::optional<LoopFilling> filling = filled_loop(mesh, loop, normals, edges);
+    const std::optional<LoopFilling> filling = fill_loop(mesh, loop, normals, edges);
     if (!filling) continue;
-    FilledHole hole = measured_hole(border);
+    FilledHole hole = measure_hole(border);
     const double width = 2.0 * filling->area / hole.perimeter;
     const double side = hole.perimeter / static_cast<double>(loop.size());
     if (width > kWidthOfMissingTriangles * side) continue;

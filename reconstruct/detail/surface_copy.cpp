@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/mesh_topology.hpp"
+#include "mesh/triangle_geometry.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -40,8 +41,7 @@ struct Sample {
 std::vector<Sample> samples_of(const TriangleMesh& component) {
   std::vector<Vec3> normals(component.vertices.size(), Vec3::Zero());
   for (const TriangleMesh::Triangle& t : component.triangles) {
-    const Vec3 doubled = (component.vertices[t[1]] - component.vertices[t[0]])
-                             .cross(component.vertices[t[2]] - component.vertices[t[0]]);
+    const Vec3 doubled = area_vector(component, t);
     for (const std::uint32_t v : t) normals[v] += doubled;
   }
   std::vector<Sample> samples;
@@ -185,8 +185,8 @@ void put_best_copy_first(std::vector<Component>& components) {
               components.begin() + static_cast<std::ptrdiff_t>(best) + 1);
 }
 
-DoubledSurface described_copy(const SurfaceCopy& copy, const Component& dropped,
-                              const TriangleMesh& kept, const TriangleTree& tree) {
+DoubledSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
+                             const TriangleMesh& kept, const TriangleTree& tree) {
   DoubledSurface doubled;
   doubled.closed = inspect(dropped.mesh).closed();
   doubled.area_share = dropped.area / surface_area(kept);

@@ -37,7 +37,7 @@ void put_best_copy_first(std::vector<Component>& components);
 /// What is to be reported of a copy that is dropped: why the other was kept, and what it would
 /// change.
 /// @param kept  a surface that faces outwards, of which the tree is
-DoubledSurface described_copy(const SurfaceCopy& copy, const Component& dropped,
-                              const TriangleMesh& kept, const TriangleTree& tree);
+DoubledSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
+                             const TriangleMesh& kept, const TriangleTree& tree);
 
 }  // namespace clast::reconstruct_detail

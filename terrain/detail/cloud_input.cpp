@@ -249,7 +249,7 @@ HeightGrid covering_grid(const Vec2& low, const Vec2& high, double cell, const f
   return grid;
 }
 
-HeightGrid binned(std::span<const Vec3> points, double cell, const fs::path& path) {
+HeightGrid bin_points(std::span<const Vec3> points, double cell, const fs::path& path) {
   Bounds box;
   for (const Vec3& point : points) box.include(point);
   const Cells cells(box.low.head<2>(), box.high.head<2>(), cell, path);

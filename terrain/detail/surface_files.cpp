@@ -109,7 +109,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
       throw InputError(path.string() +
                        ": holds no heights, only nodata; check which value stands for no data");
     }
-    raster.grid = binned(points, *options.resolution, path);
+    raster.grid = bin_points(points, *options.resolution, path);
     notes.push_back(path.string() + ": made coarser, means over " + cells_of(*options.resolution));
   } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
                           [](double height) { return std::isfinite(height); })) {

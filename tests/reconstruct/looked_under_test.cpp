@@ -100,8 +100,8 @@ TEST(LookedUnder, ABallStandsOnItsFoot) {
   const Photographed ball(standing(unit_sphere(24), 0.02));
   const TriangleMesh open = ball.open();
   const SeenThrough through = ball.through();
-  const Underside without = *closed_underside(open, {.ground = kGround});
-  const Underside with = *closed_underside(open, {.ground = kGround, .through = &through});
+  const Underside without = *close_underside(open, {.ground = kGround});
+  const Underside with = *close_underside(open, {.ground = kGround, .through = &through});
   std::cout << ball.volume() << ": " << *without.upper_volume << " -> " << *with.upper_volume
             << "\n";
   EXPECT_EQ(with.lower_volume, without.lower_volume);
@@ -113,11 +113,11 @@ TEST(LookedUnder, ABallStandsOnItsFoot) {
 // Nothing is known where the cubes don't reach, and of no cubes nothing.
 TEST(LookedUnder, WithoutKnowledgeTheBracketStays) {
   const TriangleMesh open = Photographed(standing(unit_sphere(16), 0.02)).open();
-  const Underside without = *closed_underside(open, {.ground = kGround});
+  const Underside without = *close_underside(open, {.ground = kGround});
   const SeenThrough none;
   const SeenThrough far{Vec3::Constant(100.0), 0.05, {2, 2, 2}, std::vector<std::uint8_t>(8, 1)};
   for (const SeenThrough* through : {&none, &far}) {
-    const Underside with = *closed_underside(open, {.ground = kGround, .through = through});
+    const Underside with = *close_underside(open, {.ground = kGround, .through = through});
     EXPECT_EQ(with.upper_volume, without.upper_volume);
     EXPECT_EQ(with.best_volume, without.best_volume);
   }
@@ -149,8 +149,8 @@ TEST(LookedUnder, UndercutRocksInManyPosesKeepTheirVolumeInTheBracket) {
       const Photographed body(standing(undercut(turned, foot), buried));
       const SeenThrough through = body.through();
       const TriangleMesh open = body.open();
-      const Underside without = *closed_underside(open, {.ground = kGround});
-      const Underside with = *closed_underside(open, {.ground = kGround, .through = &through});
+      const Underside without = *close_underside(open, {.ground = kGround});
+      const Underside with = *close_underside(open, {.ground = kGround, .through = &through});
       const double truth = body.volume();
       ASSERT_TRUE(without.upper_volume.has_value()) << seed << " " << pose;
       std::cout << 100.0 * buried << " % buried, foot " << foot << ": lower "
