@@ -7,6 +7,9 @@
 
 #include "mesh/half_edges.hpp"
 #include "mesh/plane_fit.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/vertex_corners.hpp"
 
 namespace clast {
 
@@ -30,11 +33,7 @@ bool has_corner(const Triangle& t, std::uint32_t vertex) {
 class Collapser {
  public:
   explicit Collapser(TriangleMesh& mesh)
-      : mesh_(mesh), at_(mesh.vertices.size()), locked_(mesh.vertices.size(), false) {
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const std::uint32_t v : mesh.triangles[t]) at_[v].push_back(t);
-    }
-  }
+      : mesh_(mesh), corners_(mesh), locked_(mesh.vertices.size(), false) {}
 
   bool collapse_shortest(std::uint32_t triangle) {
     const Triangle& t = mesh_.triangles[triangle];
@@ -51,32 +50,15 @@ class Collapser {
   }
 
   void compact() {
-    std::vector<Triangle> kept;
-    for (const Triangle& t : mesh_.triangles) {
-      if (!collapsed(t)) kept.push_back(t);
-    }
-    std::vector<bool> used(mesh_.vertices.size(), false);
-    for (const Triangle& t : kept) {
-      for (const std::uint32_t v : t) used[v] = true;
-    }
-    Indices number(mesh_.vertices.size());
-    std::uint32_t count = 0;
-    for (std::uint32_t v = 0; v < used.size(); ++v) {
-      if (!used[v]) continue;
-      number[v] = count;
-      const Vec3 point = mesh_.vertices[v];
-      mesh_.vertices[count++] = point;
-    }
-    mesh_.vertices.resize(count);
-    for (Triangle& t : kept) t = {number[t[0]], number[t[1]], number[t[2]]};
-    mesh_.triangles = std::move(kept);
+    std::erase_if(mesh_.triangles, collapsed);
+    drop_unused_vertices(mesh_);
   }
 
  private:
   Indices neighbours(std::uint32_t vertex) const {
     Indices ring;
-    for (const std::uint32_t t : at_[vertex]) {
-      for (const std::uint32_t v : mesh_.triangles[t]) {
+    for (const std::uint32_t corner : corners_.at(vertex)) {
+      for (const std::uint32_t v : mesh_.triangles[corner / 3]) {
         if (v != vertex) ring.push_back(v);
       }
     }
@@ -89,12 +71,11 @@ class Collapser {
     const Vec3 middle = 0.5 * (mesh_.vertices[u] + mesh_.vertices[v]);
     PlaneFit fit;
     for (const std::uint32_t vertex : {u, v}) {
-      for (const std::uint32_t t : at_[vertex]) {
-        const Triangle& corners = mesh_.triangles[t];
-        const Vec3 normal = unit_normal(mesh_, corners);
-        const std::size_t k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+      for (const std::uint32_t corner : corners_.at(vertex)) {
+        const Triangle& t = mesh_.triangles[corner / 3];
+        const Vec3 normal = unit_normal(mesh_, t);
         fit.add(normal, normal.dot(mesh_.vertices[vertex] - middle),
-                corner_angle(mesh_, corners, k));
+                corner_angle(mesh_, t, corner % 3));
       }
     }
     const Vec3 step = fit.step();
@@ -104,8 +85,8 @@ class Collapser {
 
   /// Would a triangle that keeps area turn over when `from` moves to `place`?
   bool folds(std::uint32_t from, std::uint32_t other, const Vec3& place) const {
-    for (const std::uint32_t t : at_[from]) {
-      const Triangle& corners = mesh_.triangles[t];
+    for (const std::uint32_t corner : corners_.at(from)) {
+      const Triangle& corners = mesh_.triangles[corner / 3];
       if (has_corner(corners, other)) continue;
       std::array<Vec3, 3> points;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -127,23 +108,21 @@ class Collapser {
                           std::back_inserter(shared));
     // Only then the surface stays a manifold; a vertex of three triangles would fold them flat.
     if (shared.size() != 2 || locked_[shared[0]] || locked_[shared[1]]) return false;
-    if (at_[shared[0]].size() < 4 || at_[shared[1]].size() < 4) return false;
+    if (corners_.at(shared[0]).size() < 4 || corners_.at(shared[1]).size() < 4) return false;
     const Vec3 place = meeting_point(u, v);
     if (folds(u, v, place) || folds(v, u, place)) return false;
     for (const Indices* ring : {&ring_u, &ring_v}) {
       for (const std::uint32_t vertex : *ring) locked_[vertex] = true;
     }
     mesh_.vertices[u] = place;
-    for (const std::uint32_t t : at_[v]) {
-      for (std::uint32_t& corner : mesh_.triangles[t]) {
-        if (corner == v) corner = u;
-      }
+    for (const std::uint32_t corner : corners_.at(v)) {
+      mesh_.triangles[corner / 3][corner % 3] = u;
     }
     return true;
   }
 
   TriangleMesh& mesh_;
-  std::vector<Indices> at_;  ///< triangles at each vertex; stale only where locked
+  VertexCorners corners_;  ///< stale only where locked
   std::vector<bool> locked_;
 };
 
@@ -162,19 +141,6 @@ Indices widened(const TriangleMesh& mesh, const Indices& triangles) {
 }
 
 }  // namespace
-
-Vec3 unit_normal(const TriangleMesh& mesh, const Triangle& t) {
-  const Vec3 area =
-      (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
-  const double norm = area.norm();
-  return norm > 0.0 ? Vec3(area / norm) : Vec3(Vec3::Zero());
-}
-
-double corner_angle(const TriangleMesh& mesh, const Triangle& t, std::size_t k) {
-  const Vec3 a = mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]];
-  const Vec3 b = mesh.vertices[t[(k + 2) % 3]] - mesh.vertices[t[k]];
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 std::size_t collapse_edges_of(TriangleMesh& mesh, std::span<const std::uint32_t> wanted) {
   Indices tried(wanted.begin(), wanted.end());

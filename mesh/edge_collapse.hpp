@@ -7,17 +7,9 @@
 
 namespace clast {
 
-/// Unit normal; zero for a triangle without area.
-Vec3 unit_normal(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
-
-/// Angle of a triangle at its corner `k`, rad.
-double corner_angle(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle,
-                    std::size_t k);
-
 /// Collapses the shortest possible edge of each of `wanted` (triangle numbers) to the point that
 /// lies best on the planes around, as long as the stars don't touch and the surface stays a
-/// manifold that folds nowhere; if none of them can, their neighbours are tried. Removed vertices
-/// and triangles are taken out.
+/// manifold that folds nowhere; if none of them can, their neighbours are tried.
 /// @param mesh  closed 2-manifold
 /// @return how many edges were collapsed; 0 leaves the mesh as it was
 std::size_t collapse_edges_of(TriangleMesh& mesh, std::span<const std::uint32_t> wanted);

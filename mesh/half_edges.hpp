@@ -1,5 +1,9 @@
 #pragma once
-/// The sides of all triangles, sorted so that those on one edge stand together.
+/// The sides of all triangles or polygons, sorted so that those on one edge stand together.
+///
+/// This is the one place where edges are found: neighbours, fans, borders, components and the
+/// topology of a mesh are all read from the sorted sides.
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,16 +12,28 @@
 
 namespace clast {
 
-/// One side of one triangle. `forward`: the triangle runs from `low` to `high`.
+/// One side of one triangle or polygon. `forward`: it runs from `low` to `high`.
 struct HalfEdge {
   std::uint32_t low = 0, high = 0;  ///< vertices, low < high
-  std::uint32_t triangle = 0;
+  std::uint32_t triangle = 0;       ///< or number of the polygon
   bool forward = false;
+  std::uint32_t side = 0;  ///< side k runs from corner k to the next
 
   std::uint32_t from() const { return forward ? low : high; }
   std::uint32_t to() const { return forward ? high : low; }
+  /// Corners of the triangle at both vertices and opposite: 3 t + k is vertex k of triangle t.
+  std::uint32_t low_corner() const { return 3 * triangle + (side + (forward ? 0 : 1)) % 3; }
+  std::uint32_t high_corner() const { return 3 * triangle + (side + (forward ? 1 : 0)) % 3; }
+  std::uint32_t opposite_corner() const { return 3 * triangle + (side + 2) % 3; }
   bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
+
+/// Vertices of an edge, the smaller number first: the key by which sets and maps know it.
+using EdgeKey = std::array<std::uint32_t, 2>;
+
+inline EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
+  return a < b ? EdgeKey{a, b} : EdgeKey{b, a};
+}
 
 /// Is a vertex repeated?
 inline bool collapsed(const TriangleMesh::Triangle& t) {
@@ -26,6 +42,10 @@ inline bool collapsed(const TriangleMesh::Triangle& t) {
 
 /// Sorted by edge, then triangle. Triangles with a repeated vertex have none.
 std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
+
+/// The same of polygons: sorted by edge, then polygon, then side. A side from a vertex to itself
+/// counts, with `low` equal to `high`.
+std::vector<HalfEdge> sorted_half_edges(std::span<const std::vector<std::uint32_t>> polygons);
 
 /// Calls `use(sides)` with the half-edges of each edge, in order.
 template <class Use>
@@ -38,8 +58,13 @@ void for_each_edge(std::span<const HalfEdge> sorted, Use&& use) {
   }
 }
 
-/// The triangles at each vertex, grouped into fans connected over shared edges. Corner 3 t + k is
-/// vertex k of triangle t; the value is the smallest corner of its fan.
+/// Are these the two sides of an edge inside a closed, oriented surface?
+inline bool are_neighbours(std::span<const HalfEdge> sides) {
+  return sides.size() == 2 && sides[0].forward != sides[1].forward && sides[0].low != sides[0].high;
+}
+
+/// The triangles at each vertex, grouped into fans connected over shared edges: for every corner,
+/// 3 t + k, the smallest corner of its fan.
 std::vector<std::uint32_t> corner_fans(const TriangleMesh& mesh, std::span<const HalfEdge> sorted);
 
 }  // namespace clast

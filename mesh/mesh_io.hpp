@@ -39,7 +39,7 @@ inline constexpr const char* kOriginLine = "origin ";
 /// Writes by extension: .stl (binary), .obj, .ply (binary), .glb, .vtp. Written through a
 /// temporary file; coordinates as they are, whatever a format says about its up axis. OBJ, PLY and
 /// VTP keep every bit of a double. STL and GLB hold floats: a mesh too far from the origin for them
-/// is written less an origin of whole metres near it, which "<path>.origin.txt" tells. That file
+/// is written less an origin of whole metres near it, which "<path>.origin.txt" states. That file
 /// is subject to the same rules as the mesh; one that a former mesh left is removed with it.
 /// @return what was taken off the coordinates, m; zero nearly always
 /// @throws InputError     unknown extension, as `OutputFile`, or the disk is full

@@ -110,7 +110,7 @@ std::string MeshReport::summary() const {
   if (degenerate_triangles > 0) {
     defects.push_back(counted(degenerate_triangles, "degenerate triangle", "degenerate triangles"));
   }
-  if (components > 1) defects.push_back(std::to_string(components) + " pieces");
+  if (components > 1) defects.push_back(std::to_string(components) + " components");
   if (defects.empty()) return "closed";
   std::string text;
   for (const std::string& defect : defects) text += (text.empty() ? "" : ", ") + defect;
@@ -151,10 +151,10 @@ MeshReport inspect(const TriangleMesh& mesh) {
   report.euler_characteristic =
       static_cast<long>(used) - static_cast<long>(report.edges) + static_cast<long>(faces);
   const std::vector<std::uint32_t> components = triangle_components(mesh);
-  std::vector<bool> counted_piece(mesh.triangles.size(), false);
+  std::vector<bool> seen(mesh.triangles.size(), false);
   for (std::size_t t = 0; t < components.size(); ++t) {
-    if (collapsed(mesh.triangles[t]) || counted_piece[components[t]]) continue;
-    counted_piece[components[t]] = true;
+    if (collapsed(mesh.triangles[t]) || seen[components[t]]) continue;
+    seen[components[t]] = true;
     ++report.components;
   }
   return report;

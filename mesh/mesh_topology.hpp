@@ -1,5 +1,5 @@
 #pragma once
-/// What a mesh is as a surface: closed, manifold, oriented, in how many pieces.
+/// What a mesh is as a surface: closed, manifold, oriented, in how many components.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -20,7 +20,7 @@ struct MeshReport {
   std::size_t misoriented_edges = 0;     ///< both triangles run along it in the same direction
   std::size_t pinched_vertices = 0;      ///< their triangles form more than one fan
   std::size_t degenerate_triangles = 0;  ///< a repeated vertex, or no area
-  std::size_t components = 0;            ///< pieces connected over edges
+  std::size_t components = 0;            ///< connected over edges
   long euler_characteristic = 0;         ///< V - E + F over used vertices; 2 for a sphere
 
   bool closed() const { return triangles > 0 && boundary_edges == 0 && non_manifold_edges == 0; }

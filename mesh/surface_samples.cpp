@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "mesh/triangle_geometry.hpp"
 
 namespace clast {
 
@@ -16,9 +17,7 @@ std::vector<Vec3> spread_points(const TriangleMesh& mesh, std::size_t count) {
   std::vector<double> doubled_areas;
   double total = 0.0;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    doubled_areas.push_back((mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                                .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
-                                .norm());
+    doubled_areas.push_back(area_vector(mesh, t).norm());
     total += doubled_areas.back();
   }
   Random random(kSeed);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/edge_collapse.hpp"
 #include "mesh/half_edges.hpp"
+#include "mesh/triangle_geometry.hpp"
 
 namespace clast {
 

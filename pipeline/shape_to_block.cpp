@@ -117,7 +117,7 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
     if (shape.body.faces.empty()) {
       block = block_from_skeleton(shape, *taken.block.radius, id, std::move(source), taken);
     } else {
-      const Scan scan = cleaned_scan(core_mesh(shape.body), where, taken.scan);
+      const Scan scan = clean_scan(core_mesh(shape.body), where, taken.scan);
       const SpheroPolyhedron body = sphero_polyhedron(scan.mesh, *taken.block.radius);
       block = make_block(id, with_merged_faces(body, kFlatInFiles), std::move(source), taken.block);
       warn_of_crossings(block, scan.mesh);

@@ -13,16 +13,16 @@
 #include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "mesh/mesh_topology.hpp"
+#include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "reconstruct/detail/cloud.hpp"
 #include "reconstruct/detail/cloud_margin.hpp"
 #include "reconstruct/detail/cloud_normals.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/detail/local_surface.hpp"
 #include "reconstruct/detail/outliers.hpp"
-#include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/poisson.hpp"
 #include "reconstruct/detail/seen_surface.hpp"
-#include "reconstruct/detail/soup.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 
 namespace clast {
@@ -229,9 +229,9 @@ void add_volumes(SurfaceMargin& margin, const Body& body) {
   margin.volume_below = kSafety * std::max(0.0, -mean) + kScatters * apart + rough;
 }
 
-TriangleMesh largest_piece(const TriangleMesh& mesh) {
-  std::vector<reconstruct_detail::Piece> pieces = reconstruct_detail::pieces_of(mesh);
-  return pieces.empty() ? TriangleMesh() : std::move(pieces.front().mesh);
+TriangleMesh largest_component(const TriangleMesh& mesh) {
+  std::vector<reconstruct_detail::Component> components = reconstruct_detail::components_of(mesh);
+  return components.empty() ? TriangleMesh() : std::move(components.front().mesh);
 }
 
 }  // namespace
@@ -257,14 +257,14 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   const double cell = options.cell * box.diagonal();
   const bool dense = cell > kSpacings * reconstruct_detail::spacing(points);
   const Body body = body_through(
-      dense ? reconstruct_detail::thinned(points, cell)
+      dense ? reconstruct_detail::decimated(points, cell)
             : std::vector<Vec3>(points.begin(), points.end()),
       dense ? std::span<const int>(kManyFirst) : std::span<const int>(kFewFirst), options.trim);
   const reconstruct_detail::SeenSurface& seen = body.seen;
-  TriangleMesh open = reconstruct_detail::with_triangles(body.surface, seen.seen);
+  TriangleMesh open = with_triangles(body.surface, seen.seen);
   reconstruct_detail::cut_touching_edges(open);
   reconstruct_detail::split_pinched_vertices(open);
-  open = largest_piece(open);
+  open = largest_component(open);
   if (open.triangles.empty()) {
     throw GeometryError("the surface found does not follow the " + std::to_string(points.size()) +
                         " points; check that all lie on the surface of one block, and clean the "

@@ -23,7 +23,7 @@ struct CloudSurfaceOptions {
 
 /// A surface through points, and what was done to get it.
 struct CloudSurface {
-  /// An oriented 2-manifold in one piece, outward; closed where points are all around. m
+  /// An oriented 2-manifold in one component, outward; closed where points are all around. m
   TriangleMesh mesh;
   SurfaceMargin margin;      ///< what the points leave open of the part that was seen
   std::size_t outliers = 0;  ///< points left out because they lie off the surface

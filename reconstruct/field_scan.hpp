@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks out of field scans: ground taken away, underside closed, and what is left open bounded.
+/// Blocks out of field scans: ground removed, underside closed, and what is left open bounded.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace clast {
 
-/// How a field scan is taken apart.
+/// How a field scan is divided into blocks.
 struct FieldScanOptions {
   ScanOptions scan;
   bool up_given = false;  ///< `scan.up` holds; else z points up from the ground where one is found
@@ -43,12 +43,12 @@ struct FieldScan {
 };
 
 /// The blocks of a mesh or cloud, at least one. A closed mesh is cleaned as `read_scan` does. Of an
-/// open one the ground is taken away and the underside closed. Points become a surface first.
+/// open one the ground is removed and the underside closed. Points become a surface first.
 /// With `split` the blocks come in order of x, then y, of the file; without, there is one.
 /// @throws InputError     what `read_mesh` and `stream_cloud` throw; a cloud of too few points;
 ///                        coordinates that lost the block's shape because the file keeps too few
 ///                        digits of them
-/// @throws GeometryError  only ground, and what `cleaned_scan` and `closed_underside` throw
+/// @throws GeometryError  only ground, and what `clean_scan` and `close_underside` throw
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options = {});
 
 /// The same of a mesh or of points in memory; `name` is used in messages.

@@ -19,8 +19,8 @@ namespace {
 
 /// Planes are tried on one point for each cube of this side, so that points count by the area they
 /// stand for. Of the diagonal.
-constexpr double kThinCell = 1.0 / 150.0;
-/// A ground has at least this share of the thinned points,
+constexpr double kDecimationCell = 1.0 / 150.0;
+/// A ground has at least this share of the decimated points,
 constexpr double kLeastShare = 0.1;
 /// no more than this share lies below it,
 constexpr double kMostBelow = 0.1;
@@ -55,7 +55,7 @@ Plane plane_through(std::span<const Vec3> points) {
   return {normal, normal.dot(centre)};
 }
 
-/// How the thinned points lie about a plane.
+/// How the decimated points lie about a plane.
 struct Sides {
   std::size_t on = 0, above = 0, below = 0;
 };
@@ -225,7 +225,7 @@ void GroundOptions::check() const {
 
 namespace {
 
-/// Of single points, which thinned ones have lost.
+/// Of single points, which decimated ones have lost.
 double roughness_of(std::span<const Vec3> points, const Ground::Surface& surface,
                     double tolerance) {
   std::vector<double> heights;
@@ -248,21 +248,23 @@ double roughness_of(std::span<const Vec3> points, const Ground::Surface& surface
 
 }  // namespace
 
-std::optional<Ground> found_ground(std::span<const Vec3> points, const GroundOptions& options) {
+std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOptions& options) {
   options.check();
   Bounds box;
   for (const Vec3& p : points) box.include(p);
   const double diagonal = points.empty() ? 0.0 : box.diagonal();
-  const std::vector<Vec3> thin = reconstruct_detail::thinned(points, kThinCell * diagonal);
-  if (thin.size() < 50) return std::nullopt;
+  const std::vector<Vec3> sparse =
+      reconstruct_detail::decimated(points, kDecimationCell * diagonal);
+  if (sparse.size() < 50) return std::nullopt;
   const double tolerance = options.tolerance * diagonal;
-  const Plane plane = consensus_plane(thin, tolerance, options);
-  const Sides sides = sides_of(thin, plane, tolerance);
+  const Plane plane = consensus_plane(sparse, tolerance, options);
+  const Sides sides = sides_of(sparse, plane, tolerance);
   const auto share = [&](std::size_t count) {
-    return static_cast<double>(count) / static_cast<double>(thin.size());
+    return static_cast<double>(count) / static_cast<double>(sparse.size());
   };
   if (share(sides.on) < kLeastShare || share(sides.below) > kMostBelow) return std::nullopt;
-  if (!goes_on_around(thin, plane, tolerance, 3.0 * kThinCell * diagonal)) return std::nullopt;
+  if (!goes_on_around(sparse, plane, tolerance, 3.0 * kDecimationCell * diagonal))
+    return std::nullopt;
 
   const Quat turn = Quat::FromTwoVectors(plane.normal, Vec3::UnitZ());
   const Vec3 origin =
@@ -270,7 +272,7 @@ std::optional<Ground> found_ground(std::span<const Vec3> points, const GroundOpt
       (Mat3::Identity() - plane.normal * plane.normal.transpose()) * (0.5 * (box.low + box.high));
   std::vector<Vec3> flat;
   Eigen::AlignedBox2d extent;
-  for (const Vec3& p : thin) {
+  for (const Vec3& p : sparse) {
     flat.push_back(turn * (p - origin));
     extent.extend(Vec2(flat.back().head<2>()));
   }

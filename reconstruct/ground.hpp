@@ -10,7 +10,7 @@
 
 namespace clast {
 
-/// How ground is told from blocks. Shares are of the diagonal of the scan.
+/// How ground is distinguished from blocks. Shares are of the diagonal of the scan.
 struct GroundOptions {
   std::uint64_t seed = 1;    ///< of the draws of planes
   int trials = 1000;         ///< planes drawn
@@ -49,6 +49,6 @@ class Ground {
 /// @param points  without outliers, m
 /// @returns none where no plane is the ground of the rest: a block by itself
 /// @cite fischler1981
-std::optional<Ground> found_ground(std::span<const Vec3> points, const GroundOptions& options = {});
+std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOptions& options = {});
 
 }  // namespace clast

@@ -16,29 +16,29 @@ struct RepairOptions {
   /// May surface be invented? False for a core, of which every vertex is meant: holes of more than
   /// four edges and edges of more than two triangles are refused then, spikes and crossings stay.
   bool invent = true;
-  double largest_hole = 0.4;  ///< share of the mended surface that one filling may be
-  /// How places are told in messages and report, for example in the coordinates of the scan's file;
-  /// empty: in those of the mesh.
-  std::function<Vec3(const Vec3&)> place_told = {};
+  double largest_hole = 0.4;  ///< share of the repaired surface that one filling may be
+  /// How places are given in messages and report, for example in the coordinates of the scan's
+  /// file; empty: in those of the mesh.
+  std::function<Vec3(const Vec3&)> reported_place = {};
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 template <class Visit>
 void visit_fields(const RepairOptions& options, Visit&& visit) {
-  const auto& [weld_tolerance, keep_inner_shells, invent, largest_hole, place_told] = options;
+  const auto& [weld_tolerance, keep_inner_shells, invent, largest_hole, reported_place] = options;
   visit("weld_tolerance", weld_tolerance);
   visit("keep_inner_shells", keep_inner_shells);
   visit("invent", invent);
   visit("largest_hole", largest_hole);
-  visit("place_told", NoInfluence{place_told});
+  visit("reported_place", NoInfluence{reported_place});
 }
 
 /// Coordinates beyond this (m) are no place on Earth or any rock: the file is damaged. Squares and
 /// cubes of lengths stay finite below it.
 inline constexpr double kLargestCoordinate = 1e15;
 
-struct Repaired {
+struct RepairedMesh {
   TriangleMesh mesh;  ///< closed, 2-manifold, outward, crosses itself nowhere; cavities inward
   RepairReport report;
 };
@@ -51,6 +51,6 @@ struct Repaired {
 /// comes back as it is. Order and limits: docs/theory.md, "Repair".
 /// @throws GeometryError  which defect remains, where, and what a person can do
 /// @cite liepa2003 portaneri2022
-Repaired repaired(const TriangleMesh& dirty, const RepairOptions& options = {});
+RepairedMesh repair_mesh(const TriangleMesh& dirty, const RepairOptions& options = {});
 
 }  // namespace clast

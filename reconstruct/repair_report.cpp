@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "core/number_text.hpp"
+#include "reconstruct/detail/holes.hpp"
 
 namespace clast {
 
 namespace {
 
 /// A share of the surface below which it isn't worth a word.
-constexpr double kWorthTelling = 1e-3;
-constexpr std::size_t kFanEdges = 4;  ///< a hole with more is closed by more than a fan
+constexpr double kWorthNoting = 1e-3;
 
 std::string percent(double share) { return with_digits(100.0 * share, 3) + " %"; }
 
@@ -52,7 +52,7 @@ class Sentences {
   }
 
   static std::string worth_of(const Defect& defect) {
-    if (defect.area_share < kWorthTelling) return "";
+    if (defect.area_share < kWorthNoting) return "";
     return ", " + percent(defect.area_share) + " of the surface";
   }
 
@@ -157,7 +157,9 @@ class Sentences {
     if (fans > 0) {
       notes.push_back(counted(fans, "hole", "holes") + " with " +
                       counted(fan_edges, "border edge", "border edges") + " in all closed by " +
-                      (largest_fan <= kFanEdges ? "a fan" : "triangles between their corners"));
+                      (largest_fan <= reconstruct_detail::kFanEdges
+                           ? "a fan"
+                           : "triangles between their corners"));
     }
     if (largest != nullptr) {
       notes.push_back(counted(fillings, "hole", "holes") + " filled; the largest has " +
@@ -165,7 +167,7 @@ class Sentences {
                       metres(largest->perimeter) + " round and reaches " + metres(largest->radius) +
                       " from its middle at " + place(largest->centre));
     }
-    if (report_.invented_share >= kWorthTelling) {
+    if (report_.invented_share >= kWorthNoting) {
       std::string open;
       if (report_.volume_below + report_.volume_above > 0.0) {
         open = "; the volume may be up to " + with_digits(report_.volume_below, 2) +
@@ -178,7 +180,7 @@ class Sentences {
       if (hole.area_share <= kLargeHole) continue;
       notes.push_back("the filling at " + place(hole.centre) + " is " + percent(hole.area_share) +
                       " of the surface: a guess that volume and axes depend on; scan that side, "
-                      "or check the volume by weighing (--mass with --density)");
+                      "or check the volume by weighing (`mass` with `density`)");
     }
     return notes;
   }

@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// In the order in which they are mended.
+/// In the order in which they are repaired.
 enum class DefectKind {
   kNearVertices,   ///< stored more than once, a little apart: joined
   kNoArea,         ///< triangles without area, or stored twice: dropped
@@ -18,23 +18,23 @@ enum class DefectKind {
   kTouchingEdge,   ///< edges of more than two triangles: cut apart
   kMixedWinding,   ///< triangles that face the other way than their neighbours: turned
   kPinchedVertex,  ///< vertices where the surface touches itself: split
-  kDoubleSheet,    ///< open pieces that lie on the block, or are copies of a part of it: dropped
-  kDoubledShell,   ///< closed copies of the whole block a little apart from it: dropped
-  kIsland,         ///< pieces beside the block, or loose in it: dropped
-  kInnerShell,     ///< closed pieces inside the block: dropped, or kept as cavities
-  kSpike,          ///< vertices that stand out of their neighbourhood: put back
-  kHole,           ///< filled
-  kCrossing,       ///< triangles that pass through others: replaced
-  kInward,         ///< the whole surface faced inwards: turned
-  kTunnel          ///< goes through the block: told of, nothing is done
+  kDoubleSheet,   ///< open components that lie on the block, or are copies of a part of it: dropped
+  kDoubledShell,  ///< closed copies of the whole block a little apart from it: dropped
+  kIsland,        ///< components beside the block, or loose in it: dropped
+  kInnerShell,    ///< closed components inside the block: dropped, or kept as cavities
+  kSpike,         ///< vertices that stand out of their neighbourhood: put back
+  kHole,          ///< filled
+  kCrossing,      ///< triangles that pass through others: replaced
+  kInward,        ///< the whole surface faced inwards: turned
+  kTunnel         ///< goes through the block: reported, nothing is done
 };
 
-/// All defects of one kind. Lengths in metres; places as `RepairOptions::place_told` says.
+/// All defects of one kind. Lengths in metres; places as `RepairOptions::reported_place` says.
 struct Defect {
   DefectKind kind;
-  std::size_t count = 0;      ///< vertices, edges, triangles, pieces or holes: what `kind` names
-  double area_share = 0.0;    ///< of the surface as read (holes: as mended) that it covers
-  double size = 0.0;          ///< how far apart, high or long the largest is, m; 0: has no size
+  std::size_t count = 0;    ///< vertices, edges, triangles, components or holes: what `kind` names
+  double area_share = 0.0;  ///< of the surface as read (holes: as repaired) that it covers
+  double size = 0.0;        ///< how far apart, high or long the largest is, m; 0: has no size
   std::optional<Vec3> place;  ///< a point of the largest one, or of the first
 };
 
@@ -44,7 +44,7 @@ struct FilledHole {
   double perimeter = 0.0;   ///< m
   double radius = 0.0;      ///< from the middle of its border to the farthest point of it, m
   double area = 0.0;        ///< of the filling, m^2
-  double area_share = 0.0;  ///< of the mended surface
+  double area_share = 0.0;  ///< of the repaired surface
   Vec3 centre = Vec3::Zero();
   bool fan = false;  ///< closed by triangles between its border vertices alone
   /// How much smaller or larger the volume may be here than with the filling, m^3.
@@ -72,7 +72,7 @@ struct DoubledSurface {
   KeptFor kept_for = KeptFor::kSize;
 };
 
-/// A hole larger than this share of the mended surface is told of by itself: its filling is a
+/// A hole larger than this share of the repaired surface is reported by itself: its filling is a
 /// guess.
 constexpr double kLargeHole = 0.1;
 
@@ -97,14 +97,14 @@ struct RepairReport {
   const Defect* find(DefectKind kind) const;  ///< null: none of that kind
 };
 
-/// One report of two mends of the same surface: counts of a kind add up, the larger place stays.
+/// One report of two repairs of the same surface: counts of a kind add up, the larger place stays.
 /// The surface as read is that of the first, unless nothing is known of it.
 RepairReport joined(RepairReport first, RepairReport second);
 
 /// What a kind is called in a table: "spikes put back".
 const char* name_of(DefectKind kind);
 
-/// The report as sentences, one for each mend, with counts, sizes and places.
+/// The report as sentences, one for each repair, with counts, sizes and places.
 std::vector<std::string> repair_notes(const RepairReport& report);
 
 }  // namespace clast

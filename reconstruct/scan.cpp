@@ -22,12 +22,12 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
   options.check();
   const TriangleMesh raw = read_mesh(path);
   const std::string note = reconstruct_detail::digits_note(raw, path, options.unit);
-  Scan scan = cleaned_scan(raw, path.string(), options);
+  Scan scan = clean_scan(raw, path.string(), options);
   if (!note.empty()) scan.notes.push_back(note);
   return scan;
 }
 
-Scan cleaned_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options) {
+Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options) {
   options.check();
   const bool y_up = options.up == "y";
   TriangleMesh mesh = raw;
@@ -36,11 +36,11 @@ Scan cleaned_scan(const TriangleMesh& raw, const std::string& name, const ScanOp
     if (y_up) vertex = Vec3(vertex.x(), -vertex.z(), vertex.y());
   }
   RepairOptions repair = options.repair;
-  repair.place_told = [&](const Vec3& there) -> Vec3 {
+  repair.reported_place = [&](const Vec3& there) -> Vec3 {
     return (y_up ? Vec3(there.x(), there.z(), -there.y()) : there) / options.unit;
   };
   try {
-    Repaired result = repaired(mesh, repair);
+    RepairedMesh result = repair_mesh(mesh, repair);
     std::vector<std::string> notes = repair_notes(result.report);
     return {std::move(result.mesh), std::move(result.report), std::move(notes)};
   } catch (const GeometryError& error) {

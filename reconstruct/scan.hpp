@@ -31,17 +31,16 @@ void visit_fields(const ScanOptions& options, Visit&& visit) {
 struct Scan {
   TriangleMesh mesh;               ///< closed, 2-manifold, outward; metres, z up; cavities inward
   RepairReport report;             ///< places in the coordinates of the file
-  std::vector<std::string> notes;  ///< each mend in words, with counts, and doubts about the file
+  std::vector<std::string> notes;  ///< each repair in words, with counts, and doubts about the file
 };
 
 /// Reads, repairs, scales and turns upright.
 /// @throws InputError     what `read_mesh` throws; coordinates that lost the block's shape because
 ///                        the file keeps too few digits of them
-/// @throws GeometryError  what `repaired` throws, with the file's name
+/// @throws GeometryError  what `repair_mesh` throws, with the file's name
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
 
 /// The same for a mesh that is already in memory; `name` is used in messages.
-Scan cleaned_scan(const TriangleMesh& raw, const std::string& name,
-                  const ScanOptions& options = {});
+Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options = {});
 
 }  // namespace clast

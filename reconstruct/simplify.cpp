@@ -18,8 +18,8 @@
 #include "mesh/edge_collapse.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
-#include "reconstruct/detail/crossing_mends.hpp"
-#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/components.hpp"
+#include "reconstruct/detail/crossing_repair.hpp"
 
 namespace clast {
 
@@ -27,18 +27,18 @@ namespace {
 
 namespace Simplification = CGAL::Surface_mesh_simplification;
 
-/// Targets tried in turn, as multiples of the one asked for, when a thinned mesh crosses itself:
+/// Targets tried in turn, as multiples of the one asked for, when a simplified mesh crosses itself:
 /// tunnels of a porous scan need vertices to stay open.
 constexpr double kMultiples[] = {1.0, 1.25, 1.5, 2.0};
 /// Share of the volume that drawing crossing triangles together may change.
 constexpr double kVolumeKept = 1e-3;
 /// Rounds of collapsing what crosses before more vertices are tried.
 constexpr int kUntanglings = 20;
-/// So many times the vertices a thinned mesh may have once what crosses was filled anew.
+/// So many times the vertices a simplified mesh may have once what crosses was filled anew.
 constexpr double kMostRefill = 2.0;
 /// And so much of its volume may change: the body that is made of it is scaled to the scan's.
 constexpr double kRefillVolume = 0.01;
-/// Triangles at one vertex of a surface that is thinned within seconds.
+/// Triangles at one vertex of a surface that is simplified within seconds.
 constexpr std::uint32_t kMostAround = 500;
 
 /// Edges of a closed mesh with `vertices` vertices: V - E + F = chi and 3 F = 2 E.
@@ -78,11 +78,11 @@ std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
 /// The last way: what still crosses is cut out and filled anew, which closes a tunnel that is too
 /// narrow for the number of vertices. None where that doesn't help, or changes more than a sliver.
 std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origin) {
-  const std::vector<std::uint32_t> piece = triangle_components(mesh);
-  if (*std::max_element(piece.begin(), piece.end()) > 0) return std::nullopt;
+  const std::vector<std::uint32_t> component = triangle_components(mesh);
+  if (*std::max_element(component.begin(), component.end()) > 0) return std::nullopt;
   const TriangleMesh start = reconstruct_detail::on_grid(mesh, origin);
   std::optional<reconstruct_detail::FreedSurface> freed =
-      reconstruct_detail::freed_of_crossings(start, origin);
+      reconstruct_detail::free_of_crossings(start, origin);
   if (!freed || freed->wrap_bias ||
       static_cast<double>(freed->mesh.vertices.size()) >
           kMostRefill * static_cast<double>(mesh.vertices.size())) {
@@ -105,7 +105,7 @@ void refuse_wide_fan(const TriangleMesh& mesh) {
   if (*most <= kMostAround) return;
   throw GeometryError(std::to_string(*most) + " triangles meet at one vertex, near " +
                       place(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
-                      ": to thin such a fan takes hours; remesh the surface with triangles of even "
+                      ": to simplify such a fan takes hours; remesh the surface with triangles of even "
                       "size first (isotropic remeshing), or ask for " +
                       std::to_string(mesh.vertices.size()) + " vertices, which keeps all of them");
 }
@@ -123,7 +123,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   options.check();
   const MeshReport report = inspect(mesh);
   if (!report.closed() || !report.oriented() || report.pinched_vertices > 0) {
-    throw GeometryError("only a closed surface can be thinned, this one has " + report.summary());
+    throw GeometryError("only a closed surface can be simplified, this one has " + report.summary());
   }
   if (mesh.vertices.size() <= options.target_vertices) return mesh;
   refuse_wide_fan(mesh);
@@ -139,10 +139,10 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   for (const double multiple : kMultiples) {
     const auto target = std::max<std::size_t>(
         4, static_cast<std::size_t>(multiple * static_cast<double>(options.target_vertices)));
-    TriangleMesh thinned = collapsed_to(start, edges_of(target, report.euler_characteristic));
-    if (first.triangles.empty()) first = thinned;
-    for (Vec3& vertex : thinned.vertices) vertex += origin;
-    if (std::optional<TriangleMesh> sound = untangled(thinned)) return std::move(*sound);
+    TriangleMesh fewer = collapsed_to(start, edges_of(target, report.euler_characteristic));
+    if (first.triangles.empty()) first = fewer;
+    for (Vec3& vertex : fewer.vertices) vertex += origin;
+    if (std::optional<TriangleMesh> sound = untangled(fewer)) return std::move(*sound);
   }
   std::optional<TriangleMesh> sound = refilled(first, origin);
   for (TriangleMesh* made : {&first, sound ? &*sound : nullptr}) {
@@ -152,7 +152,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   if (sound && crossing_triangles(*sound).empty()) return std::move(*sound);
   const auto crossings = crossing_triangles(first);
   const auto input_crossings = crossing_triangles(mesh);
-  std::string message = "thinned to " + std::to_string(options.target_vertices) +
+  std::string message = "simplified to " + std::to_string(options.target_vertices) +
                         " vertices the surface passes through itself";
   if (!crossings.empty()) {
     message += " near " + place(first.vertices[first.triangles[crossings[0][0]][0]]);

@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// How a closed surface is thinned before it becomes a block.
+/// How a closed surface is simplified before it becomes a block.
 struct SimplifyOptions {
   std::size_t target_vertices = 250;
 
@@ -19,7 +19,8 @@ struct SimplifyOptions {
 /// narrow even for that is closed, where that changes the volume by less than 1 %. A mesh at or
 /// below the target is returned as it is.
 /// @param mesh  closed, 2-manifold, outward
-/// @throws GeometryError  mesh not closed; more than 500 triangles meet at a vertex; or the thinned
+/// @throws GeometryError  mesh not closed; more than 500 triangles meet at a vertex; or the
+/// simplified
 ///                        mesh crosses itself all the same
 /// @cite lindstrom1998
 TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options = {});

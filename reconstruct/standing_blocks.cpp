@@ -13,9 +13,9 @@ namespace {
 constexpr double kClear = 3.0;       ///< times the roughness: certainly above the ground
 constexpr double kSmoothest = 3e-4;  ///< of the diagonal; a ground made by a program has none
 constexpr double kThinCell =
-    1.0 / 200.0;                ///< of the diagonal: pieces are told apart on fewer points
-constexpr double kReach = 2.5;  ///< cells from one point of a piece to the next
-constexpr double kLeastOfLargest = 0.05;  ///< of the points of the largest piece
+    1.0 / 200.0;                ///< of the diagonal: components are separated on fewer points
+constexpr double kReach = 2.5;  ///< cells from one point of a component to the next
+constexpr double kLeastOfLargest = 0.05;  ///< of the points of the largest component
 constexpr double kSlenderest = 0.1;  ///< height over plan diagonal; a step in the ground has less
 /// Below that the wall is followed down in steps of this many times the roughness, by a plane
 /// through so many points of it, from a band of so many steps;
@@ -53,8 +53,8 @@ Wall wall_near(const Vec3& point, const Vec3& block_centre, std::span<const Vec3
           near.front().distance};
 }
 
-/// Pieces of thinned points above the ground, as they are seen from it.
-struct Piece {
+/// Components of decimated points above the ground, as they are seen from it.
+struct Component {
   std::vector<Vec3> points;
   double height = 0.0, plan_diagonal = 0.0;
   Vec3 centre = Vec3::Zero();
@@ -74,63 +74,64 @@ class Standing {
   StandingBlocks run() {
     heights_.reserve(points_.size());
     for (const Vec3& p : points_) heights_.push_back(ground_.height(p));
-    find_pieces();
+    find_components();
     StandingBlocks result;
-    if (pieces_.empty()) {
+    if (components_.empty()) {
       for (std::uint32_t i = 0; i < points_.size(); ++i) result.ground.push_back(i);
       return result;
     }
     share_out(result);
-    result.central = central_piece();
+    result.central = central_component();
     return result;
   }
 
  private:
-  void find_pieces() {
+  void find_components() {
     std::vector<Vec3> above;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (heights_[i] > clear_) above.push_back(points_[i]);
     }
     if (above.empty()) return;
-    const std::vector<Vec3> thin = reconstruct_detail::thinned(above, cell_);
+    const std::vector<Vec3> sparse = reconstruct_detail::decimated(above, cell_);
     for (const std::vector<std::uint32_t>& set :
-         reconstruct_detail::clusters(thin, kReach * cell_, 10)) {
-      if (!pieces_.empty() &&
+         reconstruct_detail::clusters(sparse, kReach * cell_, 10)) {
+      if (!components_.empty() &&
           static_cast<double>(set.size()) <
-              kLeastOfLargest * static_cast<double>(pieces_.front().points.size())) {
+              kLeastOfLargest * static_cast<double>(components_.front().points.size())) {
         break;
       }
-      Piece piece;
+      Component component;
       Bounds box, plan;
       for (const std::uint32_t i : set) {
-        piece.points.push_back(thin[i]);
-        piece.height = std::max(piece.height, ground_.height(thin[i]));
-        box.include(thin[i]);
-        const Vec3 flat = turn_ * thin[i];
+        component.points.push_back(sparse[i]);
+        component.height = std::max(component.height, ground_.height(sparse[i]));
+        box.include(sparse[i]);
+        const Vec3 flat = turn_ * sparse[i];
         plan.include({flat.x(), flat.y(), 0.0});
       }
-      piece.centre = 0.5 * (box.low + box.high);
-      piece.plan_diagonal = plan.diagonal();
-      const bool rises = piece.height > options_.least_rise * box_.diagonal() &&
-                         piece.height > 2.0 * clear_ &&
-                         piece.height > kSlenderest * piece.plan_diagonal;
-      if (rises) pieces_.push_back(std::move(piece));
+      component.centre = 0.5 * (box.low + box.high);
+      component.plan_diagonal = plan.diagonal();
+      const bool rises = component.height > options_.least_rise * box_.diagonal() &&
+                         component.height > 2.0 * clear_ &&
+                         component.height > kSlenderest * component.plan_diagonal;
+      if (rises) components_.push_back(std::move(component));
     }
-    std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
-      return a.centre.x() != b.centre.x() ? a.centre.x() < b.centre.x()
-                                          : a.centre.y() < b.centre.y();
-    });
+    std::stable_sort(components_.begin(), components_.end(),
+                     [](const Component& a, const Component& b) {
+                       return a.centre.x() != b.centre.x() ? a.centre.x() < b.centre.x()
+                                                           : a.centre.y() < b.centre.y();
+                     });
   }
 
-  /// Every point to the piece it is nearest to, to the ground, or to neither.
+  /// Every point to the component it is nearest to, to the ground, or to neither.
   void share_out(StandingBlocks& result) const {
     std::vector<Vec3> all;
-    std::vector<std::uint32_t> piece_of;
-    for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
-      const Piece& piece = pieces_[k];
-      all.insert(all.end(), piece.points.begin(), piece.points.end());
-      piece_of.insert(piece_of.end(), piece.points.size(), k);
-      result.blocks.push_back({{}, piece.centre, piece.height});
+    std::vector<std::uint32_t> component_of;
+    for (std::uint32_t k = 0; k < components_.size(); ++k) {
+      const Component& component = components_[k];
+      all.insert(all.end(), component.points.begin(), component.points.end());
+      component_of.insert(component_of.end(), component.points.size(), k);
+      result.blocks.push_back({{}, component.centre, component.height});
     }
     const reconstruct_detail::NearestPoints tree(all);
     std::vector<std::int64_t> owner(points_.size(), -1);
@@ -141,7 +142,7 @@ class Standing {
       if (heights_[i] <= clear_) {
         if (near.distance < 2.0 * clear_ + kReach * cell_) strip.push_back(i);
       } else if (near.distance < kReach * cell_) {
-        owner[i] = piece_of[near.point];
+        owner[i] = component_of[near.point];
       }
     }
     follow_walls(strip, owner);
@@ -176,7 +177,7 @@ class Standing {
         if (near.distance > reach) continue;
         const std::int64_t block = owner_of[near.point];
         const Wall wall =
-            wall_near(points_[i], pieces_[static_cast<std::size_t>(block)].centre, band, walls);
+            wall_near(points_[i], components_[static_cast<std::size_t>(block)].centre, band, walls);
         if (wall.normal.dot(ground_.plane().normal) > kSteep) continue;
         const double across = std::max(0.0, wall.off) / wall.spread;
         const double up = heights_[i] / roughness_;
@@ -188,7 +189,7 @@ class Standing {
   }
 
   /// High, and near the middle: height times a bell curve of the distance in plan.
-  std::size_t central_piece() const {
+  std::size_t central_component() const {
     Bounds plan;
     for (const Vec3& p : points_) {
       const Vec3 flat = turn_ * p;
@@ -198,10 +199,10 @@ class Standing {
     const double half = 0.5 * plan.diagonal();
     std::size_t best = 0;
     double best_weight = -1.0;
-    for (std::size_t k = 0; k < pieces_.size(); ++k) {
-      const Vec3 flat = turn_ * pieces_[k].centre;
+    for (std::size_t k = 0; k < components_.size(); ++k) {
+      const Vec3 flat = turn_ * components_[k].centre;
       const double away = (flat - middle).head<2>().norm() / half;
-      const double weight = pieces_[k].height * std::exp(-4.0 * away * away);
+      const double weight = components_[k].height * std::exp(-4.0 * away * away);
       if (weight > best_weight) {
         best_weight = weight;
         best = k;
@@ -217,7 +218,7 @@ class Standing {
   double cell_ = 0.0, roughness_ = 0.0, clear_ = 0.0;
   Quat turn_;
   std::vector<double> heights_;
-  std::vector<Piece> pieces_;
+  std::vector<Component> components_;
 };
 
 }  // namespace

@@ -24,8 +24,8 @@ struct StandingBlocks {
 
 /// Groups what is higher than three times the ground's roughness, and shares out the strip below
 /// that: a point there belongs to the block if the wall above, carried on straight, passes closer
-/// to it than the ground does (both by their own roughness). Pieces a good deal smaller than the
-/// largest, and pieces that rise little, are no blocks.
+/// to it than the ground does (both by their own roughness). Components a good deal smaller than
+/// the largest, and components that rise little, are no blocks.
 StandingBlocks standing_blocks(std::span<const Vec3> points, const Ground& ground,
                                const GroundOptions& options = {});
 

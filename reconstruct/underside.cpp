@@ -8,7 +8,8 @@
 #include "core/number_text.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
-#include "reconstruct/detail/film.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "reconstruct/detail/bottom_closure.hpp"
 #include "reconstruct/detail/hole_patch.hpp"
 #include "reconstruct/detail/sections.hpp"
 #include "reconstruct/detail/space_below.hpp"
@@ -31,21 +32,21 @@ constexpr double kBestShare = 0.6;
 constexpr double kBestPower = 2.0 / 3.0;
 constexpr double kMostPointedBest = 3.0;  ///< ... and may rise to this power
 /// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
-/// an uneven rim each tells of a part, and the largest volume counts.
+/// an uneven rim each stands for a part, and the largest volume counts.
 constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
 /// A rim is uneven where its heights spread over more than this share of the whole. The sections do
-/// not say then what hangs beside them, and the best shape is put at this share between the film
-/// and the largest cone: the median of 100 blocks of which what faces down steeply was taken away.
+/// not say then what hangs beside them, and the best shape is put at this share between the closure
+/// and the largest cone: the median of 100 blocks of which what faces down steeply was removed.
 constexpr double kEven = 0.05, kUnevenShare = 0.35;
 /// A rim hangs down to the ground where it is no farther above it than the first share of the
 /// height, and does not from the second share on.
 constexpr double kAtGround = 0.02, kClearOfGround = 0.06;
 /// Where up to the first share of the rim hangs, the block has sunk into the ground by this share
-/// of its height at most; where the second share and more does, nothing tells how deep it goes.
+/// of its height at most; where the second share and more does, nothing says how deep it goes.
 constexpr double kFewHang = 0.05, kManyHang = 0.15;
 constexpr double kSunk = 0.05;
 /// A block stands on a foot where photos looked under it but for this share of its plan; where all
-/// of it meets the ground, nothing tells how deep it goes.
+/// of it meets the ground, nothing says how deep it goes.
 constexpr double kFootShare = 0.5;
 /// A hole that faces within this of straight down is the ground's side.
 constexpr double kFacesDown = 0.5;  // cos 60 degrees
@@ -58,7 +59,7 @@ struct Rim {
   double length = 0.0;
 };
 
-Rim measured_rim(const TriangleMesh& mesh, std::vector<std::uint32_t> loop) {
+Rim measure_rim(const TriangleMesh& mesh, std::vector<std::uint32_t> loop) {
   Rim rim;
   const Vec3 origin = mesh.vertices[loop[0]];
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -77,9 +78,7 @@ Rim measured_rim(const TriangleMesh& mesh, std::vector<std::uint32_t> loop) {
 double area_from(const TriangleMesh& mesh, std::size_t first) {
   double doubled = 0.0;
   for (std::size_t i = first; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    doubled +=
-        (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
+    doubled += area_vector(mesh, mesh.triangles[i]).norm();
   }
   return 0.5 * doubled;
 }
@@ -107,7 +106,7 @@ class Closing {
     }
     std::vector<Rim> rims;
     for (std::vector<std::uint32_t>& loop : boundary_loops(result_.lower)) {
-      rims.push_back(measured_rim(result_.lower, std::move(loop)));
+      rims.push_back(measure_rim(result_.lower, std::move(loop)));
     }
     if (rims.empty()) return std::nullopt;
     std::stable_sort(rims.begin(), rims.end(), [](const Rim& a, const Rim& b) {
@@ -130,8 +129,8 @@ class Closing {
     first_vertex_ = result_.lower.vertices.size();
     reconstruct_detail::HolePatch patch = fill(rims[0]);
     describe(rims[0]);
-    bracket(rims,
-            reconstruct_detail::Film(result_.lower, std::move(patch), first_vertex_, result_.down));
+    bracket(rims, reconstruct_detail::BottomClosure(result_.lower, std::move(patch), first_vertex_,
+                                                    result_.down));
     return std::move(result_);
   }
 
@@ -139,7 +138,7 @@ class Closing {
   void refuse_sheet(const Rim& rim, double share) const {
     if (share <= options_.largest_share) return;
     throw GeometryError(
-        "the largest piece is the ground, or one side of a block: a sheet whose "
+        "the largest component is the ground, or one side of a block: a sheet whose "
         "border of " +
         std::to_string(rim.loop.size()) + " edges near " +
         place(result_.lower.vertices[rim.loop[0]]) + " spans " + with_digits(100.0 * share, 3) +
@@ -153,7 +152,7 @@ class Closing {
   }
 
   reconstruct_detail::HolePatch fill(const Rim& rim) {
-    reconstruct_detail::HolePatch patch = reconstruct_detail::filled_hole(result_.lower, rim.loop);
+    reconstruct_detail::HolePatch patch = reconstruct_detail::fill_hole(result_.lower, rim.loop);
     TriangleMesh& mesh = result_.lower;
     mesh.vertices.insert(mesh.vertices.end(), patch.vertices.begin(), patch.vertices.end());
     mesh.triangles.insert(mesh.triangles.end(), patch.triangles.begin(), patch.triangles.end());
@@ -170,38 +169,38 @@ class Closing {
     result_.rim_length = rim.length;
   }
 
-  void bracket(const std::vector<Rim>& rims, const reconstruct_detail::Film& film) {
+  void bracket(const std::vector<Rim>& rims, const reconstruct_detail::BottomClosure& closure) {
     const reconstruct_detail::Sections sections(result_.lower, -result_.down);
-    film_volume_ = sections.volume_above(sections.lowest());
-    if (!(film_volume_ > 0.0)) {
+    closure_volume_ = sections.volume_above(sections.lowest());
+    if (!(closure_volume_ > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
-                          with_digits(film_volume_, 3) +
+                          with_digits(closure_volume_, 3) +
                           " m3); turn its faces outward, and check that it is one side of a block");
     }
     const std::vector<double> heights = rim_heights(rims[0]);
     const Bottom bottom =
         bottom_below(heights, heights[(heights.size() - 1) / 2], sections.highest());
     bound(bottom.lowest, sections.highest());
-    guess(heights, sections, bottom.likely, film);
+    guess(heights, sections, bottom.likely, closure);
     const double filling = area_from(result_.best, result_.first_invented);
     result_.invented_share = filling / surface_area(result_.best);
   }
 
   /// Which triangles of `lower` were not scanned.
-  std::vector<bool> films() const {
-    std::vector<bool> film(result_.lower.triangles.size(), false);
-    for (std::size_t t = 0; t < film.size(); ++t) {
-      film[t] = t >= result_.first_invented;
-      if (film[t] || !options_.was_seen) continue;
+  std::vector<bool> closures() const {
+    std::vector<bool> closure(result_.lower.triangles.size(), false);
+    for (std::size_t t = 0; t < closure.size(); ++t) {
+      closure[t] = t >= result_.first_invented;
+      if (closure[t] || !options_.was_seen) continue;
       const auto& [a, b, c] = result_.lower.triangles[t];
       const std::vector<Vec3>& at = result_.lower.vertices;
-      film[t] = !options_.was_seen((at[a] + at[b] + at[c]) / 3.0);
+      closure[t] = !options_.was_seen((at[a] + at[b] + at[c]) / 3.0);
     }
-    return film;
+    return closure;
   }
 
   void bound(double bottom, double highest) {
-    reconstruct_detail::UnseenParts parts{films(), {}, options_.margin};
+    reconstruct_detail::UnseenParts parts{closures(), {}, options_.margin};
     result_.assumption = "the unseen part lies within the planes of the flanks that were seen";
     if (faces_ground()) {
       parts.floor = Plane{options_.ground->normal, bottom};
@@ -223,12 +222,12 @@ class Closing {
 
   /// The shape that the sections make likeliest, no larger than the upper one.
   void guess(const std::vector<double>& heights, const reconstruct_detail::Sections& sections,
-             double bottom, const reconstruct_detail::Film& film) {
+             double bottom, const reconstruct_detail::BottomClosure& closure) {
     const auto quantile = [&](double share) {
       return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
     };
-    double largest = film_volume_, deepest = 0.0;
-    result_.best_volume = film_volume_;
+    double largest = closure_volume_, deepest = 0.0;
+    result_.best_volume = closure_volume_;
     for (const double share : kRimShares) {
       const double level = quantile(share);
       const Continued below = continued(sections, level, bottom);
@@ -239,11 +238,11 @@ class Closing {
       result_.best_volume = std::max(result_.best_volume, below.best_volume);
     }
     const bool uneven = quantile(0.9) - quantile(0.1) > kEven * (sections.highest() - bottom);
-    if (uneven) result_.best_volume = std::lerp(film_volume_, largest, kUnevenShare);
+    if (uneven) result_.best_volume = std::lerp(closure_volume_, largest, kUnevenShare);
     if (result_.upper_volume) {
       result_.best_volume = std::min(result_.best_volume, *result_.upper_volume);
     }
-    settle_best(film, deepest);
+    settle_best(closure, deepest);
   }
 
   /// The upper volume is no larger than all that nobody looked through. A block that can be looked
@@ -256,7 +255,7 @@ class Closing {
     const double share = below.foot_area / below.plan_area;
     const double buried = std::clamp((share - kFootShare) / (1.0 - kFootShare), 0.0, 1.0);
     const double depth = sunk + buried * std::max(0.0, ground - bottom - sunk);
-    const double hull = film_volume_ + below.volume + below.foot_area * depth;
+    const double hull = closure_volume_ + below.volume + below.foot_area * depth;
     if (hull >= *result_.upper_volume) return;
     result_.notes.push_back("photos show " + with_digits(100.0 * (1.0 - share), 3) +
                             " % of its plan to be clear of the ground: that takes " +
@@ -303,7 +302,7 @@ class Closing {
   };
 
   /// A rim that is clear of the ground nearly all around shows that the block lies on it; else
-  /// nothing tells how deep it goes. In between it is in between, so that a hair's breadth of the
+  /// nothing says how deep it goes. In between it is in between, so that a hair's breadth of the
   /// rim decides nothing.
   /// @param rim  heights, ascending
   Bottom bottom_below(const std::vector<double>& rim, double mean_rim, double highest) {
@@ -327,15 +326,15 @@ class Closing {
 
   /// The best shape lies on the ground. A cap under an uneven rim may meet the walls: it is made
   /// more pointed, then drawn back, until it does not.
-  void settle_best(const reconstruct_detail::Film& film, double deepest) {
-    const double added = result_.best_volume - film_volume_;
-    reconstruct_detail::Move start = film.holding(added, kBestPower, deepest);
-    if (faces_ground()) start = film.lying(*options_.ground, start, added, kMostPointedBest);
+  void settle_best(const reconstruct_detail::BottomClosure& closure, double deepest) {
+    const double added = result_.best_volume - closure_volume_;
+    reconstruct_detail::Move start = closure.holding(added, kBestPower, deepest);
+    if (faces_ground()) start = closure.lying(*options_.ground, start, added, kMostPointedBest);
     deepest = std::max(deepest, start.depth);
     const std::size_t crossings = crossing_triangles(result_.lower).size();
     const auto fits = [&] { return crossing_triangles(result_.best).size() <= crossings; };
     for (double power = start.power; power <= kMostPointedBest; power *= 1.5) {
-      result_.best = film.lowered(film.holding(added, power, deepest));
+      result_.best = closure.lowered(closure.holding(added, power, deepest));
       if (fits()) break;
     }
     double share = 1.0;
@@ -361,7 +360,7 @@ class Closing {
   const UndersideOptions& options_;
   Underside result_;
   std::size_t first_vertex_ = 0;
-  double film_volume_ = 0.0;  ///< of `lower`, m^3
+  double closure_volume_ = 0.0;  ///< of `lower`, m^3
 };
 
 }  // namespace
@@ -382,8 +381,8 @@ void UndersideOptions::check() const {
   }
 }
 
-std::optional<Underside> closed_underside(const TriangleMesh& open,
-                                          const UndersideOptions& options) {
+std::optional<Underside> close_underside(const TriangleMesh& open,
+                                         const UndersideOptions& options) {
   options.check();
   return Closing(open, options).run();
 }

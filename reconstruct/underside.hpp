@@ -40,7 +40,7 @@ struct UndersideOptions {
   /// Space that was looked through, in the frame of the scan: above the ground that is given, no
   /// rock is there.
   const SeenThrough* through = nullptr;
-  /// Tells of a place on the open surface whether it was scanned; what was not is a filling of
+  /// Whether a place on the open surface was scanned; what was not is a filling of
   /// small holes. None: all of it was.
   std::function<bool(const Vec3&)> was_seen = {};
   /// How well the open surface is known; null: it is exact.
@@ -77,19 +77,19 @@ struct Underside {
 /// together; those below 0.3 % of the surface are closed flat and count as seen.
 ///
 /// Of a convex body every tangent plane of the seen surface has all of it on one side, also the
-/// unseen part: the upper volume fills the space between the films and these planes, moved out by
-/// what the seen surface stands out over its own tangent planes, down to the ground where one is
+/// unseen part: the upper volume fills the space between the closures and these planes, moved out
+/// by what the seen surface stands out over its own tangent planes, down to the ground where one is
 /// known. Where it is known what was looked through, the upper volume is no larger than all that
 /// was not. Where that leaves more than a third as much again as was seen (as much again above a
 /// ground), there is no upper volume. See docs/theory.md for the best guess, and for what was
 /// measured.
 ///
-/// @param open  oriented 2-manifold in one piece; small holes may be left
+/// @param open  oriented 2-manifold in one component; small holes may be left
 /// @returns none where no hole is large enough: the scan is closed, or nearly
 /// @throws GeometryError  not an oriented manifold; a sheet; or a rim that can't be filled. The
 ///                        message says how large and where the hole is
 /// @cite schneider2014
-std::optional<Underside> closed_underside(const TriangleMesh& open,
-                                          const UndersideOptions& options = {});
+std::optional<Underside> close_underside(const TriangleMesh& open,
+                                         const UndersideOptions& options = {});
 
 }  // namespace clast

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <span>
 
+#include "mesh/half_edges.hpp"
 #include "mesh/polygon.hpp"
-#include "shapes/detail/face_sides.hpp"
 
 namespace clast {
 
@@ -42,14 +42,12 @@ class Merger {
  private:
   void find_neighbours() {
     for (const Face& face : shape_.faces) neighbours_.emplace_back(face.size(), kNone);
-    const std::vector<shapes_detail::FaceSide> sides =
-        shapes_detail::sorted_face_sides(shape_.faces);
-    shapes_detail::for_each_shared_edge(
-        sides, [&](std::span<const shapes_detail::FaceSide> shared) {
-          if (!shapes_detail::are_neighbours(shared)) return;
-          neighbours_[shared[0].face][shared[0].corner] = shared[1].face;
-          neighbours_[shared[1].face][shared[1].corner] = shared[0].face;
-        });
+    const std::vector<HalfEdge> sides = sorted_half_edges(shape_.faces);
+    for_each_edge(sides, [&](std::span<const HalfEdge> shared) {
+      if (!are_neighbours(shared)) return;
+      neighbours_[shared[0].triangle][shared[0].side] = shared[1].triangle;
+      neighbours_[shared[1].triangle][shared[1].side] = shared[0].triangle;
+    });
   }
 
   void grow_regions() {

@@ -13,6 +13,7 @@
 #include "mesh/edge_collapse.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/surface_samples.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "shapes/detail/skin_distance.hpp"
 
@@ -44,7 +45,7 @@ constexpr double kTurn = 0.3;
 /// before they and their neighbours stay where they are.
 constexpr int kShorterTries = 3, kTries = 12;
 constexpr double kShorter = 0.3, kLonger = 1.5;
-constexpr int kRoundsAfterCollapse = 6;  ///< left to mend what a collapse did
+constexpr int kRoundsAfterCollapse = 6;  ///< left to repair what a collapse did
 /// Share of the largest distance so far from which a point inside the body is looked at closely.
 constexpr double kDeep = 0.5;
 /// A fit that, after this many rounds, is still this many times too far won't get there.

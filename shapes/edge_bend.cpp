@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "shapes/detail/face_sides.hpp"
+#include "mesh/half_edges.hpp"
 
 namespace clast {
 
@@ -21,16 +21,16 @@ std::vector<EdgeBend> edge_bends(const SpheroPolyhedron& shape) {
     normals.push_back(face_normal(shape, face));
   }
   std::vector<EdgeBend> bends(shape.edges.size(), EdgeBend::kConvex);
-  const std::vector<shapes_detail::FaceSide> sides = shapes_detail::sorted_face_sides(shape.faces);
-  shapes_detail::for_each_shared_edge(sides, [&](std::span<const shapes_detail::FaceSide> shared) {
-    if (!shapes_detail::are_neighbours(shared)) return;
+  const std::vector<HalfEdge> sides = sorted_half_edges(shape.faces);
+  for_each_edge(sides, [&](std::span<const HalfEdge> shared) {
+    if (!are_neighbours(shared)) return;
     const SpheroPolyhedron::Edge edge = {shared[0].low, shared[0].high};
     const auto place = std::lower_bound(shape.edges.begin(), shape.edges.end(), edge);
     if (place == shape.edges.end() || *place != edge) return;
     const Vec3 along = shape.vertices[shared[1].to()] - shape.vertices[shared[1].from()];
-    const Vec3& second = normals[shared[1].face];
+    const Vec3& second = normals[shared[1].triangle];
     bends[static_cast<std::size_t>(place - shape.edges.begin())] =
-        edge_bend(normals[shared[0].face], second, second.cross(along).normalized());
+        edge_bend(normals[shared[0].triangle], second, second.cross(along).normalized());
   });
   return bends;
 }

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/half_edges.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/detail/calipers.hpp"
 
@@ -59,7 +60,6 @@ class Hull {
     const auto count = static_cast<Eigen::Index>(vertices_.size());
     coordinates_.resize(count, 3);
     for (Eigen::Index i = 0; i < count; ++i) coordinates_.row(i) = vertices_[i].transpose();
-    std::vector<std::array<std::uint32_t, 4>> sides;  // smaller vertex, larger, backwards?, face
     const auto faces = static_cast<Eigen::Index>(mesh.triangles.size());
     normals_.resize(faces, 3);
     weighted_normals_.resize(faces, 3);
@@ -74,15 +74,12 @@ class Hull {
       const Vec3 normal = twice > 0.0 ? Vec3(cross / twice) : Vec3::UnitX();
       normals_.row(f) = normal.transpose();
       weighted_normals_.row(f) = 0.5 * cross.transpose();
-      const auto face = static_cast<std::uint32_t>(f);
-      for (const auto& [from, to] : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) {
-        sides.push_back({std::min(from, to), std::max(from, to), from > to ? 1u : 0u, face});
-      }
     }
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-      edges_.push_back({sides[i][0], sides[i][1], sides[i][3], sides[i + 1][3]});
-    }
+    for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
+      if (!are_neighbours(sides)) return;
+      const std::size_t out = sides[0].forward ? 0 : 1;
+      edges_.push_back({sides[0].low, sides[0].high, sides[out].triangle, sides[1 - out].triangle});
+    });
   }
 
   std::size_t face_count() const { return static_cast<std::size_t>(areas_.size()); }
@@ -141,7 +138,7 @@ class Hull {
   void trace_outline(const Mat3& frame) {
     for (std::size_t f = 0; f < up_.size(); ++f) {
       const auto i = static_cast<Eigen::Index>(f);
-      // Faces on edge look up, all of them: told by rounding, the loop would run to and fro on
+      // Faces on edge look up, all of them: decided by rounding, the loop would run to and fro on
       // them.
       up_[f] = slopes_[i] >= -kOnEdge * areas_[i];
     }
@@ -167,7 +164,7 @@ class Hull {
       outline_ = convex_loop(std::move(outline_));
       return;
     }
-    // Faces on edge, told up from down by rounding, can pinch the loop.
+    // Faces on edge, up or down by rounding, can pinch the loop.
     outline_.clear();
     for (const Edge& edge : edges_) {
       if (up_[edge.face] == up_[edge.other_face]) continue;

@@ -11,6 +11,7 @@
 #include "mesh/mesh_topology.hpp"
 #include "mesh/plane_fit.hpp"
 #include "mesh/self_intersection.hpp"
+#include "mesh/triangle_geometry.hpp"
 
 namespace clast {
 
@@ -118,10 +119,10 @@ SpheroPolyhedron rounded_core(const TriangleMesh& scan, double minkowski_radius)
   if (largest > 0.0) {
     message << "its core would vanish or turn inside out; " << largest << " m works";
   } else if (!crossing(scan).empty()) {
-    message << "no smaller one works either, because the surface passes through itself; mend it "
+    message << "no smaller one works either, because the surface passes through itself; repair it "
                "first, for example in MeshLab or CloudCompare";
   } else {
-    message << "no smaller one works either; thin the scan first";
+    message << "no smaller one works either; simplify the scan first";
   }
   throw GeometryError(message.str());
 }

@@ -33,7 +33,7 @@ void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shap
 
 /// The shapes in order. Edges are those of the faces, each once, whatever the file lists; where
 /// there are no faces they are the file's. Vertices that nothing uses are left out with a note.
-/// Faces are not turned: `cleaned_scan(core_mesh(body), ...)` orients, mends and checks.
+/// Faces are not turned: `clean_scan(core_mesh(body), ...)` orients, repairs and checks.
 /// Comments start with #, ! or // where a keyword or a number may stand.
 /// @throws InputError  missing, a map file of that extension, cut short, a word that is no keyword
 ///                     or no number, a count the file can't hold, a vertex that isn't there, a

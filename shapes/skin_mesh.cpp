@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "shapes/detail/face_sides.hpp"
+#include "mesh/half_edges.hpp"
 #include "shapes/edge_bend.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
@@ -62,19 +62,17 @@ class SkinBuilder {
 
   void find_neighbours() {
     for (const SpheroPolyhedron::Face& face : shape_.faces) neighbours_.emplace_back(face.size());
-    const std::vector<shapes_detail::FaceSide> sides =
-        shapes_detail::sorted_face_sides(shape_.faces);
-    shapes_detail::for_each_shared_edge(
-        sides, [&](std::span<const shapes_detail::FaceSide> shared) {
-          if (!shapes_detail::are_neighbours(shared)) {
-            throw GeometryError("the core is not a closed surface at its edge between vertices " +
-                                std::to_string(shared[0].low + 1) + " and " +
-                                std::to_string(shared[0].high + 1) +
-                                "; only a closed core has a rounded skin");
-          }
-          neighbours_[shared[0].face][shared[0].corner] = {shared[1].face, shared[1].corner};
-          neighbours_[shared[1].face][shared[1].corner] = {shared[0].face, shared[0].corner};
-        });
+    const std::vector<HalfEdge> sides = sorted_half_edges(shape_.faces);
+    for_each_edge(sides, [&](std::span<const HalfEdge> shared) {
+      if (!are_neighbours(shared)) {
+        throw GeometryError("the core is not a closed surface at its edge between vertices " +
+                            std::to_string(shared[0].low + 1) + " and " +
+                            std::to_string(shared[0].high + 1) +
+                            "; only a closed core has a rounded skin");
+      }
+      neighbours_[shared[0].triangle][shared[0].side] = {shared[1].triangle, shared[1].side};
+      neighbours_[shared[1].triangle][shared[1].side] = {shared[0].triangle, shared[0].side};
+    });
   }
 
   Index point(Index core_vertex, const Vec3& direction) {

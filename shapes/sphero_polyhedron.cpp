@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/half_edges.hpp"
 #include "mesh/polygon.hpp"
 
 namespace clast {
@@ -31,14 +32,9 @@ SpheroPolyhedron sphero_polyhedron(const TriangleMesh& core, double minkowski_ra
 
 std::vector<SpheroPolyhedron::Edge> edges_of(const std::vector<SpheroPolyhedron::Face>& faces) {
   std::vector<SpheroPolyhedron::Edge> edges;
-  for (const SpheroPolyhedron::Face& face : faces) {
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const std::uint32_t from = face[k], to = face[(k + 1) % face.size()];
-      if (from != to) edges.push_back({std::min(from, to), std::max(from, to)});
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for_each_edge(sorted_half_edges(faces), [&](std::span<const HalfEdge> sides) {
+    if (sides[0].low != sides[0].high) edges.push_back({sides[0].low, sides[0].high});
+  });
   return edges;
 }
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "mesh/edge_collapse.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/surface_samples.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "shapes/detail/skin_distance.hpp"
 #include "shapes/rounding.hpp"

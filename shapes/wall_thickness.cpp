@@ -1,6 +1,6 @@
 #include "shapes/wall_thickness.hpp"
 
-#include "mesh/edge_collapse.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
 
 namespace clast {

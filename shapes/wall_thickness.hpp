@@ -16,7 +16,7 @@ struct ThinPlace {
 /// met, where that is parallel to the triangle within 30 degrees. So a sharp edge is no wall,
 /// however little rock is behind its faces. None: no two faces are back to back, as in a
 /// tetrahedron.
-/// @param mesh  closed, outward; thinned, or the roughness of a scan passes for walls
+/// @param mesh  closed, outward; simplified, or the roughness of a scan passes for walls
 std::optional<ThinPlace> thinnest_wall(const TriangleMesh& mesh);
 
 }  // namespace clast

@@ -20,7 +20,7 @@ struct MapFrame {
   Vec3 map(const Vec3& local) const { return local + origin; }
 };
 
-/// What was found in the input and mended.
+/// What was found in the input and repaired.
 struct TerrainReport {
   std::size_t triangles_read = 0;
   std::size_t welded_vertices = 0;

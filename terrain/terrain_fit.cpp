@@ -4,9 +4,10 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/raw_surface.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kShortEdges = 0.05;  // of the smallest block
 /// Ends of the border edges, on the map.
 std::vector<std::pair<Vec2, Vec2>> border_edges(const Terrain& terrain) {
   const TriangleMesh& mesh = terrain.surface;
-  const terrain_detail::TriangleLinks links = terrain_detail::triangle_links(mesh);
+  const TriangleNeighbours links = triangle_neighbours(mesh);
   std::vector<std::pair<Vec2, Vec2>> edges;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -95,7 +96,7 @@ std::optional<std::string> border_warning(const Terrain& terrain, std::span<cons
 
 std::optional<std::string> cell_size_warning(const Terrain& terrain, double smallest,
                                              double largest) {
-  const double edge = terrain_detail::median_edge(terrain.surface);
+  const double edge = median_edge(terrain.surface);
   const auto text = [&](const std::string& what, double block, const std::string& advice) {
     return "the edges of the ground, " + with_digits(edge, 3) + " m (median), are " + what +
            " than the blocks, " + with_digits(block, 3) + " m; " + advice;

@@ -7,22 +7,18 @@
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/number_text.hpp"
-#include "core/text_file.hpp"
-#include "mesh/mesh_io.hpp"
-#include "mesh/point_cloud.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "terrain/detail/breaklines.hpp"
-#include "terrain/detail/cloud_input.hpp"
 #include "terrain/detail/cracks.hpp"
-#include "terrain/detail/gdal_raster.hpp"
-#include "terrain/detail/grid_holes.hpp"
 #include "terrain/detail/layers.hpp"
-#include "terrain/detail/mending.hpp"
 #include "terrain/detail/resampling.hpp"
+#include "terrain/detail/simplification.hpp"
 #include "terrain/detail/spike_groups.hpp"
 #include "terrain/detail/spikes.hpp"
+#include "terrain/detail/surface_files.hpp"
 #include "terrain/detail/surface_holes.hpp"
-#include "terrain/detail/thinning.hpp"
-#include "terrain/detail/triangle_links.hpp"
+#include "terrain/detail/surface_repair.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_source.hpp"
 #include "terrain/terrain_file.hpp"
@@ -33,174 +29,35 @@ namespace {
 
 namespace fs = std::filesystem;
 using terrain_detail::RawSurface;
+using terrain_detail::SurfaceKind;
 
 // Beyond this, coordinates are moved to a local origin.
 constexpr double kLargeCoordinate = 1e4;  // m
-// Holes of a mesh up to so many median edges are filled unless told else.
+// Holes of a mesh up to so many median edges are filled by default.
 constexpr double kMeshHole = 3.0;
 // A ground smaller or larger than this is rather one in other units.
 constexpr double kSmallGround = 2.0, kLargeGround = 1e5;  // m
 
-// Heights beyond are none.
-constexpr double kHighest = 12000.0;      // m
-constexpr double kUsualNoData = -9999.0;  // m, deep under any slope
-
-enum class Kind { kMesh, kRaster, kCloud, kTerrain };
-
-Kind kind_of(const fs::path& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".h5" || extension == ".hdf5") return Kind::kTerrain;
-  if (terrain_detail::is_raster(path)) return Kind::kRaster;
-  const std::vector<std::string>& clouds = cloud_extensions();
-  if (std::find(clouds.begin(), clouds.end(), extension) != clouds.end()) return Kind::kCloud;
-  const std::vector<std::string>& meshes = readable_mesh_extensions();
-  if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end()) return Kind::kMesh;
-  throw InputError(path.string() +
-                   ": a ground is a mesh (stl, ply, obj, ...), a raster (tif, asc, "
-                   "...), a cloud (las, xyz, txt, csv, pts, pcd) or a terrain file (h5), not \"" +
-                   extension + "\"; other rasters become one by gdal_translate " +
-                   path.filename().string() + " ground.tif");
-}
-
-Kind common_kind(const std::vector<fs::path>& files) {
-  const Kind kind = kind_of(files.front());
-  for (const fs::path& file : files) {
-    if (kind_of(file) != kind) {
-      throw InputError(files.front().string() + " and " + file.string() +
-                       ": meshes, rasters and clouds can't be mixed in one ground; give one kind");
-    }
-  }
-  if (files.size() > 1 && kind == Kind::kRaster) {
-    throw InputError(
-        files[1].string() +
-        ": a ground is one raster; join the tiles first (gdalbuildvrt ground.vrt ...)");
-  }
-  if (files.size() > 1 && kind == Kind::kTerrain) {
-    throw InputError(files[1].string() + ": a ground is one terrain file; make one of all surveys");
-  }
-  return kind;
-}
-
-RawSurface read_meshes(const TerrainOptions& options) {
-  RawSurface surface;
-  for (std::size_t i = 0; i < options.surface.size(); ++i) {
-    TriangleMesh mesh = read_mesh(options.surface[i]);
-    surface.source.insert(surface.source.end(), mesh.triangles.size(),
-                          static_cast<std::uint16_t>(i));
-    surface.mesh = merged(std::move(surface.mesh), mesh);
-  }
-  if (options.up == "y") {
-    for (Vec3& vertex : surface.mesh.vertices) vertex = terrain_detail::turned_z_up(vertex);
-  }
-  return surface;
-}
-
-RawSurface surface_of(const terrain_detail::HeightGrid& grid, const fs::path& path) {
-  RawSurface surface;
-  surface.mesh = terrain_detail::grid_surface(grid, path);
-  surface.source.assign(surface.mesh.triangles.size(), 0);
-  surface.cell = grid.step.minCoeff();
-  const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
-                                   [](double height) { return !std::isfinite(height); });
-  if (empty > 0) {
-    surface.notes.push_back(path.string() + ": " + std::to_string(empty) + " of " +
-                            std::to_string(grid.heights.size()) +
-                            " cells have no height; the ground is left out there");
-  }
-  return surface;
-}
-
-std::string cells_of(double size) { return "cells of " + with_digits(size, 6) + " m"; }
-
-/// Numbers that stand for "no height" in a file that does not say so make pits without a bottom.
-void check_heights(const terrain_detail::HeightGrid& grid, const fs::path& path) {
-  for (std::size_t i = 0; i < grid.heights.size(); ++i) {
-    const double height = grid.heights[i];
-    if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData)) {
-      continue;
-    }
-    const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
-    const std::string number = with_digits(height, 9);
-    throw InputError(path.string() + ": the height at " +
-                     terrain_detail::place({centre.x(), centre.y(), height}) +
-                     " m is none on earth. If " + number +
-                     " stands for no data, say so first: gdal_translate -a_nodata " + number + " " +
-                     path.filename().string() + " ground.tif");
-  }
-}
-
-RawSurface read_one_raster(const TerrainOptions& options) {
-  const fs::path& path = options.surface.front();
-  terrain_detail::Raster raster = terrain_detail::read_raster(path);
-  check_heights(raster.grid, path);
-  std::vector<std::string> notes;
-  if (options.resolution) {
-    const terrain_detail::HeightGrid& grid = raster.grid;
-    const double own = grid.step.maxCoeff();
-    if (*options.resolution < own * (1.0 - 1e-9)) {
-      throw InputError(path.string() + ": resolution = " + with_digits(*options.resolution, 6) +
-                       " m is finer than the raster, which has " + cells_of(own) +
-                       "; leave it out");
-    }
-    std::vector<Vec3> points;
-    for (std::size_t i = 0; i < grid.heights.size(); ++i) {
-      if (!std::isfinite(grid.heights[i])) continue;
-      const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
-      points.emplace_back(centre.x(), centre.y(), grid.heights[i]);
-    }
-    if (points.empty()) {
-      throw InputError(path.string() +
-                       ": holds no heights, only nodata; check which value stands for no data");
-    }
-    raster.grid = terrain_detail::binned(points, *options.resolution, path);
-    notes.push_back(path.string() + ": made coarser, means over " + cells_of(*options.resolution));
-  } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
-                          [](double height) { return std::isfinite(height); })) {
-    throw InputError(path.string() +
-                     ": holds no heights, only nodata; check which value stands for no data");
-  }
-  if (options.fill) {
-    const terrain_detail::HolesFilled filled =
-        terrain_detail::fill_holes(raster.grid, *options.fill);
-    if (filled.cells > 0) {
-      notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
-                      " cells without a height were filled from their surroundings, in " +
-                      std::to_string(filled.holes) + " holes");
-    }
-  }
-  RawSurface surface = surface_of(raster.grid, path);
-  surface.crs = raster.crs;
-  surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
-  return surface;
-}
-
-RawSurface read_clouds(const TerrainOptions& options) {
-  terrain_detail::CloudGrid cloud = terrain_detail::cloud_grid(options);
-  RawSurface surface = surface_of(cloud.grid, options.surface.front());
-  surface.crs = std::move(cloud.crs);
-  surface.notes.insert(surface.notes.begin(), cloud.notes.begin(), cloud.notes.end());
-  return surface;
-}
-
-void mend(RawSurface& raw, const std::vector<std::string>& files,
-          const std::vector<std::uint16_t>& zone_of_file, const TerrainOptions& options,
-          TerrainReport& report) {
+/// Joins the tiles of a mesh, and repairs what keeps it from being a ground.
+void repair_tiles(RawSurface& raw, const std::vector<std::uint16_t>& zone_of_file,
+                  const TerrainOptions& options, TerrainReport& report) {
+  std::vector<std::string> files;
+  for (const fs::path& file : options.surface) files.push_back(file.string());
   terrain_detail::weld(raw, report);
   terrain_detail::drop_useless_triangles(raw, files, zone_of_file, report);
   terrain_detail::level_spike_groups(raw.mesh, options.spike_steepness, options.crack, report);
   terrain_detail::close_cracks(raw, options.crack, report);
-  terrain_detail::drop_unused_vertices(raw.mesh);
+  drop_unused_vertices(raw.mesh);
   terrain_detail::orient_upwards(raw, report);
   terrain_detail::drop_double_ground(raw, options.crack, report);
-  terrain_detail::fill_surface_holes(
-      raw, options.fill.value_or(kMeshHole * terrain_detail::median_edge(raw.mesh)), options.crack,
-      report);
-  terrain_detail::note_gaps(raw, terrain_detail::median_edge(raw.mesh), report);
+  terrain_detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * median_edge(raw.mesh)),
+                                     options.crack, report);
+  terrain_detail::note_gaps(raw, median_edge(raw.mesh), report);
   terrain_detail::note_slivers(raw, report);
 }
 
 /// Zone of every surface file, and the names in order of first appearance.
-std::vector<std::uint16_t> zones_of_files(const TerrainOptions& options, Kind kind,
+std::vector<std::uint16_t> zones_of_files(const TerrainOptions& options, SurfaceKind kind,
                                           bool assigned_later, std::vector<std::string>& names) {
   const std::size_t files = options.surface.size();
   if (options.zones.empty() || assigned_later) {
@@ -212,7 +69,7 @@ std::vector<std::uint16_t> zones_of_files(const TerrainOptions& options, Kind ki
         "zones: " + std::to_string(options.zones.size()) + " names for " + std::to_string(files) +
         " surface files; give one for each, one zone raster or polygon file, or rules");
   }
-  if (kind == Kind::kCloud && files > 1) {
+  if (kind == SurfaceKind::kCloud && files > 1) {
     throw InputError(
         "zones: several clouds make one grid, so a name for each can't be kept; give "
         "a zone raster or polygons");
@@ -279,6 +136,58 @@ void check_files(const TerrainOptions& options, const std::optional<ZoneFile>& z
   for (const fs::path& file : files) check_input_file(file);
 }
 
+/// @throws InputError  an option that a surface of this kind has no use for
+void check_suits(const TerrainOptions& options, SurfaceKind kind) {
+  const bool mesh = kind == SurfaceKind::kMesh, terrain_file = kind == SurfaceKind::kTerrain;
+  const auto refuse = [&](const char* why) {
+    throw InputError(options.surface.front().string() + ": " + why);
+  };
+  if (options.up == "y" && (kind == SurfaceKind::kRaster || terrain_file)) {
+    refuse("rasters and terrain files are z up; leave out up = \"y\"");
+  }
+  if ((options.percentile || options.outliers) && kind != SurfaceKind::kCloud) {
+    refuse("percentile and outliers are for clouds; leave them out");
+  }
+  if (!options.breaklines.empty() && (mesh || terrain_file)) {
+    refuse("breaklines are for rasters and clouds; a mesh has its edges already");
+  }
+  if (!terrain_file) return;
+  if (options.resolution) {
+    refuse(
+        "a terrain file is checked and repaired already; leave out resolution, or start from the "
+        "survey");
+  }
+  if (options.tolerance || options.smoothing > 0 || options.fill) {
+    refuse(
+        "a terrain file is checked and repaired already; leave out fill, smoothing and tolerance, or "
+        "start from the survey");
+  }
+  if (!options.zones.empty()) refuse("a terrain file has its zones already; leave zones out");
+}
+
+/// "path digest" of every file that is read.
+std::vector<std::string> digests_of(const TerrainOptions& options,
+                                    const std::optional<ZoneFile>& zones) {
+  std::vector<std::string> digests;
+  const auto add = [&](const fs::path& file) {
+    digests.push_back(file.string() + " " + sha256_of_file(file));
+  };
+  for (const fs::path& file : options.surface) add(file);
+  if (zones) add(zones->path);
+  for (const fs::path& file : options.breaklines) add(file);
+  return digests;
+}
+
+void add_breaklines(RawSurface& raw, const std::vector<fs::path>& files, TerrainReport& report) {
+  if (files.empty()) return;
+  std::vector<terrain_detail::MapLine> lines;
+  for (const fs::path& file : files) {
+    const std::vector<terrain_detail::MapLine> more = terrain_detail::read_map_lines(file, raw.crs);
+    lines.insert(lines.end(), more.begin(), more.end());
+  }
+  terrain_detail::add_breaklines(raw, lines, raw.cell, report);
+}
+
 }  // namespace
 
 void TerrainOptions::check() const {
@@ -320,41 +229,10 @@ Terrain read_terrain(const TerrainOptions& options) {
         "polygon file as zones");
   }
   check_files(options, zones);
-  const Kind kind = common_kind(options.surface);
-  if (options.up == "y" && (kind == Kind::kRaster || kind == Kind::kTerrain)) {
-    throw InputError(options.surface.front().string() +
-                     ": rasters and terrain files are z up; leave out up = \"y\"");
-  }
-  if ((options.percentile || options.outliers) && kind != Kind::kCloud) {
-    throw InputError(options.surface.front().string() +
-                     ": percentile and outliers are for clouds; leave them out");
-  }
-  if (!options.breaklines.empty() && (kind == Kind::kMesh || kind == Kind::kTerrain)) {
-    throw InputError(options.surface.front().string() +
-                     ": breaklines are for rasters and clouds; a mesh has its edges already");
-  }
-  if (options.resolution && kind == Kind::kTerrain) {
-    throw InputError(options.surface.front().string() +
-                     ": a terrain file is checked and mended already; leave out resolution, or "
-                     "start from the survey");
-  }
-  std::vector<std::string> digests;
-  const auto digest = [](const fs::path& file) {
-    return file.string() + " " + sha256_of_file(file);
-  };
-  for (const fs::path& file : options.surface) digests.push_back(digest(file));
-  if (zones) digests.push_back(digest(zones->path));
-  for (const fs::path& file : options.breaklines) digests.push_back(digest(file));
-  if (kind == Kind::kTerrain) {
-    if (options.tolerance || options.smoothing > 0 || options.fill) {
-      throw InputError(options.surface.front().string() +
-                       ": a terrain file is checked and mended already; leave out fill, smoothing "
-                       "and tolerance, or start from the survey");
-    }
-    if (!options.zones.empty()) {
-      throw InputError(options.surface.front().string() +
-                       ": a terrain file has its zones already; leave zones out");
-    }
+  const SurfaceKind kind = terrain_detail::surface_kind(options.surface);
+  check_suits(options, kind);
+  std::vector<std::string> digests = digests_of(options, zones);
+  if (kind == SurfaceKind::kTerrain) {
     Terrain terrain = read_terrain_file(options.surface.front());
     terrain.sources.insert(terrain.sources.begin(), digests.front());
     return terrain;
@@ -363,36 +241,24 @@ Terrain read_terrain(const TerrainOptions& options) {
   Terrain terrain;
   const std::vector<std::uint16_t> zone_of_file =
       zones_of_files(options, kind, zones || rules, terrain.zone_names);
-  RawSurface raw = kind == Kind::kMesh     ? read_meshes(options)
-                   : kind == Kind::kRaster ? read_one_raster(options)
-                                           : read_clouds(options);
+  RawSurface raw = terrain_detail::read_surface(options, kind);
   terrain.sources = std::move(digests);
   terrain.report.notes = std::move(raw.notes);
   terrain.report.triangles_read = raw.mesh.triangles.size();
-  if (kind == Kind::kMesh) {
-    std::vector<std::string> files;
-    for (const fs::path& file : options.surface) files.push_back(file.string());
-    mend(raw, files, zone_of_file, options, terrain.report);
+  if (kind == SurfaceKind::kMesh) {
+    repair_tiles(raw, zone_of_file, options, terrain.report);
   } else {
     terrain_detail::level_spike_groups(raw.mesh, options.spike_steepness, 0.0, terrain.report);
     terrain_detail::orient_upwards(raw, terrain.report);
   }
   terrain_detail::level_spikes(raw, options.spike_steepness, terrain.report);
-  if (options.resolution && kind == Kind::kMesh) {
+  if (options.resolution && kind == SurfaceKind::kMesh) {
     raw = terrain_detail::resampled(raw, *options.resolution, options.surface.front(),
                                     terrain.report);
   }
   terrain_detail::smooth(raw.mesh, options.smoothing, terrain.report);
-  if (!options.breaklines.empty()) {
-    std::vector<terrain_detail::MapLine> lines;
-    for (const fs::path& file : options.breaklines) {
-      const std::vector<terrain_detail::MapLine> more =
-          terrain_detail::read_map_lines(file, raw.crs);
-      lines.insert(lines.end(), more.begin(), more.end());
-    }
-    terrain_detail::add_breaklines(raw, lines, raw.cell, terrain.report);
-  }
-  if (options.tolerance) terrain_detail::thin(raw, *options.tolerance, terrain.report);
+  add_breaklines(raw, options.breaklines, terrain.report);
+  if (options.tolerance) terrain_detail::simplify_surface(raw, *options.tolerance, terrain.report);
   terrain.surface = std::move(raw.mesh);
   terrain.frame.crs = raw.crs;
   move_to_local_origin(terrain);

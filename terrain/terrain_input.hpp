@@ -74,13 +74,14 @@ void check_zone_name(const std::string& name);
 /// True when `zones` are rules by slope and height and not names or a file.
 bool are_zone_rules(const std::vector<std::string>& zones);
 
-/// Reads, turns z up, checks and mends, turns normals out of the ground, and assigns zones.
+/// Reads, turns z up, checks and repairs, turns normals out of the ground, and assigns zones.
 /// Meshes: vertices are welded, degenerate and duplicate triangles dropped, cracks closed, holes
 /// filled. Rasters: heights are at cell centres; the surface joins the centres with two triangles
-/// per cell, none at nodata. Clouds are streamed into a grid of cells. Every mend is in the report,
-/// with a count and a place. A triangle has the zone that covers most of its plan area.
+/// per cell, none at nodata. Clouds are streamed into a grid of cells. Every repair is in the
+/// report, with a count and a place. A triangle has the zone that covers most of its plan area.
 /// @throws InputError     a file that can't be read or a zone source that does not fit; names it
-/// @throws GeometryError  a surface that can't be mended (edges of three triangles, one side only,
+/// @throws GeometryError  a surface that can't be repaired (edges of three triangles, one side
+/// only,
 ///                        ground that lies double), or triangles without a zone, with a place
 Terrain read_terrain(const TerrainOptions& options);
 

@@ -17,7 +17,7 @@ void repair(benchmark::State& state) {
       damaged(rough_rock_mesh(frequency, {1.0, 0.8, 0.6}, 3, 0.1), Damage::of_intensity(1.0), 1)
           .mesh;
   RepairReport report;
-  for (auto _ : state) report = repaired(dirty).report;
+  for (auto _ : state) report = repair_mesh(dirty).report;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   state.counters["triangles"] = static_cast<double>(dirty.triangles.size());

@@ -41,7 +41,7 @@ struct Header {
   std::vector<Element> elements;
 };
 
-Type parsed_type(const TextScanner& text, std::string_view name) {
+Type parse_type(const TextScanner& text, std::string_view name) {
   static const std::map<std::string_view, Type> kTypes = {
       {"char", {'i', 1}},  {"int8", {'i', 1}},    {"uchar", {'u', 1}},  {"uint8", {'u', 1}},
       {"short", {'i', 2}}, {"int16", {'i', 2}},   {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
@@ -90,10 +90,10 @@ Header read_header(TextScanner& text) {
       std::string_view type = text.word();
       if (type == "list") {
         property.is_list = true;
-        property.count_type = parsed_type(text, text.word());
+        property.count_type = parse_type(text, text.word());
         type = text.word();
       }
-      property.type = parsed_type(text, type);
+      property.type = parse_type(text, type);
       property.name = text.word();
       header.elements.back().properties.push_back(property);
     }

@@ -87,7 +87,7 @@ std::optional<TriangleMesh> read_stl(std::string_view content) {
   if (content.size() >= kHeader) {
     const std::uint64_t count = little_endian<std::uint32_t>(content.data() + 80);
     const std::uint64_t needed = kHeader + count * kTriangle;
-    // Some programs start binary files with "solid" too: the size tells.
+    // Some programs start binary files with "solid" too: the size decides.
     if (content.size() == needed || (!starts_as_text && content.size() > needed && count > 0)) {
       return read_binary(content, count);
     }

@@ -53,17 +53,17 @@ std::vector<std::uint32_t> without_outliers(std::span<const Vec3> points, int ne
   return numbers;
 }
 
-std::vector<Vec3> thinned(std::span<const Vec3> points, double cell) {
+std::vector<Vec3> decimated(std::span<const Vec3> points, double cell) {
   const Vec3 origin = middle(points);
   pcl::VoxelGrid<pcl::PointXYZ> filter;
   filter.setInputCloud(cloud_about(points, origin));
   const auto side = static_cast<float>(cell);
   filter.setLeafSize(side, side, side);
-  Cloud thin;
-  filter.filter(thin);
+  Cloud sparse;
+  filter.filter(sparse);
   std::vector<Vec3> result;
-  result.reserve(thin.size());
-  for (const pcl::PointXYZ& p : thin) {
+  result.reserve(sparse.size());
+  for (const pcl::PointXYZ& p : sparse) {
     result.push_back(origin + p.getVector3fMap().cast<double>());
   }
   return result;

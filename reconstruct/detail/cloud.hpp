@@ -17,7 +17,7 @@ std::vector<std::uint32_t> without_outliers(std::span<const Vec3> points, int ne
                                             double deviations);
 
 /// One point for each cube of side `cell` that holds some: their mean. m
-std::vector<Vec3> thinned(std::span<const Vec3> points, double cell);
+std::vector<Vec3> decimated(std::span<const Vec3> points, double cell);
 
 /// Sets of points that are linked by steps of at most `reach`, the largest first; sets of fewer
 /// than `fewest` are left out.

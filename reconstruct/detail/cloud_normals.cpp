@@ -7,6 +7,7 @@
 #include <queue>
 #include <utility>
 
+#include "mesh/triangle_geometry.hpp"
 #include "reconstruct/detail/cloud.hpp"
 
 namespace clast::reconstruct_detail {
@@ -51,7 +52,7 @@ void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points) {
       if (!done[next]) open.push({1.0 - std::abs(normals[point].dot(normals[next])), point, next});
     }
   };
-  for (const std::uint32_t start : outermost) {  // a second piece, if there is one, starts anew
+  for (const std::uint32_t start : outermost) {  // a second component, if there is one, starts anew
     if (done[start]) continue;
     settle(start, points[start] - middle);
     while (!open.empty()) {
@@ -64,10 +65,9 @@ void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points) {
 
 std::size_t correct_normals(std::vector<Vec3>& normals, const TriangleMesh& surface) {
   std::vector<Vec3> areas(normals.size(), Vec3::Zero());
-  for (const auto& [a, b, c] : surface.triangles) {
-    const Vec3 area = (surface.vertices[b] - surface.vertices[a])
-                          .cross(surface.vertices[c] - surface.vertices[a]);
-    for (const std::uint32_t v : {a, b, c}) areas[v] += area;
+  for (const TriangleMesh::Triangle& t : surface.triangles) {
+    const Vec3 area = area_vector(surface, t);
+    for (const std::uint32_t v : t) areas[v] += area;
   }
   std::size_t corrected = 0;
   for (std::size_t v = 0; v < normals.size(); ++v) {

@@ -5,7 +5,7 @@
 
 #include "core/random.hpp"
 #include "mesh/half_edges.hpp"
-#include "reconstruct/detail/soup.hpp"
+#include "mesh/sub_mesh.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -48,8 +48,8 @@ std::vector<Vec3> points_over(const TriangleMesh& mesh) {
   return points;
 }
 
-std::vector<Piece> pieces_nearest_to(const TriangleMesh& sheet, const NearestPoints& tree,
-                                     std::span<const std::uint32_t> block) {
+std::vector<Component> components_nearest_to(const TriangleMesh& sheet, const NearestPoints& tree,
+                                             std::span<const std::uint32_t> block) {
   std::vector<bool> on_block;
   for (const std::uint32_t i : block) {
     if (i >= on_block.size()) on_block.resize(i + 1, false);
@@ -67,7 +67,7 @@ std::vector<Piece> pieces_nearest_to(const TriangleMesh& sheet, const NearestPoi
   }
   const TriangleMesh rock = with_triangles(sheet, keep);
   if (rock.triangles.empty()) return {};
-  return pieces_of(without_ears(rock));
+  return components_of(without_ears(rock));
 }
 
 }  // namespace clast::reconstruct_detail

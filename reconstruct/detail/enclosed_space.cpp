@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kDepth = 4;  ///< halvings of a triangle's sides where planes meet behind it
 
-/// A place on the film carried on to the planes.
+/// A place on the closure carried on to the planes.
 struct Carried {
-  Vec3 way;             ///< from the centre to the film
+  Vec3 way;             ///< from the centre to the closure
   double factor = 1.0;  ///< ... to be lengthened by
   std::size_t plane = 0;
 };
@@ -35,7 +35,7 @@ class Space {
     return place;
   }
 
-  /// By which a way to the film is to be lengthened to reach a plane; no shorter than it is.
+  /// By which a way to the closure is to be lengthened to reach a plane; no shorter than it is.
   double factor(const Vec3& way, std::size_t plane) const {
     const double along = planes_[plane].normal.dot(way);
     if (!(along > 0.0)) return std::numeric_limits<double>::infinity();
@@ -87,10 +87,10 @@ class Space {
 
 }  // namespace
 
-std::optional<EnclosedSpace> enclosed_space(std::span<const Corners> film, const Vec3& centre,
+std::optional<EnclosedSpace> enclosed_space(std::span<const Corners> closure, const Vec3& centre,
                                             std::span<const Plane> planes, double farthest) {
   Space space(centre, planes, farthest);
-  for (const Corners& triangle : film) {
+  for (const Corners& triangle : closure) {
     if (!space.bounded()) break;
     std::array<Carried, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = space.carried(triangle[k] - centre);

@@ -1,5 +1,5 @@
 #pragma once
-/// The space between a film and planes behind it.
+/// The space between a closure and planes behind it.
 #include <array>
 #include <optional>
 #include <span>
@@ -11,17 +11,17 @@ namespace clast::reconstruct_detail {
 
 using Corners = std::array<Vec3, 3>;  ///< of a triangle, m
 
-/// What may lie behind a film, seen from a place within the body.
+/// What may lie behind a closure, seen from a place within the body.
 struct EnclosedSpace {
-  double volume = 0.0;       ///< between film and planes, m^3
-  std::vector<Vec3> places;  ///< on the planes, behind the film, its corners among them
+  double volume = 0.0;       ///< between closure and planes, m^3
+  std::vector<Vec3> places;  ///< on the planes, behind the closure, its corners among them
 };
 
-/// @param film      faces out of the body
-/// @param centre    a place within all half-spaces n . p <= d, before the film
+/// @param closure   faces out of the body
+/// @param centre    a place within all half-spaces n . p <= d, before the closure
 /// @param farthest  m
-/// @returns none where a way through the film leads farther than `farthest`
-std::optional<EnclosedSpace> enclosed_space(std::span<const Corners> film, const Vec3& centre,
+/// @returns none where a way through the closure leads farther than `farthest`
+std::optional<EnclosedSpace> enclosed_space(std::span<const Corners> closure, const Vec3& centre,
                                             std::span<const Plane> planes, double farthest);
 
 }  // namespace clast::reconstruct_detail

@@ -7,7 +7,8 @@
 #include "core/types.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/mesh_topology.hpp"
-#include "reconstruct/detail/soup.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/vertex_corners.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -19,29 +20,20 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Fans of one sheet may overlap by this much around a vertex of a rough surface, rad.
 constexpr double kOverlap = 0.35;
 
-Vec3 doubled_area(const TriangleMesh& mesh, const Triangle& t) {
-  return (mesh.vertices[t[1]] - mesh.vertices[t[0]])
-      .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
-}
-
 /// A border side, as the triangle beside it runs, and the fans of that triangle at both its ends.
 struct BorderSide {
   std::uint32_t from, to;
   std::uint32_t fan_from, fan_to;
 };
 
-std::vector<BorderSide> border_sides(const TriangleMesh& mesh, std::span<const HalfEdge> sorted,
+std::vector<BorderSide> border_sides(std::span<const HalfEdge> sorted,
                                      const std::vector<std::uint32_t>& fans) {
-  const auto fan_at = [&](std::uint32_t triangle, std::uint32_t vertex) {
-    const Triangle& t = mesh.triangles[triangle];
-    return fans[3 * triangle + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u)];
-  };
   std::vector<BorderSide> sides;
   for_each_edge(sorted, [&](std::span<const HalfEdge> edge) {
     if (edge.size() != 1) return;
-    const HalfEdge& side = edge[0];
-    sides.push_back({side.from(), side.to(), fan_at(side.triangle, side.from()),
-                     fan_at(side.triangle, side.to())});
+    const std::uint32_t at_from = 3 * edge[0].triangle + edge[0].side;
+    const std::uint32_t at_to = 3 * edge[0].triangle + (edge[0].side + 1) % 3;
+    sides.push_back({edge[0].from(), edge[0].to(), fans[at_from], fans[at_to]});
   });
   return sides;
 }
@@ -145,7 +137,7 @@ std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector
     for (OpenFan& fan : here) {
       triangles.push_back(triangles_of_fan[number[fan.fan]]);
       for (const std::uint32_t t : triangles.back()) {
-        fan.normal += doubled_area(mesh, mesh.triangles[t]);
+        fan.normal += area_vector(mesh, mesh.triangles[t]);
       }
     }
     const std::vector<OpenFan> around = in_order(mesh, vertex, here, sides, triangles);
@@ -165,12 +157,12 @@ std::size_t turn_hanging_scraps(TriangleMesh& mesh) {
   if (count < 2) return 0;
   std::vector<double> area(count, 0.0);
   std::vector<Vec3> normal(mesh.triangles.size());
-  std::vector<std::vector<std::uint32_t>> of_component(count), at_vertex(mesh.vertices.size());
+  std::vector<std::vector<std::uint32_t>> of_component(count);
+  const VertexCorners around(mesh);
   for (std::uint32_t t = 0; t < component.size(); ++t) {
-    normal[t] = doubled_area(mesh, mesh.triangles[t]);
+    normal[t] = area_vector(mesh, mesh.triangles[t]);
     area[component[t]] += normal[t].norm();
     of_component[component[t]].push_back(t);
-    for (const std::uint32_t v : mesh.triangles[t]) at_vertex[v].push_back(t);
   }
   const auto largest =
       static_cast<std::uint32_t>(std::max_element(area.begin(), area.end()) - area.begin());
@@ -187,10 +179,10 @@ std::size_t turn_hanging_scraps(TriangleMesh& mesh) {
     std::vector<std::uint32_t> next;
     for (const std::uint32_t t : of_component[here]) {
       for (const std::uint32_t v : mesh.triangles[t]) {
-        for (const std::uint32_t other : at_vertex[v]) {
-          const std::uint32_t there = component[other];
+        for (const std::uint32_t corner : around.at(v)) {
+          const std::uint32_t there = component[corner / 3];
           if (there == here) continue;
-          if (settled[there]) agreement += normal[t].dot(normal[other]);
+          if (settled[there]) agreement += normal[t].dot(normal[corner / 3]);
           if (!waiting[there]) next.push_back(there);
         }
       }
@@ -214,7 +206,7 @@ std::size_t turn_hanging_scraps(TriangleMesh& mesh) {
 std::vector<std::vector<std::uint32_t>> hole_loops(const TriangleMesh& mesh) {
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   const std::vector<std::uint32_t> fans = corner_fans(mesh, sorted);
-  const std::vector<BorderSide> sides = border_sides(mesh, sorted, fans);
+  const std::vector<BorderSide> sides = border_sides(sorted, fans);
   const std::vector<std::uint32_t> follower = followers(mesh, sides, fans);
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<bool> used(sides.size(), false);

@@ -18,11 +18,11 @@ namespace {
 constexpr std::size_t kFewest = 30;
 constexpr int kRefinements = 6;
 /// Smallest weight of an edge against the largest at its vertex: long obtuse triangles have
-/// negative ones, with which a film may leave the hull of its rim.
+/// negative ones, with which a membrane may leave the hull of its rim.
 constexpr double kSmallestWeight = 1e-3;
 
-HolePatch triangulated(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop,
-                       double density) {
+HolePatch triangulate(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop,
+                      double density) {
   mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
   const auto first = mesh_detail::CgalMesh::Vertex_index(loop[0]),
              second = mesh_detail::CgalMesh::Vertex_index(loop[1]);
@@ -57,7 +57,7 @@ HolePatch triangulated(const TriangleMesh& mesh, const std::vector<std::uint32_t
   return patch;
 }
 
-/// Moves the new vertices to the film and sets their bulge.
+/// Moves the new vertices to the membrane and sets their bulge.
 void relax(HolePatch& patch, const TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   const auto count = static_cast<Eigen::Index>(patch.vertices.size());
@@ -66,7 +66,7 @@ void relax(HolePatch& patch, const TriangleMesh& mesh) {
   };
   const Vec3 origin = patch.vertices[0];  // map coordinates would cost digits
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixXd sides = Eigen::MatrixXd::Zero(count, 4);  // x, y, z of the film; pressure
+  Eigen::MatrixXd sides = Eigen::MatrixXd::Zero(count, 4);  // x, y, z of the membrane; pressure
   const auto add = [&](std::uint32_t v, std::uint32_t other, double weight) {
     if (v < first) return;
     const auto row = static_cast<Eigen::Index>(v - first);
@@ -118,11 +118,11 @@ HolePatch star(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop)
 
 }  // namespace
 
-HolePatch filled_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
+HolePatch fill_hole(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop) {
   HolePatch patch;
   double density = std::sqrt(2.0);
   for (int i = 0; i < kRefinements; ++i, density *= 1.5) {
-    patch = triangulated(mesh, loop, density);
+    patch = triangulate(mesh, loop, density);
     if (patch.triangles.empty()) return star(mesh, loop);
     if (patch.vertices.size() >= std::max(kFewest, loop.size() / 2)) break;
   }

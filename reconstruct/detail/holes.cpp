@@ -22,7 +22,6 @@
 #include "mesh/half_edges.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/loop_filling.hpp"
-#include "reconstruct/detail/soup.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -71,7 +70,7 @@ Vertex star_over(mesh_detail::CgalMesh& mesh, Halfedge border) {
   }
   CGAL::Euler::fill_hole(border, mesh);
   const Vertex middle = mesh.target(CGAL::Euler::add_center_vertex(border, mesh));
-  const Vec3 centre = measured_hole(points).centre;
+  const Vec3 centre = measure_hole(points).centre;
   mesh.point(middle) = mesh_detail::CgalPoint(centre.x(), centre.y(), centre.z());
   return middle;
 }
@@ -98,25 +97,25 @@ double area_of(const mesh_detail::CgalMesh& mesh, const std::vector<Face>& faces
 }
 
 /// Moves the vertices to a surface that is smooth at the border, but no farther from a membrane
-/// over it than half its width. Returns six times the volume under the film.
+/// over it than half its width. Returns six times the volume under the membrane.
 double bulge(mesh_detail::CgalMesh& mesh, const std::vector<Face>& patch,
              const std::vector<Vertex>& added, const FilledHole& hole) {
   Processing::fair(mesh, added, CGAL::parameters::fairing_continuity(0));
-  const double film_volume = sixfold_volume(mesh, patch, hole.centre);
+  const double membrane_volume = sixfold_volume(mesh, patch, hole.centre);
   const double limit = kMostBulge * 2.0 * area_of(mesh, patch) / hole.perimeter;
-  std::vector<Vec3> film;
-  for (const Vertex v : added) film.push_back(point_of(mesh, v));
+  std::vector<Vec3> membrane;
+  for (const Vertex v : added) membrane.push_back(point_of(mesh, v));
   Processing::fair(mesh, added);
   double highest = 0.0;
   for (std::size_t i = 0; i < added.size(); ++i) {
-    highest = std::max(highest, (point_of(mesh, added[i]) - film[i]).norm());
+    highest = std::max(highest, (point_of(mesh, added[i]) - membrane[i]).norm());
   }
-  if (highest <= limit) return film_volume;
+  if (highest <= limit) return membrane_volume;
   for (std::size_t i = 0; i < added.size(); ++i) {
-    const Vec3 p = film[i] + limit / highest * (point_of(mesh, added[i]) - film[i]);
+    const Vec3 p = membrane[i] + limit / highest * (point_of(mesh, added[i]) - membrane[i]);
     mesh.point(added[i]) = mesh_detail::CgalPoint(p.x(), p.y(), p.z());
   }
-  return film_volume;
+  return membrane_volume;
 }
 
 /// Unit normals of the triangles beyond the sides of a border, in the order of its vertices.
@@ -151,9 +150,9 @@ void fill(mesh_detail::CgalMesh& mesh, Halfedge border, const std::vector<Vec3>&
   }
   Processing::refine(mesh, patch, std::back_inserter(more), std::back_inserter(added));
   patch.insert(patch.end(), more.begin(), more.end());
-  const double film =
+  const double membrane =
       added.empty() ? sixfold_volume(mesh, patch, hole.centre) : bulge(mesh, patch, added, hole);
-  const double bulged = (sixfold_volume(mesh, patch, hole.centre) - film) / 6.0;
+  const double bulged = (sixfold_volume(mesh, patch, hole.centre) - membrane) / 6.0;
   hole.volume_below = std::max(0.0, cones.below + bulged);
   hole.volume_above = std::max(0.0, cones.above - bulged);
   hole.area = area_of(mesh, patch);
@@ -174,7 +173,7 @@ bool is_unseen_side(const std::vector<Vec3>& border, double seen_area) {
   return share > kUnseenShare || (share > kSmallestUnseenShare && sides_wide > kUnseenWidth);
 }
 
-FilledHole measured_hole(const std::vector<Vec3>& border) {
+FilledHole measure_hole(const std::vector<Vec3>& border) {
   FilledHole hole;
   hole.border_edges = border.size();
   for (std::size_t i = 0; i < border.size(); ++i) {
@@ -192,7 +191,7 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
   std::erase_if(loops,
                 [&](const auto& loop) { return loop.size() > most_edges || loop.size() < 3; });
   if (loops.empty()) return filled;
-  std::set<std::array<std::uint32_t, 2>> edges;
+  std::set<EdgeKey> edges;
   for (const HalfEdge& side : sorted_half_edges(mesh)) edges.insert({side.low, side.high});
   for (const std::vector<std::uint32_t>& loop : loops) {
     std::vector<Triangle> best;
@@ -201,7 +200,7 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
       bool crosses = false;
       for (std::size_t k = 2; k + 1 < loop.size(); ++k) {
         const std::uint32_t other = loop[(apex + k) % loop.size()];
-        crosses |= edges.contains({std::min(loop[apex], other), std::max(loop[apex], other)});
+        crosses |= edges.contains(edge_key(loop[apex], other));
       }
       std::vector<Triangle> candidate = fan(loop, apex);
       const double area = area_of(mesh, candidate);
@@ -211,14 +210,12 @@ std::vector<FilledHole> close_by_fans(TriangleMesh& mesh, std::size_t most_edges
     }
     if (best.empty()) continue;
     for (const Triangle& t : best) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        edges.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
-      }
+      for (std::size_t k = 0; k < 3; ++k) edges.insert(edge_key(t[k], t[(k + 1) % 3]));
     }
     mesh.triangles.insert(mesh.triangles.end(), best.begin(), best.end());
     std::vector<Vec3> border;
     for (const std::uint32_t v : loop) border.push_back(mesh.vertices[v]);
-    filled.push_back(measured_hole(border));
+    filled.push_back(measure_hole(border));
     filled.back().area = smallest;
     filled.back().fan = true;
   }
@@ -236,7 +233,7 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool unseen_sides) {
     for (const Vertex v : CGAL::vertices_around_face(start, work)) {
       border.push_back(point_of(work, v));
     }
-    FilledHole hole = measured_hole(border);
+    FilledHole hole = measure_hole(border);
     if (!unseen_sides && is_unseen_side(border, area)) continue;
     try {
       fill(work, start, border, hole);

@@ -12,7 +12,7 @@ namespace clast::reconstruct_detail {
 inline constexpr std::size_t kFanEdges = 4;
 
 /// What is known of a hole from its border.
-FilledHole measured_hole(const std::vector<Vec3>& border);
+FilledHole measure_hole(const std::vector<Vec3>& border);
 
 /// Is the hole within this border an unseen side, of which only bounds are known? It is if it has
 /// 5 % of the closed surface, or 1 % and a width of three of its mean border sides (twice its area

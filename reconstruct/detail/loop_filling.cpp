@@ -71,11 +71,7 @@ class Triangulations {
 
   double area(const std::vector<TriangleMesh::Triangle>& triangles) const {
     double sum = 0.0;
-    for (const auto& [a, b, c] : triangles) {
-      sum += 0.5 * (mesh_.vertices[b] - mesh_.vertices[a])
-                       .cross(mesh_.vertices[c] - mesh_.vertices[a])
-                       .norm();
-    }
+    for (const TriangleMesh::Triangle& t : triangles) sum += triangle_area(mesh_, t);
     return sum;
   }
 
@@ -168,10 +164,9 @@ bool repeats_an_edge(const std::vector<TriangleMesh::Triangle>& triangles) {
 
 }  // namespace
 
-std::optional<LoopFilling> filled_loop(const TriangleMesh& mesh,
-                                       std::span<const std::uint32_t> loop,
-                                       std::span<const Vec3> normals,
-                                       const std::set<EdgeKey>& edges) {
+std::optional<LoopFilling> fill_loop(const TriangleMesh& mesh, std::span<const std::uint32_t> loop,
+                                     std::span<const Vec3> normals,
+                                     const std::set<EdgeKey>& edges) {
   if (loop.size() < 3) return std::nullopt;
   Triangulations all(mesh, loop, normals, edges);
   LoopFilling filling;

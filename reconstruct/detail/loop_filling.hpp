@@ -1,12 +1,12 @@
 #pragma once
 /// Triangles across a small loop, between its own corners.
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
 #include <span>
 #include <vector>
 
+#include "mesh/half_edges.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::reconstruct_detail {
@@ -20,13 +20,6 @@ struct LoopFilling {
   double volume_below = 0.0, volume_above = 0.0;
 };
 
-/// Vertices of an edge, the smaller number first.
-using EdgeKey = std::array<std::uint32_t, 2>;
-
-inline EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
-  return a < b ? EdgeKey{a, b} : EdgeKey{b, a};
-}
-
 /// Of all triangulations of `loop` that repeat no edge of `edges`, the one with the least bending:
 /// the sum of dihedral angle times length over its edges and those of the loop, with the triangles
 /// beyond them. No vertex is added or moved. Cubic in the length of the loop.
@@ -35,10 +28,8 @@ inline EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
 /// @param edges    all edges of the mesh
 /// @returns none where every triangulation repeats an edge
 /// @cite liepa2003
-std::optional<LoopFilling> filled_loop(const TriangleMesh& mesh,
-                                       std::span<const std::uint32_t> loop,
-                                       std::span<const Vec3> normals,
-                                       const std::set<EdgeKey>& edges);
+std::optional<LoopFilling> fill_loop(const TriangleMesh& mesh, std::span<const std::uint32_t> loop,
+                                     std::span<const Vec3> normals, const std::set<EdgeKey>& edges);
 
 /// Volumes (m^3) under and over a flat filling of a loop, of the cones up to where the planes
 /// beyond its sides pass its middle: a convex surface stays within the upper one. The mean over the

@@ -74,12 +74,12 @@ void keep_one_solid(Delaunay& delaunay) {
   std::vector<Cell> kept;
   for (const Cell cell : delaunay.finite_cell_handles()) {
     if (cell->info() != Side::kInside) continue;
-    std::vector<Cell> piece = hanging_together(cell, Side::kInside);
+    std::vector<Cell> component = hanging_together(cell, Side::kInside);
     double volume = 0.0;
-    for (const Cell& part : piece) volume += delaunay.tetrahedron(part).volume();
+    for (const Cell& part : component) volume += delaunay.tetrahedron(part).volume();
     if (volume <= largest) continue;
     largest = volume;
-    kept = std::move(piece);
+    kept = std::move(component);
   }
   for (const Cell cell : delaunay.all_cell_handles()) cell->info() = Side::kOutside;
   set(kept, Side::kInside);

@@ -29,7 +29,7 @@ class Indicator {
 /// The closed surface through the points that separates the Delaunay tetrahedra inside from those
 /// outside, by the indicator at their circumcentres: the restricted Delaunay triangulation, which
 /// of a sample dense enough is a manifold. The surface has no vertex but the points, so it never
-/// leaves their hull; points off it are no vertices. It crosses itself nowhere, is in one piece
+/// leaves their hull; points off it are no vertices. It crosses itself nowhere, is in one component
 /// without cavities, and closed also where no points are: there its triangles are large.
 /// @param spacings  of the points, m: parts thinner than that are taken in, as far as points lie on
 ///                  them, and noise with them; empty: they are not

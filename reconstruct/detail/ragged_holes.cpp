@@ -6,10 +6,10 @@
 
 #include "core/disjoint_sets.hpp"
 #include "mesh/half_edges.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "reconstruct/detail/hole_loops.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/loop_filling.hpp"
-#include "reconstruct/detail/soup.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -18,10 +18,10 @@ namespace {
 /// The search of a filling is cubic in the corners.
 constexpr std::size_t kMostCorners = 150;
 /// Components with less of the area that touch the rest nowhere are not closed here.
-constexpr double kLoosePiece = 0.05;
+constexpr double kLooseComponent = 0.05;
 
-/// Of each vertex: does the piece that it is of, connected over vertices, have enough area?
-std::vector<bool> on_large_piece(const TriangleMesh& mesh) {
+/// Of each vertex: does the component that it is of, connected over vertices, have enough area?
+std::vector<bool> on_large_component(const TriangleMesh& mesh) {
   DisjointSets sets(mesh.vertices.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     sets.join(t[0], t[1]);
@@ -36,7 +36,7 @@ std::vector<bool> on_large_piece(const TriangleMesh& mesh) {
   }
   std::vector<bool> large(mesh.vertices.size());
   for (std::uint32_t v = 0; v < large.size(); ++v) {
-    large[v] = area[sets.find(v)] > kLoosePiece * whole;
+    large[v] = area[sets.find(v)] > kLooseComponent * whole;
   }
   return large;
 }
@@ -47,16 +47,14 @@ std::vector<FilledHole> close_ragged_holes(TriangleMesh& mesh) {
   std::vector<FilledHole> filled;
   const std::vector<std::vector<std::uint32_t>> loops = hole_loops(mesh);
   if (loops.empty()) return filled;
-  const std::vector<bool> large = on_large_piece(mesh);
+  const std::vector<bool> large = on_large_component(mesh);
   std::set<EdgeKey> edges;
   std::map<EdgeKey, Vec3> beyond;  // normals beside border sides
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
     edges.insert(edges.end(), {sides[0].low, sides[0].high});
     if (sides.size() != 1) return;
     const TriangleMesh::Triangle& t = mesh.triangles[sides[0].triangle];
-    beyond[{sides[0].low, sides[0].high}] = (mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                                                .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
-                                                .normalized();
+    beyond[{sides[0].low, sides[0].high}] = area_vector(mesh, t).normalized();
   });
   for (const std::vector<std::uint32_t>& loop : loops) {
     if (loop.size() < 3 || loop.size() > kMostCorners || !large[loop[0]]) continue;
@@ -65,9 +63,9 @@ std::vector<FilledHole> close_ragged_holes(TriangleMesh& mesh) {
       border.push_back(mesh.vertices[loop[i]]);
       normals.push_back(beyond.at(edge_key(loop[i], loop[(i + 1) % loop.size()])));
     }
-    const std::optional<LoopFilling> filling = filled_loop(mesh, loop, normals, edges);
+    const std::optional<LoopFilling> filling = fill_loop(mesh, loop, normals, edges);
     if (!filling) continue;
-    FilledHole hole = measured_hole(border);
+    FilledHole hole = measure_hole(border);
     const double width = 2.0 * filling->area / hole.perimeter;
     const double side = hole.perimeter / static_cast<double>(loop.size());
     if (width > kWidthOfMissingTriangles * side) continue;

@@ -38,7 +38,7 @@ Sections::Sections(const TriangleMesh& mesh, const Vec3& up) {
 }
 
 // The border of the section, run counter-clockwise with the triangles' own turn: half the sum of
-// the cross products of its pieces, by Green's theorem.
+// the cross products of its components, by Green's theorem.
 double Sections::area(double height) const {
   const double level = height - offset_;
   double doubled = 0.0;

@@ -6,7 +6,7 @@
 
 #include "core/statistics.hpp"
 #include "mesh/mesh_topology.hpp"
-#include "reconstruct/detail/soup.hpp"
+#include "mesh/sub_mesh.hpp"
 
 namespace clast::reconstruct_detail {
 

@@ -11,9 +11,10 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr double kThinCell = 1.0 / 150.0;  ///< of the diagonal: sets are told apart on fewer points
-constexpr double kReach = 3.0;             ///< cells from one point of a set to the next,
-/// or so many spacings of the thinnest points: this quantile of all.
+constexpr double kDecimationCell =
+    1.0 / 150.0;                ///< of the diagonal: sets are separated on fewer points
+constexpr double kReach = 3.0;  ///< cells from one point of a set to the next,
+/// or so many spacings of the sparsest points: this quantile of all.
 constexpr double kSpacings = 4.0, kThinnest = 0.98;
 constexpr double kNear = 0.25;  ///< of the largest set's diagonal
 
@@ -28,38 +29,38 @@ NearAndFar near_and_far(std::span<const Vec3> points) {
   result.near.assign(points.begin(), points.end());
   Bounds box;
   for (const Vec3& p : points) box.include(p);
-  const double cell = kThinCell * box.diagonal();
+  const double cell = kDecimationCell * box.diagonal();
   if (points.empty() || !(cell > 0.0)) return result;
-  const std::vector<Vec3> thin = thinned(points, cell);
-  if (thin.size() < 8) return result;
-  std::vector<double> spacings = local_spacings(thin);
-  const auto thinnest = spacings.begin() + static_cast<std::ptrdiff_t>(
+  const std::vector<Vec3> sparse = decimated(points, cell);
+  if (sparse.size() < 8) return result;
+  std::vector<double> spacings = local_spacings(sparse);
+  const auto sparsest = spacings.begin() + static_cast<std::ptrdiff_t>(
                                                kThinnest * static_cast<double>(spacings.size()));
-  std::nth_element(spacings.begin(), thinnest, spacings.end());
-  const double reach = std::max(kReach * cell, kSpacings * *thinnest);
-  const std::vector<std::vector<std::uint32_t>> sets = clusters(thin, reach, 1);
+  std::nth_element(spacings.begin(), sparsest, spacings.end());
+  const double reach = std::max(kReach * cell, kSpacings * *sparsest);
+  const std::vector<std::vector<std::uint32_t>> sets = clusters(sparse, reach, 1);
   if (sets.size() < 2) return result;
 
   Bounds around;
-  for (const std::uint32_t i : sets[0]) around.include(thin[i]);
+  for (const std::uint32_t i : sets[0]) around.include(sparse[i]);
   const Vec3 margin = Vec3::Constant(kNear * around.diagonal());
   around.low -= margin;
   around.high += margin;
-  std::vector<bool> is_far(thin.size(), false);
+  std::vector<bool> is_far(sparse.size(), false);
   bool any = false;
   for (std::size_t s = 1; s < sets.size(); ++s) {
     Bounds own;
-    for (const std::uint32_t i : sets[s]) own.include(thin[i]);
+    for (const std::uint32_t i : sets[s]) own.include(sparse[i]);
     if (meet(own, around)) continue;
     for (const std::uint32_t i : sets[s]) is_far[i] = true;
     if (any) continue;  // the largest far set comes first
     any = true;
     result.far_share = static_cast<double>(sets[s].size()) / static_cast<double>(sets[0].size());
-    result.far_place = thin[sets[s].front()];
+    result.far_place = sparse[sets[s].front()];
   }
   if (!any) return result;
   result.near.clear();
-  const NearestPoints tree(thin);
+  const NearestPoints tree(sparse);
   for (const Vec3& p : points) {
     if (is_far[tree.nearest(p, 1).front().point]) {
       ++result.far;

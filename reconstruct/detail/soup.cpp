@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <optional>
 #include <span>
 
-#include "core/disjoint_sets.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/mesh_topology.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "mesh/vertex_corners.hpp"
+#include "mesh/weld.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 
 namespace clast::reconstruct_detail {
@@ -18,7 +19,6 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Rounds of dropping fins: one that stands on another is seen when that is gone.
 constexpr int kFinRounds = 8;
 /// Share of the triangles that may disagree with a neighbour where nearly all face one way.
@@ -40,22 +40,10 @@ std::array<std::size_t, 2> smoothest_pair(const std::vector<Vec3>& wing) {
   return best;
 }
 
-/// Patches of triangles connected over edges of two.
-std::vector<std::uint32_t> manifold_patches(const TriangleMesh& mesh,
-                                            std::span<const HalfEdge> sorted) {
-  DisjointSets sets(mesh.triangles.size());
-  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-    if (sides.size() == 2) sets.join(sides[0].triangle, sides[1].triangle);
-  });
-  std::vector<std::uint32_t> patch(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < patch.size(); ++t) patch[t] = sets.find(t);
-  return patch;
-}
-
 /// Removes the triangles at edges where both neighbours run the same way, where they are few.
-Mended take_out_disagreeing(TriangleMesh& mesh) {
+Change drop_disagreeing(TriangleMesh& mesh) {
   std::vector<bool> drop(mesh.triangles.size(), false);
-  Mended result;
+  Change result;
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
     if (sides.size() != 2 || sides[0].forward != sides[1].forward) return;
     if (result.count++ == 0) result.place = mesh.vertices[sides[0].low];
@@ -63,40 +51,14 @@ Mended take_out_disagreeing(TriangleMesh& mesh) {
   });
   const auto dropped = static_cast<double>(std::count(drop.begin(), drop.end(), true));
   if (dropped > kFewDisagree * static_cast<double>(drop.size())) return {};
-  result.area = taken_out(mesh, drop).area;
+  result.area = drop_triangles(mesh, drop).area;
   return result;
 }
 
 }  // namespace
 
-TriangleMesh compacted(const TriangleMesh& source, const std::vector<Triangle>& triangles) {
-  std::vector<std::uint32_t> number(source.vertices.size(), kNone);
-  for (const Triangle& t : triangles) {
-    for (const std::uint32_t v : t) number[v] = 0;
-  }
-  TriangleMesh result;
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == kNone) continue;
-    number[v] = static_cast<std::uint32_t>(result.vertices.size());
-    result.vertices.push_back(source.vertices[v]);
-  }
-  result.triangles.reserve(triangles.size());
-  for (const Triangle& t : triangles) {
-    result.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
-  }
-  return result;
-}
-
-TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep) {
-  std::vector<Triangle> kept;
-  for (std::size_t t = 0; t < keep.size(); ++t) {
-    if (keep[t]) kept.push_back(mesh.triangles[t]);
-  }
-  return compacted(mesh, kept);
-}
-
-Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop) {
-  Mended result;
+Change drop_triangles(TriangleMesh& mesh, const std::vector<bool>& drop) {
+  Change result;
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!drop[t]) {
@@ -110,31 +72,13 @@ Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop) {
   return result;
 }
 
-std::array<std::uint32_t, 2> first_non_manifold_edge(const TriangleMesh& mesh) {
-  std::optional<std::array<std::uint32_t, 2>> found;
-  const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
-  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-    if (sides.size() > 2 && !found) found = {sides[0].low, sides[0].high};
-  });
-  return found.value();
-}
-
-Mended drop_opposite_pairs(TriangleMesh& mesh) {
-  std::vector<std::pair<Triangle, std::uint32_t>> order;
-  order.reserve(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    Triangle corners = mesh.triangles[t];
-    std::sort(corners.begin(), corners.end());
-    order.emplace_back(corners, t);
-  }
-  std::sort(order.begin(), order.end());
+Change drop_opposite_pairs(TriangleMesh& mesh) {
   std::vector<bool> second(mesh.triangles.size(), false);
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-    if (order[i].first != order[i + 1].first) continue;
-    pairs.push_back({order[i].second, order[i + 1].second});
-    second[order[i + 1].second] = true;
-    ++i;
+  std::vector<TriangleCopy> pairs;
+  for (const TriangleCopy& copy : repeated_triangles(mesh.triangles, CopyTurn::kEither)) {
+    if (second[copy.before]) continue;  // is in a pair already
+    pairs.push_back(copy);
+    second[copy.again] = true;
   }
   if (pairs.empty()) return {};
   // Sides of a triangle over which the surface goes on to just one other, pairs counted once.
@@ -150,14 +94,14 @@ Mended drop_opposite_pairs(TriangleMesh& mesh) {
   for (const auto& [first, other] : pairs) {
     if (goes_on[first] < 2) drop[first] = true;
   }
-  return taken_out(mesh, drop);
+  return drop_triangles(mesh, drop);
 }
 
-Mended drop_fins(TriangleMesh& mesh, double largest_share) {
-  Mended result;
+Change drop_fins(TriangleMesh& mesh, double largest_share) {
+  Change result;
   for (int round = 0; round < kFinRounds; ++round) {
     const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
-    const std::vector<std::uint32_t> patch = manifold_patches(mesh, sorted);
+    const std::vector<std::uint32_t> patch = manifold_components(triangle_neighbours(mesh, sorted));
     std::vector<double> area(mesh.triangles.size(), 0.0), voted(area), bordered(area);
     double whole = 0.0;
     for (std::size_t t = 0; t < patch.size(); ++t) {
@@ -200,7 +144,7 @@ Mended drop_fins(TriangleMesh& mesh, double largest_share) {
     }
     std::vector<bool> drop(mesh.triangles.size());
     for (std::size_t t = 0; t < drop.size(); ++t) drop[t] = fate[patch[t]] == kDrop;
-    const Mended now = taken_out(mesh, drop);
+    const Change now = drop_triangles(mesh, drop);
     if (now.count == 0) break;
     if (result.count == 0) result.place = now.place;
     result.count += now.count;
@@ -209,11 +153,8 @@ Mended drop_fins(TriangleMesh& mesh, double largest_share) {
   return result;
 }
 
-Mended drop_fins_at_borders(TriangleMesh& mesh) {
-  std::vector<std::uint32_t> triangles_at(mesh.vertices.size(), 0);
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t v : t) ++triangles_at[v];
-  }
+Change drop_fins_at_borders(TriangleMesh& mesh) {
+  const VertexCorners around(mesh);
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   std::vector<int> shared(mesh.triangles.size(), 0);
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
@@ -223,92 +164,59 @@ Mended drop_fins_at_borders(TriangleMesh& mesh) {
   std::vector<bool> drop(mesh.triangles.size());
   for (std::size_t t = 0; t < drop.size(); ++t) {
     const Triangle& corners = mesh.triangles[t];
-    drop[t] = shared[t] == 1 && std::any_of(corners.begin(), corners.end(),
-                                            [&](std::uint32_t v) { return triangles_at[v] == 1; });
+    drop[t] = shared[t] == 1 && std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+                return around.at(v).size() == 1;
+              });
   }
-  return taken_out(mesh, drop);
-}
-
-void turn_over(TriangleMesh& mesh) {
-  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return drop_triangles(mesh, drop);
 }
 
 Orientation orient_consistently(TriangleMesh& mesh) {
-  struct Link {
-    std::uint32_t triangle;
-    bool agrees;
-    std::uint32_t vertex;
-  };
-  std::vector<std::vector<Link>> links(mesh.triangles.size());
-  const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
-  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-    if (sides.size() != 2) return;
-    const bool agrees = sides[0].forward != sides[1].forward;
-    links[sides[0].triangle].push_back({sides[1].triangle, agrees, sides[0].low});
-    links[sides[1].triangle].push_back({sides[0].triangle, agrees, sides[0].low});
-  });
-
-  enum : char { kUnseen, kAsIs, kTurned };
-  std::vector<char> state(mesh.triangles.size(), kUnseen);
+  const RelativeFacing facing = relative_facing(mesh, triangle_neighbours(mesh));
   Orientation result;
-  for (std::uint32_t seed = 0; seed < mesh.triangles.size(); ++seed) {
-    if (state[seed] != kUnseen) continue;
-    std::vector<std::uint32_t> piece = {seed};
-    state[seed] = kAsIs;
-    std::size_t turned = 0;
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      for (const Link& link : links[piece[i]]) {
-        const char wanted = (state[piece[i]] == kAsIs) == link.agrees ? kAsIs : kTurned;
-        char& there = state[link.triangle];
-        if (there == kUnseen) {
-          there = wanted;
-          turned += wanted == kTurned;
-          piece.push_back(link.triangle);
-        } else if (there != wanted) {
-          if (result.orientable) result.conflict = link.vertex;
-          result.orientable = false;
-        }
-      }
-    }
-    const bool majority_turned = 2 * turned > piece.size();
-    for (const std::uint32_t t : piece) {
-      if ((state[t] == kTurned) != majority_turned) {
-        std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-        if (result.turned++ == 0) result.first = mesh.triangles[t][0];
-      }
+  result.orientable = !facing.conflict;
+  result.conflict = facing.conflict.value_or(0);
+  for (const std::vector<std::uint32_t>& component : facing.components) {
+    const auto against = std::count_if(component.begin(), component.end(),
+                                       [&](std::uint32_t t) { return facing.against[t]; });
+    const bool most = 2 * static_cast<std::size_t>(against) > component.size();
+    for (const std::uint32_t t : component) {
+      if (facing.against[t] == most) continue;
+      std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+      if (result.turned++ == 0) result.first = mesh.triangles[t][0];
     }
   }
   return result;
 }
 
-SoupMends mend_soup(TriangleMesh& mesh, double largest_fin) {
-  SoupMends mends;
-  mends.folded = drop_opposite_pairs(mesh);
-  if (mesh.triangles.empty()) return mends;
-  if (inspect(mesh).non_manifold_edges > 0) mends.fins = drop_fins(mesh, largest_fin);
-  if (mends.fins.count > 0) {
-    const Mended more = drop_fins_at_borders(mesh);
-    mends.fins.count += more.count;
-    mends.fins.area += more.area;
+SoupRepair repair_soup(TriangleMesh& mesh, double largest_fin) {
+  SoupRepair repair;
+  repair.folded = drop_opposite_pairs(mesh);
+  if (mesh.triangles.empty()) return repair;
+  if (inspect(mesh).non_manifold_edges > 0) repair.fins = drop_fins(mesh, largest_fin);
+  if (repair.fins.count > 0) {
+    const Change more = drop_fins_at_borders(mesh);
+    repair.fins.count += more.count;
+    repair.fins.area += more.area;
   }
   const TriangleMesh as_faced = mesh;
-  mends.orientation = orient_consistently(mesh);
-  if (!mends.orientation.orientable) {
+  repair.orientation = orient_consistently(mesh);
+  if (!repair.orientation.orientable) {
     // Of two sheets that touched, two triangles may be left that were never neighbours.
     mesh = as_faced;
-    mends.touching = take_out_disagreeing(mesh);
-    mends.orientation = orient_consistently(mesh);
+    repair.touching = drop_disagreeing(mesh);
+    repair.orientation = orient_consistently(mesh);
   }
-  if (!mends.orientation.orientable || inspect(mesh).non_manifold_edges == 0) return mends;
-  const Mended cut = cut_touching_edges(mesh);
-  if (mends.touching.count == 0) mends.touching.place = cut.place;
-  mends.touching.count += cut.count;
-  mends.touching.area += cut.area;
+  if (!repair.orientation.orientable || inspect(mesh).non_manifold_edges == 0) return repair;
+  const Change cut = cut_touching_edges(mesh);
+  if (repair.touching.count == 0) repair.touching.place = cut.place;
+  repair.touching.count += cut.count;
+  repair.touching.area += cut.area;
   const Orientation again = orient_consistently(mesh);
-  mends.orientation.turned += again.turned;
-  mends.orientation.orientable = again.orientable;
-  mends.orientation.conflict = again.conflict;
-  return mends;
+  repair.orientation.turned += again.turned;
+  repair.orientation.orientable = again.orientable;
+  repair.orientation.conflict = again.conflict;
+  return repair;
 }
 
 }  // namespace clast::reconstruct_detail

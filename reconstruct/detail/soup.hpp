@@ -1,6 +1,5 @@
 #pragma once
-/// From triangles that meet anyhow to pieces that are manifold and face one way.
-#include <array>
+/// From triangles that meet anyhow to components that are manifold and face one way.
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -9,46 +8,34 @@
 
 namespace clast::reconstruct_detail {
 
-/// What a mend took out or changed.
-struct Mended {
+/// What one step of a repair dropped or changed.
+struct Change {
   std::size_t count = 0;
-  double area = 0.0;          ///< of what was taken out
+  double area = 0.0;          ///< of what was dropped
   Vec3 place = Vec3::Zero();  ///< of the first; meaningless when `count` is 0
 };
 
-/// `triangles` over the vertices of `source`, unused vertices left out.
-TriangleMesh compacted(const TriangleMesh& source,
-                       const std::vector<TriangleMesh::Triangle>& triangles);
-
-/// The mesh with only the triangles that `keep` says, without unused vertices, orders kept.
+/// Drops the marked triangles, and the vertices that only they use. Counts triangles.
 /// @pre one flag for each triangle
-TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<bool>& keep);
-
-/// Takes the marked triangles out, and the vertices that only they use. Counts triangles.
-/// @pre one flag for each triangle
-Mended taken_out(TriangleMesh& mesh, const std::vector<bool>& drop);
-
-/// Vertices of the first edge with more than two triangles.
-/// @pre there is one
-std::array<std::uint32_t, 2> first_non_manifold_edge(const TriangleMesh& mesh);
+Change drop_triangles(TriangleMesh& mesh, const std::vector<bool>& drop);
 
 /// Of two triangles with the same corners and opposite turn, one is kept where the surface goes on
 /// at both sides (stored twice, or two-sided throughout), none where it doesn't (a sliver welded
 /// flat). Counts those dropped.
-Mended drop_opposite_pairs(TriangleMesh& mesh);
+Change drop_opposite_pairs(TriangleMesh& mesh);
 
-/// A piece of surface that stands on the rest and has less of its area than this is a fin.
+/// A part of the surface that stands on the rest and has less of its area than this is a fin.
 inline constexpr double kFinArea = 0.05;
 
-/// Drops small pieces of surface that meet the rest on edges of more than two triangles and go on
-/// less smoothly there than the rest does without them: fins, and sheets that lie on the surface.
-/// Counts triangles.
-/// @param largest_share  of the area that such a piece may have
-Mended drop_fins(TriangleMesh& mesh, double largest_share);
+/// Drops small parts of the surface that meet the rest on edges of more than two triangles and go
+/// on less smoothly there than the rest does without them: fins, and sheets that lie on the
+/// surface. Counts triangles.
+/// @param largest_share  of the area that such a part may have
+Change drop_fins(TriangleMesh& mesh, double largest_share);
 
 /// Drops triangles that meet the rest on one edge alone and have a tip of their own. In a scan that
 /// has fins elsewhere they are fins that stand on a border. Counts triangles.
-Mended drop_fins_at_borders(TriangleMesh& mesh);
+Change drop_fins_at_borders(TriangleMesh& mesh);
 
 struct Orientation {
   std::size_t turned = 0;  ///< triangles that were flipped
@@ -57,15 +44,13 @@ struct Orientation {
   std::uint32_t first = 0;     ///< a vertex of the first triangle that was flipped
 };
 
-/// Makes neighbours over edges with two triangles agree; each piece keeps the turn that most of its
-/// triangles have.
+/// Makes neighbours over edges with two triangles agree; each component keeps the turn that most of
+/// its triangles have.
 Orientation orient_consistently(TriangleMesh& mesh);
 
-void turn_over(TriangleMesh& mesh);
-
 /// All of the above, and `cut_touching_edges`, in order.
-struct SoupMends {
-  Mended folded, fins, touching;
+struct SoupRepair {
+  Change folded, fins, touching;
   Orientation orientation;  ///< counts both rounds
 };
 
@@ -74,6 +59,6 @@ struct SoupMends {
 /// has one triangle or two, and neighbours face the same way; where they can't, `orientation` says
 /// so and the mesh is left half done.
 /// @param largest_fin  share of the area that a fin may have
-SoupMends mend_soup(TriangleMesh& mesh, double largest_fin);
+SoupRepair repair_soup(TriangleMesh& mesh, double largest_fin);
 
 }  // namespace clast::reconstruct_detail

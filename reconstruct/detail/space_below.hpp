@@ -16,7 +16,7 @@ struct SpaceBelow {
   double plan_area = 0.0;  ///< of the mesh
 };
 
-/// @param closed  closed below, by a film that adds nothing
+/// @param closed  closed below, by a closure that adds nothing
 /// @param strip   height, m; three cubes at least are taken
 SpaceBelow space_below(const TriangleMesh& closed, const Plane& ground, double strip,
                        const SeenThrough& through);

@@ -12,6 +12,7 @@
 
 #include "core/types.hpp"
 #include "mesh/half_edges.hpp"
+#include "mesh/vertex_corners.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -77,7 +78,7 @@ class Surroundings {
       : mesh_(mesh),
         across_(3 * mesh.triangles.size(), kNone),
         at_border_(mesh.vertices.size(), false),
-        start_(mesh.vertices.size() + 1, 0) {
+        corners_(mesh) {
     std::vector<double> lengths;
     const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
     for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
@@ -87,18 +88,10 @@ class Surroundings {
         return;
       }
       for (const std::size_t i : {0u, 1u}) {
-        const Triangle& other = mesh.triangles[sides[1 - i].triangle];
-        across_[corner_opposite(sides[i])] = other[corner_opposite(sides[1 - i]) % 3];
+        across_[sides[i].opposite_corner()] = vertex(sides[1 - i].opposite_corner());
       }
     });
     edge_ = typical(std::move(lengths));
-    for (const Triangle& t : mesh.triangles) {
-      for (const std::uint32_t v : t) ++start_[v + 1];
-    }
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) start_[v + 1] += start_[v];
-    corners_.resize(start_.back());
-    std::vector<std::uint32_t> filled(start_.begin(), start_.end() - 1);
-    for (std::uint32_t c = 0; c < across_.size(); ++c) corners_[filled[vertex(c)]++] = c;
   }
 
   bool at_border(std::uint32_t v) const { return at_border_[v]; }
@@ -127,7 +120,7 @@ class Surroundings {
   }
 
  private:
-  std::uint32_t degree(std::uint32_t v) const { return start_[v + 1] - start_[v]; }
+  std::size_t degree(std::uint32_t v) const { return corners_.at(v).size(); }
 
   static std::uint32_t next(std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
 
@@ -135,17 +128,9 @@ class Surroundings {
 
   const Vec3& place(std::uint32_t c) const { return mesh_.vertices[vertex(c)]; }
 
-  std::uint32_t corner_opposite(const HalfEdge& side) const {
-    const Triangle& t = mesh_.triangles[side.triangle];
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      if (t[k] != side.low && t[k] != side.high) return 3 * side.triangle + k;
-    }
-    return 3 * side.triangle;
-  }
-
   template <class Use>
   void for_each_corner(std::uint32_t v, const Use& use) const {
-    for (std::uint32_t k = start_[v]; k < start_[v + 1]; ++k) use(corners_[k]);
+    for (const std::uint32_t c : corners_.at(v)) use(c);
   }
 
   /// Normal, as long as the doubled area, of the triangle across from a corner.
@@ -203,8 +188,8 @@ class Surroundings {
   /// opposite side that isn't on it.
   std::vector<std::uint32_t> across_;
   std::vector<bool> at_border_;
-  std::vector<std::uint32_t> start_, corners_;  ///< corners at each vertex, behind one another
-  double edge_ = 0.0;                           ///< half of the surface has longer ones
+  VertexCorners corners_;
+  double edge_ = 0.0;  ///< half of the surface has longer ones
 };
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesh/weld.hpp"
 #include "reconstruct/detail/outliers.hpp"
 #include "reconstruct/detail/unseen_bounds.hpp"
-#include "reconstruct/weld.hpp"
 #include "shapes/oriented_box.hpp"
 
 namespace clast::reconstruct_detail {
@@ -41,15 +41,15 @@ bool worth_stating(const BlockBounds& bounds, const Vec3& sides) {
          ((bounds.sides->upper - sides).array() > kSidesWorthStating * sides.array()).any();
 }
 
-std::vector<bool> films_of(const ClosedScan& scan) {
-  std::vector<bool> film(scan.surface.triangles.size(), false);
-  if (scan.scanned == nullptr) return film;
-  for (std::size_t t = 0; t < film.size(); ++t) {
+std::vector<bool> closures_of(const ClosedScan& scan) {
+  std::vector<bool> closure(scan.surface.triangles.size(), false);
+  if (scan.scanned == nullptr) return closure;
+  for (std::size_t t = 0; t < closure.size(); ++t) {
     const auto& [a, b, c] = scan.surface.triangles[t];
     const std::vector<Vec3>& at = scan.surface.vertices;
-    film[t] = !scan.scanned->holds((at[a] + at[b] + at[c]) / 3.0);
+    closure[t] = !scan.scanned->holds((at[a] + at[b] + at[c]) / 3.0);
   }
-  return film;
+  return closure;
 }
 
 std::string assumption_of(const ClosedScan& scan, const RepairReport& report) {
@@ -77,10 +77,10 @@ bool ScannedSurface::holds(const Vec3& place) const {
 }
 
 std::optional<BlockBounds> closed_bounds(const ClosedScan& scan, const RepairReport& report) {
-  const std::vector<bool> film = films_of(scan);
-  const bool exact = std::find(film.begin(), film.end(), true) == film.end();
+  const std::vector<bool> closure = closures_of(scan);
+  const bool exact = std::find(closure.begin(), closure.end(), true) == closure.end();
   if (exact && scan.margin == nullptr && report.doubled.empty()) return std::nullopt;
-  const UnseenBounds found = unseen_bounds(scan.surface, {film, {}, scan.margin});
+  const UnseenBounds found = unseen_bounds(scan.surface, {closure, {}, scan.margin});
   const double unit = scan.unit, cubed = unit * unit * unit;
   BlockBounds bounds;
   bounds.best_volume = cubed * found.best_volume;

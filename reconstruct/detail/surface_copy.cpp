@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "mesh/mesh_topology.hpp"
+#include "mesh/triangle_geometry.hpp"
 
 namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr std::size_t kSamples = 800;  ///< vertices of the piece that are compared
+constexpr std::size_t kSamples = 800;  ///< vertices of the component that are compared
 constexpr int kSteps = 30;
 /// Shares of the diagonal: a copy is no farther off, and one that fits within the second is as good
 /// as on it.
@@ -37,17 +38,17 @@ struct Sample {
   Vec3 place, normal;
 };
 
-std::vector<Sample> samples_of(const TriangleMesh& piece) {
-  std::vector<Vec3> normals(piece.vertices.size(), Vec3::Zero());
-  for (const TriangleMesh::Triangle& t : piece.triangles) {
-    const Vec3 doubled = (piece.vertices[t[1]] - piece.vertices[t[0]])
-                             .cross(piece.vertices[t[2]] - piece.vertices[t[0]]);
+std::vector<Sample> samples_of(const TriangleMesh& component) {
+  std::vector<Vec3> normals(component.vertices.size(), Vec3::Zero());
+  for (const TriangleMesh::Triangle& t : component.triangles) {
+    const Vec3 doubled = area_vector(component, t);
     for (const std::uint32_t v : t) normals[v] += doubled;
   }
   std::vector<Sample> samples;
-  const std::size_t step = std::max<std::size_t>(1, piece.vertices.size() / kSamples);
-  for (std::size_t v = 0; v < piece.vertices.size(); v += step) {
-    if (normals[v].norm() > 0.0) samples.push_back({piece.vertices[v], normals[v].normalized()});
+  const std::size_t step = std::max<std::size_t>(1, component.vertices.size() / kSamples);
+  for (std::size_t v = 0; v < component.vertices.size(); v += step) {
+    if (normals[v].norm() > 0.0)
+      samples.push_back({component.vertices[v], normals[v].normalized()});
   }
   return samples;
 }
@@ -94,7 +95,7 @@ double root_mean_square(const std::vector<Foot>& feet) {
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-/// Does the piece face as the surface does there, or the other way, nearly throughout?
+/// Does the component face as the surface does there, or the other way, nearly throughout?
 bool faces_one_way(const std::vector<Sample>& samples, const std::vector<Foot>& feet) {
   std::size_t same = 0, other = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -138,9 +139,9 @@ void approach(std::vector<Sample>& samples, const std::vector<Foot>& feet, doubl
 
 }  // namespace
 
-std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& piece, const TriangleTree& tree,
+std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& component, const TriangleTree& tree,
                                            double diagonal) {
-  std::vector<Sample> samples = samples_of(piece);
+  std::vector<Sample> samples = samples_of(component);
   if (samples.size() < 10) return std::nullopt;
   std::vector<Foot> feet = feet_of(samples, tree);
   if (counted_distance(feet) > kFarthest * diagonal || !faces_one_way(samples, feet)) {
@@ -166,26 +167,26 @@ std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& piece, const Tria
   return copy;
 }
 
-void put_best_copy_first(std::vector<Piece>& pieces) {
-  const auto better = [](const Piece& a, const Piece& b) {
+void put_best_copy_first(std::vector<Component>& components) {
+  const auto better = [](const Component& a, const Component& b) {
     const bool a_closed = inspect(a.mesh).closed(), b_closed = inspect(b.mesh).closed();
     if (a_closed != b_closed) return a_closed;
     return static_cast<double>(a.mesh.triangles.size()) >
            kFiner * static_cast<double>(b.mesh.triangles.size());
   };
   std::size_t best = 0;
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    if (pieces[i].area < kCompleteCopy * pieces[0].area) break;
-    if (!better(pieces[i], pieces[best])) continue;
-    const TriangleTree tree(pieces[0].mesh);
-    if (copy_of_surface(pieces[i].mesh, tree, bounds(pieces[0].mesh).diagonal())) best = i;
+  for (std::size_t i = 1; i < components.size(); ++i) {
+    if (components[i].area < kCompleteCopy * components[0].area) break;
+    if (!better(components[i], components[best])) continue;
+    const TriangleTree tree(components[0].mesh);
+    if (copy_of_surface(components[i].mesh, tree, bounds(components[0].mesh).diagonal())) best = i;
   }
-  std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(best),
-              pieces.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+  std::rotate(components.begin(), components.begin() + static_cast<std::ptrdiff_t>(best),
+              components.begin() + static_cast<std::ptrdiff_t>(best) + 1);
 }
 
-DoubledSurface described_copy(const SurfaceCopy& copy, const Piece& dropped,
-                              const TriangleMesh& kept, const TriangleTree& tree) {
+DoubledSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
+                             const TriangleMesh& kept, const TriangleTree& tree) {
   DoubledSurface doubled;
   doubled.closed = inspect(dropped.mesh).closed();
   doubled.area_share = dropped.area / surface_area(kept);

@@ -6,7 +6,7 @@
 
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/repair_report.hpp"
 
 namespace clast::reconstruct_detail {
@@ -18,26 +18,26 @@ struct SurfaceCopy {
   double scale = 1.0;     ///< of the copy relative to the surface
 };
 
-/// Moves, turns and scales the piece until it lies on the surface as well as it can (point to plane
-/// [chen1992], with a scale). It is a copy where it was no farther from it than 8 % of the
+/// Moves, turns and scales the component until it lies on the surface as well as it can (point to
+/// plane [chen1992], with a scale). It is a copy where it was no farther from it than 8 % of the
 /// diagonal, faced as the surface does there (or the other way) throughout, needs to be scaled by
 /// 12 % at most, and fits several times better after than before. A bubble fits nowhere, or faces
 /// both ways.
 /// @param tree      of the surface, which faces outwards or inwards
 /// @param diagonal  of the surface, m
 /// @cite chen1992
-std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& piece, const TriangleTree& tree,
+std::optional<SurfaceCopy> copy_of_surface(const TriangleMesh& component, const TriangleTree& tree,
                                            double diagonal);
 
-/// Where another piece is a copy of the first and better than it, that one becomes the first: a
+/// Where another component is a copy of the first and better than it, that one becomes the first: a
 /// closed one is better than an open one, and of two alike the one with a quarter more triangles.
-/// @param pieces  at least one, the largest first
-void put_best_copy_first(std::vector<Piece>& pieces);
+/// @param components  at least one, the largest first
+void put_best_copy_first(std::vector<Component>& components);
 
 /// What is to be reported of a copy that is dropped: why the other was kept, and what it would
 /// change.
 /// @param kept  a surface that faces outwards, of which the tree is
-DoubledSurface described_copy(const SurfaceCopy& copy, const Piece& dropped,
-                              const TriangleMesh& kept, const TriangleTree& tree);
+DoubledSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
+                             const TriangleMesh& kept, const TriangleTree& tree);
 
 }  // namespace clast::reconstruct_detail

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
+#include "mesh/triangle_geometry.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -16,13 +17,6 @@ namespace {
 using Triangle = TriangleMesh::Triangle;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-std::uint32_t opposite(const TriangleMesh& mesh, const HalfEdge& side) {
-  for (const std::uint32_t v : mesh.triangles[side.triangle]) {
-    if (v != side.low && v != side.high) return v;
-  }
-  return side.low;
-}
 
 /// The next pair of sides that part an edge's triangles: around the edge, each pair has rock
 /// between its two.
@@ -87,25 +81,20 @@ std::vector<Vec3> wings(const TriangleMesh& mesh, std::span<const HalfEdge> side
   const Vec3 along = (mesh.vertices[sides[0].high] - start).normalized();
   std::vector<Vec3> result;
   for (const HalfEdge& side : sides) {
-    const Vec3 to = mesh.vertices[opposite(mesh, side)] - start;
+    const Vec3 to = mesh.vertices[mesh.triangles[side.triangle][(side.side + 2) % 3]] - start;
     const Vec3 across = to - to.dot(along) * along;
     result.push_back(across.normalized());
   }
   return result;
 }
 
-Mended cut_touching_edges(TriangleMesh& mesh) {
-  Mended result;
+Change cut_touching_edges(TriangleMesh& mesh) {
+  Change result;
   std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   DisjointSets corners(3 * mesh.triangles.size());
-  const auto corner = [&](std::uint32_t triangle, std::uint32_t vertex) {
-    const Triangle& t = mesh.triangles[triangle];
-    return 3 * triangle + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);
-  };
   const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
-    for (const std::uint32_t vertex : {a.low, a.high}) {
-      corners.join(corner(a.triangle, vertex), corner(b.triangle, vertex));
-    }
+    corners.join(a.low_corner(), b.low_corner());
+    corners.join(a.high_corner(), b.high_corner());
   };
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() == 2) join(sides[0], sides[1]);
@@ -124,13 +113,13 @@ Mended cut_touching_edges(TriangleMesh& mesh) {
     if (sides.size() < 3) return;
     for (const HalfEdge& side : sides) drop[side.triangle] = true;
   });
-  result.area = taken_out(mesh, drop).area;
+  result.area = drop_triangles(mesh, drop).area;
   return result;
 }
 
-Mended split_pinched_vertices(TriangleMesh& mesh) {
+Change split_pinched_vertices(TriangleMesh& mesh) {
   const std::vector<bool> split = split_by_groups(mesh, corner_fans(mesh, sorted_half_edges(mesh)));
-  Mended result;
+  Change result;
   result.count = static_cast<std::size_t>(std::count(split.begin(), split.end(), true));
   if (result.count > 0) {
     result.place = mesh.vertices[static_cast<std::size_t>(
@@ -154,9 +143,7 @@ void part_touching_vertices(TriangleMesh& mesh, double distance) {
   // Of each fan the normal, and where on the whole it lies from its vertex.
   std::map<std::uint32_t, std::pair<Vec3, Vec3>> fans;
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 doubled = (mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                             .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
-    const Vec3 middle = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
+    const Vec3 doubled = area_vector(mesh, t), middle = centroid(mesh, t);
     for (const std::uint32_t v : t) {
       if (!touching[v]) continue;
       auto& [normal, lean] = fans.try_emplace(v, Vec3::Zero(), Vec3::Zero()).first->second;

@@ -15,12 +15,12 @@ std::vector<Vec3> wings(const TriangleMesh& mesh, std::span<const HalfEdge> side
 
 /// Makes edges of more than two triangles into edges of two, without moving anything: sheets that
 /// touch are parted so that each pair bounds rock. Where that can't be, the triangles at the edge
-/// are taken out. Counts edges.
+/// are dropped. Counts edges.
 /// @pre oriented as well as it can be
-Mended cut_touching_edges(TriangleMesh& mesh);
+Change cut_touching_edges(TriangleMesh& mesh);
 
 /// Gives every fan of triangles a vertex of its own. Counts the vertices that were split.
-Mended split_pinched_vertices(TriangleMesh& mesh);
+Change split_pinched_vertices(TriangleMesh& mesh);
 
 /// Moves vertices that lie on one another (split ones) apart by `distance` each: into the rock
 /// where the others lie on the side of the air, out of it where they lie on the side of the rock.

@@ -10,7 +10,7 @@ struct WrapShares {
   double distance;  ///< of the wrap from the surface
 };
 
-/// The first takes some seconds; the second a tenth of that, and tells whether the first is worth
+/// The first takes some seconds; the second a tenth of that, and shows whether the first is worth
 /// it.
 inline constexpr WrapShares kFineWrap{1.0 / 60.0, 1.0 / 1500.0},
     kCoarseWrap{1.0 / 20.0, 1.0 / 600.0};

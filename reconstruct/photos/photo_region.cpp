@@ -78,7 +78,7 @@ std::optional<PhotoRegion> standing_region(const PhotoModel& model, const Vec3& 
        reconstruct_detail::without_outliers(near, kNeighbours, kDeviations)) {
     points.push_back(near[i]);
   }
-  const std::optional<Ground> ground = found_ground(points);
+  const std::optional<Ground> ground = find_ground(points);
   if (!ground) return std::nullopt;
   const StandingBlocks standing = standing_blocks(points, *ground);
   if (standing.blocks.empty()) return std::nullopt;

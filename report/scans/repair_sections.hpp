@@ -1,5 +1,5 @@
 #pragma once
-/// What was mended on a scan, as sections of its page.
+/// What was repaired on a scan, as sections of its page.
 #include <string>
 #include <vector>
 

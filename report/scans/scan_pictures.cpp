@@ -9,7 +9,7 @@
 #include "core/number_text.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "reconstruct/weld.hpp"
+#include "mesh/weld.hpp"
 #include "report/html/html_page.hpp"
 
 namespace clast::report_detail {
@@ -265,7 +265,7 @@ std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options
           return invented(t) ? kFilled : kRock;
         });
       },
-      "The scan closed and mended. Orange: surface that no scan saw, filled in or moved by more "
+      "The scan closed and repaired. Orange: surface that no scan saw, filled in or moved by more "
       "than " +
           length_text(kNew * bounds(block.scan.mesh).diagonal(), metric) + ".",
       metric);

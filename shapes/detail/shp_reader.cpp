@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/text_scanner.hpp"
+#include "mesh/half_edges.hpp"
 
 namespace clast::shapes_detail {
 
@@ -78,7 +79,7 @@ class ShpReader {
     const std::optional<double> value = parsed_number(word);
     if (!value) fail(what + " is needed, found \"" + printable(word) + "\"");
     if (!std::isfinite(*value)) {
-      fail(what + " is \"" + printable(word) + "\", not a finite number; mend the file");
+      fail(what + " is \"" + printable(word) + "\", not a finite number; correct the file");
     }
     return *value;
   }
@@ -127,7 +128,7 @@ class ShpReader {
     for (std::size_t e = 0; e < edges; ++e) {
       const std::string what = "a vertex of edge " + std::to_string(e);
       const Index from = vertex_number(what), to = vertex_number(what);
-      body.edges.push_back({std::min(from, to), std::max(from, to)});
+      body.edges.push_back(edge_key(from, to));
     }
   }
 

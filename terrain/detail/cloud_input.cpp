@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr double kMostCells = 2e9;
 constexpr std::uint32_t kMostHeights = 64;  // kept per cell
-constexpr double kPinholes = 3.0;           // cells: holes up to this are filled unless told else
+constexpr double kPinholes = 3.0;           // cells: holes up to this are filled by default
 constexpr long kOutlierReach = 2;           // cells on every side whose medians are compared
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -249,7 +249,7 @@ HeightGrid covering_grid(const Vec2& low, const Vec2& high, double cell, const f
   return grid;
 }
 
-HeightGrid binned(std::span<const Vec3> points, double cell, const fs::path& path) {
+HeightGrid bin_points(std::span<const Vec3> points, double cell, const fs::path& path) {
   Bounds box;
   for (const Vec3& point : points) box.include(point);
   const Cells cells(box.low.head<2>(), box.high.head<2>(), cell, path);

@@ -31,6 +31,6 @@ HeightGrid covering_grid(const Vec2& low, const Vec2& high, double cell,
                          const std::filesystem::path& path);
 
 /// Mean height per square cell; cells lie on multiples of `cell`.
-HeightGrid binned(std::span<const Vec3> points, double cell, const std::filesystem::path& path);
+HeightGrid bin_points(std::span<const Vec3> points, double cell, const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

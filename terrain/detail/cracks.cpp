@@ -6,20 +6,20 @@
 #include <tuple>
 
 #include "core/number_text.hpp"
+#include "mesh/half_edges.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "mesh/vertex_corners.hpp"
 #include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::terrain_detail {
 namespace {
 
 using Triangle = TriangleMesh::Triangle;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;  // lower vertex first
 
 // T-junctions on both sides of a triangle are divided one after the other; a tile border with
 // vertices in a row on every triangle needs two rounds.
 constexpr int kRounds = 6;
-
-Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 struct BorderSide {
   std::uint32_t triangle;
@@ -28,13 +28,13 @@ struct BorderSide {
 
 struct Border {
   std::vector<BorderSide> sides;
-  std::vector<std::uint32_t> vertices;                               // rising, each once
-  std::map<std::uint32_t, std::vector<std::uint32_t>> triangles_at;  // of border vertices
+  std::vector<std::uint32_t> vertices;  ///< rising, each once
+  VertexCorners corners;
 };
 
 Border border_of(const TriangleMesh& mesh) {
-  const TriangleLinks links = triangle_links(mesh);
-  Border border;
+  const TriangleNeighbours links = triangle_neighbours(mesh);
+  Border border{{}, {}, VertexCorners(mesh)};
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (!links.on_border(t, k)) continue;
@@ -46,13 +46,6 @@ Border border_of(const TriangleMesh& mesh) {
   std::sort(border.vertices.begin(), border.vertices.end());
   border.vertices.erase(std::unique(border.vertices.begin(), border.vertices.end()),
                         border.vertices.end());
-  std::vector<bool> on_border(mesh.vertices.size(), false);
-  for (const std::uint32_t v : border.vertices) on_border[v] = true;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const std::uint32_t v : mesh.triangles[t]) {
-      if (on_border[v]) border.triangles_at[v].push_back(t);
-    }
-  }
   return border;
 }
 
@@ -61,8 +54,9 @@ std::set<std::uint32_t> neighbours_of(const TriangleMesh& mesh, const Border& bo
                                       const std::vector<std::uint32_t>& cluster) {
   std::set<std::uint32_t> result;
   for (const std::uint32_t v : cluster) {
-    for (const std::uint32_t t : border.triangles_at.at(v)) {
-      result.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
+    for (const std::uint32_t corner : border.corners.at(v)) {
+      const Triangle& t = mesh.triangles[corner / 3];
+      result.insert(t.begin(), t.end());
     }
   }
   for (const std::uint32_t v : cluster) result.erase(v);
@@ -72,13 +66,11 @@ std::set<std::uint32_t> neighbours_of(const TriangleMesh& mesh, const Border& bo
 /// Whether the triangles at `vertex` keep their sides when it moves to `to`.
 bool may_move(const TriangleMesh& mesh, const Border& border, std::uint32_t vertex,
               const Vec3& to) {
-  for (const std::uint32_t t : border.triangles_at.at(vertex)) {
-    std::array<Vec3, 3> corner;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = mesh.triangles[t][k];
-      corner[k] = v == vertex ? to : mesh.vertices[v];
-    }
-    const Vec3 after = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  for (const std::uint32_t corner : border.corners.at(vertex)) {
+    const Triangle& t = mesh.triangles[corner / 3];
+    std::array<Vec3, 3> place = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+    place[corner % 3] = to;
+    const Vec3 after = (place[1] - place[0]).cross(place[2] - place[0]);
     if (after.dot(area_vector(mesh, t)) <= 0.0) return false;
   }
   return true;
@@ -157,19 +149,20 @@ bool divide_sides(RawSurface& surface, double width, Closed& closed) {
   TriangleMesh& mesh = surface.mesh;
   const Border border = border_of(mesh);
   std::vector<PlanBox> boxes;
-  std::set<Edge> border_edges, other_edges;
+  std::set<EdgeKey> border_edges, other_edges;
   for (const auto& [t, k] : border.sides) {
     const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
     PlanBox box;
     box.include(mesh.vertices[a].head<2>());
     box.include(mesh.vertices[b].head<2>());
     boxes.push_back(box);
-    border_edges.insert(edge_of(a, b));
+    border_edges.insert(edge_key(a, b));
   }
-  for (const auto& [v, triangles] : border.triangles_at) {
-    for (const std::uint32_t t : triangles) {
+  for (const std::uint32_t v : border.vertices) {
+    for (const std::uint32_t corner : border.corners.at(v)) {
+      const Triangle& t = mesh.triangles[corner / 3];
       for (std::size_t k = 0; k < 3; ++k) {
-        const Edge edge = edge_of(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
+        const EdgeKey edge = edge_key(t[k], t[(k + 1) % 3]);
         if (!border_edges.contains(edge)) other_edges.insert(edge);
       }
     }
@@ -205,19 +198,19 @@ bool divide_sides(RawSurface& surface, double width, Closed& closed) {
     const auto& [t, k] = border.sides[s];
     if (divided[t]) continue;
     std::sort(vertices.begin(), vertices.end());
-    const Vec3 normal = area_vector(mesh, t);
+    const Vec3 normal = area_vector(mesh, mesh.triangles[t]);
     const Triangle triangle = mesh.triangles[t];
     const std::uint32_t last = triangle[(k + 1) % 3], apex = triangle[(k + 2) % 3];
     std::vector<std::uint32_t> chain = {triangle[k]};
     std::vector<Junction> used;
     const auto is_new = [&](std::uint32_t from, std::uint32_t to) {
-      const Edge edge = edge_of(from, to);
+      const EdgeKey edge = edge_key(from, to);
       return !other_edges.contains(edge) && !border_edges.contains(edge);
     };
     const auto fits = [&](std::uint32_t from, std::uint32_t to) {
       const Vec3 part = (mesh.vertices[to] - mesh.vertices[from])
                             .cross(mesh.vertices[apex] - mesh.vertices[from]);
-      return part.dot(normal) > 0.0 && !other_edges.contains(edge_of(from, to));
+      return part.dot(normal) > 0.0 && !other_edges.contains(edge_key(from, to));
     };
     for (const Junction& junction : vertices) {
       if (!is_new(junction.vertex, apex) || !fits(chain.back(), junction.vertex) ||
@@ -262,8 +255,8 @@ void close_cracks(RawSurface& surface, double width, TerrainReport& report) {
 void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
   if (report.components < 2) return;
   const TriangleMesh& mesh = surface.mesh;
-  const TriangleLinks links = triangle_links(mesh);
-  const std::vector<std::uint32_t> piece = pieces_of(mesh, links);
+  const TriangleNeighbours links = triangle_neighbours(mesh);
+  const std::vector<std::uint32_t> component = manifold_components(links);
   std::vector<BorderSide> sides;
   std::vector<PlanBox> boxes;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -286,7 +279,7 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
     double nearest = 1e300;
     for (const std::uint32_t s : index.near(here.grown(reach))) {
       const auto& [other, k] = sides[s];
-      if (piece[other] == piece[triangle]) continue;
+      if (component[other] == component[triangle]) continue;
       const Vec3& a = mesh.vertices[mesh.triangles[other][k]];
       const Vec3 along = mesh.vertices[mesh.triangles[other][(k + 1) % 3]] - a;
       // Beside it in plan: above or below it counts as near.
@@ -304,8 +297,8 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
   }
   if (apart == 0) return;
   report.notes.push_back("the ground is in " + std::to_string(report.components) +
-                         " pieces with gaps or steps between them: " + std::to_string(apart) +
-                         " border vertices are near another piece but apart from it, the nearest "
+                         " components with gaps or steps between them: " + std::to_string(apart) +
+                         " border vertices are near another component but apart from it, the nearest "
                          "by " +
                          with_digits(narrowest, 3) + " m, at " + place(at) +
                          "; a block that gets there leaves the terrain. Join the tiles, or give a "

@@ -11,9 +11,9 @@ namespace clast::terrain_detail {
 /// turn a triangle over or make an edge of three triangles.
 void close_cracks(RawSurface& surface, double width, TerrainReport& report);
 
-/// Notes border vertices that are within `reach`, in plan, of the border of another piece, but
+/// Notes border vertices that are within `reach`, in plan, of the border of another component, but
 /// apart from it: tiles with a gap or a step between them, which nothing closes.
-/// @param surface  oriented, all mended
+/// @param surface  oriented, repaired
 void note_gaps(const RawSurface& surface, double reach, TerrainReport& report);
 
 }  // namespace clast::terrain_detail

@@ -1,7 +1,7 @@
 #pragma once
 /// Flaps that hang on the ground by an edge.
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/raw_surface.hpp"
-#include "terrain/detail/triangle_links.hpp"
 #include "terrain/terrain.hpp"
 
 namespace clast::terrain_detail {
@@ -10,6 +10,6 @@ namespace clast::terrain_detail {
 /// which two triangles are left at each of these. What is not so clear stays, to be refused.
 /// @param links  of the surface as it is
 /// @return  whether any was dropped
-bool drop_fins(RawSurface& surface, const TriangleLinks& links, TerrainReport& report);
+bool drop_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainReport& report);
 
 }  // namespace clast::terrain_detail

@@ -221,7 +221,7 @@ void write_geotiff(const std::filesystem::path& path, const HeightGrid& grid,
     check(band.RasterIO(GF_Write, 0, row, columns, 1, values.data(), columns, 1, GDT_Float32, 0, 0,
                         nullptr) == CE_None);
   }
-  // Closing writes the last blocks; only the error state tells whether that worked.
+  // Closing writes the last blocks; only the error state says whether that worked.
   CPLErrorReset();
   dataset.reset();
   check(CPLGetLastErrorType() < CE_Failure);

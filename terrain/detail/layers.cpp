@@ -5,17 +5,17 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "terrain/detail/mending.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::terrain_detail {
 namespace {
 
-constexpr double kSmallPiece = 0.05;   // of the plan area of the largest piece
-constexpr double kNoRoom = 1e-6;       // m, between two faces, at least
-constexpr double kMostlyOver = 0.9;    // of a piece's plan area, beyond which it lies double
-constexpr double kFoldedShare = 1e-3;  // of all plan area, under which folds are only noted
+constexpr double kSmallComponent = 0.05;  // of the plan area of the largest component
+constexpr double kNoRoom = 1e-6;          // m, between two faces, at least
+constexpr double kMostlyOver = 0.9;       // of a component's plan area, beyond which it lies double
+constexpr double kFoldedShare = 1e-3;     // of all plan area, under which folds are only noted
 
 /// For every triangle that faces up, the one that faces up next over its centroid, if no face
 /// between faces down; and the other way round. Also one that faces down and lies on it: an
@@ -34,8 +34,8 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
   };
   std::vector<Hit> hits;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!(area_vector(mesh, t).z() > 0.0)) continue;
-    const Vec3 middle = centroid(mesh, t);
+    if (!(area_vector(mesh, mesh.triangles[t]).z() > 0.0)) continue;
+    const Vec3 middle = centroid(mesh, mesh.triangles[t]);
     hits.assign(1, {middle.z(), t, true});
     for (const std::uint32_t other : index.near(Vec2(middle.head<2>()))) {
       const PlanBox& box = boxes[other];
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
         continue;
       }
       const std::optional<double> z = height_on(mesh, other, middle.head<2>());
-      if (z) hits.push_back({*z, other, area_vector(mesh, other).z() > 0.0});
+      if (z) hits.push_back({*z, other, area_vector(mesh, mesh.triangles[other]).z() > 0.0});
     }
     if (hits.size() == 1) continue;
     std::sort(hits.begin(), hits.end());
@@ -61,41 +61,38 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
 }  // namespace
 
 void drop_double_ground(RawSurface& surface, double width, TerrainReport& report) {
-  TriangleMesh& mesh = surface.mesh;
+  const TriangleMesh& mesh = surface.mesh;
   const std::vector<std::uint32_t> twin = doubles_of(mesh, std::max(width, kNoRoom));
   if (std::all_of(twin.begin(), twin.end(), [](std::uint32_t t) { return t == kNoTriangle; })) {
     return;
   }
-  const std::vector<std::uint32_t> piece = pieces_of(mesh, triangle_links(mesh));
-  const std::size_t count = *std::max_element(piece.begin(), piece.end()) + 1u;
+  const std::vector<std::uint32_t> component = manifold_components(triangle_neighbours(mesh));
+  const std::size_t count = *std::max_element(component.begin(), component.end()) + 1u;
   std::vector<double> area(count, 0.0), doubled(count, 0.0);
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
-    const double plan = std::max(0.0, area_vector(mesh, t).z() / 2.0);
-    area[piece[t]] += plan;
-    if (twin[t] != kNoTriangle && piece[twin[t]] != piece[t]) doubled[piece[t]] += plan;
+    const double plan = std::max(0.0, area_vector(mesh, mesh.triangles[t]).z() / 2.0);
+    area[component[t]] += plan;
+    if (twin[t] != kNoTriangle && component[twin[t]] != component[t]) doubled[component[t]] += plan;
   }
   const double largest = *std::max_element(area.begin(), area.end());
   std::vector<bool> dropped(count, false);
   for (std::size_t p = 0; p < count; ++p) {
-    dropped[p] = area[p] < kSmallPiece * largest && doubled[p] > kMostlyOver * area[p];
+    dropped[p] = area[p] < kSmallComponent * largest && doubled[p] > kMostlyOver * area[p];
   }
   double folded = 0.0, dropped_area = 0.0;
   Vec3 folded_at = Vec3::Zero(), dropped_at = Vec3::Zero();
-  std::size_t kept = 0;
+  std::vector<bool> keep(twin.size());
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
-    const double plan = area_vector(mesh, t).z() / 2.0;
-    if (dropped[piece[t]]) {
-      if (dropped_area == 0.0) dropped_at = centroid(mesh, t);
+    const double plan = area_vector(mesh, mesh.triangles[t]).z() / 2.0;
+    keep[t] = !dropped[component[t]];
+    if (!keep[t]) {
+      if (dropped_area == 0.0) dropped_at = centroid(mesh, mesh.triangles[t]);
       dropped_area += plan;
-      continue;
-    }
-    if (twin[t] != kNoTriangle && !dropped[piece[twin[t]]]) {
-      if (folded == 0.0) folded_at = centroid(mesh, t);
+    } else if (twin[t] != kNoTriangle && !dropped[component[twin[t]]]) {
+      if (folded == 0.0) folded_at = centroid(mesh, mesh.triangles[t]);
       // Two that face up are each seen from the other.
-      folded += area_vector(mesh, twin[t]).z() > 0.0 ? plan / 2.0 : plan;
+      folded += area_vector(mesh, mesh.triangles[twin[t]]).z() > 0.0 ? plan / 2.0 : plan;
     }
-    mesh.triangles[kept] = mesh.triangles[t];
-    surface.source[kept++] = surface.source[t];
   }
   const double all = std::accumulate(area.begin(), area.end(), 0.0);
   if (folded > kFoldedShare * all) {
@@ -108,18 +105,15 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
     report.notes.push_back("the ground folds over itself on " + with_digits(folded, 3) +
                            " m2, the first at " + place(folded_at));
   }
-  mesh.triangles.resize(kept);
-  surface.source.resize(kept);
-  const auto pieces_dropped =
+  const auto components_dropped =
       static_cast<std::size_t>(std::count(dropped.begin(), dropped.end(), true));
-  if (pieces_dropped == 0) return;
-  report.dropped_pieces += pieces_dropped;
-  drop_unused_vertices(mesh);
-  const TriangleLinks links = triangle_links(mesh);
-  report.boundary_edges = links.border_edges;
-  report.components -= pieces_dropped;
+  if (components_dropped == 0) return;
+  keep_triangles(surface, keep);
+  report.dropped_pieces += components_dropped;
+  report.boundary_edges = triangle_neighbours(mesh).border_edges;
+  report.components -= components_dropped;
   report.notes.push_back(
-      std::to_string(pieces_dropped) + " small pieces of " + with_digits(dropped_area, 3) +
+      std::to_string(components_dropped) + " small components of " + with_digits(dropped_area, 3) +
       " m2 in plan that lie over other ground were dropped, the first at " + place(dropped_at));
 }
 

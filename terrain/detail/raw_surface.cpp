@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/error.hpp"
+#include "mesh/sub_mesh.hpp"
 
 namespace clast::terrain_detail {
 
@@ -49,6 +50,15 @@ TriangleMesh grid_surface(const HeightGrid& grid, const std::filesystem::path& p
                      " cells); a surface needs at least four");
   }
   return mesh;
+}
+
+void keep_triangles(RawSurface& surface, const std::vector<bool>& keep) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    if (keep[t]) surface.source[kept++] = surface.source[t];
+  }
+  surface.source.resize(kept);
+  surface.mesh = with_triangles(surface.mesh, keep);
 }
 
 std::string place(const Vec3& point) {

@@ -17,6 +17,10 @@ struct RawSurface {
   double cell = 0.0;  ///< of the grid it was made from, the shorter side, m; 0 for meshes
 };
 
+/// Drops the other triangles and vertices that nothing uses then.
+/// @pre one flag for each triangle
+void keep_triangles(RawSurface& surface, const std::vector<bool>& keep);
+
 /// Heights on a regular grid, row by row from the south, NaN where unknown.
 struct HeightGrid {
   std::size_t columns = 0;

@@ -8,11 +8,11 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "terrain/detail/cloud_input.hpp"
-#include "terrain/detail/mending.hpp"
 #include "terrain/detail/plan_clip.hpp"
 #include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/triangle_links.hpp"
+#include "terrain/detail/surface_repair.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -22,19 +22,19 @@ void check_one_height(const TriangleMesh& mesh, double cell, const std::filesyst
   std::size_t count = 0;
   Vec3 first = Vec3::Zero();
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (area_vector(mesh, t).z() > 0.0) continue;
+    if (area_vector(mesh, mesh.triangles[t]).z() > 0.0) continue;
     Bounds box;
     for (const std::uint32_t v : mesh.triangles[t]) box.include(mesh.vertices[v]);
-    const double plan = std::abs(area_vector(mesh, t).z()) / 2.0;
+    const double plan = std::abs(area_vector(mesh, mesh.triangles[t]).z()) / 2.0;
     if (box.high.z() - box.low.z() <= cell && plan <= cell * cell) continue;
-    if (count++ == 0) first = centroid(mesh, t);
+    if (count++ == 0) first = centroid(mesh, mesh.triangles[t]);
   }
   if (count == 0) return;
   throw GeometryError(path.string() + ": " + std::to_string(count) + " of " +
                       std::to_string(mesh.triangles.size()) +
                       " triangles stand upright or overhang, the first at " + place(first) +
                       "; a grid has one height over every place, so that it can't hold them. Leave "
-                      "out resolution, or thin the mesh with a tolerance, which keeps them");
+                      "out resolution, or simplify the mesh with a tolerance, which keeps them");
 }
 
 /// Numbers of the columns or rows whose centres lie from `low` to `high`.
@@ -75,7 +75,8 @@ PlanTriangle plan_of(const TriangleMesh& mesh, std::uint32_t triangle) {
 
 double plan_area(const TriangleMesh& mesh) {
   double area = 0.0;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) area += area_vector(mesh, t).z() / 2.0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    area += area_vector(mesh, mesh.triangles[t]).z() / 2.0;
   return area;
 }
 

@@ -8,9 +8,9 @@
 
 #include "core/disjoint_sets.hpp"
 #include "core/number_text.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/plan_index.hpp"
 #include "terrain/detail/ring_plane.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -22,40 +22,35 @@ constexpr double kAlone = 3.0;       // times the farthest of the ground around,
 constexpr double kSamePlace = 1e-6;  // m, in plan, of vertices that nothing joins
 constexpr std::size_t kFewAround = 4;  // from which one ring is enough to know the ground
 
-/// Vertices that steep edges part from all but a few others.
-std::vector<bool> loose_vertices(const TriangleMesh& mesh, double steepness) {
-  DisjointSets joined(mesh.vertices.size());
+/// Vertices in sets of no more than a group's, joined by those edges that `joins(a, b)` names.
+template <class Joins>
+std::vector<bool> in_small_sets(const TriangleMesh& mesh, const Joins& joins) {
+  DisjointSets sets(mesh.vertices.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 d = mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]];
-      if (d.z() * d.z() <= steepness * steepness * d.head<2>().squaredNorm()) {
-        joined.join(t[k], t[(k + 1) % 3]);
-      }
+      if (joins(t[k], t[(k + 1) % 3])) sets.join(t[k], t[(k + 1) % 3]);
     }
   }
   std::vector<std::uint32_t> size(mesh.vertices.size(), 0);
-  for (std::uint32_t v = 0; v < size.size(); ++v) ++size[joined.find(v)];
-  std::vector<bool> loose(mesh.vertices.size());
-  for (std::uint32_t v = 0; v < size.size(); ++v) {
-    loose[v] = size[joined.find(v)] <= kLargestGroup;
-  }
-  return loose;
+  for (std::uint32_t v = 0; v < size.size(); ++v) ++size[sets.find(v)];
+  std::vector<bool> small(mesh.vertices.size());
+  for (std::uint32_t v = 0; v < size.size(); ++v) small[v] = size[sets.find(v)] <= kLargestGroup;
+  return small;
+}
+
+/// Vertices that steep edges part from all but a few others.
+std::vector<bool> loose_vertices(const TriangleMesh& mesh, double steepness) {
+  return in_small_sets(mesh, [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3 d = mesh.vertices[b] - mesh.vertices[a];
+    return d.z() * d.z() <= steepness * steepness * d.head<2>().squaredNorm();
+  });
 }
 
 /// The loose vertices of which no more than a group's are joined by edges: not the many on cliffs.
 std::vector<bool> few_together(const TriangleMesh& mesh, const std::vector<bool>& loose) {
-  DisjointSets joined(mesh.vertices.size());
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (loose[t[k]] && loose[t[(k + 1) % 3]]) joined.join(t[k], t[(k + 1) % 3]);
-    }
-  }
-  std::vector<std::uint32_t> size(mesh.vertices.size(), 0);
-  for (std::uint32_t v = 0; v < size.size(); ++v) ++size[joined.find(v)];
-  std::vector<bool> few(mesh.vertices.size());
-  for (std::uint32_t v = 0; v < size.size(); ++v) {
-    few[v] = loose[v] && size[joined.find(v)] <= kLargestGroup;
-  }
+  std::vector<bool> few =
+      in_small_sets(mesh, [&](std::uint32_t a, std::uint32_t b) { return loose[a] && loose[b]; });
+  for (std::size_t v = 0; v < few.size(); ++v) few[v] = few[v] && loose[v];
   return few;
 }
 
@@ -66,7 +61,7 @@ class Surroundings {
   Surroundings(const TriangleMesh& mesh, const std::vector<bool>& loose,
                const std::vector<bool>& few, double width)
       : mesh_(mesh), loose_(loose), width_(std::max(width, kSamePlace)) {
-    const TriangleLinks links = triangle_links(mesh);
+    const TriangleNeighbours links = triangle_neighbours(mesh);
     std::vector<bool> wanted = few, border(mesh.vertices.size(), false);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const TriangleMesh::Triangle& corners = mesh.triangles[t];

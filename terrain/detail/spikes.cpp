@@ -6,8 +6,9 @@
 #include <span>
 
 #include "core/number_text.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/ring_plane.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -32,7 +33,7 @@ struct Rings {
 };
 
 Rings rings_of(const TriangleMesh& mesh) {
-  const TriangleLinks links = triangle_links(mesh);
+  const TriangleNeighbours links = triangle_neighbours(mesh);
   Rings rings;
   rings.offsets.assign(mesh.vertices.size() + 1, 0);
   rings.on_border.assign(mesh.vertices.size(), false);
@@ -58,7 +59,7 @@ Rings rings_of(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> next(rings.offsets.begin(), rings.offsets.end() - 1);
   each_end([&](std::uint32_t from, std::uint32_t to, bool) { rings.ends[next[from]++] = to; });
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 area = area_vector(mesh, t);
+    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
     if (area.z() > 0.0) continue;
     for (const std::uint32_t v : mesh.triangles[t]) rings.overhung[v] = true;
   }
@@ -187,12 +188,12 @@ void note_slivers(const RawSurface& surface, TerrainReport& report) {
     const std::vector<Vec3>& v = mesh.vertices;
     const double longest = std::sqrt(std::max(
         {(v[b] - v[a]).squaredNorm(), (v[c] - v[b]).squaredNorm(), (v[a] - v[c]).squaredNorm()}));
-    const double height = area_vector(mesh, t).norm() / longest;
+    const double height = area_vector(mesh, mesh.triangles[t]).norm() / longest;
     if (height >= kSliverHeight) continue;
     ++report.slivers;
     if (height >= lowest) continue;
     lowest = height;
-    lowest_at = centroid(mesh, t);
+    lowest_at = centroid(mesh, mesh.triangles[t]);
   }
   if (report.slivers == 0) return;
   report.notes.push_back(std::to_string(report.slivers) +

@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "core/number_text.hpp"
-#include "terrain/detail/triangle_links.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -32,7 +33,7 @@ struct Side {
 };
 
 /// The border side that leaves the end of a border side, around the fan of triangles there.
-std::optional<Side> next_side(const TriangleMesh& mesh, const TriangleLinks& links, Side at) {
+std::optional<Side> next_side(const TriangleMesh& mesh, const TriangleNeighbours& links, Side at) {
   const std::uint32_t end = mesh.triangles[at.triangle][(at.side + 1) % 3];
   Side next{at.triangle, (at.side + 1) % 3};
   // Around a vertex there are no more triangles than in all.
@@ -67,12 +68,13 @@ void measure(const TriangleMesh& mesh, Loop& loop) {
     const Vec3 b = mesh.vertices[loop.vertices[(i + 1) % loop.vertices.size()]] - origin;
     loop.area += a.cross(b);
     loop.length += (b - a).norm();
-    loop.normal += (b - a).norm() * area_vector(mesh, loop.triangles[i]).normalized();
+    loop.normal +=
+        (b - a).norm() * area_vector(mesh, mesh.triangles[loop.triangles[i]]).normalized();
     loop.box.include(a + origin);
   }
 }
 
-std::vector<Loop> border_loops(const TriangleMesh& mesh, const TriangleLinks& links) {
+std::vector<Loop> border_loops(const TriangleMesh& mesh, const TriangleNeighbours& links) {
   std::vector<Loop> loops;
   std::vector<std::uint8_t> seen(mesh.triangles.size(), 0);  // a bit per side
   std::vector<std::uint32_t> place_on_path(mesh.vertices.size(), kNoTriangle);
@@ -102,22 +104,22 @@ std::vector<Loop> border_loops(const TriangleMesh& mesh, const TriangleLinks& li
 }
 
 /// Loops that run the other way round than an outer border. Of upright loops and of slits, whose
-/// sides may overlap, either way may be the hole's: they are holes where their piece has a larger
-/// loop, which is then the outer one.
-std::vector<bool> which_are_holes(const TriangleMesh& mesh, const TriangleLinks& links,
-                                  const std::vector<Loop>& loops, double slit) {
-  const std::vector<std::uint32_t> piece = pieces_of(mesh, links);
+/// sides may overlap, either way may be the hole's: they are holes where their component has a
+/// larger loop, which is then the outer one.
+std::vector<bool> which_are_holes(const TriangleNeighbours& links, const std::vector<Loop>& loops,
+                                  double slit) {
+  const std::vector<std::uint32_t> component = manifold_components(links);
   const auto size = [](const Loop& loop) { return (loop.box.high - loop.box.low).norm(); };
   std::map<std::uint32_t, double> largest;
   for (const Loop& loop : loops) {
-    double& known = largest[piece[loop.triangles[0]]];
+    double& known = largest[component[loop.triangles[0]]];
     known = std::max(known, size(loop));
   }
   std::vector<bool> holes;
   for (const Loop& loop : loops) {
     const bool upright = std::abs(loop.area.z()) < kSteepLoop * loop.area.norm();
     const bool narrow = loop.area.norm() <= slit * loop.length;
-    const bool inner = size(loop) < largest[piece[loop.triangles[0]]];
+    const bool inner = size(loop) < largest[component[loop.triangles[0]]];
     holes.push_back(loop.area.dot(loop.normal) < 0.0 || ((upright || narrow) && inner));
   }
   return holes;
@@ -167,11 +169,11 @@ std::optional<std::vector<Triangle>> ears(const TriangleMesh& mesh, const Loop& 
 
 void fill_surface_holes(RawSurface& surface, double widest, double slit, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
-  const TriangleLinks links = triangle_links(mesh);
+  const TriangleNeighbours links = triangle_neighbours(mesh);
   double widest_filled = 0.0, widest_open = 0.0;
   Vec3 filled_at = Vec3::Zero(), open_at = Vec3::Zero();
   const std::vector<Loop> loops = border_loops(mesh, links);
-  const std::vector<bool> holes = which_are_holes(mesh, links, loops, slit);
+  const std::vector<bool> holes = which_are_holes(links, loops, slit);
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (!holes[i]) continue;
     const Loop& loop = loops[i];

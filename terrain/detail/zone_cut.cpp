@@ -4,8 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -27,7 +28,7 @@ class CutMesh {
  public:
   explicit CutMesh(TriangleMesh& mesh)
       : mesh_(mesh),
-        across_(triangle_links(mesh).across),
+        across_(triangle_neighbours(mesh).across),
         parts_(mesh.triangles.size()),
         index_(plan_boxes(mesh)) {
     for (std::uint32_t t = 0; t < parts_.size(); ++t) {
@@ -101,7 +102,7 @@ class CutMesh {
   std::optional<Spot> spot_to_divide(const Vec2& point) const {
     for (const std::uint32_t t : triangles_near({point, point})) {
       const Triangle& corners = mesh_.triangles[t];
-      const double sign = area_vector(mesh_, t).z() > 0.0 ? 1.0 : -1.0;
+      const double sign = area_vector(mesh_, mesh_.triangles[t]).z() > 0.0 ? 1.0 : -1.0;
       int inside = 0;
       std::optional<Spot> on_side;
       for (std::size_t k = 0; k < 3; ++k) {

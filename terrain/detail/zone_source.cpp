@@ -6,10 +6,10 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/plan_clip.hpp"
 #include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/triangle_links.hpp"
 #include "terrain/detail/zone_cut.hpp"
 #include "terrain/detail/zone_polygons.hpp"
 #include "terrain/detail/zone_rules.hpp"
@@ -258,8 +258,8 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
   std::vector<std::uint32_t> label(mesh.triangles.size(), kNone);
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 area = area_vector(mesh, t);
-    const Vec3 middle = terrain.frame.map(centroid(mesh, t));
+    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 middle = terrain.frame.map(centroid(mesh, mesh.triangles[t]));
     const double plan = std::abs(area.z()) / 2.0;
     double covered = 0.0;
     if (std::abs(area.z()) < kUpright * area.norm()) {
@@ -308,8 +308,8 @@ void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
   std::vector<std::uint32_t> label(mesh.triangles.size(), kNone);
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 area = area_vector(mesh, t);
-    const Vec3 middle = terrain.frame.map(centroid(mesh, t));
+    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 middle = terrain.frame.map(centroid(mesh, mesh.triangles[t]));
     const double slope = std::atan2(area.head<2>().norm(), area.z());
     for (std::size_t r = 0; r < rules.size() && label[t] == kNone; ++r) {
       if (rules[r].holds(slope, middle.z())) label[t] = label_of[r];

@@ -46,8 +46,8 @@ TEST_F(Scans, WhatIsNoClosedMeshIsRefusedByName) {
   refuse("prose.stl", "prose.stl");
   refuse("points.obj", "no block: 3 points are too few");
   refuse("scan.las", "scan.las");
-  refuse("open.obj", "open.obj: the largest piece is the ground, or one side of a block");
-  refuse("sheet.obj", "sheet.obj: the largest piece is the ground");
+  refuse("open.obj", "open.obj: the largest component is the ground, or one side of a block");
+  refuse("sheet.obj", "sheet.obj: the largest component is the ground");
   refuse("nan.obj", "nan.obj");
   refuse("flat.obj", "flat.obj");
 }

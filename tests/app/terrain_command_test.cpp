@@ -60,7 +60,7 @@ TEST_F(TerrainCommand, TellsEveryMendInPlainWords) {
       run_clast({"terrain", "ground.obj", "--tolerance", "0.01", "-o", "t.h5"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "note: 1 holes were filled, the widest, ")) << run.out;
-  EXPECT_TRUE(contains(run.out, "note: thinned within 0.01 m: ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "note: simplified within 0.01 m: ")) << run.out;
 }
 
 TEST_F(TerrainCommand, RefusesWithoutLeavingFiles) {

@@ -133,4 +133,27 @@ Findings repeated_function_findings(const std::vector<SourceFile>& files, const 
   return findings;
 }
 
+Findings ordered_ends_findings(const SourceFile& file) {
+  if (!file.is_source()) return {};
+  const Code code(file);
+  const std::string& text = code.text();
+  Findings findings;
+  for (const std::string call : {"std::min(", "std::minmax("}) {
+    for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
+      const std::size_t begin = at + call.size(), end = text.find_first_of("(){}", begin);
+      if (end == std::string::npos || text[end] != ')') continue;
+      const std::string ends = text.substr(begin, end + 1 - begin);
+      // A pair: nothing between the two but a comma, and the name of what takes the second.
+      const std::size_t larger = text.find("std::max(" + ends, end);
+      const bool pair = larger < text.find_first_of(";=()", end + 1);
+      if (call == "std::min(" && !pair) continue;
+      const auto line = static_cast<std::size_t>(
+          std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1);
+      findings.push_back(finding(
+          file, line, "the ends " + ends.substr(0, ends.size() - 1) + " are ordered by hand"));
+    }
+  }
+  return findings;
+}
+
 }  // namespace clast::architecture

@@ -20,4 +20,9 @@ Findings repeated_type_findings(const std::vector<SourceFile>& files);
 /// of the program needs is written once. The first file is where it may be.
 Findings repeated_function_findings(const std::vector<SourceFile>& files, const std::string& name);
 
+/// Statements that put the two ends of something in order by hand, `std::min(a, b)` and
+/// `std::max(a, b)` or `std::minmax(a, b)`: so begins a second search for the edges of a mesh,
+/// which `sorted_half_edges` and `edge_key` of mesh/half_edges.hpp are for.
+Findings ordered_ends_findings(const SourceFile& file);
+
 }  // namespace clast::architecture

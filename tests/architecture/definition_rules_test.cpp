@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 namespace clast::architecture {
 namespace {
@@ -23,7 +24,8 @@ TEST(DefinitionRules, NoTypeOfTheProjectIsDefinedTwice) {
 TEST(DefinitionRules, WhatManyPartsNeedIsWrittenOnce) {
   for (const std::string name :
        {"signed_volume", "surface_area", "triangle_area", "counted", "with_digits",
-        "sorted_half_edges", "triangle_components", "boundary_loops", "sha256"}) {
+        "sorted_half_edges", "triangle_neighbours", "triangle_components", "manifold_components",
+        "corner_fans", "boundary_loops", "weld_targets", "area_vector", "turn_over", "sha256"}) {
     const Findings findings = repeated_function_findings(project(), name);
     EXPECT_TRUE(findings.empty()) << lines(findings);
   }
@@ -44,6 +46,47 @@ TEST(DefinitionRules, AFunctionInTwoFilesIsFoundInTheSecond) {
                   "  return signed_volume(m);\n")};
   EXPECT_EQ(repeated_function_findings(files, "signed_volume"),
             Findings{"shapes/b.cpp:2: signed_volume is defined in mesh/a.cpp too"});
+}
+
+/// Where ends are ordered that are no edge of a mesh, and where edges are known in another way yet.
+const std::set<std::string> kOrdersEnds = {
+    "mesh/half_edges.cpp",                  // is where edges are found
+    "dem/detail/near_pairs.cpp",            // bodies
+    "dem/detail/encounters.hpp",            // bodies
+    "dem/detail/surface_features.cpp",      // also numbers the sides of each face
+    "massprops/skin.cpp",                   // ridges of a rounded core
+    "classify/equilibria.cpp",              // of a hull, forward side first
+    "classify/surface_indices.cpp",         // the same
+    "reconstruct/photos/stereo_pairs.cpp",  // photographs
+    "study/barrier_line.cpp",               // corners of a polyline
+};
+
+TEST(DefinitionRules, EdgesAreFoundInOnePlace) {
+  const Findings findings = in_every_file([](const SourceFile& file) {
+    return file.folder() == "tests" || kOrdersEnds.contains(file.path)
+               ? Findings{}
+               : ordered_ends_findings(file);
+  });
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
+TEST(DefinitionRules, ASecondEdgeSortIsFound) {
+  const std::string lists =
+      "for (const auto& t : mesh.triangles) {\n"
+      "  sides.push_back({std::min(t[0], t[1]),\n                   std::max(t[0], t[1]), "
+      "7});\n}\n";
+  EXPECT_EQ(ordered_ends_findings(source_file("shapes/a.cpp", lists)),
+            Findings{"shapes/a.cpp:2: the ends t[0], t[1] are ordered by hand"});
+  EXPECT_EQ(ordered_ends_findings(source_file("dem/b.hpp", "file(std::minmax(a, b), t);\n")),
+            Findings{"dem/b.hpp:1: the ends a, b are ordered by hand"});
+  for (const std::string text :
+       {"low = std::min(low, z);\nhigh = std::max(high, z);\n",
+        "const auto r = std::minmax({a, b});",
+        "const double width = std::min(a, b);\nconst double length = std::max(a, b);\n",
+        "// std::min(a, b), std::max(a, b)\n",
+        "return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x)};"}) {
+    EXPECT_TRUE(ordered_ends_findings(source_file("mesh/c.cpp", text)).empty()) << text;
+  }
 }
 
 TEST(DefinitionRules, TypesAreFoundWithTheirNamespaces) {

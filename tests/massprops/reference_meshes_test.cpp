@@ -8,8 +8,8 @@
 #include "core/random.hpp"
 #include "massprops/solid.hpp"
 #include "mesh/mesh_io.hpp"
+#include "mesh/weld.hpp"
 #include "reconstruct/scan.hpp"
-#include "reconstruct/weld.hpp"
 #include "tests/support/reference_data.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -127,7 +127,7 @@ TEST(ReferenceMeshes, InwardOnesAreRefusedUntilAScanTurnsThem) {
     EXPECT_TRUE(contains(message, "face inward"));
     EXPECT_NEAR(signed_volume(inward) / value(row, "volume"), -1.0, kBar);
     if (row.at("components") != "1") return;
-    const Scan scan = cleaned_scan(inward, row.at("file"));
+    const Scan scan = clean_scan(inward, row.at("file"));
     expect_reference(solid_mass_properties(scan.mesh, 1.0), row, bounds(mesh).diagonal());
   });
 }
@@ -136,12 +136,12 @@ TEST(ReferenceMeshes, ScansDropInnerShellsUnlessTheyAreToBeKept) {
   for_each_closed_mesh([](const ReferenceRow& row, const TriangleMesh& mesh) {
     const bool has_components = row.at("components") != "1";
     const double outer = value(row, has_components ? "largest_component_volume" : "volume");
-    const Scan dropped = cleaned_scan(mesh, row.at("file"));
+    const Scan dropped = clean_scan(mesh, row.at("file"));
     EXPECT_NEAR(solid_mass_properties(dropped.mesh, 1.0).volume / outer, 1.0, kBar);
     EXPECT_EQ(dropped.report.inner_shells > 0, has_components);
     if (!has_components) return;
     const Scan kept =
-        cleaned_scan(turned_over(mesh), row.at("file"), {.repair = {.keep_inner_shells = true}});
+        clean_scan(turned_over(mesh), row.at("file"), {.repair = {.keep_inner_shells = true}});
     const double volume = solid_mass_properties(kept.mesh, 1.0).volume;
     EXPECT_NEAR((volume + kept.report.inner_shell_volume) / outer, 1.0, kBar);
     EXPECT_EQ(kept.report.inner_shells, dropped.report.inner_shells);

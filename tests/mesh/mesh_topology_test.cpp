@@ -126,7 +126,7 @@ TEST(MeshTopology, TwoSolidsAtOneVertexArePinchedAndTwoPieces) {
   EXPECT_TRUE(report.closed());
   EXPECT_EQ(report.pinched_vertices, 1u);
   EXPECT_EQ(report.components, 2u);
-  EXPECT_EQ(report.summary(), "1 pinched vertex, 2 pieces");
+  EXPECT_EQ(report.summary(), "1 pinched vertex, 2 components");
 }
 
 TEST(MeshTopology, ComponentsAreNumberedByFirstTriangle) {

@@ -39,7 +39,7 @@ Trial mend_damaged(const TriangleMesh& rock, double intensity, std::uint64_t see
   trial.largest_hole = dirty.largest_hole;
   trial.lost_share = dirty.lost_share;
   try {
-    const Repaired mended = repaired(dirty.mesh);
+    const RepairedMesh mended = repair_mesh(dirty.mesh);
     const MeshReport report = inspect(mended.mesh);
     const double volume = enclosed_volume(mended.mesh);
     trial.valid = report.closed() && report.oriented() && report.pinched_vertices == 0 &&

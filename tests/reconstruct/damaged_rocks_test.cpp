@@ -23,7 +23,7 @@ TEST(DamagedShapes, AnHourglassIsWrappedAndKeepsItsVolume) {
   for (Vec3& v : hourglass.vertices) {
     if (v.z() > 0.0) v = Vec3(1.0 - v.x(), 1.0 - v.y(), v.z());
   }
-  const Repaired result = repaired(hourglass);
+  const RepairedMesh result = repair_mesh(hourglass);
   const MeshReport report = inspect(result.mesh);
   EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
   EXPECT_TRUE(crossing_triangles(result.mesh).empty());

@@ -97,7 +97,7 @@ TEST(FieldCloud, ThePointsOfAStoneGiveThatStone) {
 TEST(FieldCloud, ALandscapeIsGroundAndAFewPointsAreNoBlock) {
   EXPECT_TRUE(contains(
       refusal<GeometryError>([] { read_field_scan(test_data("meshes/ibois_landscape.ply")); }),
-      "the largest piece is the ground"));
+      "the largest component is the ground"));
   for (const char* name : {"meshes/points_agisoft.xyz", "meshes/points_cloudcompare.xyz"}) {
     EXPECT_TRUE(contains(refusal([&] { read_field_scan(test_data(name)); }), "no block: 10"))
         << name;

@@ -50,7 +50,7 @@ TEST(FieldScan, AClosedMeshIsCleanedAndNothingElse) {
   const std::vector<FieldBlock> blocks = field_blocks(rock, "rock");
   ASSERT_EQ(blocks.size(), 1u);
   EXPECT_FALSE(blocks[0].underside.has_value());
-  EXPECT_EQ(blocks[0].scan.mesh.vertices, cleaned_scan(rock, "rock").mesh.vertices);
+  EXPECT_EQ(blocks[0].scan.mesh.vertices, clean_scan(rock, "rock").mesh.vertices);
 }
 
 TEST(FieldScan, AnOpenMeshIsClosedAsTheBestOfItsBracket) {
@@ -124,11 +124,11 @@ TEST(FieldScan, BareGroundIsRefusedAsSuch) {
   const std::string message =
       refusal<GeometryError>([&] { field_blocks(scene.points, "slope.las"); });
   EXPECT_TRUE(contains(message,
-                       "slope.las: the largest piece is the ground (100 % of the scan) and "
+                       "slope.las: the largest component is the ground (100 % of the scan) and "
                        "nothing that rises from it is a block"));
   const std::string of_mesh =
       refusal<GeometryError>([&] { field_blocks(ground_mesh(gravel, 1.0, 50), "slope.ply"); });
-  EXPECT_TRUE(contains(of_mesh, "slope.ply: the largest piece is the ground"));
+  EXPECT_TRUE(contains(of_mesh, "slope.ply: the largest component is the ground"));
 }
 
 TEST(FieldScan, FewPointsAreNoBlock) {
@@ -186,7 +186,8 @@ TEST(FieldScan, ASecondPieceThatTouchesTheBlockIsNotLeftOutInSilence) {
                  buried_at(rock_mesh(10, {0.3, 0.3, 0.25}, 2), 0.3, 0.0, 0.08, gravel));
   const std::vector<FieldBlock> blocks = field_blocks(scene, "pair");
   ASSERT_EQ(blocks.size(), 1u);
-  EXPECT_TRUE(contains(blocks[0].scan.notes.back(), "another piece of the scan that stands close"))
+  EXPECT_TRUE(
+      contains(blocks[0].scan.notes.back(), "another component of the scan that stands close"))
       << blocks[0].scan.notes.back();
 }
 

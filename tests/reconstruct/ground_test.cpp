@@ -36,7 +36,7 @@ FieldScene rock_on_slope(const FieldGround& ground, const FieldCounts& counts, s
 TEST(Ground, PlaneOfASlopeIsFoundWithItsNormal) {
   const FieldGround slope(0.2, 0.002, 0, 1.0, 1);
   const FieldScene scene = rock_on_slope(slope, {.noise = 0.001}, 1);
-  const auto ground = found_ground(scene.points);
+  const auto ground = find_ground(scene.points);
   ASSERT_TRUE(ground.has_value());
   EXPECT_LT(degrees_between(ground->plane().normal, Vec3(-0.2, 0.0, 1.0)), 0.2);
   EXPECT_LT(std::abs(ground->plane().height({0.8, 0.8, 0.16})), 0.003);
@@ -47,7 +47,7 @@ TEST(Ground, PlaneOfASlopeIsFoundWithItsNormal) {
 TEST(Ground, GravelTiltsThePlaneByLessThanADegree) {
   const FieldGround slope(0.15, 0.006, 400, 1.0, 2);
   const FieldScene scene = rock_on_slope(slope, {.noise = 0.001}, 2);
-  const auto ground = found_ground(scene.points);
+  const auto ground = find_ground(scene.points);
   ASSERT_TRUE(ground.has_value());
   EXPECT_LT(degrees_between(ground->plane().normal, Vec3(-0.15, 0.0, 1.0)), 1.0);
 }
@@ -56,7 +56,7 @@ TEST(Ground, AGroundWithoutAnyRoughnessIsFoundToo) {
   Random random(6);
   std::vector<Vec3> points;
   for (int i = 0; i < 5000; ++i) points.emplace_back(random.uniform(), random.uniform(), 0.0);
-  const auto ground = found_ground(points);
+  const auto ground = find_ground(points);
   ASSERT_TRUE(ground.has_value());
   EXPECT_LT(ground->roughness(), 1e-6);
   EXPECT_NEAR(std::abs(ground->plane().normal.z()), 1.0, 1e-9);
@@ -75,7 +75,7 @@ TEST(Ground, LocalSurfaceFollowsAHollow) {
   for (int i = 0; i < 2000; ++i) {
     points.emplace_back(0.05 * random.uniform(), 0.05 * random.uniform(), random.uniform(0.0, 0.5));
   }
-  const auto ground = found_ground(points);
+  const auto ground = find_ground(points);
   ASSERT_TRUE(ground.has_value());
   for (const double x : {-0.8, -0.3, 0.2, 0.9}) {
     EXPECT_NEAR(ground->height({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
@@ -93,7 +93,7 @@ TEST(Ground, UpIsAwayFromTheGroundWhicheverWayTheScanLies) {
     const Pose pose{{5e5, 5.2e6, 900.0}, random.rotation()};
     std::vector<Vec3> turned;
     for (const Vec3& p : scene.points) turned.push_back(pose * p);
-    const auto ground = found_ground(turned);
+    const auto ground = find_ground(turned);
     ASSERT_TRUE(ground.has_value());
     const Vec3 up = pose.rotation * Vec3(-0.1, 0.0, 1.0);
     EXPECT_LT(degrees_between(ground->plane().normal, up), 0.5);
@@ -109,27 +109,27 @@ TEST(Ground, ABlockByItselfHasNone) {
     for (const double steepest : {-1.0, -0.6}) {  // seen from all sides, and open below
       const FieldScene scene =
           field_scene({rock}, nothing, {.per_block = 20000, .ground = 0, .steepest = steepest}, 6);
-      EXPECT_FALSE(found_ground(scene.points).has_value()) << half_axes.transpose() << steepest;
+      EXPECT_FALSE(find_ground(scene.points).has_value()) << half_axes.transpose() << steepest;
     }
   }
 }
 
 TEST(Ground, TooFewPointsHaveNone) {
-  EXPECT_FALSE(found_ground({}).has_value());
-  EXPECT_FALSE(found_ground(std::vector<Vec3>(10, Vec3::Zero())).has_value());
+  EXPECT_FALSE(find_ground({}).has_value());
+  EXPECT_FALSE(find_ground(std::vector<Vec3>(10, Vec3::Zero())).has_value());
 }
 
 TEST(Ground, OptionsOutOfRangeAreNamed) {
-  EXPECT_TRUE(contains(refusal([] { found_ground({}, {.trials = 0}); }), "trials"));
-  EXPECT_TRUE(contains(refusal([] { found_ground({}, {.tolerance = 0.5}); }), "tolerance"));
-  EXPECT_TRUE(contains(refusal([] { found_ground({}, {.least_rise = 0.0}); }), "least_rise"));
+  EXPECT_TRUE(contains(refusal([] { find_ground({}, {.trials = 0}); }), "trials"));
+  EXPECT_TRUE(contains(refusal([] { find_ground({}, {.tolerance = 0.5}); }), "tolerance"));
+  EXPECT_TRUE(contains(refusal([] { find_ground({}, {.least_rise = 0.0}); }), "least_rise"));
 }
 
 TEST(StandingBlocks, BlockOnGravelHasHalfAPercentOfWrongPointsAtMost) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     const FieldGround gravel(0.15, 0.006, 400, 1.0, seed);
     const FieldScene scene = rock_on_slope(gravel, {.noise = 0.0007}, seed);
-    const auto ground = found_ground(scene.points);
+    const auto ground = find_ground(scene.points);
     ASSERT_TRUE(ground.has_value()) << seed;
     const StandingBlocks standing = standing_blocks(scene.points, *ground);
     ASSERT_EQ(standing.blocks.size(), 1u) << seed;
@@ -147,7 +147,7 @@ TEST(StandingBlocks, ThreeBlocksAreThreeInOrderOfX) {
       buried_at(rock_mesh(10, {0.25, 0.2, 0.2}, 3), 0.0, 0.1, 0.1, gravel)};
   const FieldScene scene = field_scene(
       rocks, gravel, {.per_block = 15000, .ground = 60000, .noise = 0.001, .half = 2.0}, 8);
-  const auto ground = found_ground(scene.points);
+  const auto ground = find_ground(scene.points);
   ASSERT_TRUE(ground.has_value());
   const StandingBlocks standing = standing_blocks(scene.points, *ground);
   ASSERT_EQ(standing.blocks.size(), 3u);
@@ -155,14 +155,14 @@ TEST(StandingBlocks, ThreeBlocksAreThreeInOrderOfX) {
   EXPECT_LE(wrong_share(scene, standing.blocks[1], 2), 0.005);
   EXPECT_LE(wrong_share(scene, standing.blocks[2], 0), 0.005);
   EXPECT_EQ(standing.central, 1u);  // the smallest of all, but in the middle
-  const StandingBlocks again = standing_blocks(scene.points, *found_ground(scene.points));
+  const StandingBlocks again = standing_blocks(scene.points, *find_ground(scene.points));
   for (int k = 0; k < 3; ++k) EXPECT_EQ(again.blocks[k].points, standing.blocks[k].points);
 }
 
 TEST(StandingBlocks, BareGroundHasNone) {
   const FieldGround gravel(0.1, 0.005, 300, 1.0, 9);
   const FieldScene scene = field_scene({}, gravel, {.ground = 20000, .noise = 0.001}, 9);
-  const auto ground = found_ground(scene.points);
+  const auto ground = find_ground(scene.points);
   ASSERT_TRUE(ground.has_value());
   const StandingBlocks standing = standing_blocks(scene.points, *ground);
   EXPECT_TRUE(standing.blocks.empty());

@@ -6,8 +6,9 @@
 #include <iostream>
 
 #include "massprops/solid.hpp"
+#include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/underside.hpp"
 #include "shapes/oriented_box.hpp"
@@ -45,9 +46,7 @@ class Photographed {
       keep[t] = middle.z() > 0.0 && seen(middle, tree_.face_normal(t), t);
     }
     TriangleMesh mesh =
-        std::move(reconstruct_detail::pieces_of(reconstruct_detail::with_triangles(body_, keep))
-                      .front()
-                      .mesh);
+        std::move(reconstruct_detail::components_of(with_triangles(body_, keep)).front().mesh);
     reconstruct_detail::split_pinched_vertices(mesh);
     return mesh;
   }
@@ -101,8 +100,8 @@ TEST(LookedUnder, ABallStandsOnItsFoot) {
   const Photographed ball(standing(unit_sphere(24), 0.02));
   const TriangleMesh open = ball.open();
   const SeenThrough through = ball.through();
-  const Underside without = *closed_underside(open, {.ground = kGround});
-  const Underside with = *closed_underside(open, {.ground = kGround, .through = &through});
+  const Underside without = *close_underside(open, {.ground = kGround});
+  const Underside with = *close_underside(open, {.ground = kGround, .through = &through});
   std::cout << ball.volume() << ": " << *without.upper_volume << " -> " << *with.upper_volume
             << "\n";
   EXPECT_EQ(with.lower_volume, without.lower_volume);
@@ -114,11 +113,11 @@ TEST(LookedUnder, ABallStandsOnItsFoot) {
 // Nothing is known where the cubes don't reach, and of no cubes nothing.
 TEST(LookedUnder, WithoutKnowledgeTheBracketStays) {
   const TriangleMesh open = Photographed(standing(unit_sphere(16), 0.02)).open();
-  const Underside without = *closed_underside(open, {.ground = kGround});
+  const Underside without = *close_underside(open, {.ground = kGround});
   const SeenThrough none;
   const SeenThrough far{Vec3::Constant(100.0), 0.05, {2, 2, 2}, std::vector<std::uint8_t>(8, 1)};
   for (const SeenThrough* through : {&none, &far}) {
-    const Underside with = *closed_underside(open, {.ground = kGround, .through = through});
+    const Underside with = *close_underside(open, {.ground = kGround, .through = through});
     EXPECT_EQ(with.upper_volume, without.upper_volume);
     EXPECT_EQ(with.best_volume, without.best_volume);
   }
@@ -150,8 +149,8 @@ TEST(LookedUnder, UndercutRocksInManyPosesKeepTheirVolumeInTheBracket) {
       const Photographed body(standing(undercut(turned, foot), buried));
       const SeenThrough through = body.through();
       const TriangleMesh open = body.open();
-      const Underside without = *closed_underside(open, {.ground = kGround});
-      const Underside with = *closed_underside(open, {.ground = kGround, .through = &through});
+      const Underside without = *close_underside(open, {.ground = kGround});
+      const Underside with = *close_underside(open, {.ground = kGround, .through = &through});
       const double truth = body.volume();
       ASSERT_TRUE(without.upper_volume.has_value()) << seed << " " << pose;
       std::cout << 100.0 * buried << " % buried, foot " << foot << ": lower "

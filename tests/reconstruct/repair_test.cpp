@@ -40,7 +40,7 @@ void expect_sound(const TriangleMesh& mesh) {
   EXPECT_TRUE(crossing_triangles(mesh).empty());
 }
 
-std::size_t count(const Repaired& result, DefectKind kind) {
+std::size_t count(const RepairedMesh& result, DefectKind kind) {
   const Defect* defect = result.report.find(kind);
   return defect == nullptr ? 0 : defect->count;
 }
@@ -58,7 +58,7 @@ TEST(Repair, AHoleInAFineMeshJoinsNoVertices) {
   // Edges are 0.0005 of the diagonal: within the widest weld.
   TriangleMesh torn = spindle(4000);
   torn.triangles.pop_back();
-  const Repaired result = repaired(torn);
+  const RepairedMesh result = repair_mesh(torn);
   EXPECT_EQ(result.report.find(DefectKind::kNearVertices), nullptr);
   EXPECT_EQ(result.mesh.vertices.size(), torn.vertices.size());
 }
@@ -66,7 +66,7 @@ TEST(Repair, AHoleInAFineMeshJoinsNoVertices) {
 TEST(Repair, ASoundMeshKeepsEveryBitWhereverItLies) {
   for (const Vec3& place : {Vec3(0, 0, 0), Vec3(888600.123, 6671300.456, 1234.5)}) {
     const TriangleMesh mesh = at(rock(), place);
-    const Repaired result = repaired(mesh);
+    const RepairedMesh result = repair_mesh(mesh);
     EXPECT_EQ(result.mesh.vertices, mesh.vertices);
     EXPECT_EQ(result.mesh.triangles, mesh.triangles);
     EXPECT_TRUE(result.report.defects.empty());
@@ -79,7 +79,7 @@ TEST(Repair, ASoundMeshKeepsEveryBitWhereverItLies) {
 TEST(Repair, AHoleInASphereIsFilledRoundAndMeasured) {
   const TriangleMesh sphere = unit_sphere(24);
   const double height = 0.9;
-  const Repaired result = repaired(beheaded(sphere, height));
+  const RepairedMesh result = repair_mesh(beheaded(sphere, height));
   expect_sound(result.mesh);
   ASSERT_EQ(result.report.holes.size(), 1u);
   const FilledHole& hole = result.report.holes[0];
@@ -95,9 +95,9 @@ TEST(Repair, AHoleInASphereIsFilledRoundAndMeasured) {
 }
 
 TEST(Repair, AHoleOfMoreThanATenthIsToldOfByItself) {
-  const Repaired small = repaired(beheaded(unit_sphere(16), 0.85));
-  const Repaired large = repaired(beheaded(unit_sphere(16), 0.7));
-  const auto notes = [](const Repaired& result) {
+  const RepairedMesh small = repair_mesh(beheaded(unit_sphere(16), 0.85));
+  const RepairedMesh large = repair_mesh(beheaded(unit_sphere(16), 0.7));
+  const auto notes = [](const RepairedMesh& result) {
     std::string text;
     for (const std::string& note : repair_notes(result.report)) text += note + "\n";
     return text;
@@ -117,7 +117,7 @@ TEST(Repair, AnOpenSheetIsRefusedAsGround) {
   });
   Random random(3);
   for (Vec3& v : sheet.vertices) v.z() += 0.1 * random.uniform();
-  const std::string message = refusal<GeometryError>([&] { repaired(sheet); });
+  const std::string message = refusal<GeometryError>([&] { repair_mesh(sheet); });
   EXPECT_TRUE(
       contains(message, "is an open sheet and no block: 32 open edges in 1 hole: 32 edges"));
   EXPECT_TRUE(contains(message, "clast terrain"));
@@ -131,7 +131,7 @@ TEST(Repair, FinsAreDroppedAndNothingElse) {
     dirty.vertices.push_back(1.2 * dirty.vertices[t[0]]);
     dirty.triangles.push_back({t[0], t[1], static_cast<std::uint32_t>(dirty.vertices.size() - 1)});
   }
-  const Repaired result = repaired(dirty);
+  const RepairedMesh result = repair_mesh(dirty);
   EXPECT_EQ(result.mesh.vertices, rock().vertices);
   EXPECT_EQ(result.mesh.triangles, rock().triangles);
   EXPECT_EQ(count(result, DefectKind::kFin), 40u);
@@ -150,7 +150,7 @@ TEST(Repair, FinsAtBordersAreDropped) {
     dirty.vertices.push_back(1.15 * dirty.vertices[a]);
     dirty.triangles.push_back({a, b, static_cast<std::uint32_t>(dirty.vertices.size() - 1)});
   }
-  const Repaired result = repaired(dirty);
+  const RepairedMesh result = repair_mesh(dirty);
   expect_sound(result.mesh);
   EXPECT_EQ(count(result, DefectKind::kFin), edges.size());
   EXPECT_LT(vertex_hausdorff(result.mesh, rock()), 0.02 * bounds(rock()).diagonal());
@@ -188,7 +188,7 @@ TEST(Repair, ASheetScannedTwiceIsDroppedLooseOrWeldedAtItsRim) {
       ++doubled;
     }
     ASSERT_GT(doubled, 20u);
-    const Repaired result = repaired(dirty);
+    const RepairedMesh result = repair_mesh(dirty);
     expect_sound(result.mesh);
     EXPECT_NEAR(enclosed_volume(result.mesh) / enclosed_volume(rock()), 1.0, 1e-9);
     EXPECT_EQ(count(result, welded_rim ? DefectKind::kFin : DefectKind::kDoubleSheet),
@@ -202,7 +202,7 @@ TEST(Repair, SpikesArePutBack) {
   for (const std::uint32_t v : {100u, 900u, 1700u}) {
     dirty.vertices[v] += 0.15 * diagonal * dirty.vertices[v].normalized();
   }
-  const Repaired result = repaired(dirty);
+  const RepairedMesh result = repair_mesh(dirty);
   expect_sound(result.mesh);
   EXPECT_EQ(count(result, DefectKind::kSpike), 3u);
   EXPECT_NEAR(result.report.find(DefectKind::kSpike)->size, 0.15 * diagonal, 0.01 * diagonal);
@@ -218,11 +218,11 @@ TEST(Repair, SpikesOfCoarseScansArePutBack) {
   for (const std::uint32_t v : {40u, 200u, 420u, 700u}) {
     dirty.vertices[v] += 0.08 * diagonal * dirty.vertices[v].normalized();
   }
-  const Repaired result = repaired(dirty);
+  const RepairedMesh result = repair_mesh(dirty);
   expect_sound(result.mesh);
   EXPECT_EQ(count(result, DefectKind::kSpike), 4u);
   EXPECT_LT(vertex_hausdorff(result.mesh, sound), 0.015 * diagonal);
-  EXPECT_EQ(count(repaired(sound), DefectKind::kSpike), 0u);
+  EXPECT_EQ(count(repair_mesh(sound), DefectKind::kSpike), 0u);
 }
 
 // Neither of them has smooth surroundings, and the filling of a hole would go on to a spike at it.
@@ -236,7 +236,7 @@ TEST(Repair, SpikesBesideOneAnotherAndAtHolesArePutBack) {
   for (const std::uint32_t v : {pair[0], pair[1], at_hole}) {
     dirty.vertices[v] += 0.06 * diagonal * dirty.vertices[v].normalized();
   }
-  const Repaired result = repaired(dirty);
+  const RepairedMesh result = repair_mesh(dirty);
   expect_sound(result.mesh);
   EXPECT_EQ(count(result, DefectKind::kSpike), 3u);
   EXPECT_LT(vertex_hausdorff(result.mesh, rock()), 0.02 * diagonal);
@@ -251,7 +251,7 @@ TEST(Repair, LowSpikesArePutBack) {
     const double edge = (rock().vertices[t[1]] - rock().vertices[t[0]]).norm();
     dirty.vertices[v] += 1.2 * edge * dirty.vertices[v].normalized();
   }
-  const Repaired result = repaired(dirty);
+  const RepairedMesh result = repair_mesh(dirty);
   EXPECT_EQ(count(result, DefectKind::kSpike), 3u);
   EXPECT_LT(vertex_hausdorff(result.mesh, rock()), 0.01 * bounds(rock()).diagonal());
 }
@@ -279,25 +279,25 @@ TEST(Repair, SharpTipsAreNoSpikes) {
       obelisk.triangles.push_back({low + side, high + next, high + side});
     }
   }
-  EXPECT_EQ(repaired(obelisk).mesh.vertices, obelisk.vertices);
+  EXPECT_EQ(repair_mesh(obelisk).mesh.vertices, obelisk.vertices);
 }
 
 TEST(Repair, TheCornersOfCoarseModelsAreNoSpikes) {
   TriangleMesh crystal = tetrahedron();
   for (Vec3& v : crystal.vertices) v.z() *= 8.0;
-  EXPECT_EQ(repaired(crystal).mesh.vertices, crystal.vertices);
+  EXPECT_EQ(repair_mesh(crystal).mesh.vertices, crystal.vertices);
 }
 
 TEST(Repair, SheetsThatTouchAlongAnEdgeArePartedOnTheRocksSide) {
   const TriangleMesh two = merged(box_mesh({1, 1, 1}), at(box_mesh({1, 1, 1}), {1, 1, 0}));
-  const std::string message = refusal<GeometryError>([&] { repaired(two); });
-  EXPECT_TRUE(contains(message, "2 separate pieces, the second with 100 % of the area"));
+  const std::string message = refusal<GeometryError>([&] { repair_mesh(two); });
+  EXPECT_TRUE(contains(message, "2 separate components, the second with 100 % of the area"));
   EXPECT_TRUE(contains(message, "save each block to a file of its own"));
   // The smaller of two that touch is a scrap of the larger.
   const TriangleMesh scrap = at(scaled(box_mesh({1, 1, 1}), 0.1), {1, 1, 0});
   TriangleMesh column = box_mesh({1, 1, 0.1});
   for (Vec3& v : column.vertices) v = Vec3(v.x(), v.y(), v.z() > 0 ? 0.1 : 0.0);
-  const Repaired result = repaired(merged(column, scrap));
+  const RepairedMesh result = repair_mesh(merged(column, scrap));
   expect_sound(result.mesh);
   EXPECT_NEAR(enclosed_volume(result.mesh), 0.1, 1e-12);
 }
@@ -318,7 +318,7 @@ TEST(Repair, CrossingTrianglesAreReplaced) {
   }
   dirty.vertices[500] += 1.1 * (dirty.vertices[beside] - from);
   ASSERT_FALSE(crossing_triangles(dirty).empty());
-  const Repaired result = repaired(dirty);
+  const RepairedMesh result = repair_mesh(dirty);
   expect_sound(result.mesh);
   EXPECT_NEAR(enclosed_volume(result.mesh) / enclosed_volume(rock()), 1.0, 2e-3);
 }
@@ -329,7 +329,7 @@ TEST(Repair, WhatCantBeMendedIsRefusedWithItsPlace) {
   for (Vec3& v : twisted.vertices) {
     if (v.z() > 0.0) v.x() = 0.8 - 0.6 * v.x();
   }
-  const std::string message = refusal<GeometryError>([&] { repaired(twisted); });
+  const std::string message = refusal<GeometryError>([&] { repair_mesh(twisted); });
   EXPECT_TRUE(contains(message, "the surface passes through itself at "));
   EXPECT_TRUE(contains(message, "pairs of triangles, the first near ("));
   EXPECT_TRUE(contains(message, "MeshLab"));
@@ -339,15 +339,15 @@ TEST(Repair, HalvesThatDontMeetAreToldToBeMerged) {
   const TriangleMesh upper = beheaded(unit_sphere(12), 0.3);
   TriangleMesh lower = upper;
   for (Vec3& v : lower.vertices) v = Vec3(-v.x(), v.y(), -v.z()) + Vec3(4, 0, 0);
-  const std::string message = refusal<GeometryError>([&] { repaired(merged(upper, lower)); });
-  EXPECT_TRUE(contains(message, "2 separate pieces"));
+  const std::string message = refusal<GeometryError>([&] { repair_mesh(merged(upper, lower)); });
+  EXPECT_TRUE(contains(message, "2 separate components"));
   EXPECT_TRUE(contains(message, "align and merge them first (CloudCompare"));
 }
 
 TEST(Repair, PlacesAreToldAsAsked) {
   RepairOptions options;
-  options.place_told = [](const Vec3& p) -> Vec3 { return 1000.0 * p + Vec3(5e6, 0, 0); };
-  const Repaired result = repaired(beheaded(unit_sphere(12), 0.9), options);
+  options.reported_place = [](const Vec3& p) -> Vec3 { return 1000.0 * p + Vec3(5e6, 0, 0); };
+  const RepairedMesh result = repair_mesh(beheaded(unit_sphere(12), 0.9), options);
   EXPECT_NEAR(result.report.holes[0].centre.x(), 5e6, 50.0);
   EXPECT_NEAR(result.report.holes[0].centre.z(), 900.0, 50.0);
   EXPECT_LT(result.report.holes[0].radius, 1.0);
@@ -373,16 +373,16 @@ TEST(Repair, DamagedRocksComeBackWithTheirVolume) {
 
 TEST(Repair, TheSameDirtGivesTheSameBits) {
   const TriangleMesh dirty = damaged(rock(), Damage::of_intensity(1.0), 1).mesh;
-  const Repaired a = repaired(dirty), b = repaired(dirty);
+  const RepairedMesh a = repair_mesh(dirty), b = repair_mesh(dirty);
   EXPECT_EQ(a.mesh.vertices, b.mesh.vertices);
   EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
 }
 
 TEST(Repair, BadOptionsAreRefusedByName) {
-  EXPECT_TRUE(contains(refusal([] { repaired(tetrahedron(), {.weld_tolerance = -1.0}); }),
+  EXPECT_TRUE(contains(refusal([] { repair_mesh(tetrahedron(), {.weld_tolerance = -1.0}); }),
                        "weld_tolerance"));
   EXPECT_TRUE(
-      contains(refusal([] { repaired(tetrahedron(), {.largest_hole = 1.5}); }), "largest_hole"));
+      contains(refusal([] { repair_mesh(tetrahedron(), {.largest_hole = 1.5}); }), "largest_hole"));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ std::string all_notes(const Scan& scan) {
 
 std::string refusal(const TriangleMesh& mesh, const ScanOptions& options = {}) {
   try {
-    cleaned_scan(mesh, "B017", options);
+    clean_scan(mesh, "B017", options);
   } catch (const GeometryError& error) {
     EXPECT_EQ(std::string(error.what()).rfind("B017: ", 0), 0u) << error.what();
     return error.what();
@@ -49,7 +49,7 @@ std::string refusal(const TriangleMesh& mesh, const ScanOptions& options = {}) {
 
 TEST(Scan, SoundMeshKeepsEveryBit) {
   const TriangleMesh rock = random_rock(1);
-  const Scan scan = cleaned_scan(rock, "B017");
+  const Scan scan = clean_scan(rock, "B017");
   EXPECT_EQ(scan.mesh.vertices, rock.vertices);
   EXPECT_EQ(scan.mesh.triangles, rock.triangles);
   EXPECT_TRUE(scan.notes.empty());
@@ -57,7 +57,7 @@ TEST(Scan, SoundMeshKeepsEveryBit) {
 }
 
 TEST(Scan, UnitAndUpAxisAreApplied) {
-  const Scan scan = cleaned_scan(box_mesh({1000, 2000, 3000}), "B017", {.unit = 0.001, .up = "y"});
+  const Scan scan = clean_scan(box_mesh({1000, 2000, 3000}), "B017", {.unit = 0.001, .up = "y"});
   const Bounds box = bounds(scan.mesh);
   EXPECT_NEAR((box.low - Vec3(0, -3, 0)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((box.high - Vec3(1, 0, 2)).norm(), 0.0, 1e-15);
@@ -66,14 +66,14 @@ TEST(Scan, UnitAndUpAxisAreApplied) {
 
 TEST(Scan, InwardAndMixedWindingTurnOutward) {
   const TriangleMesh rock = random_rock(2);
-  EXPECT_NEAR(enclosed_volume(cleaned_scan(inverted(rock), "B017").mesh), enclosed_volume(rock),
+  EXPECT_NEAR(enclosed_volume(clean_scan(inverted(rock), "B017").mesh), enclosed_volume(rock),
               1e-14);
   TriangleMesh mixed = rock;
   Random random(8);
   for (TriangleMesh::Triangle& t : mixed.triangles) {
     if (random.uniform() < 0.4) std::swap(t[0], t[1]);
   }
-  const Scan scan = cleaned_scan(mixed, "B017");
+  const Scan scan = clean_scan(mixed, "B017");
   EXPECT_TRUE(sound(scan.mesh));
   EXPECT_NEAR(enclosed_volume(scan.mesh), enclosed_volume(rock), 1e-14);
   EXPECT_HAS(all_notes(scan), "turned to agree");
@@ -83,7 +83,7 @@ TEST(Scan, HolesOfThreeAndFourEdgesAreClosedByAFan) {
   for (const int taken : {1, 2}) {
     TriangleMesh box = box_mesh({1, 1, 1}, 3);
     box.triangles.resize(box.triangles.size() - taken);  // the two triangles of one cell
-    const Scan scan = cleaned_scan(box, "B017");
+    const Scan scan = clean_scan(box, "B017");
     EXPECT_TRUE(sound(scan.mesh));
     EXPECT_NEAR(enclosed_volume(scan.mesh), 1.0, 1e-15);
     EXPECT_HAS(all_notes(scan), taken == 1 ? "1 hole with 3 border edges in all closed by a fan"
@@ -96,8 +96,8 @@ TEST(Scan, FanNeverDoublesAnEdgeThatIsThere) {
   // A tetrahedron without two triangles: one diagonal of its hole is an edge of the rest.
   TriangleMesh open = tetrahedron();
   open.triangles.resize(2);
-  EXPECT_TRUE(sound(cleaned_scan(open, "B017").mesh));
-  EXPECT_NEAR(enclosed_volume(cleaned_scan(open, "B017").mesh), 1.0 / 6.0, 1e-15);
+  EXPECT_TRUE(sound(clean_scan(open, "B017").mesh));
+  EXPECT_NEAR(enclosed_volume(clean_scan(open, "B017").mesh), 1.0 / 6.0, 1e-15);
 }
 
 TEST(Scan, ACoreWithLargerHolesIsRefusedWithTheirCountSizeAndPlace) {
@@ -133,7 +133,7 @@ TEST(Scan, InnerShellsAreDroppedAndTheirVolumeTold) {
   const double expected = -enclosed_volume(bubble);
   for (const bool inward : {false, true}) {
     const TriangleMesh both = merged(bubble, rock);
-    const Scan scan = cleaned_scan(inward ? inverted(both) : both, "B017", {.unit = 2.0});
+    const Scan scan = clean_scan(inward ? inverted(both) : both, "B017", {.unit = 2.0});
     EXPECT_TRUE(sound(scan.mesh));
     EXPECT_NEAR(scan.report.inner_shell_volume, 8.0 * expected, 1e-12);
     EXPECT_NEAR(enclosed_volume(scan.mesh), 8.0 * enclosed_volume(rock), 1e-12);
@@ -153,8 +153,7 @@ TEST(Scan, InnerShellsAreKeptAsCavitiesOnRequest) {
       return faces & bit ? inverted(mesh) : mesh;
     };
     const TriangleMesh all = merged(merged(facing(first, 1), facing(rock, 2)), facing(second, 4));
-    const Scan scan =
-        cleaned_scan(all, "B017", {.unit = 2.0, .repair = {.keep_inner_shells = true}});
+    const Scan scan = clean_scan(all, "B017", {.unit = 2.0, .repair = {.keep_inner_shells = true}});
     const MeshReport report = inspect(scan.mesh);
     EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
     EXPECT_EQ(report.components, 3u);
@@ -172,7 +171,7 @@ TEST(Scan, ALooseStoneInABubbleIsDropped) {
   const TriangleMesh bubble = scaled(random_rock(5), 0.4);
   const TriangleMesh stone = scaled(random_rock(6), 0.1);
   const TriangleMesh all = merged(merged(rock, stone), bubble);
-  const Scan scan = cleaned_scan(all, "B017", {.repair = {.keep_inner_shells = true}});
+  const Scan scan = clean_scan(all, "B017", {.repair = {.keep_inner_shells = true}});
   EXPECT_EQ(scan.report.inner_shells, 1u);
   EXPECT_NEAR(enclosed_volume(scan.mesh), enclosed_volume(rock) - enclosed_volume(bubble), 1e-12);
   EXPECT_HAS(all_notes(scan), "1 loose scrap dropped");
@@ -184,7 +183,7 @@ TEST(Scan, LooseScrapsAreDroppedWithANote) {
   const TriangleMesh rock = random_rock(6);
   const TriangleMesh dirty =
       merged(merged(at(scrap, {2, 0, 0}), rock), at(scaled(tetrahedron(), 0.05), {0, 3, 0}));
-  const Scan scan = cleaned_scan(dirty, "B017");
+  const Scan scan = clean_scan(dirty, "B017");
   EXPECT_TRUE(sound(scan.mesh));
   EXPECT_NEAR(enclosed_volume(scan.mesh), enclosed_volume(rock), 1e-14);
   EXPECT_HAS(all_notes(scan), "2 loose scraps dropped");
@@ -192,15 +191,15 @@ TEST(Scan, LooseScrapsAreDroppedWithANote) {
 
 TEST(Scan, TwoBlocksInOneFileAreRefused) {
   const TriangleMesh two = merged(random_rock(6), at(scaled(random_rock(7), 0.5), {5, 0, 0}));
-  EXPECT_HAS(refusal(two), "2 separate pieces");
+  EXPECT_HAS(refusal(two), "2 separate components");
 }
 
 TEST(Scan, OverlappingBlocksAreNotTakenForABubble) {
   // The first vertex of the second box lies inside the first box, others lie outside.
   const TriangleMesh box = box_mesh({1, 1, 1});
   const TriangleMesh two = merged(box, at(box, {0.5, 0.3, 0.2}));
-  EXPECT_HAS(refusal(two), "2 separate pieces");
-  EXPECT_HAS(refusal(inverted(two)), "2 separate pieces");
+  EXPECT_HAS(refusal(two), "2 separate components");
+  EXPECT_HAS(refusal(inverted(two)), "2 separate components");
 }
 
 TEST(Scan, TouchingAtOneVertexIsSplit) {
@@ -213,7 +212,7 @@ TEST(Scan, TouchingAtOneVertexIsSplit) {
     if ((rock.vertices[v] - Vec3(0.5, 0.5, 1)).norm() < 1e-9) high = v;
   }
   rock.vertices[low] = rock.vertices[high] = Vec3(0.5, 0.5, 0.5);
-  const Scan scan = cleaned_scan(rock, "B017");
+  const Scan scan = clean_scan(rock, "B017");
   EXPECT_EQ(scan.report.as_read.pinched_vertices, 1u);
   EXPECT_TRUE(sound(scan.mesh));
   EXPECT_HAS(all_notes(scan), "touches itself");
@@ -244,20 +243,20 @@ TEST(Scan, TunnelsAreCounted) {
     box.triangles.push_back({a, c, b});
     box.triangles.push_back({a, d, c});
   }
-  const Scan scan = cleaned_scan(box, "B017");
+  const Scan scan = clean_scan(box, "B017");
   EXPECT_NEAR(enclosed_volume(scan.mesh), 8.0 / 9.0, 1e-14);
   EXPECT_HAS(all_notes(scan), "1 tunnel goes through");
 }
 
 TEST(Scan, TwoSidedExportAndFoldedSliversAreMended) {
   const TriangleMesh rock = random_rock(9);
-  EXPECT_NEAR(enclosed_volume(cleaned_scan(merged(rock, inverted(rock)), "B017").mesh),
+  EXPECT_NEAR(enclosed_volume(clean_scan(merged(rock, inverted(rock)), "B017").mesh),
               enclosed_volume(rock), 1e-14);
   TriangleMesh folded = tetrahedron();
   folded.vertices.push_back({1, 1, 1});  // a fin of two triangles on one edge
   folded.triangles.push_back({1, 2, 4});
   folded.triangles.push_back({1, 4, 2});
-  EXPECT_NEAR(enclosed_volume(cleaned_scan(folded, "B017").mesh), 1.0 / 6.0, 1e-15);
+  EXPECT_NEAR(enclosed_volume(clean_scan(folded, "B017").mesh), 1.0 / 6.0, 1e-15);
 }
 
 TEST(Scan, SheetsAndFlatThingsAreRefused) {
@@ -355,7 +354,7 @@ TEST(Scan, DigitsLostInTheFileAreToldOfOrRefused) {
 TEST(Scan, BadOptionsAreRefusedByName) {
   const auto message = [](const ScanOptions& options) {
     try {
-      cleaned_scan(tetrahedron(), "B017", options);
+      clean_scan(tetrahedron(), "B017", options);
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -391,7 +390,7 @@ TEST_P(DirtyRocks, ComeBackSoundWithTheirVolume) {
     }
     soup.triangles.push_back({first, first + 1, first + 2});
   }
-  const Scan scan = cleaned_scan(soup, "B017");
+  const Scan scan = clean_scan(soup, "B017");
   EXPECT_TRUE(sound(scan.mesh));
   EXPECT_NEAR(enclosed_volume(scan.mesh) / enclosed_volume(rock), 1.0, 1e-5);
   EXPECT_GT(scan.report.inner_shell_volume, 0.0);

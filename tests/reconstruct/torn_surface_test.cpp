@@ -117,17 +117,17 @@ TEST(LoopFilling, ASquareIsBetweenItsTwoTriangulations) {
   saddle.vertices = {{0, 0, 0.2}, {1, 0, 0}, {1, 1, 0.2}, {0, 1, 0}};
   const std::vector<std::uint32_t> loop = {0, 1, 2, 3};
   const std::vector<Vec3> level(4, Vec3::UnitZ());
-  const auto filling = reconstruct_detail::filled_loop(saddle, loop, level, {});
+  const auto filling = reconstruct_detail::fill_loop(saddle, loop, level, {});
   ASSERT_TRUE(filling);
   // The two diagonals are a tetrahedron apart: base 1/2, height 0.4.
   EXPECT_NEAR(filling->volume_below + filling->volume_above, 0.5 * 0.4 / 3.0, 1e-12);
   // Joined by an edge already, two corners are not joined again.
-  const auto other = reconstruct_detail::filled_loop(saddle, loop, level, {{0, 2}});
+  const auto other = reconstruct_detail::fill_loop(saddle, loop, level, {{0, 2}});
   ASSERT_TRUE(other);
   for (const Triangle& t : other->triangles) {
     EXPECT_TRUE(std::count(t.begin(), t.end(), 1u) == 1 && std::count(t.begin(), t.end(), 3u) == 1);
   }
-  EXPECT_FALSE(reconstruct_detail::filled_loop(saddle, loop, level, {{0, 2}, {1, 3}}));
+  EXPECT_FALSE(reconstruct_detail::fill_loop(saddle, loop, level, {{0, 2}, {1, 3}}));
 }
 
 /// The cap of a ball lies under the cone of the tangents at its rim: A h / 3 with h the height at

@@ -23,7 +23,7 @@ struct Tally {
   std::vector<double> errors[2];  ///< |best/truth - 1|
 
   void add(const std::string& name, const CutBlock& block) {
-    const std::optional<Underside> found = closed_underside(block.open);
+    const std::optional<Underside> found = close_underside(block.open);
     ASSERT_TRUE(found.has_value()) << name << " with " << block.buried << " buried";
     const Underside& side = *found;
     const bool nearly_all = block.seen >= 0.95;

@@ -7,8 +7,8 @@
 #include "core/error.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
-#include "reconstruct/detail/pieces.hpp"
-#include "reconstruct/detail/soup.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/cut_blocks.hpp"
@@ -62,7 +62,7 @@ double frustum_volume(double bottom, double top, double height) {
 
 // The walls of a pyramid narrow evenly, so the upper shape is the pyramid itself.
 TEST(Underside, UpperBoundOfACutPyramidIsTheWholePyramid) {
-  const Underside side = *closed_underside(open_frustum(0.3, 1.0, 0.8), {.deepest = 1.0});
+  const Underside side = *close_underside(open_frustum(0.3, 1.0, 0.8), {.deepest = 1.0});
   EXPECT_NEAR(side.lower_volume, frustum_volume(0.3, 1.0, 0.8), 1e-9);
   // Sides grow by 0.7 over 0.8, so the tip lies 0.3 * 0.8 / 0.7 below the rim.
   const double tip = 0.3 * 0.3 * (0.3 * 0.8 / 0.7) / 3.0;
@@ -73,7 +73,7 @@ TEST(Underside, UpperBoundOfACutPyramidIsTheWholePyramid) {
 
 // Nothing shows how far upright walls go down; the likeliest is a share of the height seen.
 TEST(Underside, UprightWallsHaveNoUpperBound) {
-  const Underside side = *closed_underside(open_frustum(0.5, 0.5, 0.6));
+  const Underside side = *close_underside(open_frustum(0.5, 0.5, 0.6));
   EXPECT_NEAR(side.lower_volume, 0.5 * 0.5 * 0.6, 1e-9);
   EXPECT_FALSE(side.upper_volume.has_value());
   EXPECT_FALSE(side.sides.has_value());
@@ -87,7 +87,7 @@ TEST(Underside, UprightWallsHaveNoUpperBound) {
 // Clear of the ground all around, a block has sunk into it by 5 % of its height at most.
 TEST(Underside, ABlockOnTheGroundEndsAtIt) {
   const UndersideOptions options{.ground = Plane{Vec3::UnitZ(), -0.05}};
-  const Underside side = *closed_underside(open_frustum(0.5, 0.5, 0.6), options);
+  const Underside side = *close_underside(open_frustum(0.5, 0.5, 0.6), options);
   EXPECT_NEAR(side.gap, 0.05, 1e-12);
   EXPECT_NEAR(side.upper_volume.value(), 0.5 * 0.5 * (0.65 + 0.03), 1e-4);
   EXPECT_TRUE(contains(side.assumption, "into the ground by no more than 4.4 % of its height"))
@@ -99,7 +99,7 @@ TEST(Underside, ABlockOnTheGroundEndsAtIt) {
 // ... by a third of the height seen, and the bracket says that it supposes that.
 TEST(Underside, ARimInTheGroundIsBuriedByAQuarterOfTheHeight) {
   const TriangleMesh open = open_frustum(0.5, 0.5, 0.6);
-  const Underside side = *closed_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
+  const Underside side = *close_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
   EXPECT_NEAR(side.upper_volume.value(), 0.5 * 0.5 * 0.8, 1e-4);
   EXPECT_TRUE(contains(side.assumption, "into the ground by no more than 25 % of its height"))
       << side.assumption;
@@ -114,8 +114,8 @@ TEST(Underside, ABlockThatLeansIsBuriedFromTheGroundOn) {
     const Vec3 middle = (open.vertices[a] + open.vertices[b] + open.vertices[c]) / 3.0;
     keep.push_back(middle.z() > 0.15 || middle.x() < -0.2);
   }
-  open = reconstruct_detail::with_triangles(open, keep);
-  const Underside side = *closed_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
+  open = with_triangles(open, keep);
+  const Underside side = *close_underside(open, {.ground = Plane{Vec3::UnitZ(), 0.0}});
   EXPECT_GT(side.gap, 0.05);
   ASSERT_TRUE(side.upper_volume.has_value());
   EXPECT_TRUE(contains(side.assumption, "into the ground by no more than 25 % of its height"))
@@ -129,7 +129,7 @@ TEST(Underside, HoldsTheCapOfABall) {
   const TriangleMesh ball = unit_sphere(24);
   const double whole = volume(ball);
   for (const double c : {0.93, 0.81, 0.63}) {
-    const Underside side = *closed_underside(above_level(ball, -c + 1e-4));
+    const Underside side = *close_underside(above_level(ball, -c + 1e-4));
     const double cap = kPi * (1 - c) * (1 - c) * (2 + c) / 3.0;
     EXPECT_NEAR(side.lower_volume, whole - cap, 0.003 * whole) << c;
     // The cone that touches the ball at the rim, whose tip is 1/c from the middle.
@@ -145,7 +145,7 @@ TEST(Underside, HoldsTheCapOfABall) {
 
 TEST(Underside, BothShapesAreClosedAndKeepWhatWasSeen) {
   for (const CutBlock& block : cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 4), 3, 11)) {
-    const Underside side = *closed_underside(block.open);
+    const Underside side = *close_underside(block.open);
     for (const TriangleMesh* mesh : {&side.lower, &side.best}) {
       const MeshReport report = inspect(*mesh);
       EXPECT_TRUE(report.closed() && report.oriented()) << report.summary();
@@ -169,10 +169,10 @@ TEST(Underside, BothShapesAreClosedAndKeepWhatWasSeen) {
 
 TEST(Underside, MovesTurnsAndScalesWithTheBlock) {
   const CutBlock block = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 5), 1, 3)[0];
-  const Underside here = *closed_underside(block.open);
+  const Underside here = *close_underside(block.open);
   Random random(8);
   const Pose pose{{420000.0, 5200000.0, 800.0}, random.rotation()};
-  const Underside there = *closed_underside(transformed(scaled(block.open, 3.0), pose));
+  const Underside there = *close_underside(transformed(scaled(block.open, 3.0), pose));
   EXPECT_NEAR(there.lower_volume / here.lower_volume, 27.0, 1e-6);
   EXPECT_NEAR(there.best_volume / here.best_volume, 27.0, 1e-5);
   EXPECT_NEAR(there.upper_volume.value() / here.upper_volume.value(), 27.0, 1e-5);
@@ -183,7 +183,7 @@ TEST(Underside, MovesTurnsAndScalesWithTheBlock) {
 
 TEST(Underside, SameInputGivesTheSameBits) {
   const CutBlock block = cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 6), 1, 4)[0];
-  const Underside first = *closed_underside(block.open), second = *closed_underside(block.open);
+  const Underside first = *close_underside(block.open), second = *close_underside(block.open);
   EXPECT_EQ(first.best.vertices, second.best.vertices);
   EXPECT_EQ(first.best.triangles, second.best.triangles);
   EXPECT_EQ(first.upper_volume, second.upper_volume);
@@ -194,7 +194,7 @@ TEST(Underside, SameInputGivesTheSameBits) {
 TEST(Underside, FewPosesOfThreeRocksAreInsideTheBracket) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     for (const CutBlock& block : cut_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, seed), 3, seed)) {
-      const Underside side = *closed_underside(block.open);
+      const Underside side = *close_underside(block.open);
       EXPECT_LE(side.lower_volume, block.volume) << seed;
       EXPECT_GE(side.upper_volume.value_or(block.volume), block.volume) << seed;
       const double bar = block.seen >= 0.95 ? 0.03 : 0.10;
@@ -215,8 +215,7 @@ TriangleMesh without_overhangs(const TriangleMesh& body, double steepest) {
     const Vec3 normal = (q - p).cross(r - p).normalized();
     keep[t] = normal.z() > -steepest || (p.z() + q.z() + r.z()) / 3.0 > middle;
   }
-  TriangleMesh seen =
-      reconstruct_detail::pieces_of(reconstruct_detail::with_triangles(body, keep)).front().mesh;
+  TriangleMesh seen = reconstruct_detail::components_of(with_triangles(body, keep)).front().mesh;
   reconstruct_detail::split_pinched_vertices(seen);
   return seen;
 }
@@ -234,7 +233,7 @@ TEST(Underside, UndercutBlocksAreInsideTheBracket) {
       const TriangleMesh seen = without_overhangs(body, random.uniform(0.3, 0.7));
       const double truth = volume(body);
       const Plane ground{Vec3::UnitZ(), bounds(body).low.z()};
-      const Underside side = *closed_underside(seen, {.ground = ground});
+      const Underside side = *close_underside(seen, {.ground = ground});
       if (!side.upper_volume) continue;
       const double below = side.lower_volume / truth - 1.0;
       const double above = 1.0 - *side.upper_volume / truth;
@@ -259,7 +258,7 @@ TEST(Underside, UndercutBlocksAreInsideTheBracket) {
 TEST(Underside, OtherHolesAreClosedFlatAndTold) {
   TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
   open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 121);
-  const Underside side = *closed_underside(open);
+  const Underside side = *close_underside(open);
   EXPECT_TRUE(inspect(side.best).closed());
   EXPECT_EQ(side.open_sides, 1u);
   ASSERT_EQ(side.notes.size(), 1u);
@@ -269,20 +268,20 @@ TEST(Underside, OtherHolesAreClosedFlatAndTold) {
 TEST(Underside, LargeHolesAreBracketedTogether) {
   TriangleMesh open = open_frustum(0.5, 0.4, 0.6);
   open.triangles.erase(open.triangles.begin() + 120, open.triangles.begin() + 124);
-  const Underside side = *closed_underside(open);
+  const Underside side = *close_underside(open);
   EXPECT_TRUE(inspect(side.best).closed());
   EXPECT_EQ(side.open_sides, 2u);
   EXPECT_TRUE(side.notes.empty());
 }
 
 TEST(Underside, AClosedScanHasNone) {
-  EXPECT_FALSE(closed_underside(rock_mesh(8, {0.5, 0.4, 0.3}, 1)).has_value());
+  EXPECT_FALSE(close_underside(rock_mesh(8, {0.5, 0.4, 0.3}, 1)).has_value());
 }
 
 TEST(Underside, AHoleTooSmallForAnUndersideIsLeftAlone) {
   TriangleMesh mesh = rock_mesh(16, {0.5, 0.4, 0.3}, 1);
   mesh.triangles.erase(mesh.triangles.begin() + 100, mesh.triangles.begin() + 104);
-  EXPECT_FALSE(closed_underside(mesh).has_value());
+  EXPECT_FALSE(close_underside(mesh).has_value());
 }
 
 TEST(Underside, ASheetIsRefusedWithItsBorder) {
@@ -297,9 +296,9 @@ TEST(Underside, ASheetIsRefusedWithItsBorder) {
       sheet.triangles.push_back({a, a + 7, a + 6});
     }
   }
-  const std::string message = refusal<GeometryError>([&] { closed_underside(sheet); });
+  const std::string message = refusal<GeometryError>([&] { close_underside(sheet); });
   EXPECT_TRUE(contains(message,
-                       "the largest piece is the ground, or one side of a block: a sheet whose "
+                       "the largest component is the ground, or one side of a block: a sheet whose "
                        "border of 20 edges near"))
       << message;
 }
@@ -307,26 +306,26 @@ TEST(Underside, ASheetIsRefusedWithItsBorder) {
 TEST(Underside, ASurfaceThatIsNoSimpleSheetIsRefused) {
   TriangleMesh mesh = open_frustum(0.5, 0.4, 0.6);
   mesh.triangles.push_back({0, 1, 40});
-  const std::string message = refusal<GeometryError>([&] { closed_underside(mesh); });
+  const std::string message = refusal<GeometryError>([&] { close_underside(mesh); });
   EXPECT_TRUE(contains(message, "not a simple sheet")) << message;
 }
 
 TEST(Underside, ASurfaceThatFacesInwardsIsRefused) {
   TriangleMesh mesh = open_frustum(0.5, 0.4, 0.6);
   for (TriangleMesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
-  const std::string message = refusal<GeometryError>([&] { closed_underside(mesh); });
+  const std::string message = refusal<GeometryError>([&] { close_underside(mesh); });
   EXPECT_TRUE(contains(message, "turn its faces outward")) << message;
 }
 
 TEST(Underside, OptionsOutOfRangeAreNamed) {
   const TriangleMesh mesh = open_frustum(0.5, 0.4, 0.6);
-  EXPECT_TRUE(contains(refusal([&] { closed_underside(mesh, {.deepest = -1.0}); }), "deepest"));
+  EXPECT_TRUE(contains(refusal([&] { close_underside(mesh, {.deepest = -1.0}); }), "deepest"));
   EXPECT_TRUE(contains(refusal([&] {
-                         closed_underside(mesh, {.ground = Plane{Vec3(0.0, 0.0, 2.0), 0.0}});
+                         close_underside(mesh, {.ground = Plane{Vec3(0.0, 0.0, 2.0), 0.0}});
                        }),
                        "ground normal"));
   EXPECT_TRUE(contains(
-      refusal([&] { closed_underside(mesh, {.smallest_share = 0.5, .largest_share = 0.4}); }),
+      refusal([&] { close_underside(mesh, {.smallest_share = 0.5, .largest_share = 0.4}); }),
       "smallest_share"));
 }
 

@@ -42,7 +42,7 @@ Outcome looked_at(const NamedBody& body, const UnseenCase& hidden) {
   Outcome result{.body = body.name, .kind = hidden.kind, .missing = hidden.missing};
   std::optional<Underside> found;
   try {
-    found = closed_underside(hidden.open, {.ground = hidden.ground});
+    found = close_underside(hidden.open, {.ground = hidden.ground});
   } catch (const GeometryError&) {
     result.made = result.sheet = true;
     return result;

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "reconstruct/detail/pieces.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/scan.hpp"
 #include "reconstruct/simplify.hpp"
@@ -137,7 +138,7 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
         level(kind == "plane" ? random.uniform(0.05, 0.6) : random.uniform(0.05, 0.22));
     found.open = above_level(mesh, cut);
     if (kind == "buried") found.ground = Plane{Vec3::UnitZ(), cut};
-    if (reconstruct_detail::pieces_of(found.open).size() != 1) return std::nullopt;
+    if (reconstruct_detail::components_of(found.open).size() != 1) return std::nullopt;
   } else {
     std::vector<bool> keep(mesh.triangles.size(), true);
     double lowest = -1e300;
@@ -163,8 +164,7 @@ inline std::optional<UnseenCase> hidden(const TriangleMesh& body, const std::str
       keep[t] = z > lowest && !(faces_down && z < level(0.5));
     }
     if (std::find(keep.begin(), keep.end(), false) == keep.end()) return std::nullopt;
-    found.open =
-        reconstruct_detail::pieces_of(reconstruct_detail::with_triangles(mesh, keep)).front().mesh;
+    found.open = reconstruct_detail::components_of(with_triangles(mesh, keep)).front().mesh;
     reconstruct_detail::split_pinched_vertices(found.open);
   }
   found.missing = 1.0 - surface_area(found.open) / surface_area(mesh);

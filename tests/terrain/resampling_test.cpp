@@ -94,7 +94,7 @@ TEST_F(Resampling, WallsAndOverhangsAreRefusedWithTheirPlace) {
   EXPECT_TRUE(
       contains(message, "cliff.ply: 12 of 72 triangles stand upright or overhang, the first"))
       << message;
-  EXPECT_TRUE(contains(message, " at x ") && contains(message, "thin the mesh with a tolerance"));
+  EXPECT_TRUE(contains(message, " at x ") && contains(message, "simplify the mesh with a tolerance"));
 }
 
 // Tiles of two sizes meet in steps of centimetres that were filled upright: no cell shows them.
@@ -123,7 +123,7 @@ TEST_F(Resampling, ImpossibleSizesAreRefused) {
   EXPECT_TRUE(contains(refused(50.0), "no 2 x 2 neighbouring cells have heights"));
   write_terrain(folder_ / "ground.h5", read_terrain({.surface = {folder_ / "ground.ply"}}));
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "ground.h5"}, .resolution = 2}),
-                       "checked and mended already; leave out resolution"));
+                       "checked and repaired already; leave out resolution"));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST_F(Mending, WiderGapsThanAskedStayOpen) {
   EXPECT_EQ(terrain.report.closed_cracks, 0u);
   EXPECT_EQ(terrain.report.components, 2u);
   EXPECT_TRUE(
-      contains(notes(terrain), "the ground is in 2 pieces with gaps or steps between them"));
+      contains(notes(terrain), "the ground is in 2 components with gaps or steps between them"));
 }
 
 // Eleven vertices on either side; the corners see the other tile within a cell as well.
@@ -75,7 +75,7 @@ TEST_F(Mending, GapsAndStepsBetweenTilesAreTold) {
     EXPECT_EQ(terrain.report.components, 2u);
     const std::string text = notes(terrain);
     EXPECT_TRUE(contains(text,
-                         "border vertices are near another piece but apart from it, the "
+                         "border vertices are near another component but apart from it, the "
                          "nearest by " +
                              std::string(shift.z() > 0.0 ? "3" : "0.4") + " m, at x 10."))
         << text;
@@ -302,7 +302,7 @@ TEST_F(Mending, ASmallPieceOverTheGroundIsDroppedAndOneBesideItIsKept) {
   EXPECT_EQ(terrain.report.dropped_pieces, 1u);
   expect_sound(terrain, 10);
   EXPECT_EQ(terrain.surface.triangles.size(), 200u);
-  EXPECT_TRUE(contains(notes(terrain), "1 small pieces of 0.25 m2 in plan that lie over other"));
+  EXPECT_TRUE(contains(notes(terrain), "1 small components of 0.25 m2 in plan that lie over other"));
   for (Vec3& v : shred.vertices) v.x() += 20.0;
   const Terrain beside = read(merged(ground, shred));
   EXPECT_EQ(beside.report.components, 2u);

@@ -1,11 +1,10 @@
-#include "reconstruct/detail/pieces.hpp"
+#include "reconstruct/detail/components.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/types.hpp"
 #include "mesh/mesh_topology.hpp"
-#include "reconstruct/detail/soup.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -16,23 +15,23 @@ constexpr double kTouching = 1e-6;
 
 }  // namespace
 
-std::vector<Piece> pieces_of(const TriangleMesh& mesh) {
-  const std::vector<std::uint32_t> component = triangle_components(mesh);
+std::vector<Component> components_of(const TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> number_of = triangle_components(mesh);
   std::vector<std::vector<TriangleMesh::Triangle>> groups;
-  for (std::size_t t = 0; t < component.size(); ++t) {
-    if (component[t] >= groups.size()) groups.resize(component[t] + 1);
-    groups[component[t]].push_back(mesh.triangles[t]);
+  for (std::size_t t = 0; t < number_of.size(); ++t) {
+    if (number_of[t] >= groups.size()) groups.resize(number_of[t] + 1);
+    groups[number_of[t]].push_back(mesh.triangles[t]);
   }
-  std::vector<Piece> pieces;
+  std::vector<Component> components;
   if (groups.size() == 1) {
-    pieces.push_back({mesh, surface_area(mesh)});
-    return pieces;
+    components.push_back({mesh, surface_area(mesh)});
+    return components;
   }
-  // One table of numbers for all pieces: a soup may have as many as triangles.
+  // One table of numbers for all components: a soup may have as many as triangles.
   std::vector<std::uint32_t> number(mesh.vertices.size());
   std::vector<std::size_t> stamp(mesh.vertices.size(), groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    Piece piece;
+    Component component;
     std::vector<std::uint32_t> used;
     for (const TriangleMesh::Triangle& t : groups[g]) {
       for (const std::uint32_t v : t) {
@@ -43,18 +42,18 @@ std::vector<Piece> pieces_of(const TriangleMesh& mesh) {
     }
     std::sort(used.begin(), used.end());
     for (const std::uint32_t v : used) {
-      number[v] = static_cast<std::uint32_t>(piece.mesh.vertices.size());
-      piece.mesh.vertices.push_back(mesh.vertices[v]);
+      number[v] = static_cast<std::uint32_t>(component.mesh.vertices.size());
+      component.mesh.vertices.push_back(mesh.vertices[v]);
     }
     for (const TriangleMesh::Triangle& t : groups[g]) {
-      piece.mesh.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+      component.mesh.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
     }
-    piece.area = surface_area(piece.mesh);
-    pieces.push_back(std::move(piece));
+    component.area = surface_area(component.mesh);
+    components.push_back(std::move(component));
   }
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const Piece& a, const Piece& b) { return a.area > b.area; });
-  return pieces;
+  std::stable_sort(components.begin(), components.end(),
+                   [](const Component& a, const Component& b) { return a.area > b.area; });
+  return components;
 }
 
 bool encloses(const TriangleMesh& closed, const Vec3& point) {
@@ -74,20 +73,21 @@ bool encloses(const TriangleMesh& closed, const Vec3& point) {
   return std::abs(half_angles) > kPi;
 }
 
-bool lies_inside(const TriangleMesh& piece, const TriangleMesh& block, const TriangleTree& tree) {
-  const Vec3& start = piece.vertices[0];
+bool lies_inside(const TriangleMesh& component, const TriangleMesh& block,
+                 const TriangleTree& tree) {
+  const Vec3& start = component.vertices[0];
   if (!encloses(block, start)) return false;
-  // The block may still face inwards, so only sides that differ tell something.
+  // The block may still face inwards, so only sides that differ mean something.
   const double side = tree.signed_distance(start) < 0.0 ? -1.0 : 1.0;
   const double touching = -kTouching * bounds(block).diagonal();
-  return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](const Vec3& vertex) {
+  return std::all_of(component.vertices.begin(), component.vertices.end(), [&](const Vec3& vertex) {
     return side * tree.signed_distance(vertex) > touching;
   });
 }
 
-bool lies_on(const TriangleMesh& piece, const TriangleTree& tree, double distance) {
+bool lies_on(const TriangleMesh& component, const TriangleTree& tree, double distance) {
   std::uint32_t hint = 0;
-  return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](const Vec3& vertex) {
+  return std::all_of(component.vertices.begin(), component.vertices.end(), [&](const Vec3& vertex) {
     const TriangleTree::Closest found = tree.closest(vertex, hint);
     hint = found.triangle;
     return found.squared_distance <= distance * distance;

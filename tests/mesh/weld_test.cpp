@@ -1,4 +1,4 @@
-#include "reconstruct/weld.hpp"
+#include "mesh/weld.hpp"
 
 #include <gtest/gtest.h>
 
@@ -70,6 +70,25 @@ TEST(Weld, ToleranceThatIsNegativeOrNotFiniteIsRefused) {
   EXPECT_THROW(welded(tetrahedron(), -1e-9), InputError);
   EXPECT_THROW(welded(tetrahedron(), std::nan("")), InputError);
   EXPECT_THROW(welded(tetrahedron(), std::numeric_limits<double>::infinity()), InputError);
+}
+
+TEST(Weld, TargetsStayThemselves) {
+  const std::vector<Vec3> row = {{0, 0, 0}, {0.9, 0, 0}, {1.8, 0, 0}, {0, 0, 0}, {2.5, 0, 0}};
+  EXPECT_EQ(weld_targets(row, 1.0), (std::vector<std::uint32_t>{0, 0, 2, 0, 2}));
+  EXPECT_EQ(weld_targets(row, 0.0), (std::vector<std::uint32_t>{0, 1, 2, 0, 4}));
+}
+
+TEST(Weld, CopiesOfATriangleAreFoundByTurn) {
+  const std::vector<TriangleMesh::Triangle> triangles = {
+      {4, 5, 6}, {0, 1, 2}, {2, 0, 1}, {1, 0, 2}};
+  const std::vector<TriangleCopy> same = repeated_triangles(triangles, CopyTurn::kSame);
+  ASSERT_EQ(same.size(), 1u);
+  EXPECT_EQ(same[0].before, 1u);
+  EXPECT_EQ(same[0].again, 2u);
+  const std::vector<TriangleCopy> either = repeated_triangles(triangles, CopyTurn::kEither);
+  ASSERT_EQ(either.size(), 2u);
+  EXPECT_EQ(either[1].before, 2u);
+  EXPECT_EQ(either[1].again, 3u);
 }
 
 TEST(Weld, EmptyMeshStaysEmpty) { EXPECT_TRUE(welded({}, 0.1).vertices.empty()); }

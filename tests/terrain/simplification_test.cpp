@@ -14,7 +14,7 @@ namespace {
 
 double hills(double x, double y) { return 2.0 * std::sin(x / 4.0) * std::cos(y / 5.0) + 0.3 * x; }
 
-class Thinning : public testing::Test {
+class Simplification : public testing::Test {
  protected:
   Terrain read(const TriangleMesh& mesh, std::optional<double> tolerance = {}) {
     write_mesh(folder_ / "ground.ply", mesh);
@@ -24,7 +24,7 @@ class Thinning : public testing::Test {
 };
 
 // Two triangles would do; every vertex of the border stays.
-TEST_F(Thinning, APlaneKeepsItsBorderOnly) {
+TEST_F(Simplification, APlaneKeepsItsBorderOnly) {
   const auto plane = [](double x, double y) { return 3.0 + 0.7 * x - 0.2 * y; };
   const Terrain thin = read(squares(20, 1.0, plane), 1e-6);
   EXPECT_EQ(thin.surface.vertices.size(), 80u);
@@ -37,7 +37,7 @@ TEST_F(Thinning, APlaneKeepsItsBorderOnly) {
   EXPECT_NEAR(area, 400.0, 1e-9);
 }
 
-TEST_F(Thinning, KeepsWithinTheToleranceAndTurnsNoFaceOver) {
+TEST_F(Simplification, KeepsWithinTheToleranceAndTurnsNoFaceOver) {
   const TriangleMesh mesh = squares(40, 1.0, hills);
   const Terrain whole = read(mesh);
   const TerrainSurface before = terrain_surface(whole);
@@ -96,7 +96,7 @@ double largest_difference(const TriangleMesh& before, const TriangleMesh& after)
   return largest;
 }
 
-TEST_F(Thinning, TheLargestDifferenceAnywhereIsWithinTheToleranceAndSaid) {
+TEST_F(Simplification, TheLargestDifferenceAnywhereIsWithinTheToleranceAndSaid) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     Random random(seed);
     TriangleMesh mesh = squares(14, 1.0, hills);
@@ -117,7 +117,7 @@ TEST_F(Thinning, TheLargestDifferenceAnywhereIsWithinTheToleranceAndSaid) {
   }
 }
 
-TEST_F(Thinning, OverhangsStayTriangleForTriangle) {
+TEST_F(Simplification, OverhangsStayTriangleForTriangle) {
   TriangleMesh mesh = squares(30, 1.0, hills);
   // The ground folds over along x = 15: vertices beyond are drawn back under their neighbours.
   for (Vec3& v : mesh.vertices) {
@@ -144,7 +144,7 @@ TEST_F(Thinning, OverhangsStayTriangleForTriangle) {
   EXPECT_EQ(border(thin), border(whole));
 }
 
-TEST_F(Thinning, ZonesOfFilesKeepTheirAreas) {
+TEST_F(Simplification, ZonesOfFilesKeepTheirAreas) {
   TriangleMesh left = squares(10, 1.0, hills);
   TriangleMesh right = squares(10, 1.0, [](double x, double y) { return hills(x + 10.0, y); });
   for (Vec3& v : right.vertices) v.x() += 10.0;
@@ -161,7 +161,7 @@ TEST_F(Thinning, ZonesOfFilesKeepTheirAreas) {
   EXPECT_NEAR(area[1], 100.0, 1e-9);
 }
 
-TEST_F(Thinning, RastersAndHolesToo) {
+TEST_F(Simplification, RastersAndHolesToo) {
   write_asc(folder_ / "dem.asc", 40, 40, 652000.0, 5203000.0, 0.5, [](double x, double y) {
     const bool pond = std::hypot(x - 652010.0, y - 5203010.0) < 3.0;
     return pond ? -9999.0 : 0.25 * (x - 652000.0) + 1500.0;
@@ -180,7 +180,7 @@ TEST_F(Thinning, RastersAndHolesToo) {
   EXPECT_EQ(facing_down(thin), 0u);
 }
 
-TEST_F(Thinning, TheSameBitsEveryTime) {
+TEST_F(Simplification, TheSameBitsEveryTime) {
   const TriangleMesh mesh = squares(25, 1.0, hills);
   const Terrain one = read(mesh, 0.05), two = read(mesh, 0.05);
   EXPECT_EQ(one.surface.triangles, two.surface.triangles);
@@ -190,14 +190,14 @@ TEST_F(Thinning, TheSameBitsEveryTime) {
   }
 }
 
-TEST_F(Thinning, OptionsThatMakeNoSenseAreRefused) {
+TEST_F(Simplification, OptionsThatMakeNoSenseAreRefused) {
   write_mesh(folder_ / "ground.ply", squares(4, 1.0, hills));
   EXPECT_EQ(refusal(TerrainOptions{.surface = {folder_ / "ground.ply"}, .tolerance = 0.0}),
             "tolerance = 0: must be from 1e-09 to 1000 m");
   write_terrain(folder_ / "ground.h5", read(squares(4, 1.0, hills)));
   EXPECT_TRUE(
       contains(refusal(TerrainOptions{.surface = {folder_ / "ground.h5"}, .tolerance = 0.1}),
-               "ground.h5: a terrain file is checked and mended already"));
+               "ground.h5: a terrain file is checked and repaired already"));
 }
 
 }  // namespace

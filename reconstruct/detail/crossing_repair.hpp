@@ -24,10 +24,11 @@ struct FreedSurface {
 /// Sheets that touch are parted by a hair's breadth; else triangles that cross are smoothed, or cut
 /// out with more and more rings around them and filled anew; else the surface is wrapped, and the
 /// wrap is scaled back to its volume.
-/// @param mesh    closed, oriented 2-manifold of one piece, already `on_grid`
+/// @param mesh    closed, oriented 2-manifold of one component, already `on_grid`
 /// @param origin  of its coordinates; the result is on the same grid
-/// @return closed, oriented, of one piece, without crossings, its volume within `kCrossingVolume`;
+/// @return closed, oriented, of one component, without crossings, its volume within
+/// `kCrossingVolume`;
 ///         none where no way gave such a surface
-std::optional<FreedSurface> freed_of_crossings(const TriangleMesh& mesh, const Vec3& origin);
+std::optional<FreedSurface> free_of_crossings(const TriangleMesh& mesh, const Vec3& origin);
 
 }  // namespace clast::reconstruct_detail

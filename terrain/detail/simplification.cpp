@@ -1,4 +1,4 @@
-#include "terrain/detail/thinning.hpp"
+#include "terrain/detail/simplification.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -14,9 +14,11 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "terrain/detail/mending.hpp"
+#include "mesh/half_edges.hpp"
+#include "mesh/sub_mesh.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "terrain/detail/plan_index.hpp"
-#include "terrain/detail/triangle_links.hpp"
 
 namespace clast::terrain_detail {
 namespace {
@@ -43,7 +45,7 @@ std::vector<bool> kept_triangles(const TriangleMesh& mesh) {
   const std::vector<PlanBox> boxes = plan_boxes(mesh);
   std::vector<PlanBox> steep;
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
-    const Vec3 area = area_vector(mesh, t);
+    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
     if (area.z() <= kSteep * area.norm()) steep.push_back(boxes[t]);
   }
   if (steep.empty()) return kept;
@@ -57,14 +59,12 @@ std::vector<bool> kept_triangles(const TriangleMesh& mesh) {
   return kept;
 }
 
-using Edge = std::array<std::uint32_t, 2>;
-
 /// The triangulation that grows, in rounds, by what is farthest off.
 class Growing {
  public:
   /// @param edges   of the old surface, apart from those that stay
   /// @param length  of a usual edge, m
-  Growing(const std::vector<Vec3>& vertices, std::span<const Edge> edges, double length,
+  Growing(const std::vector<Vec3>& vertices, std::span<const EdgeKey> edges, double length,
           double tolerance)
       : vertices_(vertices),
         edges_(edges),
@@ -73,7 +73,7 @@ class Growing {
         handles_(vertices.size()),
         edge_index_(boxes_of(vertices, edges)) {}
 
-  void constrain(const Edge& edge) {
+  void constrain(const EdgeKey& edge) {
     triangulation_.insert_constraint(handle(edge[0]), handle(edge[1]));
   }
 
@@ -90,7 +90,7 @@ class Growing {
       const std::vector<std::uint32_t> crossed = far_edges();
       if (crossed.empty()) return;
       for (const std::uint32_t i : crossed) {
-        const Edge& edge = edges_[i];
+        const EdgeKey& edge = edges_[i];
         if (!is_in(edge[0])) {
           handle(edge[0]);
         } else if (!is_in(edge[1])) {
@@ -109,7 +109,7 @@ class Growing {
 
  private:
   static std::vector<PlanBox> boxes_of(const std::vector<Vec3>& vertices,
-                                       std::span<const Edge> edges) {
+                                       std::span<const EdgeKey> edges) {
     std::vector<PlanBox> boxes(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i) {
       for (const std::uint32_t v : edges[i]) boxes[i].include(vertices[v].head<2>());
@@ -180,8 +180,8 @@ class Growing {
     for (auto edge = triangulation_.finite_edges_begin(); edge != triangulation_.finite_edges_end();
          ++edge) {
       if (triangulation_.is_constrained(*edge)) continue;  // an old one: no other crosses it
-      const Edge ends = {edge->first->vertex(Triangulation::cw(edge->second))->info(),
-                         edge->first->vertex(Triangulation::ccw(edge->second))->info()};
+      const EdgeKey ends = {edge->first->vertex(Triangulation::cw(edge->second))->info(),
+                            edge->first->vertex(Triangulation::ccw(edge->second))->info()};
       const std::optional<std::uint32_t> farthest = farthest_across(ends);
       if (farthest) wanted.push_back(*farthest);
     }
@@ -190,17 +190,17 @@ class Growing {
     return wanted;
   }
 
-  std::optional<std::uint32_t> farthest_across(const Edge& ends) {
+  std::optional<std::uint32_t> farthest_across(const EdgeKey& ends) {
     const Vec3 &from = vertices_[ends[0]], &to = vertices_[ends[1]];
     const Vec3 along = to - from;
     std::optional<std::uint32_t> farthest;
     double most = tolerance_;
-    // In pieces: the box of a long edge would hold much that is far from it.
-    const double pieces = std::ceil(along.head<2>().norm() / (kPiece * length_));
-    for (double piece = 0.0; piece < pieces; ++piece) {
+    // In parts: the box of a long edge would hold much that is far from it.
+    const double parts = std::ceil(along.head<2>().norm() / (kPart * length_));
+    for (double part = 0.0; part < parts; ++part) {
       PlanBox box;
-      box.include((from + piece / pieces * along).head<2>());
-      box.include((from + (piece + 1.0) / pieces * along).head<2>());
+      box.include((from + part / parts * along).head<2>());
+      box.include((from + (part + 1.0) / parts * along).head<2>());
       for (const std::uint32_t i : edge_index_.near(box)) {
         const auto& [a, b] = edges_[i];
         if (a == ends[0] || a == ends[1] || b == ends[0] || b == ends[1]) continue;
@@ -221,10 +221,10 @@ class Growing {
     return farthest;
   }
 
-  static constexpr double kPiece = 4.0;  // usual edges
+  static constexpr double kPart = 4.0;  // usual edges
 
   const std::vector<Vec3>& vertices_;
-  std::span<const Edge> edges_;
+  std::span<const EdgeKey> edges_;
   double length_;
   double tolerance_;
   Triangulation triangulation_;
@@ -259,12 +259,12 @@ std::optional<std::uint32_t> triangle_under(const TriangleMesh& mesh, const Plan
 
 }  // namespace
 
-void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
+void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
   const std::vector<bool> kept = kept_triangles(mesh);
-  const TriangleLinks links = triangle_links(mesh);
+  const TriangleNeighbours links = triangle_neighbours(mesh);
   std::vector<bool> fixed(mesh.vertices.size(), false), in_free(mesh.vertices.size(), false);
-  std::vector<Edge> constraints, edges;
+  std::vector<EdgeKey> constraints, edges;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (kept[t]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -273,7 +273,7 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
       const std::uint32_t other = links.across[t][k];
       if (other == kNoTriangle || kept[other] || surface.source[other] != surface.source[t]) {
         fixed[a] = fixed[b] = true;
-        constraints.push_back({std::min(a, b), std::max(a, b)});
+        constraints.push_back(edge_key(a, b));
       } else if (t < other) {
         edges.push_back({a, b});
       }
@@ -290,11 +290,11 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
 
   Growing growing(mesh.vertices, edges, length, tolerance);
   try {
-    for (const Edge& edge : constraints) growing.constrain(edge);
+    for (const EdgeKey& edge : constraints) growing.constrain(edge);
     growing.grow(free);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     throw GeometryError(
-        "the border of the ground crosses itself in plan, so that it can't be thinned; leave out "
+        "the border of the ground crosses itself in plan, so that it can't be simplified; leave out "
         "tolerance, or cut the ground there");
   }
 
@@ -328,7 +328,7 @@ void thin(RawSurface& surface, double tolerance, TerrainReport& report) {
     result.source.push_back(source);
   }
   drop_unused_vertices(result.mesh);
-  std::string note = "thinned within " + with_digits(tolerance, 4) +
+  std::string note = "simplified within " + with_digits(tolerance, 4) +
                      " m: " + std::to_string(result.mesh.triangles.size()) + " of " +
                      std::to_string(mesh.triangles.size()) + " triangles; nowhere more than " +
                      with_digits(growing.largest(), 4) + " m above or below what was there";

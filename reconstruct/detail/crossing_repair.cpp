@@ -1,4 +1,4 @@
-#include "reconstruct/detail/crossing_mends.hpp"
+#include "reconstruct/detail/crossing_repair.hpp"
 
 #include <cmath>
 #include <utility>
@@ -6,9 +6,10 @@
 
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "reconstruct/detail/components.hpp"
 #include "reconstruct/detail/crossings.hpp"
 #include "reconstruct/detail/holes.hpp"
-#include "reconstruct/detail/pieces.hpp"
 #include "reconstruct/detail/touching_sheets.hpp"
 #include "reconstruct/detail/wrap.hpp"
 
@@ -26,16 +27,16 @@ constexpr double kWrapVolume = 0.08;
 constexpr double kCoarseWrapVolume = 0.5;
 
 /// The strategies, each from the surface that the one before left.
-class CrossingMends {
+class CrossingRepair {
  public:
-  CrossingMends(TriangleMesh mesh, const Vec3& origin)
+  CrossingRepair(TriangleMesh mesh, const Vec3& origin)
       : mesh_(std::move(mesh)), origin_(origin), volume_(std::abs(signed_volume(mesh_))) {}
 
-  std::optional<FreedSurface> freed() {
-    if (auto free = parted()) return FreedSurface{std::move(*free), {}};
-    if (auto free = smoothed()) return FreedSurface{std::move(*free), {}};
-    if (auto free = cut()) return FreedSurface{std::move(*free), {}};
-    return wrapped_anew();
+  std::optional<FreedSurface> free_surface() {
+    if (auto free = by_parting()) return FreedSurface{std::move(*free), {}};
+    if (auto free = by_smoothing()) return FreedSurface{std::move(*free), {}};
+    if (auto free = by_cutting()) return FreedSurface{std::move(*free), {}};
+    return by_wrapping();
   }
 
  private:
@@ -56,7 +57,7 @@ class CrossingMends {
 
   /// Where the surface only touches itself, a hair's breadth is enough. Facing inwards as it may,
   /// it is turned for the while. The vertices stay parted for what is tried next.
-  std::optional<TriangleMesh> parted() {
+  std::optional<TriangleMesh> by_parting() {
     const bool inward = signed_volume(mesh_) < 0.0;
     if (inward) turn_over(mesh_);
     part_touching_vertices(mesh_, kPartedBy * bounds(mesh_).diagonal());
@@ -64,14 +65,14 @@ class CrossingMends {
     return if_sound(mesh_, kCrossingVolume);
   }
 
-  std::optional<TriangleMesh> smoothed() const {
+  std::optional<TriangleMesh> by_smoothing() const {
     TriangleMesh trial = mesh_;
     if (!remove_crossings(trial)) return std::nullopt;
     return if_sound(std::move(trial), kCrossingVolume);
   }
 
   /// Cuts the crossing triangles out with more and more rings around them, and fills anew.
-  std::optional<TriangleMesh> cut() const {
+  std::optional<TriangleMesh> by_cutting() const {
     TriangleMesh trial = mesh_;
     for (int rings = 0; rings < kRings; ++rings) {
       std::vector<bool> near(trial.vertices.size(), false);
@@ -92,7 +93,7 @@ class CrossingMends {
       }
       std::erase_if(trial.triangles, touched);
       if (trial.triangles.empty()) return std::nullopt;
-      trial = std::move(pieces_of(trial).front().mesh);
+      trial = std::move(components_of(trial).front().mesh);
       split_pinched_vertices(trial);
       close_by_fans(trial, kFanEdges);
       if (inspect(trial).boundary_edges > 0) fill_holes(trial);
@@ -102,7 +103,7 @@ class CrossingMends {
     return std::nullopt;
   }
 
-  std::optional<FreedSurface> wrapped_anew() const {
+  std::optional<FreedSurface> by_wrapping() const {
     const TriangleMesh coarse = wrapped(mesh_, kCoarseWrap);
     const double coarse_ratio = std::abs(signed_volume(coarse)) / volume_;
     if (!(std::abs(coarse_ratio - 1.0) <= kCoarseWrapVolume)) return std::nullopt;
@@ -132,8 +133,8 @@ TriangleMesh on_grid(TriangleMesh mesh, const Vec3& origin) {
   return mesh;
 }
 
-std::optional<FreedSurface> freed_of_crossings(const TriangleMesh& mesh, const Vec3& origin) {
-  return CrossingMends(mesh, origin).freed();
+std::optional<FreedSurface> free_of_crossings(const TriangleMesh& mesh, const Vec3& origin) {
+  return CrossingRepair(mesh, origin).free_surface();
 }
 
 }  // namespace clast::reconstruct_detail

@@ -14,6 +14,6 @@ namespace clast::terrain_detail {
 /// @cite garland1995
 /// @param surface  oriented, without double ground
 /// @throws GeometryError  border edges that cross in plan
-void thin(RawSurface& surface, double tolerance, TerrainReport& report);
+void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& report);
 
 }  // namespace clast::terrain_detail

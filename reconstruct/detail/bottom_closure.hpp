@@ -1,5 +1,5 @@
 #pragma once
-/// A film across the rim of a hole, moved down to where the block may end.
+/// A closure across the rim of a hole, moved down to where the block may end.
 #include <cstddef>
 #include <utility>
 
@@ -9,27 +9,28 @@
 
 namespace clast::reconstruct_detail {
 
-/// How the film is moved: every vertex by `depth` (m) times its bulge to a power. The larger the
+/// How the closure is moved: every vertex by `depth` (m) times its bulge to a power. The larger the
 /// power, the more pointed what hangs below.
 struct Move {
   double power = 0.0, depth = 0.0;
 };
 
-/// What lies under the film grows in proportion to the depth, since all moves are along one way.
-class Film {
+/// What lies under the closure grows in proportion to the depth, since all moves are along one way.
+class BottomClosure {
  public:
   static constexpr double kBluntest = 0.05;  ///< least power of a move
 
-  /// @param closed        with the film, and alive as long as this
-  /// @param patch         the film, its vertices numbered from `first_vertex` on in `closed`
+  /// @param closed        with the closure, and alive as long as this
+  /// @param patch         the closure, its vertices numbered from `first_vertex` on in `closed`
   /// @param down          unit
-  Film(const TriangleMesh& closed, HolePatch patch, std::size_t first_vertex, const Vec3& down)
+  BottomClosure(const TriangleMesh& closed, HolePatch patch, std::size_t first_vertex,
+                const Vec3& down)
       : closed_(closed), patch_(std::move(patch)), first_vertex_(first_vertex), down_(down) {}
 
-  /// `closed` with the film moved.
+  /// `closed` with the closure moved.
   TriangleMesh lowered(const Move& move) const;
-  /// With `added` volume (m^3) under the film, no deeper than `deepest` (m) where that is possible:
-  /// the power falls until it is.
+  /// With `added` volume (m^3) under the closure, no deeper than `deepest` (m) where that is
+  /// possible: the power falls until it is.
   Move holding(double added, double power, double deepest) const;
   /// The same volume, so pointed that it touches the ground: a block does not float. The power
   /// rises to `most` at most.

@@ -1,4 +1,4 @@
-#include "reconstruct/detail/film.hpp"
+#include "reconstruct/detail/bottom_closure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,11 @@ constexpr int kPowerSteps = 40;  ///< halvings of a range of powers
 
 }  // namespace
 
-double Film::fall(std::size_t vertex, const Move& move) const {
+double BottomClosure::fall(std::size_t vertex, const Move& move) const {
   return move.depth * std::pow(patch_.bulge[vertex], move.power);
 }
 
-TriangleMesh Film::lowered(const Move& move) const {
+TriangleMesh BottomClosure::lowered(const Move& move) const {
   TriangleMesh mesh = closed_;
   if (move.depth <= 0.0) return mesh;
   for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
@@ -26,12 +26,12 @@ TriangleMesh Film::lowered(const Move& move) const {
   return mesh;
 }
 
-Move Film::holding(double added, double power, double deepest) const {
+Move BottomClosure::holding(double added, double power, double deepest) const {
   while (added / column(power) > deepest && power > kBluntest) power *= 0.8;
   return {power, added / column(power)};
 }
 
-Move Film::lying(const Plane& ground, const Move& blunt, double added, double most) const {
+Move BottomClosure::lying(const Plane& ground, const Move& blunt, double added, double most) const {
   if (touches(ground, blunt)) return blunt;
   const auto of_power = [&](double power) { return Move{power, added / column(power)}; };
   double low = blunt.power, high = most;
@@ -42,14 +42,14 @@ Move Film::lying(const Plane& ground, const Move& blunt, double added, double mo
   return of_power(high);
 }
 
-bool Film::touches(const Plane& ground, const Move& move) const {
+bool BottomClosure::touches(const Plane& ground, const Move& move) const {
   for (std::size_t i = 0; i < patch_.bulge.size(); ++i) {
     if (ground.height(closed_.vertices[first_vertex_ + i]) <= fall(i, move)) return true;
   }
   return false;
 }
 
-double Film::column(double power) const {
+double BottomClosure::column(double power) const {
   double volume = 0.0;
   for (const TriangleMesh::Triangle& t : patch_.triangles) {
     double mean = 0.0;

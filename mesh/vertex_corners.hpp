@@ -1,0 +1,24 @@
+#pragma once
+/// The triangles around every vertex.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace clast {
+
+/// Of every vertex the corners that lie at it, ascending: corner 3 t + k is vertex k of triangle t.
+class VertexCorners {
+ public:
+  explicit VertexCorners(const TriangleMesh& mesh);
+
+  std::span<const std::uint32_t> at(std::uint32_t vertex) const {
+    return {corners_.data() + start_[vertex], corners_.data() + start_[vertex + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> start_, corners_;  ///< of all vertices, behind one another
+};
+
+}  // namespace clast

@@ -1,0 +1,231 @@
+#include "reconstruct/detail/close_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "mesh/triangle_neighbours.hpp"
+#include "reconstruct/detail/holes.hpp"
+#include "reconstruct/detail/stated_bounds.hpp"
+
+namespace clast::reconstruct_detail {
+
+namespace {
+
+constexpr double kSmallestHole = 1e-9;  ///< of the area: every hole is closed and reported
+/// An open scan of which less than this share is filled in was closed by other means before.
+constexpr double kHardlyOpen = 0.01;
+constexpr double kNotedTilt = 1.0;  ///< degrees; a turn by less is not noted
+
+double degrees_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / kPi;
+}
+
+/// From the file's units and axes.
+Vec3 in_metres(Vec3 point, const ScanOptions& options) {
+  point *= options.unit;
+  return options.up == "y" ? Vec3(point.x(), -point.z(), point.y()) : point;
+}
+
+/// From metres, upright.
+TriangleMesh in_file_units(TriangleMesh mesh, const ScanOptions& options) {
+  for (Vec3& v : mesh.vertices) {
+    v = (options.up == "y" ? Vec3(v.x(), v.z(), -v.y()) : v) / options.unit;
+  }
+  return mesh;
+}
+
+/// Was a little missing, and more than a fan closes?
+bool hardly_open(const FieldBlock& block) {
+  if (block.underside) return block.underside->invented_share < kHardlyOpen;
+  const RepairReport& report = block.scan.report;
+  return report.invented_share < kHardlyOpen &&
+         std::any_of(report.holes.begin(), report.holes.end(),
+                     [](const FilledHole& hole) { return hole.border_edges > kFanEdges; });
+}
+
+/// Of a scan that was hardly open that much is said.
+FieldBlock with_doubt(FieldBlock block) {
+  if (hardly_open(block)) {
+    block.scan.notes.push_back(
+        "hardly any surface was missing, so the bounds are narrow; the file does not show "
+        "whether the scanning software had already closed an unseen side, such as the bottom: "
+        "check the volume by weighing (`mass` with `density`)");
+  }
+  return block;
+}
+
+/// Is a part of the surface not as it was read? A wrap is off it everywhere, and says so.
+bool was_changed(const RepairReport& report) {
+  return !report.wrap_bias && (report.invented_share > 0.0 || !report.doubled.empty() ||
+                               report.find(DefectKind::kSpike) != nullptr ||
+                               report.find(DefectKind::kCrossing) != nullptr);
+}
+
+/// By the volume that the surface would have with its largest hole filled flat.
+/// @returns whether it faced inwards
+bool turn_outward(TriangleMesh& open) {
+  const std::vector<std::vector<std::uint32_t>> loops = boundary_loops(open);
+  if (loops.empty()) return false;
+  const auto& largest = *std::max_element(
+      loops.begin(), loops.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  Vec3 middle = Vec3::Zero();
+  for (const std::uint32_t v : largest) {
+    middle += open.vertices[v] / static_cast<double>(largest.size());
+  }
+  double sixfold = 0.0;
+  for (const auto& [a, b, c] : open.triangles) {
+    sixfold += (open.vertices[a] - middle)
+                   .dot((open.vertices[b] - middle).cross(open.vertices[c] - middle));
+  }
+  if (sixfold >= 0.0) return false;
+  turn_over(open);
+  return true;
+}
+
+/// The report of the same surface turned over.
+void swap_sides(RepairReport& report) {
+  std::swap(report.volume_below, report.volume_above);
+  for (FilledHole& hole : report.holes) std::swap(hole.volume_below, hole.volume_above);
+  for (DoubledSurface& copy : report.doubled) {
+    copy.offset = -copy.offset;
+    copy.volume_change = -copy.volume_change;
+  }
+}
+
+/// What was scanned, where the surface has other parts too; null where it has not.
+std::unique_ptr<const ScannedSurface> scanned_part(const OpenBlock& open) {
+  if (open.margin != nullptr) {
+    return std::make_unique<ScannedSurface>(std::span<const Vec3>(open.surface.vertices));
+  }
+  if (was_changed(open.repaired)) return std::make_unique<ScannedSurface>(*open.raw);
+  return nullptr;
+}
+
+std::optional<Underside> close_unseen_side(const OpenBlock& open, const ScannedSurface* scanned,
+                                           const std::string& name, const SeenThrough* through) {
+  UndersideOptions closing{
+      .ground = open.ground, .smallest_share = kSmallestHole, .through = through};
+  if (scanned) closing.was_seen = [&](const Vec3& place) { return scanned->holds(place); };
+  closing.margin = open.margin;
+  try {
+    return close_underside(open.surface, closing);
+  } catch (const GeometryError& error) {
+    throw GeometryError(name + ": " + error.what());
+  }
+}
+
+/// Turns the block about the place where it stands, so that z points up from its ground.
+void stand_upright(FieldBlock& block, const OpenBlock& open, const ScanOptions& options) {
+  const Vec3 normal = in_metres(open.ground->normal, options).normalized();
+  const Vec3 pivot = in_metres(open.centre, options);
+  const Quat rotation = Quat::FromTwoVectors(normal, Vec3::UnitZ());
+  block.block_from_file = {pivot - rotation * pivot, rotation};
+  const double tilt = degrees_between(normal, Vec3::UnitZ());
+  if (tilt > kNotedTilt) {
+    block.scan.notes.push_back(
+        "turned by " + with_digits(tilt, 3) +
+        " degrees so that z points up from the ground; `up` keeps the file's axes");
+  }
+  for (Vec3& vertex : block.scan.mesh.vertices) vertex = block.block_from_file * vertex;
+}
+
+/// The same underside with every length scaled and every place moved.
+template <class Move>
+Underside moved(Underside side, double unit, const Move& move) {
+  for (TriangleMesh* mesh : {&side.lower, &side.best}) {
+    for (Vec3& vertex : mesh->vertices) vertex = move(vertex);
+  }
+  const double cubed = unit * unit * unit;
+  side.lower_volume *= cubed;
+  side.best_volume *= cubed;
+  if (side.upper_volume) *side.upper_volume *= cubed;
+  if (side.sides) side.sides = SideBounds{unit * side.sides->lower, unit * side.sides->upper};
+  const Vec3 centre = move(side.rim_centre);
+  side.down = (move(side.rim_centre + side.down) - centre).normalized();
+  side.rim_centre = centre;
+  side.rim_length *= unit;
+  side.gap *= unit;
+  return side;
+}
+
+}  // namespace
+
+FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& field) {
+  const ScanOptions& options = field.scan;
+  if (turn_outward(open.surface)) swap_sides(open.repaired);
+  if (open.repaired.as_read.triangles > 0) {  // the surface of a cloud has no small holes
+    const std::vector<FilledHole> filled = fill_holes(open.surface, false);
+    open.repaired =
+        with_fillings(std::move(open.repaired), filled, surface_area(open.surface), options.unit);
+  }
+  const std::unique_ptr<const ScannedSurface> scanned = scanned_part(open);
+  std::optional<Underside> side = close_unseen_side(open, scanned.get(), name, field.through);
+  FieldBlock block{clean_scan(side ? side->best : open.surface, name, options), {}, {}};
+  RepairReport& report = block.scan.report;
+  report = joined(std::move(open.repaired), std::move(report));
+  if (!side) {
+    block.bounds = closed_bounds({open.surface, options.unit, scanned.get(), open.margin}, report);
+  }
+  std::vector<std::string>& notes = block.scan.notes;
+  notes = repair_notes(report);
+  notes.insert(notes.begin(), open.notes.begin(), open.notes.end());
+  if (open.ground && !field.up_given) stand_upright(block, open, options);
+  if (side) {
+    notes.insert(notes.end(), side->notes.begin(), side->notes.end());
+    block.underside = moved(std::move(*side), options.unit, [&](const Vec3& p) {
+      return block.block_from_file * in_metres(p, options);
+    });
+    block.bounds = underside_bounds(*block.underside, report);
+  }
+  return with_doubt(std::move(block));
+}
+
+FieldBlock clean_block(const TriangleMesh& raw, const std::string& name,
+                       const FieldScanOptions& field) {
+  FieldBlock block{clean_scan(raw, name, field.scan), {}, {}};
+  if (was_changed(block.scan.report)) {
+    const ScannedSurface scanned(raw);
+    const TriangleMesh closed = in_file_units(block.scan.mesh, field.scan);
+    block.bounds = closed_bounds({closed, field.scan.unit, &scanned, nullptr}, block.scan.report);
+  }
+  return with_doubt(std::move(block));
+}
+
+RepairReport with_fillings(RepairReport report, const std::vector<FilledHole>& fillings,
+                           double area, double unit) {
+  if (fillings.empty()) return report;
+  RepairReport filled;
+  double share = 0.0;
+  for (FilledHole hole : fillings) {
+    hole.area_share = hole.area / area;
+    share += hole.area_share;
+    hole.perimeter *= unit;
+    hole.radius *= unit;
+    hole.area *= unit * unit;
+    hole.volume_below *= unit * unit * unit;
+    hole.volume_above *= unit * unit * unit;
+    filled.volume_below += hole.volume_below;
+    filled.volume_above += hole.volume_above;
+    filled.invented_share += hole.area_share;
+    filled.holes.push_back(hole);
+  }
+  std::stable_sort(filled.holes.begin(), filled.holes.end(),
+                   [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
+  filled.defects.push_back(
+      {DefectKind::kHole, fillings.size(), share, filled.holes[0].radius, filled.holes[0].centre});
+  return joined(std::move(report), std::move(filled));
+}
+
+bool all_within_reach(const std::vector<Vec3>& points, double unit) {
+  return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+    return p.allFinite() && p.cwiseAbs().maxCoeff() * unit <= kLargestCoordinate &&
+           p.cwiseAbs().maxCoeff() <= kLargestCoordinate;
+  });
+}
+
+}  // namespace clast::reconstruct_detail

@@ -1,0 +1,123 @@
+#include "reconstruct/detail/cloud_blocks.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "reconstruct/detail/choose_standing.hpp"
+#include "reconstruct/detail/close_block.hpp"
+#include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/detail/outliers.hpp"
+#include "reconstruct/detail/separate_sets.hpp"
+
+namespace clast::reconstruct_detail {
+
+namespace {
+
+constexpr std::size_t kFewestPoints = 500;  ///< of a cloud
+
+void refuse_unusable(const std::vector<Vec3>& points, const std::string& name, double unit) {
+  if (!all_within_reach(points, unit)) {
+    throw InputError(name + ": a point is not finite or farther than " +
+                     with_digits(kLargestCoordinate, 3) +
+                     " m from the origin: the file is damaged, or its unit is wrong");
+  }
+  if (points.size() < kFewestPoints) {
+    throw InputError(name + ": no block: " + std::to_string(points.size()) +
+                     " points are too few for one; a scan of a block has " +
+                     std::to_string(kFewestPoints) + " at least");
+  }
+}
+
+/// The points without repeats and outliers; notes how many these are.
+std::vector<Vec3> clean_points(const std::vector<Vec3>& raw, std::vector<std::string>& notes) {
+  std::vector<Vec3> points;
+  const std::vector<Vec3> once = without_repeats(raw);
+  for (const std::uint32_t i : without_isolated(once)) points.push_back(once[i]);
+  notes.push_back("made from " + std::to_string(raw.size()) + " points, " +
+                  std::to_string(once.size() - points.size()) + " of them outliers");
+  if (once.size() < raw.size()) {
+    notes.push_back(std::to_string(raw.size() - once.size()) +
+                    " points repeat another one and were left out");
+  }
+  return points;
+}
+
+/// A ground would join what stands on it: without one, far sets are not of one block.
+void refuse_separate_sets(const NearAndFar& found, const std::string& name) {
+  if (found.far_share <= kScrapArea) return;
+  throw GeometryError(name + ": separate sets of points, the second with about " +
+                      std::to_string(std::lround(100.0 * found.far_share)) +
+                      " % of the area of the first, near " + place(found.far_place) +
+                      "; save each block to a file of its own, or delete what does not belong "
+                      "to it");
+}
+
+/// Also notes what the surface leaves out and fills.
+CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name,
+                        const CloudSurfaceOptions& options, std::vector<std::string>& notes) {
+  try {
+    CloudSurface surface = cloud_surface(points, options);
+    if (surface.outliers > 0) {
+      notes.push_back(std::to_string(surface.outliers) +
+                      " more points left out as outliers off the surface of their neighbours");
+    }
+    if (surface.gaps > 0) {
+      notes.push_back(std::to_string(surface.gaps) + (surface.gaps == 1 ? " gap" : " gaps") +
+                      " between the points filled, " + with_digits(100.0 * surface.gap_share, 2) +
+                      " % of the surface, the largest near " + place(surface.gap_place));
+    }
+    return surface;
+  } catch (const GeometryError& error) {
+    throw GeometryError(name + ": " + error.what());
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  }
+}
+
+/// A block scanned without the ground around it.
+FieldBlock block_alone(NearAndFar sets, std::vector<std::string> notes, const std::string& name,
+                       const FieldScanOptions& options) {
+  if (sets.far > 0) {
+    notes.push_back(std::to_string(sets.far) +
+                    " points far from the block were left out, some near " + place(sets.far_place));
+  }
+  CloudSurface surface = surface_of(sets.near, name, options.surface, notes);
+  return close_block(
+      {.surface = std::move(surface.mesh), .margin = &surface.margin, .notes = std::move(notes)},
+      name, options);
+}
+
+}  // namespace
+
+std::vector<FieldBlock> cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
+                                     const FieldScanOptions& options) {
+  refuse_unusable(raw, name, options.scan.unit);
+  std::vector<std::string> notes;
+  const std::vector<Vec3> points = clean_points(raw, notes);
+  NearAndFar sets = near_and_far(points);
+  refuse_separate_sets(sets, name);
+  std::optional<Ground> ground;
+  if (options.find_ground) ground = find_ground(points);
+  if (!ground) return {block_alone(std::move(sets), std::move(notes), name, options)};
+
+  const ChosenBlocks chosen = choose_standing(points, *ground, name, options.split);
+  notes.insert(notes.end(), chosen.notes.begin(), chosen.notes.end());
+  std::vector<FieldBlock> blocks;
+  for (const ChosenBlock& block : chosen.blocks) {
+    std::vector<std::string> own_notes;
+    CloudSurface surface = surface_of(block.points, name, options.surface, own_notes);
+    blocks.push_back(close_block({.surface = std::move(surface.mesh),
+                                  .ground = block.ground,
+                                  .centre = block.centre,
+                                  .margin = &surface.margin,
+                                  .notes = notes},
+                                 name, options));
+    std::vector<std::string>& all = blocks.back().scan.notes;
+    all.insert(all.end(), own_notes.begin(), own_notes.end());
+  }
+  return blocks;
+}
+
+}  // namespace clast::reconstruct_detail

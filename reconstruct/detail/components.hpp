@@ -1,0 +1,31 @@
+#pragma once
+/// The components of a surface, and which lies in or on which.
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "mesh/triangle_tree.hpp"
+
+namespace clast::reconstruct_detail {
+
+struct Component {
+  TriangleMesh mesh;
+  double area = 0.0;
+};
+
+/// Components connected over edges, largest area first, without unused vertices.
+std::vector<Component> components_of(const TriangleMesh& mesh);
+
+/// Is `point` inside the closed surface? By its winding number, so that it holds for any point and
+/// either orientation.
+bool encloses(const TriangleMesh& closed, const Vec3& point);
+
+/// Is every vertex of the component inside the block? A second block that overlaps it has some
+/// outside.
+/// @param tree  of `block`, which is closed and faces either way
+bool lies_inside(const TriangleMesh& component, const TriangleMesh& block,
+                 const TriangleTree& tree);
+
+/// Is every vertex of the component within `distance` of the surface of the tree?
+bool lies_on(const TriangleMesh& component, const TriangleTree& tree, double distance);
+
+}  // namespace clast::reconstruct_detail

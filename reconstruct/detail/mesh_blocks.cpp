@@ -1,0 +1,192 @@
+#include "reconstruct/detail/mesh_blocks.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/number_text.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/weld.hpp"
+#include "reconstruct/detail/choose_standing.hpp"
+#include "reconstruct/detail/close_block.hpp"
+#include "reconstruct/detail/cloud.hpp"
+#include "reconstruct/detail/components.hpp"
+#include "reconstruct/detail/cut_out.hpp"
+#include "reconstruct/detail/hole_loops.hpp"
+#include "reconstruct/detail/holes.hpp"
+#include "reconstruct/detail/ragged_holes.hpp"
+#include "reconstruct/detail/soup.hpp"
+#include "reconstruct/detail/spikes.hpp"
+#include "reconstruct/detail/surface_copy.hpp"
+#include "reconstruct/detail/touching_sheets.hpp"
+
+namespace clast::reconstruct_detail {
+
+namespace {
+
+/// An open surface of manifold edges that faces one way, and what was repaired to have it.
+struct OpenSheet {
+  TriangleMesh mesh;
+  RepairReport repaired;
+};
+
+/// None when cleaning alone does, or has to say what is wrong.
+std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& options) {
+  if (!all_within_reach(raw.vertices, options.unit)) return std::nullopt;
+  const double tolerance = options.repair.weld_tolerance * bounds(raw).diagonal();
+  TriangleMesh mesh = welded(raw, tolerance);
+  RepairReport report;
+  report.as_read = inspect(mesh);
+  const double area = surface_area(mesh);
+  const auto note = [&](DefectKind kind, std::size_t count, double dropped = 0.0,
+                        std::optional<Vec3> where = {}, double size = 0.0) {
+    if (count > 0) report.defects.push_back({kind, count, dropped / area, size, where});
+  };
+  const auto note_change = [&](DefectKind kind, const Change& change) {
+    note(kind, change.count, change.area, change.place);
+  };
+  note(DefectKind::kNearVertices, welded(raw, 0.0).vertices.size() - mesh.vertices.size(), 0.0, {},
+       tolerance * options.unit);
+  note(DefectKind::kNoArea, raw.triangles.size() - mesh.triangles.size());
+  const SoupRepair repair = repair_soup(mesh, kFinArea);
+  if (mesh.triangles.empty() || !repair.orientation.orientable) return std::nullopt;
+  note_change(DefectKind::kFolded, repair.folded);
+  note_change(DefectKind::kFin, repair.fins);
+  note_change(DefectKind::kTouchingEdge, repair.touching);
+  const std::size_t turned = repair.orientation.turned + turn_hanging_scraps(mesh);
+  if (turned > 0) {
+    note(DefectKind::kMixedWinding, turned, 0.0, mesh.vertices[repair.orientation.first]);
+  }
+  const std::vector<FilledHole> ragged = close_ragged_holes(mesh);
+  if (inspect(mesh).closed()) return std::nullopt;
+  note_change(DefectKind::kPinchedVertex, split_pinched_vertices(mesh));
+  const Spikes spikes = flatten_spikes(mesh);
+  note(DefectKind::kSpike, spikes.count, 0.0, spikes.place, spikes.highest * options.unit);
+  report = with_fillings(std::move(report), ragged, surface_area(mesh), options.unit);
+  return OpenSheet{std::move(mesh), std::move(report)};
+}
+
+/// Notes a copy of the surface that is dropped.
+void note_copy(RepairReport& report, DoubledSurface doubled, const Component& component,
+               double first_area, double unit) {
+  doubled.offset *= unit;
+  doubled.distance *= unit;
+  doubled.volume_change *= unit * unit * unit;
+  doubled.kept_volume *= unit * unit * unit;
+  report.volume_below = std::max(report.volume_below, -doubled.volume_change);
+  report.volume_above = std::max(report.volume_above, doubled.volume_change);
+  report.doubled.push_back(doubled);
+  report.defects.push_back(
+      {DefectKind::kDoubleSheet, 1, component.area / first_area, 0.0, component.mesh.vertices[0]});
+}
+
+/// Drops copies of the first component, once that is the best of them, and notes them.
+/// @returns whether that component is closed and nothing but copies and scraps is beside it: repair
+/// does the rest
+bool drop_copies(std::vector<Component>& components, RepairReport& report, double unit) {
+  put_best_copy_first(components);
+  const TriangleMesh& first = components[0].mesh;
+  const double diagonal = bounds(first).diagonal();
+  const TriangleTree tree(first);
+  bool others = false;
+  std::vector<Component> kept;
+  for (std::size_t i = 1; i < components.size(); ++i) {
+    const bool scrap = components[i].area < kScrapArea * components[0].area;
+    const auto copy = scrap ? std::nullopt : copy_of_surface(components[i].mesh, tree, diagonal);
+    others |= !scrap && !copy;
+    if (copy) {
+      note_copy(report, describe_copy(*copy, components[i], first, tree), components[i],
+                components[0].area, unit);
+    } else {
+      kept.push_back(std::move(components[i]));
+    }
+  }
+  components.resize(1);
+  for (Component& component : kept) components.push_back(std::move(component));
+  return !others && inspect(components[0].mesh).closed();
+}
+
+/// Are all holes of the sheet so small that none is an unseen side?
+bool has_only_small_holes(const TriangleMesh& sheet) {
+  const double area = surface_area(sheet);
+  for (const std::vector<std::uint32_t>& loop : boundary_loops(sheet)) {
+    std::vector<Vec3> border;
+    for (const std::uint32_t v : loop) border.push_back(sheet.vertices[v]);
+    if (is_unseen_side(border, area)) return false;
+  }
+  return true;
+}
+
+/// Of the components of what stands at one place the first is the block. Said where another is no
+/// scrap.
+std::string left_out(const std::vector<Component>& components) {
+  if (components.size() < 2 || components[1].area <= kScrapArea * components[0].area) return "";
+  return "another component of the scan that stands close to this block, with " +
+         with_digits(100.0 * components[1].area / components[0].area, 3) + " % of its area, near " +
+         place(components[1].mesh.vertices[0]) +
+         ", was left out; to have both, save each to a file of its own";
+}
+
+std::vector<FieldBlock> blocks_on_ground(const OpenSheet& sheet, const TriangleMesh& raw,
+                                         const std::vector<Vec3>& points, const Ground& ground,
+                                         const std::string& name, const FieldScanOptions& options) {
+  const ChosenBlocks chosen = choose_standing(points, ground, name, options.split);
+  const NearestPoints tree(points);
+  std::vector<FieldBlock> blocks;
+  for (const ChosenBlock& block : chosen.blocks) {
+    std::vector<Component> components = components_nearest_to(sheet.mesh, tree, block.numbers);
+    if (components.empty()) refuse_bare_ground(name, 1.0);
+    const std::string others = left_out(components);
+    TriangleMesh rock = std::move(components.front().mesh);
+    split_pinched_vertices(rock);
+    blocks.push_back(close_block({.surface = std::move(rock),
+                                  .ground = block.ground,
+                                  .centre = block.centre,
+                                  .raw = &raw,
+                                  .repaired = sheet.repaired,
+                                  .notes = chosen.notes},
+                                 name, options));
+    if (!others.empty()) blocks.back().scan.notes.push_back(others);
+  }
+  return blocks;
+}
+
+}  // namespace
+
+std::vector<FieldBlock> mesh_blocks(const TriangleMesh& raw, const std::string& name,
+                                    const FieldScanOptions& options) {
+  std::optional<OpenSheet> sheet = open_sheet(raw, options.scan);
+  if (!sheet) return {clean_block(raw, name, options)};
+  std::vector<Component> components = components_of(sheet->mesh);
+  if (drop_copies(components, sheet->repaired, options.scan.unit)) {
+    return {clean_block(raw, name, options)};
+  }
+  if (!sheet->repaired.doubled.empty()) {
+    sheet->mesh = {};
+    for (const Component& component : components)
+      sheet->mesh = merged(std::move(sheet->mesh), component.mesh);
+  }
+  if (options.find_ground && !has_only_small_holes(sheet->mesh)) {
+    const std::vector<Vec3> points = points_over(sheet->mesh);
+    if (const std::optional<Ground> ground = find_ground(points)) {
+      return blocks_on_ground(*sheet, raw, points, *ground, name, options);
+    }
+  }
+  double scraps = 0.0;
+  for (std::size_t i = 1; i < components.size(); ++i) {
+    if (components[i].area > kScrapArea * components[0].area) {
+      return {clean_block(raw, name, options)};  // says what is wrong
+    }
+    scraps += components[i].area / surface_area(sheet->mesh);
+  }
+  if (components.size() > 1) {
+    sheet->repaired.defects.push_back(
+        {DefectKind::kIsland, components.size() - 1, scraps, 0.0, components[1].mesh.vertices[0]});
+  }
+  return {close_block({.surface = std::move(components[0].mesh),
+                       .raw = &raw,
+                       .repaired = std::move(sheet->repaired)},
+                      name, options)};
+}
+
+}  // namespace clast::reconstruct_detail

@@ -1,0 +1,167 @@
+#include "terrain/detail/surface_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/text_file.hpp"
+#include "mesh/mesh_io.hpp"
+#include "mesh/point_cloud.hpp"
+#include "terrain/detail/cloud_input.hpp"
+#include "terrain/detail/gdal_raster.hpp"
+#include "terrain/detail/grid_holes.hpp"
+#include "terrain/detail/resampling.hpp"
+
+namespace clast::terrain_detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Heights beyond are none.
+constexpr double kHighest = 12000.0;      // m
+constexpr double kUsualNoData = -9999.0;  // m, deep under any slope
+
+SurfaceKind kind_of(const fs::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".h5" || extension == ".hdf5") return SurfaceKind::kTerrain;
+  if (is_raster(path)) return SurfaceKind::kRaster;
+  const std::vector<std::string>& clouds = cloud_extensions();
+  if (std::find(clouds.begin(), clouds.end(), extension) != clouds.end()) {
+    return SurfaceKind::kCloud;
+  }
+  const std::vector<std::string>& meshes = readable_mesh_extensions();
+  if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end()) return SurfaceKind::kMesh;
+  throw InputError(path.string() +
+                   ": a ground is a mesh (stl, ply, obj, ...), a raster (tif, asc, "
+                   "...), a cloud (las, xyz, txt, csv, pts, pcd) or a terrain file (h5), not \"" +
+                   extension + "\"; other rasters become one by gdal_translate " +
+                   path.filename().string() + " ground.tif");
+}
+
+RawSurface read_meshes(const TerrainOptions& options) {
+  RawSurface surface;
+  for (std::size_t i = 0; i < options.surface.size(); ++i) {
+    TriangleMesh mesh = read_mesh(options.surface[i]);
+    surface.source.insert(surface.source.end(), mesh.triangles.size(),
+                          static_cast<std::uint16_t>(i));
+    surface.mesh = merged(std::move(surface.mesh), mesh);
+  }
+  if (options.up == "y") {
+    for (Vec3& vertex : surface.mesh.vertices) vertex = turned_z_up(vertex);
+  }
+  return surface;
+}
+
+RawSurface surface_of(const HeightGrid& grid, const fs::path& path) {
+  RawSurface surface;
+  surface.mesh = grid_surface(grid, path);
+  surface.source.assign(surface.mesh.triangles.size(), 0);
+  surface.cell = grid.step.minCoeff();
+  const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
+                                   [](double height) { return !std::isfinite(height); });
+  if (empty > 0) {
+    surface.notes.push_back(path.string() + ": " + std::to_string(empty) + " of " +
+                            std::to_string(grid.heights.size()) +
+                            " cells have no height; the ground is left out there");
+  }
+  return surface;
+}
+
+std::string cells_of(double size) { return "cells of " + with_digits(size, 6) + " m"; }
+
+/// Numbers that stand for "no height" in a file that does not say so make pits without a bottom.
+void check_heights(const HeightGrid& grid, const fs::path& path) {
+  for (std::size_t i = 0; i < grid.heights.size(); ++i) {
+    const double height = grid.heights[i];
+    if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData)) {
+      continue;
+    }
+    const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
+    const std::string number = with_digits(height, 9);
+    throw InputError(path.string() + ": the height at " + place({centre.x(), centre.y(), height}) +
+                     " m is none on earth. If " + number +
+                     " stands for no data, say so first: gdal_translate -a_nodata " + number + " " +
+                     path.filename().string() + " ground.tif");
+  }
+}
+
+RawSurface read_one_raster(const TerrainOptions& options) {
+  const fs::path& path = options.surface.front();
+  Raster raster = read_raster(path);
+  check_heights(raster.grid, path);
+  std::vector<std::string> notes;
+  if (options.resolution) {
+    const HeightGrid& grid = raster.grid;
+    const double own = grid.step.maxCoeff();
+    if (*options.resolution < own * (1.0 - 1e-9)) {
+      throw InputError(path.string() + ": resolution = " + with_digits(*options.resolution, 6) +
+                       " m is finer than the raster, which has " + cells_of(own) +
+                       "; leave it out");
+    }
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < grid.heights.size(); ++i) {
+      if (!std::isfinite(grid.heights[i])) continue;
+      const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
+      points.emplace_back(centre.x(), centre.y(), grid.heights[i]);
+    }
+    if (points.empty()) {
+      throw InputError(path.string() +
+                       ": holds no heights, only nodata; check which value stands for no data");
+    }
+    raster.grid = bin_points(points, *options.resolution, path);
+    notes.push_back(path.string() + ": made coarser, means over " + cells_of(*options.resolution));
+  } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
+                          [](double height) { return std::isfinite(height); })) {
+    throw InputError(path.string() +
+                     ": holds no heights, only nodata; check which value stands for no data");
+  }
+  if (options.fill) {
+    const HolesFilled filled = fill_holes(raster.grid, *options.fill);
+    if (filled.cells > 0) {
+      notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
+                      " cells without a height were filled from their surroundings, in " +
+                      std::to_string(filled.holes) + " holes");
+    }
+  }
+  RawSurface surface = surface_of(raster.grid, path);
+  surface.crs = raster.crs;
+  surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
+  return surface;
+}
+
+RawSurface read_clouds(const TerrainOptions& options) {
+  CloudGrid cloud = cloud_grid(options);
+  RawSurface surface = surface_of(cloud.grid, options.surface.front());
+  surface.crs = std::move(cloud.crs);
+  surface.notes.insert(surface.notes.begin(), cloud.notes.begin(), cloud.notes.end());
+  return surface;
+}
+
+}  // namespace
+
+SurfaceKind surface_kind(const std::vector<fs::path>& files) {
+  const SurfaceKind kind = kind_of(files.front());
+  for (const fs::path& file : files) {
+    if (kind_of(file) != kind) {
+      throw InputError(files.front().string() + " and " + file.string() +
+                       ": meshes, rasters and clouds can't be mixed in one ground; give one kind");
+    }
+  }
+  if (files.size() > 1 && kind == SurfaceKind::kRaster) {
+    throw InputError(
+        files[1].string() +
+        ": a ground is one raster; join the tiles first (gdalbuildvrt ground.vrt ...)");
+  }
+  if (files.size() > 1 && kind == SurfaceKind::kTerrain) {
+    throw InputError(files[1].string() + ": a ground is one terrain file; make one of all surveys");
+  }
+  return kind;
+}
+
+RawSurface read_surface(const TerrainOptions& options, SurfaceKind kind) {
+  if (kind == SurfaceKind::kMesh) return read_meshes(options);
+  return kind == SurfaceKind::kRaster ? read_one_raster(options) : read_clouds(options);
+}
+
+}  // namespace clast::terrain_detail
