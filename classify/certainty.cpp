@@ -44,7 +44,7 @@ ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, doub
   return certainty;
 }
 
-std::string described(const ClassCertainty& certainty) {
+std::string certainty_words(const ClassCertainty& certainty) {
   std::string text = certainty.ratio + " " + with_digits(certainty.value, 3) + " is " +
                      with_digits(certainty.distance, 2) + " from " +
                      with_digits(certainty.limit, 3);

@@ -32,6 +32,6 @@ ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, doub
                                const SchemeOptions& options = {});
 
 /// "S/L 0.698 is 0.002 from 0.7; C possible" or, for a class that survives, without the end.
-std::string described(const ClassCertainty& certainty);
+std::string certainty_words(const ClassCertainty& certainty);
 
 }  // namespace clast

@@ -45,7 +45,8 @@ struct PopulationSummary {
 };
 
 /// @throws InputError  no blocks, or an unknown scheme
-PopulationSummary summarised(const Population& population, const PopulationOptions& options = {});
+PopulationSummary summarise_population(const Population& population,
+                                       const PopulationOptions& options = {});
 
 /// Two populations on one measure of shape.
 struct MeasureDifference {
@@ -75,8 +76,8 @@ struct PopulationComparison {
 inline constexpr double kSignificant = 0.05;
 
 /// @throws InputError  either has no blocks, or an unknown scheme
-PopulationComparison compared(const Population& a, const Population& b,
-                              const PopulationOptions& options = {});
+PopulationComparison compare_populations(const Population& a, const Population& b,
+                                         const PopulationOptions& options = {});
 
 /// "0.034", "less than 0.0001".
 std::string p_words(double p_value);

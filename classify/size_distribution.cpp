@@ -151,9 +151,9 @@ SizeCurve curve_by_number(const std::vector<double>& sizes, double step, std::ui
                   .d90 = quantile(sorted, 0.9),
                   .laws = {}};
   for (const SizeLawKind kind : {SizeLawKind::kLogNormal, SizeLawKind::kRosinRammler}) {
-    std::optional<SizeLaw> law = fitted_law(kind, sorted);
+    std::optional<SizeLaw> law = fit_size_law(kind, sorted);
     if (!law) continue;
-    judge(*law, sorted, step, seed);
+    test_size_law(*law, sorted, step, seed);
     curve.laws.push_back(*law);
   }
   return curve;
@@ -180,7 +180,7 @@ std::optional<SizeCurve> curve_by_mass(const std::vector<double>& sizes,
                   .d90 = weighted_percentile(sorted, mass, 0.9),
                   .laws = {}};
   for (const SizeLawKind kind : {SizeLawKind::kLogNormal, SizeLawKind::kRosinRammler}) {
-    std::optional<SizeLaw> law = fitted_law(kind, sorted, mass);
+    std::optional<SizeLaw> law = fit_size_law(kind, sorted, mass);
     if (!law) continue;
     law->distance =
         curve_distance(*law, sorted, step, [&](std::size_t i) { return mass[i] / total; });
@@ -209,8 +209,8 @@ double SizeLaw::below(double size) const {
   return -std::expm1(-std::pow(size / location, spread));
 }
 
-std::optional<SizeLaw> fitted_law(SizeLawKind kind, std::span<const double> sizes,
-                                  std::span<const double> weights) {
+std::optional<SizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
+                                    std::span<const double> weights) {
   assert(weights.empty() || weights.size() == sizes.size());
   const LogSample sample = log_sample(sizes, weights);
   // Sizes that differ by rounding alone have no distribution.
@@ -254,15 +254,15 @@ std::vector<double> distances_by_chance(const SizeLaw& law, std::size_t count, d
   for (std::size_t sample = 0; sample < samples; ++sample) {
     for (double& size : drawn) size = read_to(step, drawn_size(law, random));
     std::sort(drawn.begin(), drawn.end());
-    if (const auto own = fitted_law(law.kind, drawn)) {
+    if (const auto own = fit_size_law(law.kind, drawn)) {
       distances.push_back(curve_distance(*own, drawn, step));
     }
   }
   return distances;
 }
 
-void judge(SizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
-           std::size_t samples) {
+void test_size_law(SizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
+                   std::size_t samples) {
   std::vector<double> sorted(sizes.begin(), sizes.end());
   std::sort(sorted.begin(), sorted.end());
   law.distance = curve_distance(law, sorted, step);

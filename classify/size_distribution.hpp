@@ -47,8 +47,8 @@ struct SizeLaw {
 ///                 of a sample of (sum of w)^2 / sum of w^2.
 /// @return none when fewer than two different sizes carry weight
 /// @cite rosin1933
-std::optional<SizeLaw> fitted_law(SizeLawKind kind, std::span<const double> sizes,
-                                  std::span<const double> weights = {});
+std::optional<SizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
+                                    std::span<const double> weights = {});
 
 /// The step that sizes were read in, such as 5 cm by tape: the largest of 1, 2, 5, 10, ... times
 /// their common divisor (within 1e-6 of the largest value) of which at least nine in ten values are
@@ -61,8 +61,8 @@ double reading_step(std::span<const double> values);
 /// @param step   of the readings, m; 0 for continuous sizes. With it, curves are compared halfway
 ///               between readings, where the law and the readings mean the same
 /// @cite stephens1974
-void judge(SizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
-           std::size_t samples = 999);
+void test_size_law(SizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
+                   std::size_t samples = 999);
 
 /// Distances of `samples` samples of `count` sizes, drawn from the law and read to the same `step`,
 /// each from the law that is fitted to itself. Samples whose readings are all one have none.

@@ -182,7 +182,7 @@ void classify(const ClassifyArgs& args) {
   }
   for (ReadPopulation& source : sources) {
     check_has_blocks(source);
-    source.reported.summary = summarised(source.reported.population, report.options);
+    source.reported.summary = summarise_population(source.reported.population, report.options);
     report.populations.push_back(std::move(source.reported));
   }
   if (report.populations.size() > 1) {
@@ -191,7 +191,7 @@ void classify(const ClassifyArgs& args) {
       a.name += " (1)";
       b.name += " (2)";
     }
-    report.comparison = compared(a, b, report.options);
+    report.comparison = compare_populations(a, b, report.options);
   }
   if (folder) {
     write_population_report(report, folder->temporary());

@@ -74,7 +74,7 @@ void whole_report(benchmark::State& state) {
     PopulationReport report;
     ReportedPopulation reported;
     reported.population = {"table", read_dimension_table(path).blocks};
-    reported.summary = summarised(reported.population);
+    reported.summary = summarise_population(reported.population);
     report.populations.push_back(std::move(reported));
     write_population_report(report, folder);
   }

@@ -165,7 +165,7 @@ std::string block_title(const MeasuredBlock& block, const PopulationOptions& opt
     const ClassCertainty certainty =
         class_certainty(scheme, axes, block.axis_error, options.limits);
     title += "\n" + scheme + ": " + shape_class(scheme, block.as_written, options.limits);
-    if (certainty.near_limit) title += " (" + described(certainty) + ")";
+    if (certainty.near_limit) title += " (" + certainty_words(certainty) + ")";
   }
   return title;
 }

@@ -248,7 +248,7 @@ std::string blocks_section(const PopulationReport& report) {
       }
       const ClassCertainty certainty =
           class_certainty(first, block.axes, block.axis_error, report.options.limits);
-      cells.push_back(certainty.near_limit ? described(certainty) : "clear of limits");
+      cells.push_back(certainty.near_limit ? certainty_words(certainty) : "clear of limits");
       for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
         cells.push_back(significant(axis, 3) + (block.unscaled ? " u" : ""));
       }

@@ -25,7 +25,7 @@ Population deposit(const std::string& name, std::uint64_t seed, int blocks, doub
 }
 
 TEST(Summarised, HoldsEverySchemeAndMeasure) {
-  const PopulationSummary summary = summarised(deposit("talus", 1, 40, 0.3));
+  const PopulationSummary summary = summarise_population(deposit("talus", 1, 40, 0.3));
   EXPECT_EQ(summary.blocks, 40u);
   EXPECT_EQ(summary.weighed, 40u);
   ASSERT_EQ(summary.schemes.size(), scheme_names().size());
@@ -41,12 +41,13 @@ TEST(Summarised, HoldsEverySchemeAndMeasure) {
     EXPECT_NEAR(mass, 1.0, 1e-12);
   }
   EXPECT_EQ(summary.size_and_shape.size(), 3u);
-  EXPECT_EQ(summarised(deposit("talus", 1, 5, 0.3), {.schemes = {"zingg"}}).schemes.size(), 1u);
+  EXPECT_EQ(
+      summarise_population(deposit("talus", 1, 5, 0.3), {.schemes = {"zingg"}}).schemes.size(), 1u);
 }
 
 TEST(Summarised, SizeAndShapeGoTogetherOnlyWhereTheyDo) {
-  const auto related = summarised(deposit("a", 1, 60, 0.3, true)).size_and_shape;
-  const auto unrelated = summarised(deposit("b", 1, 60, 0.3)).size_and_shape;
+  const auto related = summarise_population(deposit("a", 1, 60, 0.3, true)).size_and_shape;
+  const auto unrelated = summarise_population(deposit("b", 1, 60, 0.3)).size_and_shape;
   EXPECT_STREQ(related[0].measure->name, "s_c");
   EXPECT_NEAR(related[0].test->statistic, 1.0, 1e-12);
   EXPECT_LT(related[0].test->p_value, 1e-9);
@@ -55,11 +56,11 @@ TEST(Summarised, SizeAndShapeGoTogetherOnlyWhereTheyDo) {
 
 TEST(Summarised, UnscaledBlocksHaveClassesAndNoSizes) {
   Population population = deposit("talus", 1, 40, 0.3);
-  const PopulationSummary metric = summarised(population);
+  const PopulationSummary metric = summarise_population(population);
   MeasuredBlock model = measured_block("model", {70.0, 50.0, 40.0});
   model.unscaled = true;
   population.blocks.insert(population.blocks.begin() + 20, model);
-  const PopulationSummary summary = summarised(population);
+  const PopulationSummary summary = summarise_population(population);
   EXPECT_EQ(summary.blocks, 41u);
   std::size_t counted = 0;
   for (const ClassShare& share : summary.schemes.front().shares) counted += share.count;
@@ -70,7 +71,7 @@ TEST(Summarised, UnscaledBlocksHaveClassesAndNoSizes) {
   EXPECT_EQ(summary.size.total_mass, metric.size.total_mass);
   EXPECT_EQ(summary.size_and_shape[0].test->statistic, metric.size_and_shape[0].test->statistic);
 
-  const PopulationSummary alone = summarised({"models", {model, model}});
+  const PopulationSummary alone = summarise_population({"models", {model, model}});
   EXPECT_EQ(alone.size.by_number.blocks, 0u);
   EXPECT_FALSE(alone.size.by_mass.has_value());
   EXPECT_EQ(alone.c40, 0.0);
@@ -79,18 +80,18 @@ TEST(Summarised, UnscaledBlocksHaveClassesAndNoSizes) {
 TEST(Summarised, OneBlockAndOneSizeSayWhatCanBeSaid) {
   Population cubes{"cubes", {}};
   for (int i = 0; i < 4; ++i) cubes.blocks.push_back(measured_block("c", {1, 1, 1}));
-  const PopulationSummary summary = summarised(cubes);
+  const PopulationSummary summary = summarise_population(cubes);
   EXPECT_FALSE(summary.size_and_shape[0].test);
   EXPECT_EQ(summary.size_and_shape[2].blocks, 0u);  // d of L = S is not defined
   EXPECT_TRUE(summary.size.by_number.laws.empty());
   EXPECT_EQ(summary.weighed, 0u);
-  EXPECT_EQ(summarised({"one", {measured_block("x", {3, 2, 1})}}).blocks, 1u);
-  EXPECT_TRUE(contains(refusal([] { summarised({"none", {}}); }), "none"));
+  EXPECT_EQ(summarise_population({"one", {measured_block("x", {3, 2, 1})}}).blocks, 1u);
+  EXPECT_TRUE(contains(refusal([] { summarise_population({"none", {}}); }), "none"));
 }
 
 TEST(Compared, SaysThatDifferentDepositsDiffer) {
   const PopulationComparison comparison =
-      compared(deposit("P1", 1, 60, 0.2), deposit("P2", 2, 80, 0.5));
+      compare_populations(deposit("P1", 1, 60, 0.2), deposit("P2", 2, 80, 0.5));
   const MeasureDifference& s_c = comparison.measures.at(0);
   EXPECT_LT(s_c.test->p_value, 1e-6);
   EXPECT_LT(s_c.median_a, s_c.median_b);
@@ -105,14 +106,14 @@ TEST(Compared, SaysThatDifferentDepositsDiffer) {
 
 TEST(Compared, SaysThatNothingIsShownWhereNothingIs) {
   const PopulationComparison comparison =
-      compared(deposit("P1", 1, 30, 0.3), deposit("P2", 3, 30, 0.3));
+      compare_populations(deposit("P1", 1, 30, 0.3), deposit("P2", 3, 30, 0.3));
   EXPECT_TRUE(contains(comparison.measures.at(0).words, "No difference"));
   EXPECT_TRUE(contains(comparison.schemes.at(2).words, "can be shown"));
 }
 
 TEST(Compared, EqualPopulationsHaveNoDistance) {
   const Population one = deposit("P1", 1, 30, 0.3);
-  const PopulationComparison comparison = compared(one, one);
+  const PopulationComparison comparison = compare_populations(one, one);
   for (const MeasureDifference& measure : comparison.measures) {
     EXPECT_EQ(measure.test->statistic, 0.0);
     EXPECT_EQ(measure.test->p_value, 1.0);
@@ -121,13 +122,13 @@ TEST(Compared, EqualPopulationsHaveNoDistance) {
 
 TEST(Compared, SmallExpectedCountsAreSaid) {
   const PopulationComparison comparison =
-      compared(deposit("P1", 1, 4, 0.2), deposit("P2", 2, 5, 0.5));
+      compare_populations(deposit("P1", 1, 4, 0.2), deposit("P2", 2, 5, 0.5));
   EXPECT_TRUE(contains(comparison.schemes.at(2).words, "random tables"));
 }
 
 TEST(Compared, PopulationsOfOneClassHaveNothingToCompare) {
   Population cubes{"cubes", {measured_block("c", {1, 1, 1})}};
-  const PopulationComparison comparison = compared(cubes, cubes);
+  const PopulationComparison comparison = compare_populations(cubes, cubes);
   EXPECT_FALSE(comparison.schemes.at(0).test);
   EXPECT_TRUE(contains(comparison.schemes.at(0).words, "one sneed-folk class"));
   EXPECT_FALSE(comparison.measures.at(2).test);

@@ -47,7 +47,7 @@ TEST_P(BothLaws, ParametersAreRecoveredWithinTheirErrors) {
   for (const double spread : {0.5, 2.0}) {
     int location_once = 0, spread_once = 0, location_twice = 0, spread_twice = 0;
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-      const auto law = fitted_law(GetParam(), sample_of(GetParam(), seed, 400, 0.7, spread));
+      const auto law = fit_size_law(GetParam(), sample_of(GetParam(), seed, 400, 0.7, spread));
       ASSERT_TRUE(law);
       const double off = std::abs(law->location - 0.7) / law->location_error;
       const double off_spread = std::abs(law->spread - spread) / law->spread_error;
@@ -73,7 +73,7 @@ double log_likelihood(const SizeLaw& law, const std::vector<double>& sizes) {
 
 TEST_P(BothLaws, NoLawNearbyIsLikelier) {
   const std::vector<double> sizes = {0.35, 0.4, 0.45, 0.5, 0.5, 0.65, 0.8, 0.9, 1.1, 1.75};
-  const SizeLaw best = *fitted_law(GetParam(), sizes);
+  const SizeLaw best = *fit_size_law(GetParam(), sizes);
   const double highest = log_likelihood(best, sizes);
   for (const double factor : {0.98, 1.02}) {
     SizeLaw other = best;
@@ -88,7 +88,8 @@ TEST_P(BothLaws, NoLawNearbyIsLikelier) {
 TEST_P(BothLaws, WholeWeightsStandForRepeatedSizes) {
   const std::vector<double> sizes = {0.4, 0.7, 1.3}, weights = {2.0, 3.0, 1.0};
   const std::vector<double> repeated = {0.4, 0.4, 0.7, 0.7, 0.7, 1.3};
-  const SizeLaw a = *fitted_law(GetParam(), sizes, weights), b = *fitted_law(GetParam(), repeated);
+  const SizeLaw a = *fit_size_law(GetParam(), sizes, weights),
+                b = *fit_size_law(GetParam(), repeated);
   EXPECT_NEAR(a.location, b.location, 1e-12);
   EXPECT_NEAR(a.spread, b.spread, 1e-11);
 }
@@ -97,28 +98,28 @@ TEST_P(BothLaws, UnitsScaleTheSizesAlone) {
   const std::vector<double> sizes = sample_of(GetParam(), 4, 50, 0.7, 1.3);
   std::vector<double> in_mm;
   for (const double size : sizes) in_mm.push_back(1000.0 * size);
-  SizeLaw a = *fitted_law(GetParam(), sizes), b = *fitted_law(GetParam(), in_mm);
+  SizeLaw a = *fit_size_law(GetParam(), sizes), b = *fit_size_law(GetParam(), in_mm);
   EXPECT_NEAR(b.location, 1000.0 * a.location, 1e-9);
   EXPECT_NEAR(b.spread, a.spread, 1e-11);
-  judge(a, sizes, 0.0, 1, 200);
-  judge(b, in_mm, 0.0, 1, 200);
+  test_size_law(a, sizes, 0.0, 1, 200);
+  test_size_law(b, in_mm, 0.0, 1, 200);
   EXPECT_NEAR(a.distance, b.distance, 1e-12);
   EXPECT_EQ(*a.p_value, *b.p_value);
 }
 
 TEST_P(BothLaws, NeedTwoSizes) {
-  EXPECT_FALSE(fitted_law(GetParam(), std::vector<double>{}));
-  EXPECT_FALSE(fitted_law(GetParam(), std::vector<double>{0.5}));
-  EXPECT_FALSE(fitted_law(GetParam(), std::vector<double>{0.5, 0.5, 0.5}));
+  EXPECT_FALSE(fit_size_law(GetParam(), std::vector<double>{}));
+  EXPECT_FALSE(fit_size_law(GetParam(), std::vector<double>{0.5}));
+  EXPECT_FALSE(fit_size_law(GetParam(), std::vector<double>{0.5, 0.5, 0.5}));
   EXPECT_FALSE(
-      fitted_law(GetParam(), std::vector<double>{0.5, 0.7}, std::vector<double>{1.0, 0.0}));
+      fit_size_law(GetParam(), std::vector<double>{0.5, 0.7}, std::vector<double>{1.0, 0.0}));
 }
 
 // The sizes at which ln d is the 3 : 1 mean of two values have closed forms: mean and standard
 // deviation of {0, 0, 0, 4 a} are a and a sqrt 3.
 TEST(LogNormal, IsMeanAndDeviationOfTheLogarithms) {
   const SizeLaw law =
-      *fitted_law(SizeLawKind::kLogNormal, std::vector<double>{1.0, 1.0, 1.0, std::exp(2.0)});
+      *fit_size_law(SizeLawKind::kLogNormal, std::vector<double>{1.0, 1.0, 1.0, std::exp(2.0)});
   EXPECT_NEAR(law.location, std::exp(0.5), 1e-14);
   EXPECT_NEAR(law.spread, 0.5 * std::sqrt(3.0), 1e-14);
   EXPECT_NEAR(law.location_error, std::exp(0.5) * 0.5 * std::sqrt(3.0) / 2.0, 1e-14);
@@ -208,8 +209,8 @@ TEST_P(BothLaws, TrueLawsAreRejectedAsOftenAsStated) {
       for (double& size : sizes) {
         if (step > 0.0) size = std::max(1.0, std::round(size / step)) * step;
       }
-      SizeLaw law = *fitted_law(GetParam(), sizes);
-      judge(law, sizes, step, seed, 99);
+      SizeLaw law = *fit_size_law(GetParam(), sizes);
+      test_size_law(law, sizes, step, seed, 99);
       rejected += *law.p_value <= 0.1;
     }
     EXPECT_NEAR(rejected, 12, 11) << step;  // 3.3 standard deviations
@@ -218,14 +219,14 @@ TEST_P(BothLaws, TrueLawsAreRejectedAsOftenAsStated) {
 
 TEST(Judge, FindsTheWrongLawInALargeSample) {
   const std::vector<double> sizes = log_normal_sample(2, 3000, 0.6, 0.5);
-  SizeLaw right = *fitted_law(SizeLawKind::kLogNormal, sizes);
-  SizeLaw wrong = *fitted_law(SizeLawKind::kRosinRammler, sizes);
-  judge(right, sizes, 0.0, 1, 199);
-  judge(wrong, sizes, 0.0, 1, 199);
+  SizeLaw right = *fit_size_law(SizeLawKind::kLogNormal, sizes);
+  SizeLaw wrong = *fit_size_law(SizeLawKind::kRosinRammler, sizes);
+  test_size_law(right, sizes, 0.0, 1, 199);
+  test_size_law(wrong, sizes, 0.0, 1, 199);
   EXPECT_GT(*right.p_value, 0.02);
   EXPECT_EQ(*wrong.p_value, 1.0 / 200.0);
-  SizeLaw again = *fitted_law(SizeLawKind::kLogNormal, sizes);
-  judge(again, sizes, 0.0, 1, 199);
+  SizeLaw again = *fit_size_law(SizeLawKind::kLogNormal, sizes);
+  test_size_law(again, sizes, 0.0, 1, 199);
   EXPECT_EQ(*again.p_value, *right.p_value);
 }
 

@@ -41,7 +41,7 @@ PopulationReport report_of(std::vector<Population> populations) {
   report.options.schemes = {"sneed-folk", "zingg", "garcia"};
   for (Population& population : populations) {
     ReportedPopulation reported;
-    reported.summary = summarised(population, report.options);
+    reported.summary = summarise_population(population, report.options);
     reported.population = std::move(population);
     reported.measured = "as in the table";
     reported.inputs = {{"talus.csv", std::string(64, 'a')}};
@@ -49,8 +49,8 @@ PopulationReport report_of(std::vector<Population> populations) {
     report.populations.push_back(std::move(reported));
   }
   if (report.populations.size() > 1) {
-    report.comparison = compared(report.populations[0].population, report.populations[1].population,
-                                 report.options);
+    report.comparison = compare_populations(report.populations[0].population,
+                                            report.populations[1].population, report.options);
   }
   return report;
 }
@@ -209,7 +209,8 @@ TEST(PopulationPage, EverySchemeHasItsDiagramAndColumn) {
   PopulationReport report = report_of({blocks("talus", 6)});
   report.options.schemes.clear();  // all
   report.options.limits.sneed_folk_thirds = true;
-  report.populations[0].summary = summarised(report.populations[0].population, report.options);
+  report.populations[0].summary =
+      summarise_population(report.populations[0].population, report.options);
   const Diagrams diagrams = population_diagrams(report);
   const ScratchFolder folder;
   write_classes_csv(report, folder / "classes.csv");
@@ -327,7 +328,7 @@ TEST(PopulationReports, DiagramsOfAnEarlierReportAreRemoved) {
   EXPECT_TRUE(names().count("size_1.svg") && names().count("sizes.svg"));
   two.options.schemes = {"zingg"};
   for (ReportedPopulation& reported : two.populations) {
-    reported.summary = summarised(reported.population, two.options);
+    reported.summary = summarise_population(reported.population, two.options);
   }
   write(two);
   EXPECT_FALSE(names().count("shares_shape.svg"));
