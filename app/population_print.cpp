@@ -112,7 +112,8 @@ std::string blocks_text(const Population& population, const PopulationOptions& o
     }
     const ClassCertainty certainty =
         class_certainty(first, block.axes, block.axis_error, options.limits);
-    table.rows.back().push_back(certainty.near_limit ? certainty_words(certainty) : "clear of limits");
+    table.rows.back().push_back(certainty.near_limit ? certainty_words(certainty)
+                                                     : "clear of limits");
   }
   return table.text();
 }

@@ -142,7 +142,8 @@ std::string size_shape_words(const SizeShape& relation, SizeMeasure size) {
          std::to_string(relation.blocks) + " blocks, p " + p_words(relation.test->p_value) + ".";
 }
 
-PopulationSummary summarise_population(const Population& population, const PopulationOptions& options) {
+PopulationSummary summarise_population(const Population& population,
+                                       const PopulationOptions& options) {
   check_has_blocks(population);
   PopulationSummary summary;
   summary.name = population.name;
@@ -162,7 +163,7 @@ PopulationSummary summarise_population(const Population& population, const Popul
 }
 
 PopulationComparison compare_populations(const Population& a, const Population& b,
-                              const PopulationOptions& options) {
+                                         const PopulationOptions& options) {
   check_has_blocks(a);
   check_has_blocks(b);
   const std::vector<Axes> axes_a = proportions(a), axes_b = proportions(b);

@@ -45,7 +45,8 @@ struct PopulationSummary {
 };
 
 /// @throws InputError  no blocks, or an unknown scheme
-PopulationSummary summarise_population(const Population& population, const PopulationOptions& options = {});
+PopulationSummary summarise_population(const Population& population,
+                                       const PopulationOptions& options = {});
 
 /// Two populations on one measure of shape.
 struct MeasureDifference {
@@ -76,7 +77,7 @@ inline constexpr double kSignificant = 0.05;
 
 /// @throws InputError  either has no blocks, or an unknown scheme
 PopulationComparison compare_populations(const Population& a, const Population& b,
-                              const PopulationOptions& options = {});
+                                         const PopulationOptions& options = {});
 
 /// "0.034", "less than 0.0001".
 std::string p_words(double p_value);

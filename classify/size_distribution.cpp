@@ -210,7 +210,7 @@ double SizeLaw::below(double size) const {
 }
 
 std::optional<SizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
-                                  std::span<const double> weights) {
+                                    std::span<const double> weights) {
   assert(weights.empty() || weights.size() == sizes.size());
   const LogSample sample = log_sample(sizes, weights);
   // Sizes that differ by rounding alone have no distribution.
@@ -262,7 +262,7 @@ std::vector<double> distances_by_chance(const SizeLaw& law, std::size_t count, d
 }
 
 void test_size_law(SizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
-           std::size_t samples) {
+                   std::size_t samples) {
   std::vector<double> sorted(sizes.begin(), sizes.end());
   std::sort(sorted.begin(), sorted.end());
   law.distance = curve_distance(law, sorted, step);

@@ -48,7 +48,7 @@ struct SizeLaw {
 /// @return none when fewer than two different sizes carry weight
 /// @cite rosin1933
 std::optional<SizeLaw> fit_size_law(SizeLawKind kind, std::span<const double> sizes,
-                                  std::span<const double> weights = {});
+                                    std::span<const double> weights = {});
 
 /// The step that sizes were read in, such as 5 cm by tape: the largest of 1, 2, 5, 10, ... times
 /// their common divisor (within 1e-6 of the largest value) of which at least nine in ten values are
@@ -62,7 +62,7 @@ double reading_step(std::span<const double> values);
 ///               between readings, where the law and the readings mean the same
 /// @cite stephens1974
 void test_size_law(SizeLaw& law, std::span<const double> sizes, double step, std::uint64_t seed,
-           std::size_t samples = 999);
+                   std::size_t samples = 999);
 
 /// Distances of `samples` samples of `count` sizes, drawn from the law and read to the same `step`,
 /// each from the law that is fitted to itself. Samples whose readings are all one have none.

@@ -170,8 +170,9 @@ void World::Impl::refuse_deep_starts() const {
     if (pair.between(prepared)) continue;
     const Shape& block = *bodies[pair.block].shape;
     double size = block.body.size();
-    if (pair.reference != kTerrain)
+    if (pair.reference != kTerrain) {
       size = std::min(size, bodies[pair.reference].shape->body.size());
+    }
     const double overlap = pair.contacts->max_overlap();
     if (overlap <= settings.start_overlap * size) continue;
     const std::string other =

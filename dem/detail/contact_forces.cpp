@@ -39,6 +39,7 @@ struct Past {
   bool continuous = true;  ///< false: appeared with an overlap that its speed does not explain
 };
 
+/// Of a contact that continues another.
 inline Past past_of(const Contact& contact, const Contact& previous, const PairMotion& motion) {
   const ContactPoint &point = contact.point, &point_before = previous.point;
   Past past{.path = {motion.duration, point_before.overlap, point.overlap, 0.0},

@@ -99,8 +99,8 @@ TEST_P(AuthumeBoxes, ConventionDecidesTheElongation) {
   const ClassCertainty certainty = class_certainty("sneed-folk", axes, error);
   std::cout << core.block << ": smallest box " << axes.L << " " << axes.I << " " << axes.S
             << ", s_c " << elongation_s_c(axes) << ", " << certainty.name << ", "
-            << certainty_words(certainty) << "; inertia box of the core, s_c " << elongation_s_c(inertia)
-            << "; the paper prints " << core.printed << "\n";
+            << certainty_words(certainty) << "; inertia box of the core, s_c "
+            << elongation_s_c(inertia) << "; the paper prints " << core.printed << "\n";
   EXPECT_TRUE(contains(core.sneed_folk, certainty.name));
   // SP2A lies on the line between C and CB: any error at all allows the other.
   if (std::string(core.block) == "SP2A") {

@@ -166,7 +166,8 @@ TEST(Certainty, UndeterminedOnBothSidesOfAClassDoesNotSurvive) {
 TEST(Certainty, IsSaidInWords) {
   EXPECT_EQ(certainty_words(class_certainty("sneed-folk", {100, 85, 69}, 1.0)),
             "S/L 0.69 is 0.01 from 0.7; C possible");
-  EXPECT_EQ(certainty_words(class_certainty("garcia", {100, 80, 60}, 0.1)), "s_c 0.25 is 0.05 from 0.3");
+  EXPECT_EQ(certainty_words(class_certainty("garcia", {100, 80, 60}, 0.1)),
+            "s_c 0.25 is 0.05 from 0.3");
 }
 
 TEST(Certainty, AnErrorThatIsNoLengthIsRefused) {

@@ -41,7 +41,8 @@ TEST(Summarised, HoldsEverySchemeAndMeasure) {
     EXPECT_NEAR(mass, 1.0, 1e-12);
   }
   EXPECT_EQ(summary.size_and_shape.size(), 3u);
-  EXPECT_EQ(summarise_population(deposit("talus", 1, 5, 0.3), {.schemes = {"zingg"}}).schemes.size(), 1u);
+  EXPECT_EQ(
+      summarise_population(deposit("talus", 1, 5, 0.3), {.schemes = {"zingg"}}).schemes.size(), 1u);
 }
 
 TEST(Summarised, SizeAndShapeGoTogetherOnlyWhereTheyDo) {

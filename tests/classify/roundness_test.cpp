@@ -42,8 +42,8 @@ TEST(Roundness, OfASphereIsNearlyOne) {
   EXPECT_GT(roundness(ellipsoid({1, 1, 1}, 0.15)).value, 0.9);
 }
 
-// The corners of a rounded cube of side 1 have the radius r everywhere: r/(1/2), to an edge length of
-// the mesh.
+// The corners of a rounded cube of side 1 have the radius r everywhere: r/(1/2), to an edge length
+// of the mesh.
 TEST(Roundness, OfARoundedCubeIsTheRadiusOfItsEdgesToAnEdgeLength) {
   constexpr double kEdge = 0.05;
   for (const double r : {0.1, 0.25, 0.45}) {

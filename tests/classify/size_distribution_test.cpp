@@ -88,7 +88,8 @@ TEST_P(BothLaws, NoLawNearbyIsLikelier) {
 TEST_P(BothLaws, WholeWeightsStandForRepeatedSizes) {
   const std::vector<double> sizes = {0.4, 0.7, 1.3}, weights = {2.0, 3.0, 1.0};
   const std::vector<double> repeated = {0.4, 0.4, 0.7, 0.7, 0.7, 1.3};
-  const SizeLaw a = *fit_size_law(GetParam(), sizes, weights), b = *fit_size_law(GetParam(), repeated);
+  const SizeLaw a = *fit_size_law(GetParam(), sizes, weights),
+                b = *fit_size_law(GetParam(), repeated);
   EXPECT_NEAR(a.location, b.location, 1e-12);
   EXPECT_NEAR(a.spread, b.spread, 1e-11);
 }

@@ -52,8 +52,8 @@ PopulationReport report_of(std::vector<Population> populations) {
     report.populations.push_back(std::move(reported));
   }
   if (report.populations.size() > 1) {
-    report.comparison = compare_populations(report.populations[0].population, report.populations[1].population,
-                                 report.options);
+    report.comparison = compare_populations(report.populations[0].population,
+                                            report.populations[1].population, report.options);
   }
   return report;
 }
@@ -212,7 +212,8 @@ TEST(PopulationPage, EverySchemeHasItsDiagramAndColumn) {
   PopulationReport report = report_of({blocks("talus", 6)});
   report.options.schemes.clear();  // all
   report.options.limits.sneed_folk_thirds = true;
-  report.populations[0].summary = summarise_population(report.populations[0].population, report.options);
+  report.populations[0].summary =
+      summarise_population(report.populations[0].population, report.options);
   const Diagrams diagrams = population_diagrams(report);
   const ScratchFolder folder;
   write_classes_csv(report, folder / "classes.csv");
