@@ -263,8 +263,9 @@ std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOpti
     return static_cast<double>(count) / static_cast<double>(sparse.size());
   };
   if (share(sides.on) < kLeastShare || share(sides.below) > kMostBelow) return std::nullopt;
-  if (!goes_on_around(sparse, plane, tolerance, 3.0 * kDecimationCell * diagonal))
+  if (!goes_on_around(sparse, plane, tolerance, 3.0 * kDecimationCell * diagonal)) {
     return std::nullopt;
+  }
 
   const Quat turn = Quat::FromTwoVectors(plane.normal, Vec3::UnitZ());
   const Vec3 origin =

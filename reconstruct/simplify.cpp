@@ -103,11 +103,12 @@ void refuse_wide_fan(const TriangleMesh& mesh) {
   }
   const auto most = std::max_element(around.begin(), around.end());
   if (*most <= kMostAround) return;
-  throw GeometryError(std::to_string(*most) + " triangles meet at one vertex, near " +
-                      place(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
-                      ": to simplify such a fan takes hours; remesh the surface with triangles of even "
-                      "size first (isotropic remeshing), or ask for " +
-                      std::to_string(mesh.vertices.size()) + " vertices, which keeps all of them");
+  throw GeometryError(
+      std::to_string(*most) + " triangles meet at one vertex, near " +
+      place(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
+      ": to simplify such a fan takes hours; remesh the surface with triangles of even "
+      "size first (isotropic remeshing), or ask for " +
+      std::to_string(mesh.vertices.size()) + " vertices, which keeps all of them");
 }
 
 }  // namespace
@@ -123,7 +124,8 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   options.check();
   const MeshReport report = inspect(mesh);
   if (!report.closed() || !report.oriented() || report.pinched_vertices > 0) {
-    throw GeometryError("only a closed surface can be simplified, this one has " + report.summary());
+    throw GeometryError("only a closed surface can be simplified, this one has " +
+                        report.summary());
   }
   if (mesh.vertices.size() <= options.target_vertices) return mesh;
   refuse_wide_fan(mesh);

@@ -159,7 +159,8 @@ void check_suits(const TerrainOptions& options, SurfaceKind kind) {
   }
   if (options.tolerance || options.smoothing > 0 || options.fill) {
     refuse(
-        "a terrain file is checked and repaired already; leave out fill, smoothing and tolerance, or "
+        "a terrain file is checked and repaired already; leave out fill, smoothing and tolerance, "
+        "or "
         "start from the survey");
   }
   if (!options.zones.empty()) refuse("a terrain file has its zones already; leave zones out");

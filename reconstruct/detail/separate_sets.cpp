@@ -11,8 +11,8 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr double kDecimationCell =
-    1.0 / 150.0;                ///< of the diagonal: sets are separated on fewer points
+/// Of the diagonal: sets are separated on fewer points.
+constexpr double kDecimationCell = 1.0 / 150.0;
 constexpr double kReach = 3.0;  ///< cells from one point of a set to the next,
 /// or so many spacings of the sparsest points: this quantile of all.
 constexpr double kSpacings = 4.0, kThinnest = 0.98;

@@ -47,8 +47,9 @@ std::vector<Sample> samples_of(const TriangleMesh& component) {
   std::vector<Sample> samples;
   const std::size_t step = std::max<std::size_t>(1, component.vertices.size() / kSamples);
   for (std::size_t v = 0; v < component.vertices.size(); v += step) {
-    if (normals[v].norm() > 0.0)
+    if (normals[v].norm() > 0.0) {
       samples.push_back({component.vertices[v], normals[v].normalized()});
+    }
   }
   return samples;
 }

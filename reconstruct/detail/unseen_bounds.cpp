@@ -13,7 +13,7 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-/// Largest upper volume against what is closed by closures: a quarter of the block may be unseen
+/// Largest upper volume against that of what is closed: a quarter of the block may be unseen
 /// where the flanks alone bound it, half of it where a floor does. Beyond, planes of the flanks
 /// meet so far from what was seen that a small error of theirs moves the bound by tenths of the
 /// volume, and a part that no flank announces becomes likely.
@@ -26,8 +26,8 @@ constexpr double kSideSlacks = 1.5;
 constexpr double kSlackWidth = 0.1;
 /// What a small closure hides is no longer than so many of its widths, also where no flank ends it.
 constexpr double kLongest = 3.0;
-constexpr double kFarthest =
-    10.0;  ///< of what is behind a closure, against the closure from the middle
+/// Distance of what is behind a closure, against that of the closure, from the middle.
+constexpr double kFarthest = 10.0;
 constexpr double kSmallClosure = 0.2;  ///< width against the root of the body's area
 constexpr double kBefore = 1.0;        ///< a closure is looked through from so many of its widths
 
@@ -216,8 +216,9 @@ UnseenBounds unseen_bounds(const TriangleMesh& closed, const UnseenParts& parts)
     const std::vector<Closure> closures = closures_of(surface);
     const double size = std::sqrt(surface_area(closed));
     const Behind behind(closures, flanks, parts.floor, middle, size);
-    for (const Closure& closure : closures)
+    for (const Closure& closure : closures) {
       bounds.lower_volume -= behind.slack(closure) * closure.area;
+    }
     const auto spaces = behind.within(1.0);
     auto wider = behind.within(kSideSlacks);
     const double most = parts.floor ? kMostOnFloor : kMostByFlanks;

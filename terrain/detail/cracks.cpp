@@ -296,13 +296,14 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
     }
   }
   if (apart == 0) return;
-  report.notes.push_back("the ground is in " + std::to_string(report.components) +
-                         " components with gaps or steps between them: " + std::to_string(apart) +
-                         " border vertices are near another component but apart from it, the nearest "
-                         "by " +
-                         with_digits(narrowest, 3) + " m, at " + place(at) +
-                         "; a block that gets there leaves the terrain. Join the tiles, or give a "
-                         "crack as wide as the gap");
+  report.notes.push_back(
+      "the ground is in " + std::to_string(report.components) +
+      " components with gaps or steps between them: " + std::to_string(apart) +
+      " border vertices are near another component but apart from it, the nearest "
+      "by " +
+      with_digits(narrowest, 3) + " m, at " + place(at) +
+      "; a block that gets there leaves the terrain. Join the tiles, or give a "
+      "crack as wide as the gap");
 }
 
 }  // namespace clast::terrain_detail

@@ -294,7 +294,8 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
     growing.grow(free);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     throw GeometryError(
-        "the border of the ground crosses itself in plan, so that it can't be simplified; leave out "
+        "the border of the ground crosses itself in plan, so that it can't be simplified; leave "
+        "out "
         "tolerance, or cut the ground there");
   }
 

@@ -122,7 +122,8 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
   for (const std::vector<std::uint32_t>& component : facing.components) {
     const std::optional<bool> up = faces_up(mesh, component, facing.against);
     if (!up) {
-      report.notes.push_back("a component of " + std::to_string(component.size()) + " triangles at " +
+      report.notes.push_back("a component of " + std::to_string(component.size()) +
+                             " triangles at " +
                              place(centroid(mesh, mesh.triangles[component.front()])) +
                              " stands upright and touches no other ground; which side is rock was "
                              "taken as in the file");

@@ -94,7 +94,8 @@ TEST_F(Resampling, WallsAndOverhangsAreRefusedWithTheirPlace) {
   EXPECT_TRUE(
       contains(message, "cliff.ply: 12 of 72 triangles stand upright or overhang, the first"))
       << message;
-  EXPECT_TRUE(contains(message, " at x ") && contains(message, "simplify the mesh with a tolerance"));
+  EXPECT_TRUE(contains(message, " at x ") &&
+              contains(message, "simplify the mesh with a tolerance"));
 }
 
 // Tiles of two sizes meet in steps of centimetres that were filled upright: no cell shows them.

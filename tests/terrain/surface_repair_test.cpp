@@ -302,7 +302,8 @@ TEST_F(Mending, ASmallPieceOverTheGroundIsDroppedAndOneBesideItIsKept) {
   EXPECT_EQ(terrain.report.dropped_pieces, 1u);
   expect_sound(terrain, 10);
   EXPECT_EQ(terrain.surface.triangles.size(), 200u);
-  EXPECT_TRUE(contains(notes(terrain), "1 small components of 0.25 m2 in plan that lie over other"));
+  EXPECT_TRUE(
+      contains(notes(terrain), "1 small components of 0.25 m2 in plan that lie over other"));
   for (Vec3& v : shred.vertices) v.x() += 20.0;
   const Terrain beside = read(merged(ground, shred));
   EXPECT_EQ(beside.report.components, 2u);
