@@ -31,12 +31,12 @@ std::string repair_section(const RepairReport& report, bool cloud, bool open_sid
                            const std::string& unit) {
   std::string html = paragraph(
       (!cloud       ? "As read and welded: "
-       : !open_side ? "The surface put through the points: "
-                    : "The surface put through the points, its open side filled in: ") +
+       : !open_side ? "The surface fitted to the points: "
+                    : "The surface fitted to the points, its open side filled in: ") +
       std::to_string(report.as_read.vertices) + " vertices, " +
       std::to_string(report.as_read.triangles) + " triangles; " + report.as_read.summary() + ".");
   if (report.defects.empty()) {
-    return section("Defects found and mended",
+    return section("Defects found and repaired",
                    html + paragraph(report.as_read.closed() && !open_side
                                         ? "None: the surface was closed and sound, and was not "
                                           "changed."
@@ -71,7 +71,7 @@ std::string repair_section(const RepairReport& report, bool cloud, bool open_sid
           paragraph("and " + std::to_string(report.holes.size() - kMostHoles) + " smaller ones.");
     }
   }
-  return section("Defects found and mended", html);
+  return section("Defects found and repaired", html);
 }
 
 std::vector<PlaceMark> repair_marks(const RepairReport& report) {

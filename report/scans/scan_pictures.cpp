@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kWidth = 480, kHeight = 400;  ///< of one view, px
 constexpr std::uint32_t kSmallWidth = 120, kSmallHeight = 96;
-/// A block seen through a scan that is this many times larger is shown by itself too.
+/// A block in a scan that is this many times larger is shown by itself too.
 constexpr double kMuchLarger = 1.4;
 /// Surface farther than this from the scan, as a share of the block's diagonal, is new.
 constexpr double kNew = 0.004;
@@ -265,7 +265,7 @@ std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options
           return invented(t) ? kFilled : kRock;
         });
       },
-      "The scan closed and mended. Orange: surface that no scan saw, filled in or moved by more "
+      "The scan closed and repaired. Orange: surface that no scan saw, filled in or moved by more "
       "than " +
           length_text(kNew * bounds(block.scan.mesh).diagonal(), metric) + ".",
       metric);
