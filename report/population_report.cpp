@@ -48,7 +48,7 @@ nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams
   return json;
 }
 
-/// Names of the diagrams that the report in the folder says it wrote there; empty when there is
+/// Names of the diagrams that provenance.json in the folder lists; empty when there is
 /// none.
 std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
   std::error_code code;

@@ -1,5 +1,5 @@
 #pragma once
-/// Colours of the report: told apart by colour-blind readers, and in grey by marker and dash.
+/// Colours of the report: distinct to colour-blind readers too, and in grey by marker and dash.
 #include <array>
 #include <cstddef>
 #include <string>

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kHeight = 400;                 // px
-constexpr std::size_t kMostSteps = 1500;     // of a curve; more can't be told apart
+constexpr std::size_t kMostSteps = 1500;     // of a curve; more can't be distinguished
 constexpr std::size_t kMostCharacters = 40;  // of a name in the legend
 
 /// Five digits are more than a chart shows.

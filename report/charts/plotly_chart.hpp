@@ -1,5 +1,5 @@
 #pragma once
-/// Charts that a reader can zoom, question and thin out, drawn by plotly.js in the browser.
+/// Charts that a reader can zoom and filter, drawn by plotly.js in the browser.
 #include <filesystem>
 #include <string>
 #include <vector>

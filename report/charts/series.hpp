@@ -12,7 +12,7 @@ struct Series {
   std::string dash;    ///< SVG dash pattern; empty for a full line
   std::vector<double> values;
   std::vector<double> weights = {};      ///< of each value in a cumulative chart; empty: all alike
-  std::vector<std::string> names = {};   ///< of each value, said by the mark or bar that holds it
+  std::vector<std::string> names = {};   ///< of each value, shown by the mark or bar that holds it
   std::vector<std::string> blocks = {};  ///< data-block of each mark, see `report_page`
 };
 

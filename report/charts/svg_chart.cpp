@@ -17,7 +17,7 @@ constexpr const char* kAxis = "stroke=\"#5b6775\"";
 constexpr const char* kSmall = "font-size=\"12\" fill=\"#33404d\"";
 constexpr const char* kHalo = " stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
 constexpr double kLegendRow = 18.0;
-constexpr std::size_t kMostSteps = 1500;  // of a curve; more can't be told apart on paper
+constexpr std::size_t kMostSteps = 1500;  // of a curve; more can't be distinguished on paper
 
 struct Range {
   double low = 0.0;

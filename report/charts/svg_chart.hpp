@@ -34,7 +34,7 @@ struct ChartText {
 inline constexpr std::size_t kMostNamedMarks = 500;
 
 /// Share of each sample at or below x, as steps. Where values have names, each gets a mark that
-/// says it.
+/// shows it.
 std::string cumulative_chart(const ChartText& text, const std::vector<Series>& series,
                              const std::vector<Curve>& curves = {});
 

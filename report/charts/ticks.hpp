@@ -7,7 +7,7 @@ namespace clast::report_detail {
 
 struct Ticks {
   double step = 1.0;
-  int decimals = 0;            ///< that tell neighbouring ticks apart
+  int decimals = 0;            ///< that distinguish neighbouring ticks
   std::vector<double> values;  ///< multiples of step inside [low, high], ascending
 };
 

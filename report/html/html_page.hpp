@@ -1,5 +1,5 @@
 #pragma once
-/// The pieces a page is written with: escaped text, numbers, tables, SVG elements, the page frame.
+/// The parts a page is written with: escaped text, numbers, tables, SVG elements, the page frame.
 #include <map>
 #include <string>
 #include <string_view>

@@ -5,7 +5,7 @@
 
 namespace clast::report_detail {
 
-/// `page` with the style of charts and the script that lights up every mark with the same
+/// `page` with the style of charts and the script that highlights every mark with the same
 /// data-block as the one under the pointer.
 std::string report_page(std::string_view title, std::string_view body);
 

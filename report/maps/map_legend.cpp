@@ -5,6 +5,8 @@
 namespace clast::report_detail {
 namespace {
 
+constexpr std::size_t kMostCharacters = 24;  // of a name, beside the map
+
 /// Rows of marks and words beside the map.
 class Legend {
  public:
@@ -40,14 +42,6 @@ std::string rgb_text(const Rgb& colour) {
          std::to_string(colour[2]) + ")";
 }
 
-std::string shortened(const std::string& text) {
-  constexpr std::size_t kMost = 24;
-  if (text.size() <= kMost) return text;
-  std::size_t end = kMost - 1;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole UTF-8
-  return text.substr(0, end) + "\xE2\x80\xA6";
-}
-
 }  // namespace
 
 MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval) {
@@ -65,7 +59,7 @@ MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double co
   const std::vector<std::string>& zones = comparison.results.front().terrain.zone_names;
   if (!zones.empty()) legend.head("Ground zones");
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
-    legend.swatch(rgb_text(zone_tint(zones[zone], zone)), shortened(zones[zone]));
+    legend.swatch(rgb_text(zone_tint(zones[zone], zone)), shortened(zones[zone], kMostCharacters));
   }
   return {legend.svg(), legend.bottom()};
 }

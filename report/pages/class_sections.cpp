@@ -109,7 +109,7 @@ std::string runout_section(const Comparison& comparison) {
                          histogram_traces(series_of(comparison, GroupKind::kGarcia, lateral)));
   charts += plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
                          cumulative_traces(by_class));
-  // More than two dozen curves can't be told apart, in colour or dash.
+  // Colours and dashes distinguish two dozen curves.
   constexpr std::size_t kMostCurves = 24;
   if (groups_of(comparison, GroupKind::kBlock).size() <= kMostCurves) {
     charts += plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},

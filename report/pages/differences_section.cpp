@@ -73,8 +73,9 @@ std::string differences_section(const Comparison& comparison) {
     html += paragraph(
         "Intervals are from drawing whole release points, effect sizes from all pairs of runs, and "
         "p from Kolmogorov's and Smirnov's distance after Holm's correction for all tests of the "
-        "same kind of group: the share of random deals that give as large a distance, in which the "
-        "runs of a point that both groups have are dealt anew, and the points that only one has go "
+        "same kind of group: the share of random permutations that give as large a distance, in "
+        "which the "
+        "runs of a point that both groups have are exchanged, and the points that only one has go "
         "to one of the groups as a whole. All pairs, also of blocks, are in differences.csv.");
     html += too_many_groups(comparison);
     html += table.html() + sentences;

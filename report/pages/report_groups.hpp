@@ -1,5 +1,5 @@
 #pragma once
-/// Which groups a report shows, how they are called, and the pieces its sections share.
+/// Which groups a report shows, what they are called, and what its sections share.
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +23,8 @@ std::string mean_and_std(const Summary& summary, int decimals, double unit = 1.0
 /// `value` of a summary; "-" for an empty sample.
 std::string measured(double value, const Summary& summary, int decimals);
 
-/// One curve per group. Classes keep their colours; with several files the dash tells files apart.
+/// One curve per group. Classes keep their colours; with several files the dash distinguishes
+/// files.
 template <class Value>
 std::vector<Series> series_of(const Comparison& comparison, GroupKind kind, Value value_of) {
   std::vector<Series> series;

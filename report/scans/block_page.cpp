@@ -16,7 +16,7 @@ using namespace report_detail;
 
 namespace {
 
-/// Corners that no camera of a page could tell from rounder ones.
+/// Corners that look as round as finer ones in a picture of a page.
 constexpr int kSkinSegments = 2;
 
 /// "0.52" or, where a part was not seen, "0.52 (0.48 to 0.56)" or "0.52 (at least 0.48)".

@@ -16,7 +16,7 @@ constexpr double kFar = -std::numeric_limits<double>::infinity();
 /// Unit; right, up and toward the eye.
 Vec3 light() { return Vec3(-0.45, 0.55, 0.70).normalized(); }
 
-std::array<float, 3> lit(const Rgb& colour, double light) {
+std::array<float, 3> shaded(const Rgb& colour, double light) {
   std::array<float, 3> result{};
   for (std::size_t i = 0; i < 3; ++i) {
     result[i] = static_cast<float>(std::min(255.0, colour[i] * light));
@@ -139,7 +139,7 @@ void Canvas::draw(const TriangleMesh& mesh, const Paint& paint, double ambient) 
         asked = t;
         asked_pixel = column / kSamples;
       }
-      sample.colour = lit(base, ambient + (1.0 - ambient) * std::max(0.0, normal.dot(lamp)));
+      sample.colour = shaded(base, ambient + (1.0 - ambient) * std::max(0.0, normal.dot(lamp)));
     }
   }
 }
@@ -173,7 +173,7 @@ void Canvas::draw(std::span<const Vec3> points, const Rgb& colour) {
   for (const Vec3& point : points) {
     const Vec3 seen = camera_.seen(point);
     const double share = high > low ? (seen.z() - low) / (high - low) : 1.0;
-    dot(seen, 2 * kSamples, 0.0, lit(colour, kPale + share * (kDark - kPale)));
+    dot(seen, 2 * kSamples, 0.0, shaded(colour, kPale + share * (kDark - kPale)));
   }
 }
 
@@ -185,7 +185,7 @@ void Canvas::draw(std::span<const std::array<Vec3, 2>> lines, const Rgb& colour)
     const double length = std::min((b - a).head<2>().norm(), longest);
     const int steps = 1 + static_cast<int>(length * kSamples);
     for (int i = 0; i <= steps; ++i) {
-      dot(a + (b - a) * (static_cast<double>(i) / steps), 3, bias, lit(colour, 1.0));
+      dot(a + (b - a) * (static_cast<double>(i) / steps), 3, bias, shaded(colour, 1.0));
     }
   }
 }

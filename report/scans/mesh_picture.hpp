@@ -37,9 +37,10 @@ class Canvas {
  public:
   explicit Canvas(const Camera& camera);
 
-  /// Colour of a place on a triangle before it is lit. `behind`: its back is seen.
+  /// Colour of a place on a triangle before it is shaded. `behind`: its back is seen.
   using Paint = std::function<Rgb(std::uint32_t triangle, const Vec3& place, bool behind)>;
-  /// Triangles lit from the upper left of the eye; `paint` is asked once for a pixel of each.
+  /// Triangles shaded by a light from the upper left of the eye; `paint` is called once for a pixel
+  /// of each.
   /// @param ambient  light that comes from all around, 0 to 1; much of it keeps colours readable
   void draw(const TriangleMesh& mesh, const Paint& paint, double ambient = 0.42);
   /// Dots of two pixels, nearer ones darker.

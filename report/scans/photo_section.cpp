@@ -228,8 +228,8 @@ std::string scale_part(const PhotoScan& scan, const PhotoEvidence& evidence,
   return html + paragraph(scan.metric ? "The scale is that of: " + scan.scale_source +
                                             ". No marker in the photos checks it."
                                       : "None: lengths are in units of the cameras' model, and the "
-                                        "block has no mass. Give `bars`, `board`, "
-                                        "`marker_side` or a measured length.");
+                                        "block has no mass. Give a scale bar, a board, the "
+                                        "size of the markers or a measured length.");
 }
 
 }  // namespace

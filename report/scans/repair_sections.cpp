@@ -31,8 +31,8 @@ std::string repair_section(const RepairReport& report, bool cloud, bool open_sid
                            const std::string& unit) {
   std::string html = paragraph(
       (!cloud       ? "As read and welded: "
-       : !open_side ? "The surface put through the points: "
-                    : "The surface put through the points, its open side filled in: ") +
+       : !open_side ? "The surface fitted to the points: "
+                    : "The surface fitted to the points, its open side filled in: ") +
       std::to_string(report.as_read.vertices) + " vertices, " +
       std::to_string(report.as_read.triangles) + " triangles; " + report.as_read.summary() + ".");
   if (report.defects.empty()) {

@@ -9,8 +9,7 @@
 namespace clast::report_detail {
 
 /// Tables of the defects and of the holes, with counts, sizes and places.
-/// @param cloud      the scan was points, and the report is of the surface that was put through
-/// them
+/// @param cloud      the scan was points, and the report is of the surface fitted to them
 /// @param open_side  the scan had a side that nobody saw, which was filled in
 /// @param unit       of lengths, as it is written
 std::string repair_section(const RepairReport& report, bool cloud = false, bool open_side = false,

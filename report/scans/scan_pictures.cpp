@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kWidth = 480, kHeight = 400;  ///< of one view, px
 constexpr std::uint32_t kSmallWidth = 120, kSmallHeight = 96;
-/// A block seen through a scan that is this many times larger is shown by itself too.
+/// A block in a scan that is this many times larger is shown by itself too.
 constexpr double kMuchLarger = 1.4;
 /// Surface farther than this from the scan, as a share of the block's diagonal, is new.
 constexpr double kNew = 0.004;

@@ -58,7 +58,7 @@ Vec3 scene_origin(const Comparison& comparison) {
 }
 
 /// A grid in place of a terrain with too many triangles: its top, over the extent of the terrain.
-Terrain thinned(const Terrain& terrain, std::size_t columns) {
+Terrain resampled(const Terrain& terrain, std::size_t columns) {
   Bounds box = bounds(terrain.surface);
   const Relief relief = sampled(terrain, {box.low.head<2>(), box.high.head<2>()},
                                 static_cast<std::uint32_t>(columns));
@@ -92,7 +92,7 @@ Terrain thinned(const Terrain& terrain, std::size_t columns) {
 
 Json terrain_json(const Terrain& terrain, const Vec3& shift, const SceneLimits& limits) {
   if (terrain.surface.triangles.size() > limits.triangles) {
-    return terrain_json(thinned(terrain, limits.grid), shift, {.triangles = SIZE_MAX});
+    return terrain_json(resampled(terrain, limits.grid), shift, {.triangles = SIZE_MAX});
   }
   Json json = mesh_json(terrain.surface, shift);
   json["zones"] = packed<std::uint16_t>(terrain.zone);

@@ -7,7 +7,7 @@
 
 namespace clast::report_detail {
 
-/// Limits that keep a page small and a browser quick. What is beyond them is thinned, and the page
+/// Limits that keep a page small and a browser quick. What is beyond them is reduced, and the page
 /// says so.
 struct SceneLimits {
   std::size_t frames = 100'000;     ///< of all runs together: 32 bytes each

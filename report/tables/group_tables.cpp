@@ -10,15 +10,11 @@ namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
-void cells(CsvText& csv, const Vec3& vector) {
-  for (int axis = 0; axis < 3; ++axis) csv.cell(vector[axis]);
-}
-
 /// mean, std, median, p95, max; empty where nothing was measured.
-void cells(CsvText& csv, const Summary& summary, double unit = 1.0) {
+void cells(CsvText& csv, const Summary& summary) {
   if (summary.count == 0) return csv.empty_cells(5);
   for (const double value : {summary.mean, summary.std, summary.median, summary.p95, summary.max}) {
-    csv.cell(value * unit);
+    csv.cell(value);
   }
 }
 
@@ -69,7 +65,7 @@ std::string deposits_csv(const Comparison& comparison) {
     csv.count(deposit.stops.rest);
     cells(csv, deposit.runout);
     if (deposit.stops.rest > 0) {
-      cells(csv, deposit.mean_stop);
+      for (const double part : deposit.mean_stop) csv.cell(part);
       csv.cell(deposit.lateral.mean * kDegrees);
       csv.cell(deposit.lateral.std * kDegrees);
     } else {

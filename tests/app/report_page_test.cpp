@@ -33,7 +33,11 @@ var table=Array.from(document.querySelectorAll('table')).find(function(t){return
 var head=table.tHead.rows[0].cells[1];head.click();
 probe.sorted=Array.from(table.tBodies[0].rows).map(function(r){return parseFloat(r.cells[1].textContent)});
 probe.arrow=head.getAttribute('aria-sort');
-clastScene.start().then(use).then(clastCharts.drawAll).then(function(boxes){
+clastScene.start().then(use).then(function(){return clastRun('plotly-code')}).then(function(){
+  dispatchEvent(new Event('beforeprint'));
+  probe.printed=document.querySelectorAll('.chart .main-svg .plot').length;
+  return clastCharts.drawAll();
+}).then(function(boxes){
   probe.charts=boxes.length;
   probe.inked=boxes.filter(function(b){return b.querySelector(inks)}).length;
   var map=boxes.find(function(b){return b.classList.contains('map')});
@@ -101,6 +105,7 @@ TEST_F(ReportPage, DrawsItsChartsAndMovesItsBlocks) {
   // Map, four of runouts, three along the slope, the cut, three of the barrier.
   EXPECT_EQ(probe["charts"], 12);
   EXPECT_EQ(probe["inked"], probe["charts"]);
+  EXPECT_EQ(probe["printed"], probe["charts"]) << "paper does not wait until a chart is seen";
   EXPECT_TRUE(probe["buttons_and_names"]);
   EXPECT_FALSE(probe["names_covered"]) << "the map's buttons lie over its legend";
   EXPECT_EQ(probe["relief"], 1);

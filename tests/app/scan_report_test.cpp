@@ -51,7 +51,7 @@ TEST_F(ScanReports, EveryBlockHasAPageAndEveryScanALineInTheSummary) {
     const std::string html = page(name);
     EXPECT_EQ(unbalanced(html), "") << name;
     expect_self_contained(html);
-    for (const char* title : {"Before and after", "Defects found and mended",
+    for (const char* title : {"Before and after", "Defects found and repaired",
                               "The block against the scan", "Mass", "Where it comes from"}) {
       EXPECT_EQ(count_of(html, "<h2>" + std::string(title) + "</h2>"), 1u) << title;
     }

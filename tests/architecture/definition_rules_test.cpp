@@ -51,11 +51,8 @@ TEST(DefinitionRules, AFunctionInTwoFilesIsFoundInTheSecond) {
 /// Where ends are ordered that are no edge of a mesh, and where edges are known in another way yet.
 const std::set<std::string> kOrdersEnds = {
     "mesh/half_edges.cpp",                  // is where edges are found
-    "dem/detail/near_pairs.cpp",            // bodies
-    "dem/detail/encounters.hpp",            // bodies
-    "dem/detail/surface_features.cpp",      // also numbers the sides of each face
-    "massprops/skin.cpp",                   // ridges of a rounded core
-    "classify/equilibria.cpp",              // of a hull, forward side first
+    "dem/detail/broad_phase.cpp",           // bodies
+    "dem/detail/contact_pairs.hpp",         // bodies
     "classify/surface_indices.cpp",         // the same
     "reconstruct/photos/stereo_pairs.cpp",  // photographs
     "study/barrier_line.cpp",               // corners of a polyline

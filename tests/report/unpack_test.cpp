@@ -17,12 +17,12 @@ std::string evaluated(const std::string& element, const std::string& expression)
   const ScratchFolder folder;
   const std::size_t begin = element.find('>') + 1;
   const std::string content = element.substr(begin, element.find('<', begin) - begin);
-  write_text_file(folder / "page.js",
-                  "const document = {getElementById: () => ({textContent: '" + content + "'}),\n" +
-                      "  createElement: () => ({}), head: {append: (script) => "
-                      "eval(script.textContent)}};\n" +
-                      std::string(assets::unpack_js) + expression +
-                      ".then((text) => process.stdout.write(text));\n");
+  write_text_file(folder / "page.js", "const document = {getElementById: () => ({textContent: '" +
+                                          content + "'}),\n" +
+                                          "  createElement: () => ({}), head: {append: (script) => "
+                                          "eval(script.textContent)}};\n" +
+                                          std::string(assets::unpack_js) + expression +
+                                          ".then((text) => process.stdout.write(text));\n");
   const ProgramRun run = RunningProgram({"node", "page.js"}, folder.path()).wait();
   EXPECT_EQ(run.exit_code, 0) << run.err;
   return run.out;

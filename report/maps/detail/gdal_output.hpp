@@ -25,7 +25,7 @@ struct QuietGdal {
 void check_written(bool done, const std::filesystem::path& target, const std::string& what);
 
 /// The map system by name; a local one in metres where it has none or an unknown one, since
-/// coordinates would be taken for degrees without any.
+/// coordinates without any are read as degrees.
 OGRSpatialReference reference_of(const std::string& crs);
 
 }  // namespace clast::report_detail
