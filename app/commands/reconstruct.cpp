@@ -63,11 +63,135 @@ void reconstruct(const ReconstructArgs& args) {
   }
 }
 
+/// Size, axes and ground of the scans.
+void add_scan_options(CLI::App& command, ReconstructArgs& args) {
+  command
+      .add_option("--units", args.batch.scan.units,
+                  "Length unit of the scans: m, cm, mm, km, in, ft, or metres per unit")
+      ->type_name("UNIT")
+      ->capture_default_str();
+  command
+      .add_option("--scale-length", args.scale_length,
+                  "Scale from a length that was measured: two points of the scan in its own "
+                  "coordinates, and the metres between them, as \"x,y,z;x,y,z;metres\"")
+      ->excludes("--units")
+      ->type_name("A;B;M");
+  command
+      .add_option("--scale-factor", args.scale_factor,
+                  "Factor on all lengths, after --units or --scale-length")
+      ->check(within(kScaleFactor))
+      ->type_name("F")
+      ->capture_default_str();
+  command
+      .add_option("--up", args.batch.scan.scan.up,
+                  "Axis of the scans that points up: y or z; without it z, or away from the "
+                  "ground where a scan holds ground")
+      ->check(up_axis())
+      ->type_name("AXIS");
+  command
+      .add_option("--ground", args.ground,
+                  "auto: remove the ground around a block; none: the scan is of the block alone")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->type_name("WHICH")
+      ->capture_default_str();
+  command.add_flag("--split", args.batch.scan.split,
+                   "Make a block of everything that stands on the ground of a scan, as ID_1, ID_2 "
+                   "... in order of x, and not only of what stands near its middle");
+  command.add_flag("--any-size", args.batch.scan.any_size,
+                   "Take blocks over 50 m or under 1 mm too");
+}
+
+/// What blocks are made of the scans.
+void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
+  command
+      .add_option("--vertices", options.vertices,
+                  "Vertices a block has at most, 4 or more; default: the fewest up to 2000 with "
+                  "which it is within the tolerance")
+      ->check(whole_number(4, 1000000))
+      ->type_name("N");
+  CLI::Option* radius =
+      command.add_option("--radius", options.block.radius, "Minkowski radius of the rounding, m")
+          ->check(within(kMinkowskiRadius))
+          ->type_name("M");
+  command
+      .add_option("--radius-share", options.block.radius_share,
+                  "The same as a share of S, the shortest side, 0 to 0.25; without it and without "
+                  "--vertices, 0.02 is halved down to 0.0025 where the tolerance needs it")
+      ->check(within(kRadiusShare))
+      ->excludes(radius)
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command
+      .add_flag("--core", options.block.core,
+                "The mesh is the core that the sphere is swept over, not the rock's surface; it is "
+                "taken as it is")
+      ->needs(radius)
+      ->excludes("--vertices");
+  command
+      .add_flag("--convex", options.block.convex,
+                "Take the convex hull of each scan, for example to compare with simpler models")
+      ->excludes("--core");
+  command.add_option("--density", options.block.density, "Density, kg/m3")
+      ->check(within(kBlockDensity))
+      ->type_name("KG/M3")
+      ->capture_default_str();
+  command
+      .add_option("--mass", options.block.mass,
+                  "Weighed mass of the block, kg: sets the density, or checks the volume when "
+                  "--density is given too")
+      ->check(within(kBlockMass))
+      ->type_name("KG");
+  command
+      .add_option("--accuracy", options.block.accuracy,
+                  "Relative accuracy of volume and inertia, 1e-6 to 1e-2")
+      ->check(within(kMassAccuracy))
+      ->type_name("REL")
+      ->capture_default_str();
+  command
+      .add_option("--tolerance", options.block.tolerance,
+                  "How far a block may lie off its scan (Hausdorff distance), as a share of L, the "
+                  "longest side; a block beyond it is made with a warning")
+      ->check(within(kScanTolerance))
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command
+      .add_flag("--keep-inner-shells", options.scan.repair.keep_inner_shells,
+                "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
+                "them. Their number and volume are reported either way")
+      ->excludes("--convex");
+}
+
+/// Where the blocks go, and how the scans are worked through.
+void add_batch_options(CLI::App& command, ReconstructArgs& args) {
+  command
+      .add_option("-o,--output", args.batch.library,
+                  "Block library; blocks are added to one that is there")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command.add_flag("--replace", args.batch.replace,
+                   "Replace blocks whose id is in the library already");
+  command
+      .add_option("--jobs", args.batch.jobs,
+                  "Scans that are worked on at the same time, 0: one per core; each takes its own "
+                  "memory, and the results are the same for any number")
+      ->check(whole_number(0, 4096))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--resume", args.batch.resume,
+                   "Skip scans whose block is in the library already, made of the same file with "
+                   "the same options");
+  command
+      .add_option("--report", args.report,
+                  "Folder for a page about each block (pictures of the scan before and after, what "
+                  "was repaired, deviation map) and a summary, index.html and summary.csv")
+      ->type_name("DIR");
+  command.add_flag("--json", args.json, "Print the blocks as JSON");
+}
+
 }  // namespace
 
 void add_reconstruct(CLI::App& app) {
   const auto args = std::make_shared<ReconstructArgs>();
-  ScanToBlockOptions& options = args->batch.scan;
   CLI::App* command = app.add_subcommand("reconstruct", kReconstructSummary);
   command
       ->add_option("scans", args->scans,
@@ -76,125 +200,9 @@ void add_reconstruct(CLI::App& app) {
                    "radius), or folders of them; a folder of photographs is one block")
       ->required()
       ->type_name("SCAN");
-  command
-      ->add_option("-o,--output", args->batch.library,
-                   "Block library; blocks are added to one that is there")
-      ->type_name("FILE")
-      ->capture_default_str();
-  command->add_flag("--replace", args->batch.replace,
-                    "Replace blocks whose id is in the library already");
-  command
-      ->add_option("--units", options.units,
-                   "Length unit of the scans: m, cm, mm, km, in, ft, or metres per unit")
-      ->type_name("UNIT")
-      ->capture_default_str();
-  command
-      ->add_option("--scale-length", args->scale_length,
-                   "Scale from a length that was measured: two points of the scan in its own "
-                   "coordinates, and the metres between them, as \"x,y,z;x,y,z;metres\"")
-      ->excludes("--units")
-      ->type_name("A;B;M");
-  command
-      ->add_option("--scale-factor", args->scale_factor,
-                   "Factor on all lengths, after --units or --scale-length")
-      ->check(within(kScaleFactor))
-      ->type_name("F")
-      ->capture_default_str();
-  CLI::Option* up =
-      command
-          ->add_option("--up", options.scan.up,
-                       "Axis of the scans that points up: y or z; without it z, or away from the "
-                       "ground where a scan holds ground")
-          ->check(up_axis())
-          ->type_name("AXIS");
-  command
-      ->add_option(
-          "--ground", args->ground,
-          "auto: remove the ground around a block; none: the scan is of the block alone")
-      ->check(CLI::IsMember({"auto", "none"}))
-      ->type_name("WHICH")
-      ->capture_default_str();
-  command->add_flag("--split", options.split,
-                    "Make a block of everything that stands on the ground of a scan, as ID_1, ID_2 "
-                    "... in order of x, and not only of what stands near its middle");
-  command
-      ->add_option("--vertices", options.vertices,
-                   "Vertices a block has at most, 4 or more; default: the fewest up to 2000 with "
-                   "which it is within the tolerance")
-      ->check(whole_number(4, 1000000))
-      ->type_name("N");
-  CLI::Option* radius =
-      command->add_option("--radius", options.block.radius, "Minkowski radius of the rounding, m")
-          ->check(within(kMinkowskiRadius))
-          ->type_name("M");
-  CLI::Option* share =
-      command
-          ->add_option(
-              "--radius-share", options.block.radius_share,
-              "The same as a share of S, the shortest side, 0 to 0.25; without it and without "
-              "--vertices, 0.02 is halved down to 0.0025 where the tolerance needs it")
-          ->check(within(kRadiusShare))
-          ->excludes(radius)
-          ->type_name("SHARE")
-          ->capture_default_str();
-  command
-      ->add_flag(
-          "--core", options.block.core,
-          "The mesh is the core that the sphere is swept over, not the rock's surface; it is "
-          "taken as it is")
-      ->needs(radius)
-      ->excludes("--vertices");
-  command
-      ->add_flag("--convex", options.block.convex,
-                 "Take the convex hull of each scan, for example to compare with simpler models")
-      ->excludes("--core");
-  CLI::Option* density = command->add_option("--density", options.block.density, "Density, kg/m3")
-                             ->check(within(kBlockDensity))
-                             ->type_name("KG/M3")
-                             ->capture_default_str();
-  command
-      ->add_option("--mass", options.block.mass,
-                   "Weighed mass of the block, kg: sets the density, or checks the volume when "
-                   "--density is given too")
-      ->check(within(kBlockMass))
-      ->type_name("KG");
-  command
-      ->add_option("--accuracy", options.block.accuracy,
-                   "Relative accuracy of volume and inertia, 1e-6 to 1e-2")
-      ->check(within(kMassAccuracy))
-      ->type_name("REL")
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--tolerance", options.block.tolerance,
-          "How far a block may lie off its scan (Hausdorff distance), as a share of L, the "
-          "longest side; a block beyond it is made with a warning")
-      ->check(within(kScanTolerance))
-      ->type_name("SHARE")
-      ->capture_default_str();
-  command
-      ->add_flag("--keep-inner-shells", options.scan.repair.keep_inner_shells,
-                 "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
-                 "them. Their number and volume are reported either way")
-      ->excludes("--convex");
-  command->add_flag("--any-size", options.any_size, "Take blocks over 50 m or under 1 mm too");
-  command
-      ->add_option("--jobs", args->batch.jobs,
-                   "Scans that are worked on at the same time, 0: one per core; each takes its own "
-                   "memory, and the results are the same for any number")
-      ->check(whole_number(0, 4096))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_flag("--resume", args->batch.resume,
-                    "Skip scans whose block is in the library already, made of the same file with "
-                    "the same options");
-  command
-      ->add_option(
-          "--report", args->report,
-          "Folder for a page about each block (pictures of the scan before and after, what "
-          "was repaired, deviation map) and a summary, index.html and summary.csv")
-      ->type_name("DIR");
-  command->add_flag("--json", args->json, "Print the blocks as JSON");
+  add_batch_options(*command, *args);
+  add_scan_options(*command, *args);
+  add_block_options(*command, args->batch.scan);
   add_photo_options(*command, args->photos);
   command->footer(
       "Examples:\n"
@@ -205,12 +213,13 @@ void add_reconstruct(CLI::App& app) {
       "  clast reconstruct slope.las -o blocks.h5 --split\n"
       "  clast reconstruct photos/B017 -o blocks.h5 --scale-bar 0,3,1.254 --marker-size 0.2\n"
       "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
-  command->callback([args, density, radius, share, up] {
-    ScanToBlockOptions& given = args->batch.scan;
-    given.up_given = up->count() > 0;
-    given.find_ground = args->ground == "auto";
-    given.radius_given = radius->count() + share->count() > 0;
-    given.block.density_given = density->count() > 0;
+  command->callback([args, command] {
+    const auto is_given = [&](const char* option) { return command->count(option) > 0; };
+    ScanToBlockOptions& options = args->batch.scan;
+    options.up_given = is_given("--up");
+    options.find_ground = args->ground == "auto";
+    options.radius_given = is_given("--radius") || is_given("--radius-share");
+    options.block.density_given = is_given("--density");
     reconstruct(*args);
   });
 }

@@ -1,4 +1,5 @@
-# Installs the build into a scratch folder, then configures, builds and runs a project that uses it.
+# Installs the build into a scratch folder; then the example of the documents is configured, built
+# and run against it.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -11,11 +12,22 @@ endfunction()
 
 file(REMOVE_RECURSE ${scratch})
 run(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/prefix)
-run(${CMAKE_COMMAND} -S ${consumer} -B ${scratch}/build -G ${generator}
+run(${CMAKE_COMMAND} -S ${source}/docs/example -B ${scratch}/build -G ${generator}
     -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${scratch}/prefix
     -D CMAKE_CXX_COMPILER=${compiler} "-D CMAKE_CXX_FLAGS=${flags}"
     -D CMAKE_CXX_COMPILER_LAUNCHER=${launcher})
 run(${CMAKE_COMMAND} --build ${scratch}/build)
-run(${scratch}/build/consumer)
+run(${scratch}/build/scan_to_report ${source}/samples/blocks/B01_compact.ply
+    ${source}/samples/campaign.toml ${scratch}/out)
+foreach(file blocks.h5 results.h5 report/runs.csv report/report.html)
+  if(NOT EXISTS ${scratch}/out/${file})
+    message(FATAL_ERROR "the example did not write ${file}")
+  endif()
+endforeach()
+file(STRINGS ${scratch}/out/report/runs.csv runs)
+list(LENGTH runs lines)
+if(NOT lines EQUAL 5)
+  message(FATAL_ERROR "a heading and 4 runs were expected in runs.csv, there are ${lines} lines")
+endif()
 # The libraries are large; a passed test leaves nothing behind.
 file(REMOVE_RECURSE ${scratch})
