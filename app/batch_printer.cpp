@@ -4,15 +4,16 @@
 #include <iostream>
 #include <utility>
 
-#include "app/block_report.hpp"
+#include "app/block_line.hpp"
 #include "app/option_flags.hpp"
-#include "app/photo_json.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
 #include "reconstruct/photos/photo_evidence.hpp"
+#include "report/json/block_json.hpp"
 #include "report/scans/block_page.hpp"
+#include "report/scans/photo_json.hpp"
 #include "report/scans/photo_section.hpp"
 
 namespace clast {

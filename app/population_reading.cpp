@@ -6,7 +6,6 @@
 #include <fstream>
 #include <map>
 
-#include "app/block_report.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "app/text_table.hpp"
@@ -19,6 +18,7 @@
 #include "core/utf8.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
+#include "report/json/block_json.hpp"
 
 namespace clast {
 

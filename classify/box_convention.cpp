@@ -1,6 +1,7 @@
 #include "classify/box_convention.hpp"
 
 #include "core/error.hpp"
+#include "massprops/principal_frame.hpp"
 #include "shapes/conventional_boxes.hpp"
 
 namespace clast {

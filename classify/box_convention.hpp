@@ -4,6 +4,7 @@
 #include <string>
 
 #include "massprops/mass_properties.hpp"
+#include "massprops/principal_frame.hpp"
 #include "shapes/oriented_box.hpp"
 
 namespace clast {

@@ -6,9 +6,10 @@
 
 #include "classify/schemes.hpp"
 #include "massprops/mass_properties.hpp"
+#include "massprops/principal_frame.hpp"
 #include "shapes/oriented_box.hpp"
-#include "shapes/rounding.hpp"
 #include "shapes/sphero_polyhedron.hpp"
+#include "shapes/surface_deviation.hpp"
 
 namespace clast {
 

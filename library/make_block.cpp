@@ -9,12 +9,15 @@
 #include "core/number_text.hpp"
 #include "core/version.hpp"
 #include "library/unscaled.hpp"
+#include "massprops/principal_frame.hpp"
 #include "massprops/solid.hpp"
 #include "massprops/sphero.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/coplanar_faces.hpp"
 #include "shapes/core_fit.hpp"
+#include "shapes/rounding.hpp"
+#include "shapes/surface_deviation.hpp"
 #include "shapes/wall_thickness.hpp"
 
 namespace clast {

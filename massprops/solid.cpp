@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "massprops/moments.hpp"
+#include "massprops/principal_frame.hpp"
 
 namespace clast {
 

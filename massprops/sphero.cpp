@@ -8,6 +8,7 @@
 #include "core/number_text.hpp"
 #include "massprops/columns.hpp"
 #include "massprops/moments.hpp"
+#include "massprops/principal_frame.hpp"
 #include "massprops/skin.hpp"
 
 namespace clast {

@@ -14,6 +14,7 @@
 #include "pipeline/detail/scan_scale.hpp"
 #include "pipeline/lightest_block.hpp"
 #include "shapes/convex_hull.hpp"
+#include "shapes/surface_deviation.hpp"
 
 namespace clast {
 

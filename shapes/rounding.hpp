@@ -1,25 +1,10 @@
 #pragma once
 /// From the outer surface of a rock to a core whose rounded body keeps that surface.
-#include <cstddef>
 #include <optional>
 
-#include "shapes/scan_surface.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
-
-/// How far the rounded body is from the scan it stands for.
-struct Deviation {
-  double hausdorff = 0.0;  ///< larger of both one-sided distances, m
-  double scan_to_body =
-      0.0;  ///< largest distance of a point of the scan from the body's surface, m
-  double body_to_scan =
-      0.0;            ///< largest distance of a point of the body's surface from the scan, m
-  double mean = 0.0;  ///< area-weighted mean distance scan to body, m
-  double volume_relative = 0.0;   ///< (body - scan) / scan
-  double area_relative = 0.0;     ///< the same of the surface areas
-  double moments_relative = 0.0;  ///< largest relative difference of a principal moment
-};
 
 /// The core of a closed scan: every vertex moved inwards so that the planes of its faces move in by
 /// `minkowski_radius` (least squares where more than three meet, singular values below 15 % of the
@@ -33,17 +18,5 @@ SpheroPolyhedron rounded_core(const TriangleMesh& scan, double minkowski_radius)
 /// @throws GeometryError  open mesh
 std::optional<SpheroPolyhedron> rounded_core_if_any(const TriangleMesh& scan,
                                                     double minkowski_radius);
-
-/// Distances between the surface of the rounded body and the scan, both ways.
-///
-/// The largest distances are upper bounds from a branch and bound over either surface, and at most
-/// 2e-4 of the scan's diagonal above one that is attained, or at most 2e-3 of it; where a million
-/// pieces don't tell, as where the distance is the same everywhere, farther above. (Under a crease
-/// of the body, where the nearest skin is buried, the distance to a bare point close by counts.)
-/// The mean is over `samples` points on the scan. Volume, area and moments are left 0: the caller
-/// knows them.
-/// @throws GeometryError  the body has no faces
-Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
-                            std::size_t samples = 20000);
 
 }  // namespace clast

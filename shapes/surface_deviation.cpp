@@ -1,3 +1,5 @@
+#include "shapes/surface_deviation.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,6 @@
 #include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "shapes/detail/skin_distance.hpp"
-#include "shapes/rounding.hpp"
 
 namespace clast {
 

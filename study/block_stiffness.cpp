@@ -12,7 +12,8 @@ namespace {
 using results_layout::kRunStiffness;
 
 constexpr std::array<const char*, kRunStiffness.size()> kHeadings{
-    "k_n, N/m", "k_t, N/m", "k_r, N m/rad", "time step, s", "rest depth, m", "deepest impact, m"};
+    "k_n, N/m",     "k_t, N/m",         "k_r, N m/rad",
+    "time step, s", "settled depth, m", "deepest impact, m"};
 
 BlockStiffness without_runs(const std::string& id) {
   BlockStiffness block{id, 0, {}};

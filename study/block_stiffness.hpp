@@ -30,7 +30,7 @@ struct StiffnessValue {
 struct BlockStiffness {
   std::string block;
   std::size_t runs = 0;
-  std::vector<StiffnessValue> values;  ///< k_n, k_t, k_r, time step, rest depth, impact depth
+  std::vector<StiffnessValue> values;  ///< k_n, k_t, k_r, time step, settled depth, impact depth
 };
 
 /// Every block, in order; one without runs has empty ranges.

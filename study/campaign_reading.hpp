@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "study/campaign.hpp"
 #include "core/toml_reader.hpp"
+#include "study/campaign.hpp"
 
 namespace clast {
 

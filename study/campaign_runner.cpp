@@ -274,7 +274,8 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
                   const RunOptions& options) {
   options.shard.check();
   ProcessTeam* team = options.team && options.team->size() > 1 ? options.team : nullptr;
-  // Processes are asked for one by one, so each has a core to itself unless another number is given.
+  // Processes are asked for one by one, so each has a core to itself unless another number is
+  // given.
   const unsigned threads = options.threads == 0 && team ? 1 : thread_count(options.threads);
   std::optional<ResultsWriter> writer;
   std::vector<std::uint32_t> open;

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "study/comparison_barriers.hpp"
 #include "study/run_columns.hpp"
+#include "study/runout.hpp"
 
 namespace clast {
 namespace {
@@ -251,13 +252,6 @@ const std::string& release_set_of(const CampaignResults& results, std::uint32_t 
   static const std::string none;
   if (point >= results.set_of_point.size()) return none;
   return results.release_sets[results.set_of_point[point]];
-}
-
-Runout runout(const Vec3& start, const Vec3& stop, const Vec2& downslope) {
-  const Vec2 offset = (stop - start).head<2>();
-  const Vec2 right(downslope.y(), -downslope.x());
-  const double along = offset.dot(downslope);
-  return {along, std::atan2(offset.dot(right), along)};
 }
 
 Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options) {

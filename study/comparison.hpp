@@ -131,14 +131,6 @@ struct CompareOptions {
 ///                     file); a column that there is not; measured stops that can't be read
 Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options = {});
 
-/// A run's offset from its release point on the map.
-struct Runout {
-  double along = 0.0;    ///< m, along downslope
-  double lateral = 0.0;  ///< rad, + to the right looking downslope
-};
-/// @param downslope  unit
-Runout runout(const Vec3& start, const Vec3& stop, const Vec2& downslope);
-
 /// How much of the energy that a run dissipates is lost or gained where contacts or weights change;
 /// none when it dissipates nothing.
 std::optional<double> reassigned_share(const EnergyLedger& energy);

@@ -13,6 +13,7 @@
 #include "core/text_file.hpp"
 #include "study/campaign_ranges.hpp"
 #include "study/comparison.hpp"
+#include "study/runout.hpp"
 
 namespace clast {
 namespace {

@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/block_report.hpp"
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
 #include "app/population_print.hpp"
@@ -16,6 +15,8 @@
 #include "core/output_folder.hpp"
 #include "core/printable.hpp"
 #include "library/block_ranges.hpp"
+#include "report/json/block_json.hpp"
+#include "report/json/population_json.hpp"
 #include "report/population_report.hpp"
 
 namespace clast {

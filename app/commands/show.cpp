@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 
-#include "app/block_report.hpp"
+#include "app/block_line.hpp"
 #include "app/commands/commands.hpp"
 #include "app/option_flags.hpp"
 #include "app/text_table.hpp"
@@ -13,6 +13,7 @@
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
+#include "report/json/block_json.hpp"
 
 namespace clast {
 

@@ -246,7 +246,7 @@ constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
 
 /// Expected time, and the map.
 void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, const Shard& shard,
-                     nlohmann::ordered_json summary) {
+                    nlohmann::ordered_json summary) {
   std::filesystem::path map = args.output;
   map.replace_extension(".map.svg");
   const OutputRules rules = check_output(map, {.kind = kind_by_name(map)});

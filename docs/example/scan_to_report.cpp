@@ -1,4 +1,5 @@
-// From a scan to a report: scan_to_report SCAN CAMPAIGN.toml FOLDER
+// From scans to a report: scan_to_report SCANS CAMPAIGN.toml FOLDER
+// The campaign takes its blocks from FOLDER/blocks.h5.
 #include <iostream>
 
 #include "core/error.hpp"
@@ -10,15 +11,14 @@ int main(int argc, char** argv) {
   if (argc != 4) return 2;
   const std::filesystem::path folder = argv[3], results = folder / "results.h5";
   try {
-    // The scan, or a folder of scans, becomes blocks of a library.
+    // A scan, or all of a folder, become blocks of a library.
     clast::BatchOptions batch;
     batch.library = folder / "blocks.h5";
     batch.scan.block.density = 2650.0;  // kg/m^3
     clast::reconstruct_batch(clast::list_scans({argv[1]}), batch);
 
-    // All of them fall down the terrain of the campaign, in 4 of its orientations.
+    // They fall down the terrain of the campaign, in 4 of its orientations.
     clast::Campaign campaign = clast::read_campaign(argv[2]);
-    campaign.blocks = {.library = batch.library};
     campaign.releases.front().orientations.resize(4);
     clast::run_campaign(clast::prepare_campaign(campaign), results);
 

@@ -96,25 +96,53 @@ double area_of(const mesh_detail::CgalMesh& mesh, const std::vector<Face>& faces
   return area;
 }
 
+std::vector<Vec3> points_of(const mesh_detail::CgalMesh& mesh,
+                            const std::vector<Vertex>& vertices) {
+  std::vector<Vec3> points;
+  for (const Vertex v : vertices) points.push_back(point_of(mesh, v));
+  return points;
+}
+
+void set_points(mesh_detail::CgalMesh& mesh, const std::vector<Vertex>& vertices,
+                const std::vector<Vec3>& points) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    mesh.point(vertices[i]) = mesh_detail::CgalPoint(points[i].x(), points[i].y(), points[i].z());
+  }
+}
+
+/// Moves vertices so that the patch around them bends evenly. Where triangles without an area leave
+/// the equations without a solution, they go to `otherwise`: CGAL would compute on with what is no
+/// number, and end the program.
+/// @param continuity  0: a membrane; 1: tangential to what is around
+/// @return where they are
+std::vector<Vec3> fair(mesh_detail::CgalMesh& mesh, const std::vector<Vertex>& vertices,
+                       unsigned continuity, const std::vector<Vec3>& otherwise) {
+  Processing::fair(mesh, vertices, CGAL::parameters::fairing_continuity(continuity));
+  std::vector<Vec3> points = points_of(mesh, vertices);
+  const bool solved = std::all_of(points.begin(), points.end(),
+                                  [](const Vec3& point) { return point.allFinite(); });
+  if (solved) return points;
+  set_points(mesh, vertices, otherwise);
+  return otherwise;
+}
+
 /// Moves the vertices to a surface that is smooth at the border, but no farther from a membrane
 /// over it than half its width. Returns six times the volume under the membrane.
 double bulge(mesh_detail::CgalMesh& mesh, const std::vector<Face>& patch,
              const std::vector<Vertex>& added, const FilledHole& hole) {
-  Processing::fair(mesh, added, CGAL::parameters::fairing_continuity(0));
+  const std::vector<Vec3> membrane = fair(mesh, added, 0, points_of(mesh, added));
   const double membrane_volume = sixfold_volume(mesh, patch, hole.centre);
   const double limit = kMostBulge * 2.0 * area_of(mesh, patch) / hole.perimeter;
-  std::vector<Vec3> membrane;
-  for (const Vertex v : added) membrane.push_back(point_of(mesh, v));
-  Processing::fair(mesh, added);
+  std::vector<Vec3> bulged = fair(mesh, added, 1, membrane);
   double highest = 0.0;
   for (std::size_t i = 0; i < added.size(); ++i) {
-    highest = std::max(highest, (point_of(mesh, added[i]) - membrane[i]).norm());
+    highest = std::max(highest, (bulged[i] - membrane[i]).norm());
   }
   if (highest <= limit) return membrane_volume;
   for (std::size_t i = 0; i < added.size(); ++i) {
-    const Vec3 p = membrane[i] + limit / highest * (point_of(mesh, added[i]) - membrane[i]);
-    mesh.point(added[i]) = mesh_detail::CgalPoint(p.x(), p.y(), p.z());
+    bulged[i] = membrane[i] + limit / highest * (bulged[i] - membrane[i]);
   }
+  set_points(mesh, added, bulged);
   return membrane_volume;
 }
 

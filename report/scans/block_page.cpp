@@ -9,6 +9,7 @@
 #include "report/scans/repair_sections.hpp"
 #include "report/scans/scan_page.hpp"
 #include "report/scans/scan_pictures.hpp"
+#include "shapes/surface_deviation.hpp"
 
 namespace clast {
 

@@ -239,7 +239,8 @@ TEST_F(Talus, DoubtfulUnitsAndErrorsAreTold) {
   EXPECT_TRUE(contains(json_of({"cm.csv"})["notes"].dump(), "0.9 m in cm"));
   EXPECT_TRUE(contains(err, "--units"));
   write_text_file(folder / "pebbles.csv", "L_mm,I_mm,S_mm\n20,15,10\n");
-  EXPECT_TRUE(contains(json_of({"pebbles.csv"})["notes"].dump(), "--axis-error"));
+  EXPECT_TRUE(contains(json_of({"pebbles.csv"})["notes"].dump(), "`axis_error`"));
+  EXPECT_TRUE(contains(err, "--axis-error"));
   EXPECT_EQ(json_of({"pebbles.csv", "--axis-error", "0.001"})["notes"].size(), 1u);  // the unit
 }
 

@@ -17,8 +17,12 @@ run(${CMAKE_COMMAND} -S ${source}/docs/example -B ${scratch}/build -G ${generato
     -D CMAKE_CXX_COMPILER=${compiler} "-D CMAKE_CXX_FLAGS=${flags}"
     -D CMAKE_CXX_COMPILER_LAUNCHER=${launcher})
 run(${CMAKE_COMMAND} --build ${scratch}/build)
-run(${scratch}/build/scan_to_report ${source}/samples/blocks/B01_compact.ply
-    ${source}/samples/campaign.toml ${scratch}/out)
+file(READ ${source}/samples/campaign.toml campaign)
+string(REPLACE "../out/blocks.h5" "out/blocks.h5" campaign "${campaign}")
+string(REPLACE "terrain/quarry" "${source}/samples/terrain/quarry" campaign "${campaign}")
+file(WRITE ${scratch}/campaign.toml "${campaign}")
+run(${scratch}/build/scan_to_report ${source}/samples/blocks ${scratch}/campaign.toml
+    ${scratch}/out)
 foreach(file blocks.h5 results.h5 report/runs.csv report/report.html)
   if(NOT EXISTS ${scratch}/out/${file})
     message(FATAL_ERROR "the example did not write ${file}")
@@ -26,8 +30,8 @@ foreach(file blocks.h5 results.h5 report/runs.csv report/report.html)
 endforeach()
 file(STRINGS ${scratch}/out/report/runs.csv runs)
 list(LENGTH runs lines)
-if(NOT lines EQUAL 5)
-  message(FATAL_ERROR "a heading and 4 runs were expected in runs.csv, there are ${lines} lines")
+if(NOT lines EQUAL 13)
+  message(FATAL_ERROR "a heading and 12 runs were expected in runs.csv, there are ${lines} lines")
 endif()
 # The libraries are large; a passed test leaves nothing behind.
 file(REMOVE_RECURSE ${scratch})

@@ -108,7 +108,8 @@ Findings flag_findings(const SourceFile& file) {
 Findings field_findings(const SourceFile& file, const SourceFile& flags) {
   static const std::regex kField(R"(`([^`]*)`)");
   Findings findings;
-  if (!is_of_library(file) || file.folder() == "report") return findings;
+  // The columns of tables are described for a document, where backticks mark what a cell holds.
+  if (!is_of_library(file) || file.path == "study/run_columns.cpp") return findings;
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     for (const std::string& text : literals(file.lines[i])) {
       for (const std::smatch& match : matches(text, kField)) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "massprops/principal_frame.hpp"
 #include "massprops/sphero.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/refusal.hpp"

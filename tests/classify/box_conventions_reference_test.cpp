@@ -7,6 +7,7 @@
 
 #include "classify/box_convention.hpp"
 #include "classify/certainty.hpp"
+#include "massprops/principal_frame.hpp"
 #include "massprops/solid.hpp"
 #include "reconstruct/scan.hpp"
 #include "tests/support/reference_data.hpp"

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "massprops/principal_frame.hpp"
 #include "massprops/solid.hpp"
 #include "shapes/convex_hull.hpp"
 #include "tests/library/block_samples.hpp"
@@ -156,7 +157,7 @@ TEST(MakeBlock, ADensityNoRockHasIsToldOfWithTheLikelyUnit) {
   EXPECT_TRUE(
       contains(warned(2.65),
                "the density 2.65 kg/m3 is not that of a rock, 500 to 8000 kg/m3; if that is "
-               "in g/cm3 or t/m3, give --density 2650"));
+               "in g/cm3 or t/m3, give `density` 2650"));
   EXPECT_TRUE(contains(warned(20000.0), "is not that of a rock, 500 to 8000 kg/m3; check mass"));
   EXPECT_EQ(warned(2650.0), "");
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "massprops/principal_frame.hpp"
 #include "massprops/sphero.hpp"
 #include "reconstruct/scan.hpp"
 #include "tests/support/reference_data.hpp"

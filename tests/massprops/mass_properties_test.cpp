@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "massprops/principal_frame.hpp"
 
 namespace clast {
 namespace {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/random.hpp"
+#include "massprops/principal_frame.hpp"
 #include "massprops/solid.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/weld.hpp"

@@ -1,4 +1,5 @@
 #include "massprops/sphero.hpp"
+#include "massprops/principal_frame.hpp"
 
 #include <gtest/gtest.h>
 

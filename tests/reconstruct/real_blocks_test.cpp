@@ -5,6 +5,7 @@
 #include "reconstruct/scan.hpp"
 #include "reconstruct/simplify.hpp"
 #include "shapes/rounding.hpp"
+#include "shapes/surface_deviation.hpp"
 #include "tests/reconstruct/reference_meshes.hpp"
 #include "tests/shapes/shape_samples.hpp"
 

@@ -6,6 +6,7 @@
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
 #include "shapes/rounding.hpp"
+#include "shapes/surface_deviation.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
+#include "shapes/surface_deviation.hpp"
 #include "tests/shapes/shape_samples.hpp"
 
 namespace clast {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "study/runout.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/refusal.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
 /// A concave rock as a body.
+#include "massprops/principal_frame.hpp"
 #include "massprops/sphero.hpp"
 #include "tests/support/rock_mesh.hpp"
 #include "tests/support/test_bodies.hpp"

@@ -120,7 +120,7 @@ TEST_F(Resampling, ImpossibleSizesAreRefused) {
   write_mesh(folder_ / "wide.ply", squares(4, 1000.0, [](double, double) { return 0.0; }));
   EXPECT_TRUE(
       contains(refusal(TerrainOptions{.surface = {folder_ / "wide.ply"}, .resolution = 1e-3}),
-               "too many; use a larger --resolution"));
+               "too many; use a larger `resolution`"));
   EXPECT_TRUE(contains(refused(50.0), "no 2 x 2 neighbouring cells have heights"));
   write_terrain(folder_ / "ground.h5", read_terrain({.surface = {folder_ / "ground.ply"}}));
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "ground.h5"}, .resolution = 2}),

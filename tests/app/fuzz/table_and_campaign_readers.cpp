@@ -1,5 +1,5 @@
-#include "pipeline/board_file.hpp"
 #include "classify/dimension_table.hpp"
+#include "pipeline/board_file.hpp"
 #include "study/campaign.hpp"
 #include "study/measured_stops.hpp"
 #include "study/release_points.hpp"

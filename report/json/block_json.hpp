@@ -1,5 +1,5 @@
 #pragma once
-/// What is printed of a block.
+/// What is known of a block, as JSON.
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -22,16 +22,8 @@ nlohmann::ordered_json equilibria_json(const Block& block);
 /// Roundness of the outer surface on a mesh of this edge length, m, and what it was measured on.
 nlohmann::ordered_json roundness_json(const Block& block, double edge_length);
 
-/// The mass in kg, and "-" of an unscaled block, which has none.
-std::string mass_text(const Block& block);
-/// What lengths of the block are in: "m", or "u" for the unit of an unscaled block's model.
-std::string length_unit_of(const Block& block);
-
 /// Everything known of a block, units in the names (docs/formats.md). An unscaled block's lengths
 /// have keys that end in _units, its masses and moments are null.
 nlohmann::ordered_json block_json(const Block& block);
-
-/// One line: id, vertices, size, volume, mass, classes, deviation.
-std::string block_line(const Block& block);
 
 }  // namespace clast

@@ -1,4 +1,4 @@
-#include "massprops/mass_properties.hpp"
+#include "massprops/principal_frame.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
