@@ -13,7 +13,7 @@
 #include "reconstruct/photos/photo_evidence.hpp"
 #include "report/json/block_json.hpp"
 #include "report/scans/block_page.hpp"
-#include "report/scans/photo_json.hpp"
+#include "report/scans/json/photo_json.hpp"
 #include "report/scans/photo_section.hpp"
 
 namespace clast {

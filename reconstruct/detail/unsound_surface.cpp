@@ -17,6 +17,9 @@ namespace {
 /// Volume over diagonal cubed below which a surface encloses nothing: a folded sheet.
 constexpr double kNoVolume = 1e-9;
 constexpr std::size_t kHolesNamed = 3;
+/// A grain of sand is a million times larger; squares of what is much smaller are no numbers, and
+/// exact arithmetic with it takes minutes.
+constexpr double kSmallestExtent = 1e-9;  // m
 
 /// "88 open edges in 9 holes: 30 edges and 0.41 m round near (...), ..."
 std::string open_edges(TriangleMesh mesh, const RepairLog& log) {
@@ -56,6 +59,12 @@ void check_coordinates(const TriangleMesh& mesh) {
                           " m from the origin: the file is damaged, or its unit is wrong; check "
                           "the unit it was read in");
     }
+  }
+  const double diagonal = bounds(mesh).diagonal();
+  if (!mesh.vertices.empty() && diagonal < kSmallestExtent) {
+    throw GeometryError("the mesh is " + with_digits(diagonal, 3) +
+                        " m across: the file is damaged, or its unit is wrong; check the unit it "
+                        "was read in");
   }
 }
 

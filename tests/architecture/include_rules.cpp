@@ -141,7 +141,8 @@ std::vector<Link> links_of(const SourceFile& cmake_lists) {
 
 bool is_public_header(const SourceFile& file) {
   return file.is_header() && kArrows.contains(file.folder()) && file.folder() != "app" &&
-         file.path.find("/detail/") == std::string::npos;
+         file.path.find("/detail/") == std::string::npos &&
+         file.path.find("/json/") == std::string::npos;  // not installed either
 }
 
 Folders reachable(const std::string& part) {

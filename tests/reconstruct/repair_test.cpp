@@ -54,6 +54,12 @@ TriangleMesh beheaded(TriangleMesh mesh, double height) {
   return mesh;
 }
 
+TEST(Repair, AMeshOfNoExtentIsRefused) {
+  EXPECT_TRUE(contains(refusal<GeometryError>([] { repair_mesh(scaled(rock(), 1e-44)); }),
+                       "m across: the file is damaged, or its unit is wrong"));
+  EXPECT_NO_THROW(repair_mesh(scaled(rock(), 1e-8)));
+}
+
 TEST(Repair, AHoleInAFineMeshJoinsNoVertices) {
   // Edges are 0.0005 of the diagonal: within the widest weld.
   TriangleMesh torn = spindle(4000);

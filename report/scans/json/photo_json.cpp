@@ -1,4 +1,4 @@
-#include "report/scans/photo_json.hpp"
+#include "report/scans/json/photo_json.hpp"
 
 #include "core/utf8.hpp"
 
