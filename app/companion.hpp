@@ -6,8 +6,8 @@ namespace clast {
 
 /// What `clast reconstruct` says of itself, in the program and in its companion.
 inline constexpr const char* kReconstructSummary =
-    "Turn scans (meshes, point clouds, photographs) into blocks of a library, repairing what is "
-    "dirty";
+    "Turn scans (meshes, point clouds, photographs) into blocks of a library, repairing "
+    "defects";
 
 /// Replaces this process by the companion that has the command `reconstruct`: PCL and OpenCV, which
 /// take longer to load than other commands take to run, are linked there alone. It lies beside the

@@ -60,7 +60,7 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
       ->group(group);
   command
       .add_option("--board", args.board,
-                  "A plate whose markers are known by their places, or a ChArUco board, as a file "
+                  "A plate with markers at known positions, or a ChArUco board, as a file "
                   "(TOML, see docs/formats.md): all its distances set the scale")
       ->type_name("FILE")
       ->group(group);
@@ -99,7 +99,7 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
       ->group(group);
   command
       .add_option("--colmap-minutes", args.colmap_minutes,
-                  "Time that each step of colmap has, minutes")
+                  "Time limit for each colmap step, minutes")
       ->check(number_between(0.01, 1e4))
       ->type_name("MIN")
       ->capture_default_str()

@@ -239,7 +239,7 @@ void add_classify(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--axis-error", args->reading.axis_error,
-                   "What the axes are known to, m; default: 0.05 for a table (tape), twice the "
+                   "Error of the axes, m; default: 0.05 for a table (tape), twice the "
                    "deviation from the scan for a library")
       ->check(within(kAxisError))
       ->type_name("M");
@@ -266,7 +266,7 @@ void add_classify(CLI::App& app) {
       ->add_option(
           "--units", args->first.units,
           "Length unit of a table: m, cm, mm, um, km, in, ft, or metres per unit; default: "
-          "as its header says, else m")
+          "from its header, otherwise m")
       ->type_name("UNIT");
   command
       ->add_option("--against-columns", args->against.columns,
@@ -291,7 +291,7 @@ void add_classify(CLI::App& app) {
       ->add_option("-o,--output", args->output,
                    "Folder for report.html, tables (csv) and diagrams (svg)")
       ->type_name("DIR");
-  command->add_flag("--replace", args->replace, "Replace a report that is in the folder");
+  command->add_flag("--replace", args->replace, "Replace an existing report in the folder");
   command->add_flag("--json", args->json, "Print as JSON");
   command->footer(
       "Shares come with the 95 % interval of Wilson: what a sample of this size says "

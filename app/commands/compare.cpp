@@ -71,10 +71,10 @@ void add_compare(CLI::App& app) {
   command->add_option("results", args->results, "Results files of one or more campaigns")
       ->required()
       ->type_name("RESULTS");
-  command->add_option("-o,--output", args->folder, "Folder, made when missing")
+  command->add_option("-o,--output", args->folder, "Folder, created if missing")
       ->type_name("DIR")
       ->capture_default_str();
-  command->add_flag("--replace", args->replace, "Replace a comparison that is in the folder");
+  command->add_flag("--replace", args->replace, "Replace an existing comparison in the folder");
   command
       ->add_option("--by", args->by,
                    "Group by the values of a column of runs.csv too, for example release_set, "
@@ -83,13 +83,13 @@ void add_compare(CLI::App& app) {
       ->allow_extra_args(false);
   command
       ->add_option("--animate", args->animated,
-                   "Write animation/animation.pvd for ParaView too, with so many of the runs")
+                   "Write animation/animation.pvd for ParaView, with this many runs")
       ->type_name("RUNS")
       ->check(whole_number(0, 1000000))
       ->capture_default_str();
   command
       ->add_option("--measured", args->measured,
-                   "Table of stops seen in the field (columns x and y, m; optionally start_x, "
+                   "Table of stops observed in the field (columns x and y, m; optionally start_x, "
                    "start_y, block, shape), compared with the simulated ones")
       ->type_name("CSV");
   command->footer(

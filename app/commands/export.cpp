@@ -192,11 +192,11 @@ void export_blocks(const ExportArgs& args) {
 
 void add_export(CLI::App& app) {
   const auto args = std::make_shared<ExportArgs>();
-  CLI::App* command = app.add_subcommand("export", "Hand blocks to other tools");
+  CLI::App* command = app.add_subcommand("export", "Export blocks for other tools");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
   command->add_option("ids", args->ids, "Blocks to export; without: all")->type_name("ID");
   command
-      ->add_option("-o,--output", args->folder, "Folder, made when missing; a file for each block")
+      ->add_option("-o,--output", args->folder, "Folder, created if missing; a file for each block")
       ->type_name("DIR")
       ->capture_default_str();
   command->add_flag("--replace", args->replace, "Replace existing files");

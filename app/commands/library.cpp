@@ -55,14 +55,14 @@ void merge(const MergeArgs& args) {
 void add_merge(CLI::App& app) {
   const auto args = std::make_shared<MergeArgs>();
   CLI::App* command = app.add_subcommand("merge", "Join libraries into one");
-  command->add_option("output", args->output, "Library to write; what it holds already stays in it")
+  command->add_option("output", args->output, "Library to write; existing blocks are kept")
       ->required()
       ->type_name("OUT");
   command->add_option("inputs", args->inputs, "Libraries whose blocks are added")
       ->required()
       ->type_name("IN");
   command->add_flag("--replace", args->replace,
-                    "Where an id is there already, the later block stays");
+                    "If an id already exists, replace that block with the later one");
   command->footer("Example:\n  clast library merge all.h5 quarry.h5 talus.h5");
   command->callback([args] { merge(*args); });
 }
@@ -155,7 +155,7 @@ void set_field_notes(const SetArgs& args) {
 
 void add_set(CLI::App& app) {
   const auto args = std::make_shared<SetArgs>();
-  CLI::App* command = app.add_subcommand("set", "Attach what the field book says to a block");
+  CLI::App* command = app.add_subcommand("set", "Attach field notes to a block");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
   command->add_option("id", args->id, "Block")->required()->type_name("ID");
   command->add_option("--site", args->site, "Where the block lies or came from")->type_name("TEXT");

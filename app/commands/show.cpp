@@ -163,9 +163,9 @@ void add_show(CLI::App& app) {
   const auto args = std::make_shared<ShowArgs>();
   CLI::App* command = app.add_subcommand("show", "Show what a library holds");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
-  command->add_option("ids", args->ids, "Blocks to show in full; without: a line for each block")
+  command->add_option("ids", args->ids, "Blocks to show in full; default: one line per block")
       ->type_name("ID");
-  command->add_flag("--json", args->json, "Print everything known of the blocks as JSON");
+  command->add_flag("--json", args->json, "Print all data of the blocks as JSON");
   command->footer(
       "Lengths in m, volumes in m3, masses in kg, moments of inertia in kg m2 about the "
       "centre of mass.\nL, I, S are the sides of the smallest box, s_c = L/I - 1.\n"

@@ -345,7 +345,7 @@ void add_simulate(CLI::App& app) {
       ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
-  command->add_flag("--resume", args->resume, "Go on with an interrupted campaign");
+  command->add_flag("--resume", args->resume, "Continue an interrupted campaign");
   command
       ->add_option("--shard", args->shard,
                    "Do every n-th run only, from the i-th on, and write FILE with .IofN before its "
@@ -354,15 +354,15 @@ void add_simulate(CLI::App& app) {
   CLI::Option* merge =
       command
           ->add_option("--merge", args->parts,
-                       "In place of CAMPAIGN: join what all shards wrote to one results file")
+                       "Instead of CAMPAIGN: join the results of all shards into one file")
           ->type_name("PARTS")
           ->excludes(campaign);
   command->add_flag("--dry-run", args->dry_run,
-                    "Check everything, say what would run and how long that takes, draw "
+                    "Check everything, report what would run and the estimated time, draw "
                     "FILE.map.svg, and stop");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
-      "Ctrl-C stops after the runs under way; --resume goes on from there. Results do "
+      "Ctrl-C stops after the current runs; --resume continues from there. Results do "
       "not depend on --threads, on --shard, or on the processes of mpirun, which have one thread "
       "each unless\n--threads says otherwise.\n"
       "Examples:\n"

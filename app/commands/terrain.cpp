@@ -269,7 +269,7 @@ void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& b
   command
       .add_option("--outliers", options.outliers,
                   "Leave out points of a cloud that are farther than this above or below the "
-                  "ground around, m")
+                  "surrounding ground, m")
       ->check(within(kOutlierDistance))
       ->type_name("M");
   command
@@ -295,7 +295,7 @@ void add_mending_options(CLI::App& command, TerrainOptions& options) {
       ->capture_default_str();
   command
       .add_option("--spikes", options.spike_steepness,
-                  "Level single vertices that stand out by more than this many times the distance "
+                  "Level single vertices that protrude by more than this many times the distance "
                   "to their neighbours; 0: none")
       ->check(within(kSpikeSteepness))
       ->type_name("X")
@@ -305,9 +305,9 @@ void add_mending_options(CLI::App& command, TerrainOptions& options) {
       ->type_name("N")
       ->capture_default_str();
   command
-      .add_option("--tolerance", options.tolerance,
-                  "Leave out vertices where the surface stays within this height, m; overhangs "
-                  "stay")
+      .add_option(
+          "--tolerance", options.tolerance,
+          "Remove vertices as long as the surface stays within this height, m; overhangs are kept")
       ->check(within(kSurfaceTolerance))
       ->type_name("M");
   command.add_flag("--cut-zones", options.cut_zones,
@@ -349,7 +349,7 @@ void add_fit_options(CLI::App& command, TerrainArgs& args) {
 void add_terrain(CLI::App& app) {
   const auto args = std::make_shared<TerrainArgs>();
   CLI::App* command = app.add_subcommand(
-      "terrain", "Check surveyed ground with its zones and make it ready for simulation");
+      "terrain", "Check a surveyed terrain with its zones and prepare it for simulation");
   command
       ->add_option("inputs", args->inputs,
                    "Meshes (stl, obj, ply, ...), one raster (GeoTIFF, asc, ...), clouds (las, pcd, "
