@@ -16,7 +16,7 @@
 namespace clast::reliability {
 namespace {
 
-constexpr const char* kProcessorSeconds = "60";
+constexpr const char* kProcessorSeconds = "120";
 constexpr const char* kWallSeconds = "600";   ///< of a hang that uses no processor
 constexpr std::size_t kBetweenReports = 100;  ///< cases; a whole trial takes more than an hour
 
