@@ -18,7 +18,7 @@ packages=(g++ cmake ninja-build libeigen3-dev libcgal-dev libassimp-dev libhdf5-
           libjs-three python3-plotly libopenmpi-dev openmpi-bin)
 case "${1-}" in
   program) ;;
-  tests) packages+=(libgtest-dev chromium colmap) ;;
+  tests) packages+=(libgtest-dev chromium colmap nodejs) ;;
   *) printf 'usage: %s program|tests\n' "$0" >&2; exit 2 ;;
 esac
 

@@ -24,10 +24,10 @@ struct Deviation {
 ///
 /// The largest distances are upper bounds from a branch and bound over either surface, and at most
 /// 2e-4 of the scan's diagonal above one that is attained, or at most 2e-3 of it; where a million
-/// pieces don't tell, as where the distance is the same everywhere, farther above. (Under a crease
-/// of the body, where the nearest skin is buried, the distance to a bare point close by counts.)
-/// The mean is over `samples` points on the scan. Volume, area and moments are left 0: the caller
-/// knows them.
+/// parts do not decide, as where the distance is the same everywhere, farther above. (Under a
+/// crease of the body, where the nearest skin is buried, the distance to a bare point close by
+/// counts.) The mean is over `samples` points on the scan. Volume, area and moments are left 0: the
+/// caller knows them.
 /// @throws GeometryError  the body has no faces
 Deviation surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
                             std::size_t samples = 20000);

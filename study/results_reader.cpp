@@ -6,6 +6,7 @@
 #include "core/hdf5_file.hpp"
 #include "core/number_text.hpp"
 #include "library/body_record.hpp"
+#include "study/checked_group.hpp"
 #include "study/results.hpp"
 #include "study/results_layout.hpp"
 
@@ -16,65 +17,7 @@ using namespace results_layout;
 
 namespace {
 
-// One group of one file, read with the checks that all of it needs.
-struct Reader {
-  std::string file;
-  std::string path;  ///< "/runs"
-  Hdf5Group group;
-
-  [[noreturn]] void damaged(const std::string& name, const std::string& what) const {
-    throw InputError(file + ": " + path + "/" + name + " " + what +
-                     "; the file is damaged: restore a backup, or run the campaign again");
-  }
-
-  /// Values of a column that must have `rows` values.
-  template <class T>
-  std::vector<T> column(const std::string& name, std::size_t rows) const {
-    std::vector<T> values = group.read<T>(name);
-    if (values.size() != rows) {
-      damaged(name, "has " + std::to_string(values.size()) + " values where " +
-                        std::to_string(rows) + " belong");
-    }
-    return values;
-  }
-
-  template <class Vector>
-  std::vector<Vector> vectors(const std::string& name) const {
-    constexpr auto kSize = static_cast<std::size_t>(Vector::SizeAtCompileTime);
-    const std::vector<double> flat = group.read<double>(name);
-    const std::vector<std::size_t> shape = group.shape(name);
-    if (shape.size() != 2 || shape[1] != kSize) {
-      damaged(name, "is not a table of " + std::to_string(kSize) + " columns");
-    }
-    std::vector<Vector> result(shape[0]);
-    for (std::size_t i = 0; i < flat.size(); ++i) {
-      result[i / kSize][static_cast<Eigen::Index>(i % kSize)] = flat[i];
-    }
-    return result;
-  }
-
-  std::size_t length(const std::string& name) const {
-    const std::vector<std::size_t> shape = group.shape(name);
-    if (shape.size() != 1) damaged(name, "is not a list");
-    return shape[0];
-  }
-
-  template <class T>
-  void check_below(const std::string& name, const std::vector<T>& values, std::size_t limit) const {
-    for (const T value : values) {
-      if (static_cast<std::size_t>(value) >= limit) {
-        damaged(name, "holds " + std::to_string(value) + ", which must be below " +
-                          std::to_string(limit));
-      }
-    }
-  }
-
-  Reader into(const std::string& name) const {
-    return {file, path + "/" + name, group.group(name)};
-  }
-};
-
-void read_shapes(const Reader& reader, CampaignResults& results) {
+void read_shapes(const CheckedGroup& reader, CampaignResults& results) {
   const std::size_t count = reader.group.names().size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::string name = std::to_string(i);
@@ -83,7 +26,7 @@ void read_shapes(const Reader& reader, CampaignResults& results) {
   }
 }
 
-void read_ground_sets(const Reader& reader, CampaignResults& results) {
+void read_ground_sets(const CheckedGroup& reader, CampaignResults& results) {
   const auto groups = reader.group.read<std::string>("group");
   const std::size_t zones = results.zone_names.size();
   const auto members = reader.column<std::uint32_t>("member", groups.size());
@@ -99,7 +42,7 @@ void read_ground_sets(const Reader& reader, CampaignResults& results) {
   }
 }
 
-void read_impacts(const Reader& reader, CampaignResults& results) {
+void read_impacts(const CheckedGroup& reader, CampaignResults& results) {
   const std::size_t rows = reader.length("run");
   results.impacts.resize(rows);
   for (const auto& column : kImpactIndices) {
@@ -115,7 +58,7 @@ void read_impacts(const Reader& reader, CampaignResults& results) {
 }
 
 // What no block can be, whatever its shape.
-void check_blocks(const Reader& reader, const CampaignResults& results) {
+void check_blocks(const CheckedGroup& reader, const CampaignResults& results) {
   constexpr double kRounding = 1e-6;
   for (const BlockSummary& block : results.blocks) {
     const auto require = [&](bool fine, const char* name, std::initializer_list<double> values) {
@@ -137,7 +80,7 @@ void check_blocks(const Reader& reader, const CampaignResults& results) {
   }
 }
 
-void read_blocks(const Reader& reader, CampaignResults& results) {
+void read_blocks(const CheckedGroup& reader, CampaignResults& results) {
   const std::vector<std::string> ids = reader.group.read<std::string>("id");
   const std::size_t rows = ids.size();
   const auto mass = reader.column<double>("mass_kg", rows);
@@ -173,7 +116,7 @@ void read_blocks(const Reader& reader, CampaignResults& results) {
   check_blocks(reader, results);
 }
 
-void read_barriers(const Reader& reader, CampaignResults& results) {
+void read_barriers(const CheckedGroup& reader, CampaignResults& results) {
   const std::vector<std::string> names = reader.group.read<std::string>("name");
   if (reader.group.has("points_m")) {
     const auto counts = reader.column<std::uint32_t>("point_count", names.size());
@@ -201,7 +144,7 @@ void read_barriers(const Reader& reader, CampaignResults& results) {
   }
 }
 
-void read_ground(const Reader& reader, CampaignResults& results) {
+void read_ground(const CheckedGroup& reader, CampaignResults& results) {
   results.zone_names = reader.group.read<std::string>("zone");
   const std::size_t rows = results.zone_names.size();
   const auto restitution = reader.column<double>("energy_restitution", rows);
@@ -212,7 +155,7 @@ void read_ground(const Reader& reader, CampaignResults& results) {
   }
 }
 
-void read_terrain_group(const Reader& reader, CampaignResults& results) {
+void read_terrain_group(const CheckedGroup& reader, CampaignResults& results) {
   Terrain& terrain = results.terrain;
   terrain.surface.vertices = reader.vectors<Vec3>("vertices_m");
   const std::vector<std::uint32_t> corners = reader.group.read<std::uint32_t>("triangles");
@@ -232,7 +175,7 @@ void read_terrain_group(const Reader& reader, CampaignResults& results) {
   results.frame = terrain.frame;
 }
 
-void read_crossings(const Reader& reader, CampaignResults& results) {
+void read_crossings(const CheckedGroup& reader, CampaignResults& results) {
   const std::size_t rows = reader.length("run");
   std::vector<Crossing>& crossings = results.crossings;
   crossings.resize(rows);
@@ -251,7 +194,7 @@ void read_crossings(const Reader& reader, CampaignResults& results) {
 }
 
 // Numbers of runs, which stand in rising order.
-void check_order(const Reader& reader, const std::vector<std::uint32_t>& runs) {
+void check_order(const CheckedGroup& reader, const std::vector<std::uint32_t>& runs) {
   for (std::size_t i = 1; i < runs.size(); ++i) {
     if (runs[i] <= runs[i - 1]) {
       reader.damaged("run",
@@ -260,7 +203,7 @@ void check_order(const Reader& reader, const std::vector<std::uint32_t>& runs) {
   }
 }
 
-void read_runs(const Reader& reader, CampaignResults& results) {
+void read_runs(const CheckedGroup& reader, CampaignResults& results) {
   const std::size_t rows = reader.length("run");
   std::vector<RunRecord>& runs = results.runs;
   runs.resize(rows);
@@ -304,7 +247,8 @@ void read_runs(const Reader& reader, CampaignResults& results) {
 }
 
 // Of every run; in files that have one for all, as attributes of /contact, without depths.
-void read_stiffness(const Reader& reader, const Hdf5Group& contact, CampaignResults& results) {
+void read_stiffness(const CheckedGroup& reader, const Hdf5Group& contact,
+                    CampaignResults& results) {
   std::vector<RunRecord>& runs = results.runs;
   const bool one_for_all = contact.has_attribute(kRunStiffness.front().name);
   for (const RunValue& column : kRunStiffness) {
@@ -321,7 +265,7 @@ void read_stiffness(const Reader& reader, const Hdf5Group& contact, CampaignResu
 
 // Crossings and impacts are in order of runs that there are.
 template <class Event>
-void check_events(const Reader& reader, const std::vector<Event>& events,
+void check_events(const CheckedGroup& reader, const std::vector<Event>& events,
                   const CampaignResults& results) {
   auto run = results.runs.begin();
   for (const Event& event : events) {
@@ -342,7 +286,7 @@ CampaignResults read_results(const fs::path& path) {
                      "by clast simulate with `resume`");
   }
   const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
-  const Reader root{path.string(), "", file.root()};
+  const CheckedGroup root{path.string(), "", file.root()};
   const auto schema = root.group.attribute<std::int64_t>("schema_version");
   if (schema < kOldestSchema) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
@@ -387,56 +331,6 @@ CampaignResults read_results(const fs::path& path) {
   read_impacts(root.into("impacts"), results);
   check_events(root.into("impacts"), results.impacts, results);
   return results;
-}
-
-struct TrajectoryFile::Impl {
-  explicit Impl(const fs::path& path)
-      : file(Hdf5File::open(path, kFormat, kSchemaVersion)),
-        reader{path.string(), "/trajectories", file.root().group("trajectories")} {}
-  Hdf5File file;
-  Reader reader;
-};
-
-TrajectoryFile::TrajectoryFile(const fs::path& path) : impl_(std::make_unique<Impl>(path)) {}
-TrajectoryFile::~TrajectoryFile() = default;
-TrajectoryFile::TrajectoryFile(TrajectoryFile&&) noexcept = default;
-
-std::size_t TrajectoryFile::frames(std::uint32_t run) const {
-  const Reader& reader = impl_->reader;
-  const std::string name = trajectory_name(run);
-  if (!reader.group.has(name)) return 0;
-  const std::vector<std::size_t> shape = reader.group.shape(name);
-  if (shape.size() != 2 || shape[0] != kTrajectoryRows) {
-    reader.damaged(name, "is not a table of " + std::to_string(kTrajectoryRows) + " rows");
-  }
-  return shape[1];
-}
-
-Trajectory TrajectoryFile::read(std::uint32_t run) const {
-  const Reader& reader = impl_->reader;
-  const std::string name = trajectory_name(run);
-  const std::size_t count = frames(run);
-  if (!reader.group.has(name)) {
-    const bool any = !reader.group.names().empty();
-    throw InputError(reader.file + ": no trajectory of run " + std::to_string(run) + "; " +
-                     (any ? "there is no such run"
-                          : "none were stored, set [run] trajectory_interval_s above zero"));
-  }
-  const std::vector<double> rows = reader.group.read<double>(name);
-  Trajectory trajectory;
-  trajectory.time.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    RigidState state;
-    for (std::size_t k = 1; k < kTrajectoryRows; ++k) {
-      kStateValues[k - 1].field(state) = rows[k * count + i];
-    }
-    trajectory.states.push_back(state);
-  }
-  return trajectory;
-}
-
-Trajectory read_trajectory(const fs::path& path, std::uint32_t run) {
-  return TrajectoryFile(path).read(run);
 }
 
 }  // namespace clast

@@ -250,8 +250,6 @@ void make_terrain(TerrainArgs args) {
   if (!args.picture.empty()) std::cout << printable(args.picture) << ": written\n";
 }
 
-}  // namespace
-
 /// How clouds and rasters become a grid.
 void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& breaklines) {
   command
@@ -286,7 +284,7 @@ void add_grid_options(CLI::App& command, TerrainOptions& options, std::string& b
 }
 
 /// What is checked and repaired.
-void add_mending_options(CLI::App& command, TerrainOptions& options) {
+void add_repair_options(CLI::App& command, TerrainOptions& options) {
   command
       .add_option("--crack", options.crack,
                   "Close cracks between tiles up to this width, m; 0: none")
@@ -346,6 +344,8 @@ void add_fit_options(CLI::App& command, TerrainArgs& args) {
       ->type_name("FILE");
 }
 
+}  // namespace
+
 void add_terrain(CLI::App& app) {
   const auto args = std::make_shared<TerrainArgs>();
   CLI::App* command = app.add_subcommand(
@@ -374,7 +374,7 @@ void add_terrain(CLI::App& app) {
       ->type_name("AXIS")
       ->capture_default_str();
   add_grid_options(*command, args->options, args->breaklines);
-  add_mending_options(*command, args->options);
+  add_repair_options(*command, args->options);
   add_fit_options(*command, *args);
   CLI::Option* exported =
       command

@@ -1,6 +1,6 @@
 #pragma once
 /// What contacts keep from step to step: which one continues which, and the springs of friction and
-/// rolling resistance that it goes on with.
+/// rolling resistance that it continues with.
 #include <vector>
 
 #include "dem/detail/contact_patches.hpp"

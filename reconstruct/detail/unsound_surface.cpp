@@ -76,7 +76,7 @@ void check_not_empty(const TriangleMesh& mesh) {
 void check_orientable(const TriangleMesh& mesh, const Orientation& facing, const RepairLog& log) {
   if (facing.orientable) return;
   throw GeometryError("the surface is one-sided near " + log.at(mesh.vertices[facing.conflict]) +
-                      " (inside and outside can't be told apart)" + kRepairAdvice);
+                      " (inside and outside can't be distinguished)" + kRepairAdvice);
 }
 
 void check_hole(const FilledHole& hole, double largest, const TriangleMesh& welded,

@@ -17,7 +17,7 @@ void check_coordinates(const TriangleMesh& mesh);
 /// @throws GeometryError  no triangle is left
 void check_not_empty(const TriangleMesh& mesh);
 
-/// @throws GeometryError  inside and outside can't be told apart
+/// @throws GeometryError  inside and outside can't be distinguished
 void check_orientable(const TriangleMesh& mesh, const Orientation& facing, const RepairLog& log);
 
 /// @param welded  the surface before any repair: messages count what the file has

@@ -68,7 +68,7 @@ struct PhotoScale {
 
 /// The scale: the mean of the factors that agree. Bars and distances on a board go before sides.
 /// Where three or more are known, those that differ from the median by too much are left out and
-/// named. Two that disagree can't be told apart.
+/// named. Of two that disagree neither can be preferred.
 /// @param corners  of the ChArUco board, where `options` have one
 /// @throws InputError  no distances and no side are given; a bar names a marker that was not found;
 ///                     sizes contradict each other

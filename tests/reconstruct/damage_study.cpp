@@ -39,14 +39,15 @@ Trial mend_damaged(const TriangleMesh& rock, double intensity, std::uint64_t see
   trial.largest_hole = dirty.largest_hole;
   trial.lost_share = dirty.lost_share;
   try {
-    const RepairedMesh mended = repair_mesh(dirty.mesh);
-    const MeshReport report = inspect(mended.mesh);
-    const double volume = enclosed_volume(mended.mesh);
+    const RepairedMesh repaired = repair_mesh(dirty.mesh);
+    const MeshReport report = inspect(repaired.mesh);
+    const double volume = enclosed_volume(repaired.mesh);
     trial.valid = report.closed() && report.oriented() && report.pinched_vertices == 0 &&
-                  report.components == 1 && volume > 0.0 && crossing_triangles(mended.mesh).empty();
+                  report.components == 1 && volume > 0.0 &&
+                  crossing_triangles(repaired.mesh).empty();
     trial.volume_error = volume / enclosed_volume(rock) - 1.0;
-    trial.hausdorff = vertex_hausdorff(rock, mended.mesh);
-    trial.invented_share = mended.report.invented_share;
+    trial.hausdorff = vertex_hausdorff(rock, repaired.mesh);
+    trial.invented_share = repaired.report.invented_share;
   } catch (const GeometryError& error) {
     trial.refusal = error.what();
   }

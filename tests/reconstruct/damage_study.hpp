@@ -15,7 +15,7 @@ struct Trial {
   double largest_hole = 0.0;    ///< radius, m
   double lost_share = 0.0;      ///< of the area
   double invented_share = 0.0;  ///< as reported
-  std::string refusal;          ///< empty: it was mended
+  std::string refusal;          ///< empty: it was repaired
 };
 
 Trial mend_damaged(const TriangleMesh& rock, double intensity, std::uint64_t seed);

@@ -1,5 +1,5 @@
 /// Real scans: the closed ones become blocks with their published volume, dirty ones blocks that
-/// say what was mended, and what is no block is refused with a reason.
+/// say what was repaired, and what is no block is refused with a reason.
 #include <gtest/gtest.h>
 
 #include <map>

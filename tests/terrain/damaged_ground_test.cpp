@@ -1,6 +1,6 @@
-// Grounds damaged in every way at once, by seed: each is mended, or refused with the place. Blocks
-// thrown on the mended ones must all end with a reason, none below ground, and none by leaving
-// where the sound ground has no border.
+// Grounds damaged in every way at once, by seed: each is repaired, or refused with the place.
+// Blocks thrown on the mended ones must all end with a reason, none below ground, and none by
+// leaving where the sound ground has no border.
 #include <gtest/gtest.h>
 
 #include "dem/stiffness.hpp"

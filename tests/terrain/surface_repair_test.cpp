@@ -1,4 +1,4 @@
-// Damaged meshes: what is mended, what is refused, and what is said about it.
+// Damaged meshes: what is repaired, what is refused, and what is said about it.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -29,7 +29,7 @@ class Mending : public testing::Test {
   const ScratchFolder folder_;
 };
 
-// A sound ground of n x n squares has 4 n border edges and is one piece; so has a mended one, but
+// A sound ground of n x n squares has 4 n border edges and is one piece; so has a repaired one, but
 // for the vertices that T-junctions add along the cut.
 void expect_sound(const Terrain& terrain, std::size_t n) {
   EXPECT_EQ(terrain.report.components, 1u);

@@ -1,0 +1,71 @@
+#pragma once
+/// Datasets of a results file, read with the checks that all of them need.
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/hdf5_file.hpp"
+#include "core/types.hpp"
+
+namespace clast {
+
+/// One group of one file.
+struct CheckedGroup {
+  std::string file;
+  std::string path;  ///< "/runs"
+  Hdf5Group group;
+
+  [[noreturn]] void damaged(const std::string& name, const std::string& what) const {
+    throw InputError(file + ": " + path + "/" + name + " " + what +
+                     "; the file is damaged: restore a backup, or run the campaign again");
+  }
+
+  /// Values of a column that must have `rows` values.
+  template <class T>
+  std::vector<T> column(const std::string& name, std::size_t rows) const {
+    std::vector<T> values = group.read<T>(name);
+    if (values.size() != rows) {
+      damaged(name, "has " + std::to_string(values.size()) + " values where " +
+                        std::to_string(rows) + " belong");
+    }
+    return values;
+  }
+
+  template <class Vector>
+  std::vector<Vector> vectors(const std::string& name) const {
+    constexpr auto kSize = static_cast<std::size_t>(Vector::SizeAtCompileTime);
+    const std::vector<double> flat = group.read<double>(name);
+    const std::vector<std::size_t> shape = group.shape(name);
+    if (shape.size() != 2 || shape[1] != kSize) {
+      damaged(name, "is not a table of " + std::to_string(kSize) + " columns");
+    }
+    std::vector<Vector> result(shape[0]);
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      result[i / kSize][static_cast<Eigen::Index>(i % kSize)] = flat[i];
+    }
+    return result;
+  }
+
+  std::size_t length(const std::string& name) const {
+    const std::vector<std::size_t> shape = group.shape(name);
+    if (shape.size() != 1) damaged(name, "is not a list");
+    return shape[0];
+  }
+
+  template <class T>
+  void check_below(const std::string& name, const std::vector<T>& values, std::size_t limit) const {
+    for (const T value : values) {
+      if (static_cast<std::size_t>(value) >= limit) {
+        damaged(name, "holds " + std::to_string(value) + ", which must be below " +
+                          std::to_string(limit));
+      }
+    }
+  }
+
+  CheckedGroup into(const std::string& name) const {
+    return {file, path + "/" + name, group.group(name)};
+  }
+};
+
+}  // namespace clast
