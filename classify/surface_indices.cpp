@@ -1,13 +1,13 @@
 #include "classify/surface_indices.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "core/error.hpp"
 #include "massprops/sphero.hpp"
+#include "mesh/half_edges.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "shapes/convex_hull.hpp"
 
@@ -27,26 +27,21 @@ Mat3 wedge(const Vec3& n1, const Vec3& n2, double bend) {
 }
 
 /// Integral of n n^T over the core's faces, and what rounding adds along the edges.
+/// @param core  closed and oriented: every edge has one side in each direction
 Mat3 orientation_integral(const TriangleMesh& core, double radius) {
   std::vector<Vec3> normals;
-  std::vector<std::array<std::uint32_t, 4>> sides;  // smaller vertex, larger, backwards?, triangle
   Mat3 sum = Mat3::Zero();
-  for (std::size_t t = 0; t < core.triangles.size(); ++t) {
-    const auto& [a, b, c] = core.triangles[t];
+  for (const auto& [a, b, c] : core.triangles) {
     const Vec3 cross =
         (core.vertices[b] - core.vertices[a]).cross(core.vertices[c] - core.vertices[a]);
     normals.push_back(cross.normalized());
     if (cross.squaredNorm() > 0.0) sum += 0.5 * cross * normals.back().transpose();
-    for (const auto& [from, to] : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) {
-      sides.push_back({std::min(from, to), std::max(from, to), from > to ? 1u : 0u,
-                       static_cast<std::uint32_t>(t)});
-    }
   }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
-    const Vec3 edge = core.vertices[sides[i][1]] - core.vertices[sides[i][0]];
-    const Vec3& n1 = normals[sides[i][3]];
-    const Vec3& n2 = normals[sides[i + 1][3]];
+  for_each_edge(sorted_half_edges(core), [&](std::span<const HalfEdge> sides) {
+    const bool forward = sides[0].forward;
+    const Vec3 edge = core.vertices[sides[0].high] - core.vertices[sides[0].low];
+    const Vec3& n1 = normals[sides[forward ? 0 : 1].triangle];
+    const Vec3& n2 = normals[sides[forward ? 1 : 0].triangle];
     const double length = edge.norm();
     const double bend = std::atan2(edge.dot(n1.cross(n2)) / length, n1.dot(n2));
     if (bend > 0.0) {
@@ -56,7 +51,7 @@ Mat3 orientation_integral(const TriangleMesh& core, double radius) {
       const double width = radius * std::tan(-0.5 * bend);
       sum -= length * width * (n1 * n1.transpose() + n2 * n2.transpose());
     }
-  }
+  });
   return sum;
 }
 
