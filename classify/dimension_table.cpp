@@ -9,6 +9,7 @@
 #include "classify/detail/table_layout.hpp"
 #include "core/delimited_text.hpp"
 #include "core/error.hpp"
+#include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
 
@@ -104,7 +105,8 @@ void read_row(const Record& record, const TableLayout& layout, DimensionTable& t
 std::string in_other_units(double length) {
   constexpr double kPebble = 1e-3;  // m
   std::string text;
-  for (const auto& [name, factor] : {std::pair{"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}) {
+  for (const char* name : {"cm", "mm", "um"}) {
+    const double factor = length_unit(name);
     if (length * factor > kDoubtful || length * factor < kPebble) continue;
     text += (text.empty() ? " (" : ", ") + with_digits(length * factor, 3) + " m in " + name;
   }

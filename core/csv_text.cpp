@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "core/number_text.hpp"
@@ -18,6 +19,17 @@ bool begins_a_formula(std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> items;
+  std::istringstream stream(text);
+  for (std::string item; std::getline(stream, item, ',');) {
+    const std::size_t begin = item.find_first_not_of(" \t");
+    if (begin == std::string::npos) continue;
+    items.push_back(item.substr(begin, item.find_last_not_of(" \t") - begin + 1));
+  }
+  return items;
+}
 
 std::string spreadsheet_cell(std::string_view text) {
   const bool guarded = begins_a_formula(text) && !number_in(text);

@@ -1,10 +1,14 @@
 #pragma once
-/// Tables as comma-separated text.
+/// Comma-separated text: lists in, tables out.
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace clast {
+
+/// "a, b,c" as {"a", "b", "c"}; empty items are dropped.
+std::vector<std::string> split_list(const std::string& text);
 
 /// A text as it is written into a cell: where a spreadsheet would run it as a formula, since it
 /// begins with one of = + - @, a tab or a line end and is no number, an apostrophe stands before

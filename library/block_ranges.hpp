@@ -16,8 +16,6 @@ inline constexpr NumberRange kMassAccuracy{1e-6, 1e-2};
 inline constexpr NumberRange kScanTolerance{1e-6, 1.0, "of L"};
 /// The measuring error of taped axes.
 inline constexpr NumberRange kAxisError{1e-9, 1e3, "m", "exact"};
-/// Metres in one unit of a scan or table.
-inline constexpr NumberRange kLengthUnit{1e-12, 1e6, "m"};
 /// On all lengths of a scan.
 inline constexpr NumberRange kScaleFactor{1e-9, 1e9};
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 
 namespace clast::classify_detail {
@@ -20,27 +21,13 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
-struct Unit {
-  const char* name;
-  double factor;
-};
-/// The micro sign stands twice in Unicode: as itself and as the Greek letter.
-constexpr std::array<Unit, 9> kLengths = {{{"um", 1e-6},
-                                           {"\xC2\xB5m", 1e-6},
-                                           {"\xCE\xBCm", 1e-6},
-                                           {"mm", 1e-3},
-                                           {"cm", 1e-2},
-                                           {"m", 1.0},
-                                           {"km", 1e3},
-                                           {"ft", 0.3048},
-                                           {"in", 0.0254}}};
-constexpr std::array<Unit, 4> kMasses = {
+constexpr std::array<UnitName, 4> kMasses = {
     {{"g", 1e-3}, {"kg", 1.0}, {"t", 1e3}, {"lb", 0.45359237}}};
 
 struct ColumnName {
-  std::string name;              ///< lower case, unit cut off
-  const Unit* length = nullptr;  ///< where the name says it
-  const Unit* mass = nullptr;
+  std::string name;                  ///< lower case, unit cut off
+  const UnitName* length = nullptr;  ///< where the name says it
+  const UnitName* mass = nullptr;
 };
 
 /// "L_m", "l (cm)", "L [mm]" and "L cm" are a name and a unit.
@@ -50,12 +37,12 @@ ColumnName column_name(std::string_view header) {
   if (cut == std::string::npos || cut == 0) return {text};
   std::string ending = text.substr(cut + 1);
   while (!ending.empty() && (ending.back() == ')' || ending.back() == ']')) ending.pop_back();
-  const auto unit_in = [&](std::span<const Unit> units) -> const Unit* {
-    const auto found =
-        std::find_if(units.begin(), units.end(), [&](const Unit& u) { return ending == u.name; });
+  const auto unit_in = [&](std::span<const UnitName> units) -> const UnitName* {
+    const auto found = std::find_if(units.begin(), units.end(),
+                                    [&](const UnitName& u) { return ending == u.name; });
     return found == units.end() ? nullptr : &*found;
   };
-  ColumnName column{text, unit_in(kLengths), unit_in(kMasses)};
+  ColumnName column{text, unit_in(kLengthUnits), unit_in(kMasses)};
   if (column.length || column.mass)
     column.name = text.substr(0, text.find_last_not_of("_([ ", cut) + 1);
   return column;
@@ -132,10 +119,10 @@ class Header {
 };
 
 /// The unit that the header names, none where it names none.
-const Unit* named_unit(const Header& header, const TableLayout& layout) {
-  const Unit* named = nullptr;
+const UnitName* named_unit(const Header& header, const TableLayout& layout) {
+  const UnitName* named = nullptr;
   for (const std::size_t column : layout.axes) {
-    const Unit* unit = header.is_one() ? header.name(column).length : nullptr;
+    const UnitName* unit = header.is_one() ? header.name(column).length : nullptr;
     if (unit && named && unit->factor != named->factor) {
       throw InputError(layout.file + ": the header names different units, " + named->name +
                        " and " + unit->name + "; write L, I and S in one unit");
@@ -148,7 +135,7 @@ const Unit* named_unit(const Header& header, const TableLayout& layout) {
 /// The unit of L, I, S: as asked for, else as the header says, else metres.
 void set_units(TableLayout& layout, const Header& header, const std::optional<double>& asked,
                std::vector<std::string>& notes) {
-  const Unit* named = named_unit(header, layout);
+  const UnitName* named = named_unit(header, layout);
   layout.units = asked ? *asked : named ? named->factor : 1.0;
   layout.units_are_known = asked || named;
   if (named && asked && named->factor != *asked) {

@@ -1,9 +1,9 @@
 #include "pipeline/detail/scan_scale.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/error.hpp"
+#include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 
 namespace clast::pipeline_detail {
@@ -18,10 +18,8 @@ constexpr double kOffScan = 0.25;
 
 /// The unit in which a length of `raw` file units is that of a usual block.
 std::string likely_unit(double raw) {
-  constexpr std::array<std::pair<const char*, double>, 6> units = {
-      {{"m", 1.0}, {"mm", 0.001}, {"cm", 0.01}, {"ft", 0.3048}, {"in", 0.0254}, {"km", 1000.0}}};
-  for (const auto& [name, unit] : units) {
-    const double length = raw * unit;
+  for (const char* name : {"m", "mm", "cm", "ft", "in", "km"}) {
+    const double length = raw * length_unit(name);
     if (length >= 0.05 && length <= 20.0) {
       return std::string("; it is probably in ") + name + ": try `units` " + name +
              ", which makes it " + rounded(length, 3) + " m";

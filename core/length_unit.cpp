@@ -1,0 +1,20 @@
+#include "core/length_unit.hpp"
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+
+namespace clast {
+
+double length_unit(const std::string& text) {
+  for (const UnitName& unit : kLengthUnits) {
+    if (text == unit.name) return unit.factor;
+  }
+  const std::optional<double> factor = number_in(text);
+  if (factor && kLengthUnit.holds(*factor)) return *factor;
+  throw InputError("`units`: \"" + text +
+                   "\" is no unit; expected m, cm, mm, um, km, in, ft or the metres in one unit, a "
+                   "number " +
+                   kLengthUnit.words());
+}
+
+}  // namespace clast
