@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -11,23 +10,13 @@
 namespace clast {
 namespace {
 
-std::string decimals(double value, int count) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", count, value);
-  return text;
-}
-
-std::string percent(double share) { return decimals(100.0 * share, 1) + " %"; }
+std::string percent(double share) { return with_decimals(100.0 * share, 1) + " %"; }
 
 void check_has_blocks(const Population& population) {
   if (population.blocks.empty()) {
     throw InputError("population " + population.name +
                      ": has no blocks; nothing can be said of it");
   }
-}
-
-const std::vector<std::string>& schemes_of(const PopulationOptions& options) {
-  return options.schemes.empty() ? scheme_names() : options.schemes;
 }
 
 SizeShape size_shape(const Population& population, const ShapeMeasure& measure, SizeMeasure size) {
@@ -64,10 +53,11 @@ MeasureDifference measure_difference(const ShapeMeasure& measure, const Populati
   const bool differs = result.test->p_value < kSignificant;
   result.words = (differs ? "The distributions of " + name + " differ"
                           : "No difference in " + name + " can be shown") +
-                 ": median " + decimals(result.median_a, 3) + " in " + a.name + " (" +
-                 std::to_string(x.size()) + " blocks), " + decimals(result.median_b, 3) + " in " +
-                 b.name + " (" + std::to_string(y.size()) + "); " + chance(result.test->p_value) +
-                 " (Kolmogorov-Smirnov, D = " + decimals(result.test->statistic, 3) + ").";
+                 ": median " + with_decimals(result.median_a, 3) + " in " + a.name + " (" +
+                 std::to_string(x.size()) + " blocks), " + with_decimals(result.median_b, 3) +
+                 " in " + b.name + " (" + std::to_string(y.size()) + "); " +
+                 chance(result.test->p_value) +
+                 " (Kolmogorov-Smirnov, D = " + with_decimals(result.test->statistic, 3) + ").";
   return result;
 }
 
@@ -107,11 +97,11 @@ ClassDifference class_difference(const std::string& scheme, const Population& a,
                           : "No difference in the shares of the " + scheme +
                                 " classes can be shown; they differ ") +
                  largest_difference(shares_a, a.name, shares_b, b.name) + "; " +
-                 chance(test.p_value) + " (chi-squared " + decimals(test.chi_squared, 2) + ", " +
-                 std::to_string(test.freedom) + (test.freedom == 1 ? " degree" : " degrees") +
-                 " of freedom";
+                 chance(test.p_value) + " (chi-squared " + with_decimals(test.chi_squared, 2) +
+                 ", " + std::to_string(test.freedom) +
+                 (test.freedom == 1 ? " degree" : " degrees") + " of freedom";
   if (test.draws > 0) {
-    result.words += "; smallest expected count " + decimals(test.smallest_expected, 1) +
+    result.words += "; smallest expected count " + with_decimals(test.smallest_expected, 1) +
                     ", so from " + std::to_string(test.draws) + " random tables";
   }
   result.words += ").";
@@ -119,6 +109,20 @@ ClassDifference class_difference(const std::string& scheme, const Population& a,
 }
 
 }  // namespace
+
+const std::vector<std::string>& PopulationOptions::chosen_schemes() const {
+  return schemes.empty() ? scheme_names() : schemes;
+}
+
+void PopulationOptions::check() const {
+  limits.check();
+  for (const std::string& scheme : schemes) {
+    class_names(scheme);  // refuses what is none
+    if (std::count(schemes.begin(), schemes.end(), scheme) > 1) {
+      throw InputError("`schemes`: names " + scheme + " more than once");
+    }
+  }
+}
 
 std::string p_words(double p_value) {
   if (p_value < 1e-4) return "less than 0.0001";
@@ -138,7 +142,7 @@ std::string size_shape_words(const SizeShape& relation, SizeMeasure size) {
                                 : std::string(relation.measure->name) +
                                       (rho > 0.0 ? " rises" : " falls") + " with size " +
                                       name_of(size);
-  return found + ": Spearman's rho " + decimals(rho, 2) + " over " +
+  return found + ": Spearman's rho " + with_decimals(rho, 2) + " over " +
          std::to_string(relation.blocks) + " blocks, p " + p_words(relation.test->p_value) + ".";
 }
 
@@ -151,7 +155,7 @@ PopulationSummary summarise_population(const Population& population,
   for (const MeasuredBlock& block : population.blocks) summary.weighed += block.mass.has_value();
   const std::vector<Axes> axes = proportions(population);
   const std::vector<double> weights = masses(population);
-  for (const std::string& scheme : schemes_of(options)) {
+  for (const std::string& scheme : options.chosen_schemes()) {
     summary.schemes.push_back({scheme, class_shares(axes, scheme, options.limits, weights)});
   }
   summary.size = size_distribution(population, options.size, options.seed);
@@ -171,7 +175,7 @@ PopulationComparison compare_populations(const Population& a, const Population& 
   for (const ShapeMeasure& measure : shape_measures()) {
     comparison.measures.push_back(measure_difference(measure, a, axes_a, b, axes_b));
   }
-  for (const std::string& scheme : schemes_of(options)) {
+  for (const std::string& scheme : options.chosen_schemes()) {
     comparison.schemes.push_back(class_difference(scheme, a, axes_a, b, axes_b, options));
   }
   return comparison;

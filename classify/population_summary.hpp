@@ -17,6 +17,10 @@ struct PopulationOptions {
   std::uint64_t seed = 1;                 ///< of the random samples behind p-values
   std::vector<std::string> schemes = {};  ///< empty: all
   SchemeOptions limits = {};              ///< of the schemes that leave them open
+
+  /// `schemes`, or all.
+  const std::vector<std::string>& chosen_schemes() const;
+  void check() const;  ///< throws InputError naming the field and its value
 };
 
 struct SchemeShares {

@@ -45,10 +45,7 @@ class Batch {
         observer_(observer),
         progress_(progress),
         request_(request_of(options.scan)) {
-    if (options.scan.block.mass && scans.size() > 1) {
-      throw InputError("`mass` is the mass of one block, but " + std::to_string(scans.size()) +
-                       " scans are given");
-    }
+    options.check(scans.size());
     if (std::filesystem::exists(options.library)) library_ = BlockLibrary::read(options.library);
     // A place that can't be written is refused before the work and not after it.
     check_library_place(options.library);
@@ -248,6 +245,14 @@ class Reasons : public BatchObserver {
 };
 
 }  // namespace
+
+void BatchOptions::check(std::size_t scans) const {
+  scan.check();
+  if (!scan.block.mass || (scans < 2 && !scan.split)) return;
+  throw InputError(
+      "`mass` is the mass of one block, but " +
+      (scan.split ? "`split` may make several" : std::to_string(scans) + " scans are given"));
+}
 
 BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options,
                               BatchObserver& observer, const Progress& progress) {

@@ -17,6 +17,10 @@ struct BatchOptions {
   bool replace = false;  ///< blocks whose id is there already
   bool resume = false;   ///< passes over scans whose block is there, of the same bytes and options
   ScanToBlockOptions scan;
+
+  /// @param scans  how many there are
+  /// @throws InputError  naming the field and its value; a mass for several blocks
+  void check(std::size_t scans) const;
 };
 
 /// Follows a batch. All but `made` is called for one scan at a time, in the order of the scans.
@@ -51,7 +55,7 @@ struct BatchResult {
 /// Makes the blocks of the scans and adds them to the library. The library is the same for any
 /// number of jobs. A scan that gives no block never costs the others, and what is done is written
 /// now and then; so it is when `progress` throws.
-/// @throws InputError  the library can't be read or written; a mass for several scans
+/// @throws InputError  the library can't be read or written; what `BatchOptions::check` refuses
 BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options,
                               BatchObserver& observer, const Progress& progress = {});
 

@@ -20,7 +20,7 @@ nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams
   json["program_version"] = version();
   json["options"] = {{"size", name_of(report.options.size)},
                      {"seed", report.options.seed},
-                     {"schemes", schemes_of(report)},
+                     {"schemes", report.options.chosen_schemes()},
                      {"sneed_folk_thirds", report.options.limits.sneed_folk_thirds},
                      {"erdogan_limit", report.options.limits.erdogan_limit}};
   json["populations"] = nlohmann::ordered_json::array();

@@ -7,7 +7,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
-#include "app/text_table.hpp"
+#include "core/csv_text.hpp"
 #include "core/error.hpp"
 #include "core/file_kind.hpp"
 #include "core/number_text.hpp"
@@ -230,7 +230,7 @@ void add_export(CLI::App& app) {
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--up", args->up, "Up axis of mesh files: z as stored, or y")
-      ->check(up_axis())
+      ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS")
       ->capture_default_str();
   command->footer(

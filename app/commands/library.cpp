@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/option_values.hpp"
+#include "core/csv_text.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
@@ -118,6 +119,22 @@ std::string scales_by_tape(const Axes& taped, const Axes& units) {
   add("I", taped.I, units.I);
   add("S", taped.S, units.S);
   return text + "; give one as --scale-factor to clast reconstruct to make it again in metres\n";
+}
+
+/// "L,I,S" in metres, in any order.
+/// @throws CLI::ValidationError  not three numbers in `kBlockLength`
+Axes axes_from(const std::string& text) {
+  const std::vector<std::string> items = split_list(text);
+  std::vector<double> lengths;
+  for (const std::string& item : items) {
+    const std::optional<double> length = number_in(item);
+    if (length && kBlockLength.holds(*length)) lengths.push_back(*length);
+  }
+  if (items.size() == 3 && lengths.size() == 3) {
+    return Axes::sorted(lengths[0], lengths[1], lengths[2]);
+  }
+  throw CLI::ValidationError("--taped", "\"" + text + "\" is not three lengths " +
+                                            kBlockLength.words() + ", such as 0.65,0.53,0.38");
 }
 
 void set_field_notes(const SetArgs& args) {

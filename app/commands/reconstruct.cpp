@@ -1,14 +1,19 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
-#include <utility>
 
-#include "app/batch_printer.hpp"
+#include "app/commands/batch_printer.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/photo_options.hpp"
 #include "app/companion.hpp"
 #include "app/interruption.hpp"
 #include "app/option_values.hpp"
-#include "app/photo_options.hpp"
+#include "core/csv_text.hpp"
 #include "core/error.hpp"
+#include "core/length_unit.hpp"
+#include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
 
 namespace clast {
@@ -26,6 +31,42 @@ struct ReconstructArgs {
   PhotoArgs photos;
 };
 
+/// Two points of a scan, in its own coordinates, and how far apart they are.
+struct MeasuredLength {
+  std::array<Vec3, 2> points;
+  double unit;  ///< metres per unit of the scan
+};
+
+/// From "x,y,z;x,y,z;metres". Commas, semicolons and blanks may stand for each other.
+/// @throws CLI::ValidationError  not seven numbers, points that are one, or a length not positive
+MeasuredLength measured_length(const std::string& text) {
+  std::string commas = text;
+  for (const char other : {';', ' '}) std::replace(commas.begin(), commas.end(), other, ',');
+  std::vector<double> numbers;
+  for (const std::string& item : split_list(commas)) {
+    numbers.push_back(number_in(item).value_or(std::nan("")));
+  }
+  const auto refuse = [&](const std::string& what) {
+    throw CLI::ValidationError(
+        "--scale-length", "\"" + text + "\" " + what +
+                              "; expected two points of the scan and the metres between them (" +
+                              kBlockLength.words() + "), such as \"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
+  };
+  if (numbers.size() != 7) refuse("has " + counted(numbers.size(), "number") + " and not seven");
+  for (const double number : numbers) {
+    if (!std::isfinite(number)) refuse("holds what is no number");
+  }
+  const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
+  if (!kBlockLength.holds(numbers[6])) refuse("gives a length that is not " + kBlockLength.words());
+  if (a == b) refuse("gives the same point twice");
+  const double unit = numbers[6] / (b - a).norm();
+  if (!kLengthUnit.holds(unit)) {
+    refuse("makes a unit of the scan " + with_digits(unit, 6) + " m long, and it must be " +
+           kLengthUnit.words());
+  }
+  return {{a, b}, unit};
+}
+
 void reconstruct(const ReconstructArgs& args) {
   BatchOptions batch = args.batch;
   ScanToBlockOptions& options = batch.scan;
@@ -33,22 +74,15 @@ void reconstruct(const ReconstructArgs& args) {
   options.scale_factor = args.scale_factor;
   double unit = 1.0;
   if (args.scale_length.empty()) {
-    unit = length_unit(options.units);
+    check_usage([&] { unit = length_unit(options.units); });
   } else {
     const MeasuredLength length = measured_length(args.scale_length);
     options.scale_points = length.points;
     unit = length.unit;
   }
   options.scan.unit = unit * args.scale_factor;
-  check_usage([&] { options.check(); });
-  if (options.block.mass && options.split) {
-    throw CLI::ValidationError("--mass", "is the mass of one block, but --split may make several");
-  }
   const std::vector<ScanFile> scans = list_scans(args.scans);
-  if (options.block.mass && scans.size() > 1) {
-    throw CLI::ValidationError("--mass", "is the mass of one block, but " +
-                                             std::to_string(scans.size()) + " scans are given");
-  }
+  check_usage([&] { batch.check(scans.size()); });
   BatchPrinter printer(scans.size(), batch, args.report, args.json);
   const InterruptionWatch watch;
   const Progress progress = [&](const ProgressStep& step) {
@@ -86,7 +120,7 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
       .add_option("--up", args.batch.scan.scan.up,
                   "Axis of the scans that points up: y or z; without it z, or away from the "
                   "ground where a scan holds ground")
-      ->check(up_axis())
+      ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
   command
       .add_option("--ground", args.ground,

@@ -8,13 +8,14 @@
 #include "app/commands/commands.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
-#include "app/text_table.hpp"
+#include "core/csv_text.hpp"
 #include "core/error.hpp"
 #include "core/file_kind.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/printable.hpp"
 #include "core/text_file.hpp"
+#include "core/text_table.hpp"
 #include "library/block_ranges.hpp"
 #include "mesh/mesh_io.hpp"
 #include "study/release_points.hpp"
@@ -370,7 +371,7 @@ void add_terrain(CLI::App& app) {
           "(degrees, m; the first that holds); default: one zone, ground")
       ->type_name("LIST|FILE");
   command->add_option("--up", args->options.up, "Axis of the inputs that points up: y or z")
-      ->check(up_axis())
+      ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS")
       ->capture_default_str();
   add_grid_options(*command, args->options, args->breaklines);
@@ -382,7 +383,7 @@ void add_terrain(CLI::App& app) {
                        "Also write the surface for viewing: stl, ply, obj, vtp, glb or tif")
           ->type_name("FILE");
   command->add_option("--export-up", args->export_up, "Up axis of the export: z or y")
-      ->check(up_axis())
+      ->check(CLI::IsMember({"y", "z"}))
       ->needs(exported)
       ->type_name("AXIS")
       ->capture_default_str();

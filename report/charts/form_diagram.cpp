@@ -161,7 +161,7 @@ std::string block_title(const MeasuredBlock& block, const PopulationOptions& opt
                       (block.unscaled ? " u (model units)" : " m");
   if (block.mass) title += ", " + significant(*block.mass, 4) + " kg";
   title += "\ns_c " + fixed(elongation_s_c(block.as_written), 2);
-  for (const std::string& scheme : options.schemes.empty() ? scheme_names() : options.schemes) {
+  for (const std::string& scheme : options.chosen_schemes()) {
     const ClassCertainty certainty =
         class_certainty(scheme, axes, block.axis_error, options.limits);
     title += "\n" + scheme + ": " + shape_class(scheme, block.as_written, options.limits);

@@ -2,14 +2,9 @@
 
 #include <algorithm>
 
-#include "classify/equilibria.hpp"
-#include "classify/roundness.hpp"
-#include "classify/surface_indices.hpp"
-#include "core/error.hpp"
-#include "core/number_text.hpp"
+#include "library/block_measures.hpp"
 #include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
-#include "mesh/remeshing.hpp"
 #include "shapes/edge_bend.hpp"
 
 namespace clast {
@@ -98,31 +93,9 @@ Json without_metres(const Json& metric) {
 
 }  // namespace
 
-OrientedBox block_box(const Block& block, BoxConvention convention) {
-  if (convention == BoxConvention::kSmallest) return block.box;  // stored
-  return box_of(block.body, block.principal, convention);
-}
-
-std::map<std::string, double> block_indices(const Block& block, const Axes& axes) {
-  std::map<std::string, double> indices = form_indices(axes);
-  indices.merge(surface_indices(block.body, block.mass.volume, block.area));
-  return indices;
-}
-
-Json equilibria_json(const Block& block) {
-  if (block.body.faces.empty()) return nullptr;  // a ball or a capsule rests on every side
-  const Equilibria found = static_equilibria(block.body, block.mass.centre);
-  return {{"stable", found.stable}, {"unstable", found.unstable}, {"saddle", found.saddle}};
-}
-
-Json roundness_json(const Block& block, double edge_length) {
-  // A core's own surface has none of the rounding.
-  const TriangleMesh surface = block.from_core ? skin_mesh(block.body) : block.surface;
-  const Roundness found = roundness(remeshed(surface, edge_length));
-  return {{"wadell_roundness", found.value},
-          {"edge_length_m", found.edge_length},
-          {"inscribed_radius_m", found.inscribed_radius},
-          {"corner_share", found.corner_share}};
+Json equilibria_json(const std::optional<Equilibria>& sides) {
+  if (!sides) return nullptr;
+  return {{"stable", sides->stable}, {"unstable", sides->unstable}, {"saddle", sides->saddle}};
 }
 
 Json block_json(const Block& block) {
@@ -157,7 +130,7 @@ Json block_json(const Block& block) {
   json["zingg"] = zingg_class(axes);
   json["shape"] = garcia_class(axes);
   json["indices"] = block_indices(block, axes);
-  json["equilibria"] = equilibria_json(block);
+  json["equilibria"] = equilibria_json(block_equilibria(block));
   json["deviation_m"] = {{"hausdorff", block.deviation.hausdorff},
                          {"mean", block.deviation.mean},
                          {"volume_relative", block.deviation.volume_relative},

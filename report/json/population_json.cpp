@@ -1,8 +1,12 @@
 #include "report/json/population_json.hpp"
 
+#include <nlohmann/json.hpp>
+#include <ostream>
+
 #include "classify/box_convention.hpp"
 #include "classify/certainty.hpp"
 #include "classify/surface_indices.hpp"
+#include "report/json/block_json.hpp"
 
 namespace clast {
 
@@ -45,8 +49,17 @@ Json test_json(const std::optional<TestResult>& test, const char* statistic) {
   return json;
 }
 
-}  // namespace
+Json surface_json(const SurfaceMeasures& measures) {
+  Json json = {{"equilibria", equilibria_json(measures.sides)}};
+  if (!measures.roundness) return json;
+  json["roundness"] = {{"wadell_roundness", measures.roundness->value},
+                       {"edge_length_m", measures.roundness->edge_length},
+                       {"inscribed_radius_m", measures.roundness->inscribed_radius},
+                       {"corner_share", measures.roundness->corner_share}};
+  return json;
+}
 
+/// A block of "blocks": its axes, every class with its certainty, every index of form.
 Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits) {
   const std::string unit = block.unscaled ? "_units" : "_m";
   Json json = {{"id", block.name},
@@ -69,6 +82,7 @@ Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits
   return json;
 }
 
+/// Formula and source of every index of form.
 Json formulas_json() {
   Json json;
   for (const FormIndex& index : form_index_list()) {
@@ -80,6 +94,7 @@ Json formulas_json() {
   return json;
 }
 
+/// Rows of "population": {scheme: [...]}.
 Json shares_json(const PopulationSummary& summary) {
   Json population = Json::object();
   for (const SchemeShares& scheme : summary.schemes) {
@@ -147,6 +162,44 @@ Json comparison_json(const PopulationComparison& comparison) {
           {"b", comparison.name_b},
           {"measures", measures},
           {"schemes", schemes}};
+}
+
+std::string one_line(const Json& json) { return json.dump(); }
+
+/// The members of one population, without the braces around them.
+void write_population(std::ostream& out, const ReportedPopulation& reported,
+                      const PopulationOptions& options) {
+  const PopulationSummary& summary = reported.summary;
+  out << "\"name\": " << one_line(reported.population.name)
+      << ",\n\"box\": " << one_line(reported.reading.box.value_or("as measured"))
+      << ",\n\"blocks\": [";
+  for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
+    Json json = measured_block_json(reported.population.blocks[i], options.limits);
+    if (i < reported.surfaces.size() && reported.surfaces[i]) {
+      json["indices"].update(Json(reported.surfaces[i]->indices));
+      json.update(surface_json(*reported.surfaces[i]));
+    }
+    out << (i > 0 ? ",\n" : "\n") << one_line(json);
+  }
+  out << "\n],\n\"population\": " << one_line(shares_json(summary))
+      << ",\n\"size\": " << one_line(size_json(summary))
+      << ",\n\"size_and_shape\": " << one_line(size_and_shape_json(summary))
+      << ",\n\"c40\": " << one_line(summary.c40) << ",\n\"skipped\": " << reported.skipped
+      << ",\n\"notes\": " << one_line(reported.notes);
+}
+
+}  // namespace
+
+void write_population_json(std::ostream& out, const PopulationReport& report) {
+  out << "{\n";
+  write_population(out, report.populations.front(), report.options);
+  out << ",\n\"formulas\": " << one_line(formulas_json());
+  if (report.comparison) {
+    out << ",\n\"against\": {\n";
+    write_population(out, report.populations.back(), report.options);
+    out << "\n},\n\"comparison\": " << one_line(comparison_json(*report.comparison));
+  }
+  out << "\n}\n";
 }
 
 }  // namespace clast

@@ -1,19 +1,13 @@
 #pragma once
 /// Populations of blocks as JSON (docs/formats.md).
-#include <nlohmann/json.hpp>
+#include <iosfwd>
 
-#include "classify/population_summary.hpp"
+#include "report/reported_population.hpp"
 
 namespace clast {
 
-/// A block of "blocks": its axes, every class with its certainty, every index of form.
-nlohmann::ordered_json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits);
-/// Formula and source of every index of form.
-nlohmann::ordered_json formulas_json();
-/// Rows of "population": {scheme: [...]}.
-nlohmann::ordered_json shares_json(const PopulationSummary& summary);
-nlohmann::ordered_json size_json(const PopulationSummary& summary);
-nlohmann::ordered_json size_and_shape_json(const PopulationSummary& summary);
-nlohmann::ordered_json comparison_json(const PopulationComparison& comparison);
+/// The object that `clast classify --json` prints; a line per block, so that a million of them are
+/// never in memory as JSON.
+void write_population_json(std::ostream& out, const PopulationReport& report);
 
 }  // namespace clast

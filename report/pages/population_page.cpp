@@ -131,7 +131,7 @@ std::string boxes_section(const PopulationReport& report) {
     const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
     std::string words;
     for (const BoxEffect& effect :
-         box_effects(blocks, report.options.schemes, report.options.limits)) {
+         box_effects(blocks, report.options.chosen_schemes(), report.options.limits)) {
       words += "<li>" + escaped(box_effect_words(effect)) + "</li>\n";
     }
     if (words.empty()) continue;

@@ -68,10 +68,6 @@ void size_rows(CsvText& csv, const std::string& population, const SizeDistributi
 
 }  // namespace
 
-std::vector<std::string> schemes_of(const PopulationReport& report) {
-  return report.options.schemes.empty() ? scheme_names() : report.options.schemes;
-}
-
 std::string class_column(const std::string& scheme) {
   if (scheme == "garcia") return "shape";
   std::string column = scheme;
@@ -83,7 +79,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
                        unsigned threads) {
   constexpr std::size_t kChunk = 2048;   // rows of one task
   constexpr std::size_t kTogether = 32;  // tasks in memory at a time, some 20 MB
-  const std::vector<std::string> schemes = schemes_of(report);
+  const std::vector<std::string> schemes = report.options.chosen_schemes();
   OutputFile file(path);
   std::ofstream stream(file.temporary(), std::ios::binary);
   std::string header = "population,block,L_m,I_m,S_m,mass_kg,axis_error_m";

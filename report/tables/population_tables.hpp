@@ -12,9 +12,6 @@ namespace clast {
 /// name with _ for -.
 std::string class_column(const std::string& scheme);
 
-/// The schemes whose classes a report has: those asked for, or all.
-std::vector<std::string> schemes_of(const PopulationReport& report);
-
 /// shares.csv, sizes.csv and tests.csv as text.
 std::string shares_csv(const PopulationReport& report);
 std::string sizes_csv(const PopulationReport& report);

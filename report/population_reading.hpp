@@ -1,10 +1,10 @@
 #pragma once
-/// Populations of blocks out of libraries and tables, as `clast classify` takes them.
-#include <nlohmann/json.hpp>
+/// Populations of blocks out of libraries and tables, summarised and compared.
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "classify/dimension_table.hpp"
 #include "report/reported_population.hpp"
 
 namespace clast {
@@ -26,21 +26,28 @@ struct BlockReading {
   std::optional<double> roundness_edge;
 };
 
-/// A population as it was read, with what only the printed form of it needs.
-struct ReadPopulation {
-  ReportedPopulation reported;
-  std::vector<nlohmann::ordered_json> surfaces;  ///< of every block; null for rows of tables
-  std::string box;                               ///< convention of the axes
-  std::size_t skipped = 0;                       ///< rows of tables
-  std::string said;                              ///< notes for the terminal
+/// One population, or two to compare.
+struct PopulationRequest {
+  PopulationFiles first = {{}, "L=L,I=I,S=S", ""};
+  /// None without inputs. Columns and units that are empty are those of the first.
+  PopulationFiles against = {};
+  BlockReading reading = {};
+  PopulationOptions options = {};
+
+  /// @throws InputError  naming the field: columns, units or schemes that can't be understood, a
+  ///                     box for a table
+  void check() const;
 };
 
 /// Whether a file is read as a block library: by its content, else by its name.
 bool is_library(const std::string& path);
 
-/// One population out of several files.
-/// @throws CLI::ValidationError  columns that can't be understood; a box asked for of a table
-/// @throws InputError            files that can't be read
-ReadPopulation read_population(const PopulationFiles& files, const BlockReading& reading);
+/// "L=5,I=6,S=7,mass=4,name=2" and the unit of the lengths, empty for none.
+/// @throws InputError  naming `columns` or `units`
+DimensionColumns columns_from(const std::string& columns, const std::string& units);
+
+/// Reads, summarises and compares what is asked for.
+/// @throws InputError  as `PopulationRequest::check`; files that can't be read or hold no block
+PopulationReport read_populations(const PopulationRequest& request);
 
 }  // namespace clast

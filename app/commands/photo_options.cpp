@@ -1,11 +1,15 @@
-#include "app/photo_options.hpp"
+#include "app/commands/photo_options.hpp"
 
 #include "app/option_values.hpp"
+#include "core/csv_text.hpp"
+#include "core/number_text.hpp"
 #include "pipeline/board_file.hpp"
 
 namespace clast {
 
 namespace {
+
+constexpr NumberRange kColmapMinutes{0.01, 1e4, "minutes"};
 
 /// "ID,ID,METRES".
 ScaleBar bar_from(const std::string& text) {
@@ -100,7 +104,7 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
   command
       .add_option("--colmap-minutes", args.colmap_minutes,
                   "Time limit for each colmap step, minutes")
-      ->check(number_between(0.01, 1e4))
+      ->check(within(kColmapMinutes))
       ->type_name("MIN")
       ->capture_default_str()
       ->group(group);

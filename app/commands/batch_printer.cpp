@@ -1,10 +1,9 @@
-#include "app/batch_printer.hpp"
+#include "app/commands/batch_printer.hpp"
 
 #include <filesystem>
 #include <iostream>
 #include <utility>
 
-#include "app/block_line.hpp"
 #include "app/option_flags.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -15,6 +14,7 @@
 #include "report/scans/block_page.hpp"
 #include "report/scans/json/photo_json.hpp"
 #include "report/scans/photo_section.hpp"
+#include "report/text/block_text.hpp"
 
 namespace clast {
 

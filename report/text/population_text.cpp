@@ -1,11 +1,11 @@
-#include "app/population_print.hpp"
+#include "report/text/population_text.hpp"
 
-#include "app/text_table.hpp"
 #include "classify/box_convention.hpp"
 #include "classify/certainty.hpp"
 #include "classify/surface_indices.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
+#include "core/text_table.hpp"
 
 namespace clast {
 namespace {
@@ -61,16 +61,17 @@ std::string size_text(const SizeDistribution& size) {
 }  // namespace
 
 std::string blocks_text(const Population& population, const PopulationOptions& options) {
+  const std::vector<std::string>& schemes = options.chosen_schemes();
   TextTable table{{"block", "L m", "I m", "S m", "s_c"}, {}};
-  table.headings.insert(table.headings.end(), options.schemes.begin(), options.schemes.end());
-  const std::string& first = options.schemes.front();
+  table.headings.insert(table.headings.end(), schemes.begin(), schemes.end());
+  const std::string& first = schemes.front();
   table.headings.push_back("how sure (" + first + ")");
   for (const MeasuredBlock& block : population.blocks) {
     const char* const unit = block.unscaled ? " u" : "";
     table.rows.push_back({block.name, rounded(block.axes.L) + unit, rounded(block.axes.I) + unit,
                           rounded(block.axes.S) + unit,
                           rounded(elongation_s_c(block.as_written), 3)});
-    for (const std::string& scheme : options.schemes) {
+    for (const std::string& scheme : schemes) {
       table.rows.back().push_back(shape_class(scheme, block.as_written, options.limits));
     }
     const ClassCertainty certainty =

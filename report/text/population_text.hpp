@@ -1,5 +1,5 @@
 #pragma once
-/// Populations as text.
+/// Populations as text for a terminal.
 #include <string>
 
 #include "classify/population_summary.hpp"

@@ -1,0 +1,30 @@
+#include "library/block_measures.hpp"
+
+#include "classify/surface_indices.hpp"
+#include "mesh/remeshing.hpp"
+
+namespace clast {
+
+OrientedBox block_box(const Block& block, BoxConvention convention) {
+  if (convention == BoxConvention::kSmallest) return block.box;  // stored
+  return box_of(block.body, block.principal, convention);
+}
+
+std::map<std::string, double> block_indices(const Block& block, const Axes& axes) {
+  std::map<std::string, double> indices = form_indices(axes);
+  indices.merge(surface_indices(block.body, block.mass.volume, block.area));
+  return indices;
+}
+
+std::optional<Equilibria> block_equilibria(const Block& block) {
+  if (block.body.faces.empty()) return std::nullopt;
+  return static_equilibria(block.body, block.mass.centre);
+}
+
+Roundness block_roundness(const Block& block, double edge_length) {
+  // A core's own surface has none of the rounding.
+  const TriangleMesh surface = block.from_core ? skin_mesh(block.body) : block.surface;
+  return roundness(remeshed(surface, edge_length));
+}
+
+}  // namespace clast
