@@ -117,7 +117,11 @@ const std::vector<std::string>& PopulationOptions::chosen_schemes() const {
 void PopulationOptions::check() const {
   limits.check();
   for (const std::string& scheme : schemes) {
-    class_names(scheme);  // refuses what is none
+    try {
+      class_names(scheme);
+    } catch (const InputError& error) {
+      throw InputError("`schemes`: " + std::string(error.what()));
+    }
     if (std::count(schemes.begin(), schemes.end(), scheme) > 1) {
       throw InputError("`schemes`: names " + scheme + " more than once");
     }

@@ -18,12 +18,12 @@ struct PopulationFiles {
 
 /// What is taken of a block.
 struct BlockReading {
-  std::string box = "smallest";      ///< whose sides are the axes of a library's blocks
-  bool box_given = false;            ///< asked for, which no table can answer
-  std::optional<double> axis_error;  ///< of the axes, m; none: as the source lets expect
+  std::string box = "smallest";           ///< whose sides are the axes of a library's blocks
+  bool box_given = false;                 ///< asked for, which no table can answer
+  std::optional<double> axis_error = {};  ///< of the axes, m; none: as the source lets expect
   /// Measures on the surfaces of a library's blocks, roundness with triangles of this edge (m) too.
   bool surfaces = false;
-  std::optional<double> roundness_edge;
+  std::optional<double> roundness_edge = {};
 };
 
 /// One population, or two to compare.

@@ -76,14 +76,6 @@ TEST_F(SharedCampaign, ShardsOfDifferentCampaignsAreNotJoined) {
   expect_refused(folder, {"simulate", "--merge", "none.h5"}, 1, "none.h5");
 }
 
-TEST_F(SharedCampaign, ShardThatCantBeIsAMisuse) {
-  for (const std::string shard : {"5/4", "0/4", "1/0", "1", "1/4/2", "a/b", "-1/4"}) {
-    expect_refused(folder, {"simulate", "campaign.toml", "--shard", shard}, 2, shard);
-  }
-  expect_refused(folder, {"simulate"}, 2, "campaign");
-  expect_refused(folder, {"simulate", "campaign.toml", "--merge", "a.h5"}, 2, "--merge");
-}
-
 TEST_F(SharedCampaign, IsTheSameAfterThreeKills) {
   std::uintmax_t size = 0;
   for (int kill = 0; kill < 3; ++kill) {

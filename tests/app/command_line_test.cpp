@@ -5,11 +5,18 @@
 #include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/text_file.hpp"
 #include "core/version.hpp"
+#include "library/block_library.hpp"
+#include "library/library_update.hpp"
+#include "report/json/block_json.hpp"
+#include "report/json/population_json.hpp"
+#include "report/population_reading.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/library/block_samples.hpp"
+#include "tests/library/core_library.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
@@ -60,59 +67,37 @@ TEST(CommandLine, MisuseExitsWithTwoAndNamesTheMistake) {
   const ScratchFolder folder;
   EXPECT_EQ(run_clast({}).exit_code, 2);
   expect_refused(folder, {"launch"}, 2, "\"launch\" is no command");
-  expect_refused(folder, {"library", "join"}, 2, "\"join\" is no command");
-  expect_refused(folder, {"show"}, 2, "library is required");
-  expect_refused(folder, {"show", "a.h5", "--yaml"}, 2, "--yaml");
-  expect_refused(folder, {"reconstruct", "a.obj", "--units", "parsec"}, 2, "parsec");
-  expect_refused(folder, {"reconstruct", "a.obj", "--units", "-1"}, 2, "-1");
-  expect_refused(folder, {"reconstruct", "a.obj", "--up", "x"}, 2, "--up");
-  expect_refused(folder, {"reconstruct", "a.obj", "--ground", "flat"}, 2, "--ground");
-  expect_refused(folder, {"reconstruct", "a.obj", "--split", "--mass", "5"}, 2, "--split");
-  expect_refused(folder, {"reconstruct", "a.obj", "--core"}, 2, "--radius");
-  expect_refused(folder, {"reconstruct", "a.obj", "--radius", "-0.1"}, 2, "-0.1");
-  expect_refused(folder, {"reconstruct", "a.obj", "--radius", "0.1", "--radius-share", "0.1"}, 2,
-                 "--radius-share");
-  expect_refused(folder, {"reconstruct", "a.obj", "--density", "0"}, 2, "--density");
-  expect_refused(folder, {"reconstruct", "a.obj", "--density", "nan"}, 2, "nan");
-  expect_refused(folder, {"reconstruct", "a.obj", "--vertices", "3"}, 2, "--vertices");
-  expect_refused(folder, {"reconstruct", "a.obj", "--radius-share", "0.3"}, 2,
-                 "0 (sharp edges), or from 1e-06 to 0.25 of S");
-  expect_refused(folder, {"reconstruct", "a.obj", "--tolerance", "0"}, 2, "--tolerance");
-  expect_refused(folder, {"reconstruct", "a.obj", "b.obj", "--mass", "5"}, 2, "--mass");
-  expect_refused(folder, {"export", "a.h5", "--format", "dwg"}, 2, "dwg");
-  expect_refused(folder, {"export", "a.h5", "--what", "bones"}, 2, "--what");
-  expect_refused(folder, {"classify", "a.csv", "--scheme", "best"}, 2, "--scheme");
-  expect_refused(folder, {"classify", "a.csv", "--columns", "L=1,W=2"}, 2, "W=2");
-  expect_refused(folder, {"library", "set", "a.h5", "B1"}, 2, "--site");
-  expect_refused(folder, {"library", "set", "a.h5", "B1", "--taped", "1,2"}, 2, "1,2");
-  expect_refused(folder, {"library", "set", "a.h5", "B1", "--taped", "1,0,2"}, 2, "1,0,2");
-  expect_refused(folder, {"simulate", "a.toml", "--threads", "-1"}, 2, "--threads");
-  expect_refused(folder, {"terrain", "a.stl", "--resolution", "0"}, 2, "--resolution");
+  expect_refused(folder, {"reconstruct", "a.obj", "--units", "parsec"}, 2, "--units: \"parsec\"");
 }
 
 /// A folder with a library of two blocks: "flat" and "long".
-class WithLibrary : public testing::Test {
+class WithLibrary : public WorkingFolder {
  protected:
   void SetUp() override {
-    write_obj(folder / "flat.obj", noisy_ellipsoid(1, {0.5, 0.45, 0.15}));
-    write_obj(folder / "long.obj", noisy_ellipsoid(2, {0.9, 0.3, 0.28}));
-    const ProgramRun run =
-        run_clast({"reconstruct", "flat.obj", "long.obj", "--vertices", "60"}, folder.path());
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-    made = run.out;
+    write_obj("flat.obj", noisy_ellipsoid(1, {0.5, 0.45, 0.15}));
+    write_obj("long.obj", noisy_ellipsoid(2, {0.9, 0.3, 0.28}));
+    write_core_library("blocks.h5", {{"flat", noisy_ellipsoid(1, {0.5, 0.45, 0.15})},
+                                     {"long", noisy_ellipsoid(2, {0.9, 0.3, 0.28})}});
   }
+  /// What `clast show --json` prints of a library.
   Json shown(const std::string& library = "blocks.h5") {
-    return Json::parse(run_clast({"show", library, "--json"}, folder.path()).out);
+    Json blocks = Json::array();
+    const BlockLibrary read = BlockLibrary::read(library);
+    for (const Block& block : read.blocks())
+      blocks.push_back(Json::parse(block_json(block).dump()));
+    return blocks;
   }
-
-  ScratchFolder folder;
-  std::string made;
 };
 
-TEST_F(WithLibrary, ReconstructPrintsALineForEachBlock) {
+TEST_F(WithLibrary, ReconstructPrintsALineForEachBlockAndShowItsJson) {
+  const ProgramRun run = run_clast(
+      {"reconstruct", "flat.obj", "long.obj", "--vertices", "60", "-o", "again.h5"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string& made = run.out;
   EXPECT_TRUE(contains(made, "flat: ") && contains(made, "long: ")) << made;
   EXPECT_TRUE(contains(made, "elongated")) << made;
   EXPECT_TRUE(contains(made, "2 in all")) << made;
+  EXPECT_EQ(Json::parse(run_clast({"show", "again.h5", "--json"}).out), shown("again.h5"));
 }
 
 TEST_F(WithLibrary, ShowGivesEveryPromisedKey) {
@@ -194,10 +179,18 @@ TEST_F(WithLibrary, ABadScanNeverCostsTheBatch) {
   EXPECT_EQ(shown().size(), 3u);
 }
 
+Json classified(const BlockReading& reading) {
+  std::ostringstream out;
+  write_population_json(out,
+                        read_populations({.first = {{"blocks.h5"}, "", ""}, .reading = reading}));
+  return Json::parse(out.str());
+}
+
 TEST_F(WithLibrary, ClassifyCountsThePopulation) {
-  const ProgramRun run = run_clast({"classify", "blocks.h5", "--json"}, folder.path());
+  const ProgramRun run = run_clast({"classify", "blocks.h5", "--json", "--scheme", "all"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json json = Json::parse(run.out);
+  EXPECT_EQ(json, classified({.surfaces = true}));
   EXPECT_EQ(json["blocks"].size(), 2u);
   for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
     int blocks = 0;
@@ -215,10 +208,7 @@ TEST_F(WithLibrary, ClassifyCountsThePopulation) {
 }
 
 TEST_F(WithLibrary, ClassifyGivesEveryClassItsCertaintyAndEveryIndexItsFormula) {
-  const ProgramRun run =
-      run_clast({"classify", "blocks.h5", "--json", "--roundness", "0.08"}, folder.path());
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const Json json = Json::parse(run.out);
+  const Json json = classified({.surfaces = true, .roundness_edge = 0.08});
   const Json shown_blocks = shown();
   for (int i = 0; i < 2; ++i) {
     const Json& block = json["blocks"][i];
@@ -255,14 +245,10 @@ TEST_F(WithLibrary, ClassifyGivesEveryClassItsCertaintyAndEveryIndexItsFormula) 
 TEST_F(WithLibrary, ClassifyMeasuresOnTheNamedBox) {
   const Json blocks = shown();
   for (const std::string box : {"smallest", "inertia", "feret", "pca"}) {
-    const ProgramRun run =
-        run_clast({"classify", "blocks.h5", "--json", "--box", box}, folder.path());
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-    const Json json = Json::parse(run.out);
+    const Json json = classified({.box = box, .box_given = true});
     EXPECT_EQ(json["box"], box);
     for (int i = 0; i < 2; ++i) EXPECT_EQ(json["blocks"][i]["box_m"], blocks[i]["boxes_m"][box]);
   }
-  expect_refused(folder, {"classify", "blocks.h5", "--box", "best"}, 2, "--box");
 }
 
 TEST_F(WithLibrary, ExportWritesEveryFormatAndTurnsBack) {
@@ -380,18 +366,25 @@ TEST_F(WithLibrary, ADamagedLibraryIsRefusedByEveryCommandAndLeftAlone) {
   write_text_file(folder / "cut.h5", whole.substr(0, whole.size() / 2));
   write_text_file(folder / "text.h5", "id,L,I,S\n");
   write_text_file(folder / "empty.h5", "");
+  const std::string before = read_text_file("cut.h5");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"show", "cut.h5"},
+        {"classify", "cut.h5"},
+        {"export", "cut.h5", "-o", "out"},
+        {"library", "merge", "all.h5", "blocks.h5", "cut.h5"},
+        {"library", "remove", "cut.h5", "flat"},
+        {"library", "set", "cut.h5", "flat", "--note", "x"}}) {
+    expect_refused(folder, command, 1, "cut.h5");
+  }
+  EXPECT_EQ(read_text_file("cut.h5"), before);
   for (const std::string file : {"cut.h5", "text.h5", "empty.h5", "none.h5"}) {
-    expect_refused(folder, {"show", file}, 1, file);
-    expect_refused(folder, {"classify", file}, 1, file);
-    expect_refused(folder, {"export", file, "-o", "out"}, 1, file);
-    expect_refused(folder, {"library", "merge", "all.h5", "blocks.h5", file}, 1, file);
-    expect_refused(folder, {"library", "remove", file, "flat"}, 1, file);
-    expect_refused(folder, {"library", "set", file, "flat", "--note", "x"}, 1, file);
-    if (file != "none.h5") {
-      const std::string before = read_text_file(folder / file);
-      expect_refused(folder, {"reconstruct", "flat.obj", "-o", file}, 1, file);
-      EXPECT_EQ(read_text_file(folder / file), before);
-    }
+    EXPECT_TRUE(contains(refusal<Error>([&] { BlockLibrary::read(file); }), file));
+    EXPECT_TRUE(
+        contains(refusal<Error>([&] { update_library(file, {}, [](BlockLibrary&) {}); }), file));
+    if (file == "none.h5") continue;
+    const std::string bytes = read_text_file(file);
+    expect_refused(folder, {"reconstruct", "flat.obj", "-o", file}, 1, file);
+    EXPECT_EQ(read_text_file(file), bytes);
   }
 }
 

@@ -12,16 +12,11 @@
 #include "tests/support/run_program.hpp"
 #include "tests/support/scan_files.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/working_folder.hpp"
 
 namespace clast {
 
 namespace fs = std::filesystem;
-
-inline std::set<std::string> names_in(const fs::path& folder) {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename());
-  return names;
-}
 
 /// A failed command: exit code, a message that begins as all do and names `item`, nothing written.
 inline void expect_refused(const ScratchFolder& folder, const std::vector<std::string>& arguments,

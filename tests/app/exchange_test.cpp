@@ -246,9 +246,6 @@ TEST_F(Exchange, MeshesAreOfTheAskedSurfaceInTheAskedFrame) {
   EXPECT_LT(box.low.maxCoeff(), 0.0);  // the centre of mass lies in the block
   EXPECT_GT(box.high.minCoeff(), 0.0);
   EXPECT_NEAR(enclosed_volume(own), 3.0, 1e-12);
-  expect_refused(folder, {"export", "b.h5", "--frame", "principal", "--up", "y"}, 2, "--up");
-  expect_refused(folder, {"export", "b.h5", "--segments", "0"}, 2, "--segments");
-  expect_refused(folder, {"export", "b.h5", "--what", "shell"}, 2, "--what");
 }
 
 // The wrap of a concave block has no triangles shorter than 1/150 of its diagonal, sqrt(9) m here:
@@ -284,14 +281,6 @@ TEST_F(Exchange, SegmentsThatChangeNothingAreReported) {
   EXPECT_EQ(
       run_clast({"export", "b.h5", "--format", "ply", "-o", "out", "--replace"}, folder.path()).err,
       "");
-  // Where no skin is written it would change nothing at all.
-  for (const std::vector<std::string>& other : {std::vector<std::string>{"--format", "shp"},
-                                                {"--format", "ply", "--what", "core"},
-                                                {"--format", "ply", "--what", "surface"}}) {
-    std::vector<std::string> all = {"export", "b.h5", "-o", "none", "--segments", "8"};
-    all.insert(all.end(), other.begin(), other.end());
-    expect_refused(folder, all, 2, "--segments: applies to the rounded skin");
-  }
 }
 
 }  // namespace

@@ -95,25 +95,6 @@ TEST(PhotoCommand, ABoardIsReadAndLookedFor) {
                        "5x5_100 contradicts board.toml, whose markers are 4x4_50"));
 
   EXPECT_TRUE(contains(said(head, 1), "board.toml: board: 0 markers"));
-  EXPECT_TRUE(contains(said(markers, 1), "dictionary"));
-  EXPECT_TRUE(contains(said(head + markers + charuco, 1), "give one of them"));
-  EXPECT_TRUE(contains(said(head + "side_m = 0.1\n" + markers, 1), "board.toml:2"));
-  EXPECT_TRUE(contains(said(head + "[[marker]]\nid = 0\ncentre_m = [0]\n", 1), "board.toml:4"));
-  EXPECT_TRUE(contains(said(head + "[marker]\nid = 0\n", 1), "[[marker]]"));
-  EXPECT_TRUE(contains(said(head + "[charuco]\ncolumns = 7\n", 1), "rows"));
-  EXPECT_TRUE(contains(said("dictionary = \"5x7\"\n" + markers, 1), "\"5x7\" isn't known"));
-  EXPECT_TRUE(contains(run_clast({"reconstruct", "B01", "--board", "none.toml"}, folder.path()).err,
-                       "none.toml"));
-}
-
-TEST(PhotoCommand, WhatIsNoScaleBarIsAMisuse) {
-  const ScratchFolder folder;
-  write_photos(folder / "B01", true);
-  for (const char* bar : {"0,1", "0,1,0", "0,0,1.5", "0.5,1,2", "a,b,c", "0,1,-2", "0,1,2,3"}) {
-    const ProgramRun run = run_clast({"reconstruct", "B01", "--scale-bar", bar}, folder.path());
-    EXPECT_EQ(run.exit_code, 2) << bar;
-    EXPECT_TRUE(contains(run.err, "--scale-bar"));
-  }
 }
 
 }  // namespace

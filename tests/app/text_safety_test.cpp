@@ -1,8 +1,5 @@
 // Text that people and spreadsheets read: tables that are split wrongly, names that a terminal or a
 // spreadsheet would obey, numbers that make no sense.
-#include <algorithm>
-#include <tuple>
-
 #include "core/delimited_text.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/app/slope_campaign.hpp"
@@ -129,62 +126,6 @@ TEST_F(SlopeCampaign, ARingCountsEntriesAndExits) {
     EXPECT_TRUE(contains(barriers, "\nring (in),all,") && contains(barriers, "\nring (out),all,"));
   }
 }
-
-/// An option with a number, with VALUE where it stands.
-using Option = std::tuple<std::vector<std::string>, const char*>;
-
-class OptionNumber : public testing::TestWithParam<Option> {};
-
-TEST_P(OptionNumber, IsRefusedWithItsRangeWhereItMakesNoSense) {
-  const ScratchFolder folder;
-  const auto& [arguments, option] = GetParam();
-  for (const char* value : {"1e308", "-1e308", "1e-300", "nan", "inf"}) {
-    std::vector<std::string> given = arguments;
-    std::string text = given.back();
-    given.back() = text.replace(text.find("VALUE"), 5, value);
-    const ProgramRun run = run_clast(given, folder.path());
-    EXPECT_EQ(run.exit_code, 2) << value << run.err;
-    EXPECT_TRUE(contains(run.err, option) && contains(run.err, value));
-    EXPECT_TRUE(contains(run.err, "from ") && contains(run.err, " to ")) << value;
-  }
-}
-
-Option option(const std::vector<std::string>& before, const char* name,
-              const char* value = "VALUE") {
-  std::vector<std::string> arguments = before;
-  arguments.push_back(name + std::string("=") + value);
-  return {arguments, name};
-}
-
-const std::vector<std::string> kTerrain = {"terrain", "x.stl",    "--release",
-                                           "p.xyz",   "--export", "x.ply"};
-const std::vector<std::string> kScan = {"reconstruct", "x.stl"};
-const std::vector<std::string> kTable = {"classify", "x.csv"};
-
-INSTANTIATE_TEST_SUITE_P(
-    All, OptionNumber,
-    testing::Values(
-        option(kTerrain, "--resolution"), option(kTerrain, "--percentile"),
-        option(kTerrain, "--outliers"), option(kTerrain, "--fill"), option(kTerrain, "--crack"),
-        option(kTerrain, "--spikes"), option(kTerrain, "--tolerance"),
-        option(kTerrain, "--border-distance"), option(kTerrain, "--block-size"),
-        option(kTerrain, "--export-cell"), option(kScan, "--units"),
-        option(kScan, "--scale-length", "0,0,0;1,0,0;VALUE"), option(kScan, "--scale-factor"),
-        option(kScan, "--radius"), option(kScan, "--radius-share"), option(kScan, "--density"),
-        option(kScan, "--mass"), option(kScan, "--accuracy"), option(kScan, "--tolerance"),
-        option(kScan, "--marker-size"), option(kScan, "--scale-bar", "0,1,VALUE"),
-        option(kScan, "--colmap-minutes"), option(kScan, "--vertices"), option(kScan, "--jobs"),
-        option(kTerrain, "--smoothing"), option(kTable, "--seed"),
-        option({"simulate", "x.toml"}, "--threads"), option({"compare", "x.h5"}, "--animate"),
-        option({"export", "x.h5"}, "--segments"), option(kTable, "--units"),
-        option(kTable, "--axis-error"), option(kTable, "--roundness"),
-        option(kTable, "--erdogan-limit"), option({"library", "set", "b.h5", "B"}, "--weighed"),
-        option({"library", "set", "b.h5", "B"}, "--taped", "1,0.5,VALUE")),
-    [](const testing::TestParamInfo<Option>& one) {
-      std::string name = std::get<0>(one.param).front() + std::get<1>(one.param);
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
 
 }  // namespace
 }  // namespace clast

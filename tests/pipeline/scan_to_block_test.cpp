@@ -63,6 +63,42 @@ TEST_F(ScanToBlock, BlocksOnAGroundAreSplitAndNumbered) {
   EXPECT_EQ(steps.front(), "reading scene");
 }
 
+TEST_F(ScanToBlock, WhatIsNoClosedMeshIsRefusedByName) {
+  write_text_file(folder / "empty.obj", "");
+  write_text_file(folder / "prose.stl", "Field notes of the second of May.\n");
+  write_text_file(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  write_text_file(folder / "scan.las", "LASF");
+  TriangleMesh open = noisy_ellipsoid(3, {0.5, 0.4, 0.3});
+  open.triangles.resize(open.triangles.size() / 10);
+  write_obj(folder / "open.obj", open);
+  TriangleMesh sheet;
+  for (int v = 0; v < 25; ++v) sheet.vertices.emplace_back(v % 5, v / 5, 0.1 * (v % 3));
+  for (std::uint32_t v = 0; v < 19; ++v) {
+    if (v % 5 == 4) continue;
+    sheet.triangles.push_back({v, v + 1, v + 6});
+    sheet.triangles.push_back({v, v + 6, v + 5});
+  }
+  write_obj(folder / "sheet.obj", sheet);
+  write_text_file(folder / "nan.obj",
+                  "v 0 0 0\nv nan 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  write_text_file(folder / "flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 3 2\n");
+  const auto refuse = [&](const std::string& file, const std::string& what) {
+    const std::string id = std::filesystem::path(file).stem();
+    const std::string said =
+        refusal<Error>([&] { reconstruct_blocks(folder / file, id, options); });
+    EXPECT_TRUE(contains(said, id) && contains(said, what));
+  };
+  refuse("none.obj", "none.obj");
+  refuse("empty.obj", "empty");
+  refuse("prose.stl", "prose.stl");
+  refuse("points.obj", "no block: 3 points are too few");
+  refuse("scan.las", "scan.las");
+  refuse("open.obj", "open.obj: the largest component is the ground, or one side of a block");
+  refuse("sheet.obj", "sheet.obj: the largest component is the ground");
+  refuse("nan.obj", "nan.obj");
+  refuse("flat.obj", "flat.obj");
+}
+
 TEST_F(ScanToBlock, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
   EXPECT_TRUE(contains(refused(cuboid(620, 500, 400)),
                        "block scan would be 620 m long, read with `units` m; it is probably in mm: "
