@@ -11,11 +11,13 @@
 #include "core/random.hpp"
 #include "core/sample_tests.hpp"
 #include "core/text_file.hpp"
-#include "study/campaign_ranges.hpp"
 #include "study/comparison.hpp"
+#include "study/detail/campaign_ranges.hpp"
 #include "study/runout.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 /// "X_m" is the column x.
