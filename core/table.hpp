@@ -62,8 +62,8 @@ TableColumns<Row> columns_of_list(const std::vector<std::string>& names, const s
                                   const std::string& meaning, const Values& values) {
   TableColumns<Row> columns;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    columns.push_back(
-        {names[i], unit, meaning, [values, i](const Row& row) { return values(row)[i]; }});
+    columns.push_back({names[i], unit, meaning,
+                       [values, i](const Row& row) { return std::invoke(values, row)[i]; }});
   }
   return columns;
 }

@@ -17,17 +17,17 @@ using Row = ComparisonRow<RunRow>;
 
 constexpr double kDegrees = 180.0 / kPi;
 
-const CampaignResults& results_of(const Row& row) { return row.comparison.results[row.item.file]; }
+const CampaignResults& results_of(const Row& row) { return row.comparison.results[row->file]; }
 
 std::uint64_t ensemble_member(const Row& row) {
   const std::vector<GroundSet>& sets = results_of(row).ground_sets;
-  const std::uint32_t set = row.item.record->ground_set;
+  const std::uint32_t set = row->record->ground_set;
   return set < sets.size() ? sets[set].member : 0;
 }
 
 /// What is not a column of the results file: of the block, of the comparison, and on the map.
 TableColumns<Row> own_columns() {
-  const auto block = [](const Row& row) -> const BlockSummary& { return *row.item.block; };
+  const auto block = [](const Row& row) -> const BlockSummary& { return *row->block; };
   return joined<Row>(
       {{{"block", "", "id of the block", [=](const Row& r) { return block(r).id; }},
         {"class", "", "Sneed and Folk class", [=](const Row& r) { return block(r).sneed_folk; }},
@@ -50,21 +50,20 @@ TableColumns<Row> own_columns() {
                               return Vec3(axes.L, axes.I, axes.S);
                             }),
        columns_of_list<Row>({"start_x_m", "start_y_m", "start_z_m"}, "m",
-                            "centre of mass at release", [](const Row& r) { return r.item.start; }),
+                            "centre of mass at release", &RunRow::start),
        columns_of_list<Row>({"stop_x_m", "stop_y_m", "stop_z_m"}, "m", "centre of mass at the end",
-                            [](const Row& r) { return r.item.stop; }),
-       {{"runout_m", "m", "along downslope, see [theory](theory.md#statistics)",
-         [](const Row& r) { return r.item.runout; }},
+                            &RunRow::stop),
+       {{"runout_m", "m", "along downslope, see [theory](theory.md#statistics)", &RunRow::runout},
         {"lateral_deg", "deg", "from downslope, see [theory](theory.md#statistics)",
-         [](const Row& r) { return r.item.lateral * kDegrees; }},
+         [](const Row& r) { return r->lateral * kDegrees; }},
         {"file", "", "number of the results file",
-         [](const Row& r) { return std::uint64_t{r.item.file} + 1; }},
+         [](const Row& r) { return std::uint64_t{r->file} + 1; }},
         {"stop_reason", "", "`rest`, `left_terrain`, `max_time`, `error`",
-         [](const Row& r) { return name_of(r.item.record->result.stop_reason); }},
+         [](const Row& r) { return name_of(r->record->result.stop_reason); }},
         {"release_set", "", "of the campaign",
-         [](const Row& r) { return release_set_of(results_of(r), r.item.record->point); }},
+         [](const Row& r) { return release_set_of(results_of(r), r->record->point); }},
         {"ground_set", "", "of the campaign; ground_sets.csv has the parameters",
-         [](const Row& r) { return std::uint64_t{r.item.record->ground_set}; }},
+         [](const Row& r) { return std::uint64_t{r->record->ground_set}; }},
         {"ensemble_member", "", "of the ground set", ensemble_member}}});
 }
 
@@ -73,7 +72,7 @@ const TableColumns<Row>& all_columns() {
   static const TableColumns<Row> columns = joined<Row>(
       {own_columns(),
        columns_of_part<Row>(stored_run_columns(),
-                            [](const Row& row) -> const RunRecord& { return *row.item.record; })});
+                            [](const Row& row) -> const RunRecord& { return *row->record; })});
   return columns;
 }
 

@@ -7,11 +7,14 @@
 
 namespace clast {
 
-/// A row of a table of a comparison, and the comparison that it belongs to.
+/// A row of a table of a comparison: it points to an item, and knows the comparison around it.
 template <class Item>
 struct ComparisonRow {
   const Comparison& comparison;
   const Item& item;
+
+  const Item& operator*() const { return item; }
+  const Item* operator->() const { return &item; }
 };
 
 /// In the order of runs.csv.

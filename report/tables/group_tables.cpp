@@ -51,7 +51,7 @@ Summary in_degrees(const Summary& angle) {
 
 template <class Item>
 const std::string& group_name(const ComparisonRow<Item>& row) {
-  return row.comparison.groups[row.item.group].name;
+  return row.comparison.groups[row->group].name;
 }
 
 }  // namespace
@@ -91,21 +91,21 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
 
 const TableColumns<ComparisonRow<GroupDeposit>>& report_detail::deposit_columns() {
   using Row = ComparisonRow<GroupDeposit>;
-  const auto stops = [](const Row& row) { return row.item.deposit.stops; };
+  const auto stops = [](const Row& row) { return row->deposit.stops; };
   static const auto columns = joined<Row>(
-      {{{"group", "", "name", [](const Row& row) { return row.item.group.name; }},
+      {{{"group", "", "name", [](const Row& row) { return row->group.name; }},
         {"count", "", "runs that came to rest; the statistics are over these",
          [=](const Row& row) { return stops(row).rest; }}},
        summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "runout of the runs at rest",
-                            [](const Row& row) { return row.item.deposit.runout; }),
+                            [](const Row& row) { return row->deposit.runout; }),
        columns_of_list<Row>({"mean_stop_x_m", "mean_stop_y_m", "mean_stop_z_m"}, "m", "mean stop",
                             [=](const Row& row) {
-                              return stops(row).rest > 0 ? row.item.deposit.mean_stop
+                              return stops(row).rest > 0 ? row->deposit.mean_stop
                                                          : Vec3(Vec3::Constant(NAN));
                             }),
        summary_columns<Row>(kMeanAndStd, "lateral_*_deg", "deg", "lateral angle, with its sign",
-                            [](const Row& row) { return in_degrees(row.item.deposit.lateral); }),
-       {{"runs", "", "runs started", [](const Row& row) { return row.item.deposit.started; }},
+                            [](const Row& row) { return in_degrees(row->deposit.lateral); }),
+       {{"runs", "", "runs started", [](const Row& row) { return row->deposit.started; }},
         {"left_terrain", "", "runs that ended in this way",
          [=](const Row& row) { return stops(row).left_terrain; }},
         {"max_time", "", "runs that ended in this way",
@@ -121,49 +121,40 @@ const TableColumns<ComparisonRow<GroupDeposit>>& report_detail::deposit_columns(
 const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns() {
   using Row = ComparisonRow<Difference>;
   const auto bound = [](const Row& row, double Interval::*end) {
-    return row.item.interval ? (*row.item.interval).*end : NAN;
+    return row->interval ? (*row->interval).*end : NAN;
   };
   const char* interval = "95 % confidence interval of the difference";
   const char* unit = "as `quantity`";
   static const TableColumns<Row> columns = {
       {"first", "", "groups",
-       [](const Row& row) { return row.comparison.groups[row.item.first].name; }},
+       [](const Row& row) { return row.comparison.groups[row->first].name; }},
       {"second", "", "groups",
-       [](const Row& row) { return row.comparison.groups[row.item.second].name; }},
+       [](const Row& row) { return row.comparison.groups[row->second].name; }},
       {"quantity", "",
        "`runout_m`, `lateral_deg`, `path_length_m` of runs that came to rest, `max_speed_m_s` of "
        "runs that did not fail, and, per barrier, `NAME speed_m_s`, `NAME total_energy_j`, "
        "`NAME height_m` of first crossings",
-       [](const Row& row) { return row.item.quantity; }},
-      {"first_runs", "", "number of values of each group",
-       [](const Row& row) { return row.item.first_runs; }},
-      {"second_runs", "", "number of values of each group",
-       [](const Row& row) { return row.item.second_runs; }},
-      {"release_points", "", "number of clusters for interval and test",
-       [](const Row& row) { return row.item.points; }},
-      {"first_mean", unit, "mean of each group",
-       [](const Row& row) { return row.item.first_mean; }},
-      {"second_mean", unit, "mean of each group",
-       [](const Row& row) { return row.item.second_mean; }},
+       &Difference::quantity},
+      {"first_runs", "", "number of values of each group", &Difference::first_runs},
+      {"second_runs", "", "number of values of each group", &Difference::second_runs},
+      {"release_points", "", "number of clusters for interval and test", &Difference::points},
+      {"first_mean", unit, "mean of each group", &Difference::first_mean},
+      {"second_mean", unit, "mean of each group", &Difference::second_mean},
       {"difference", unit, "first minus second",
-       [](const Row& row) { return row.item.first_mean - row.item.second_mean; }},
+       [](const Row& row) { return row->first_mean - row->second_mean; }},
       {"difference_low", unit, interval,
        [=](const Row& row) { return bound(row, &Interval::low); }},
       {"difference_high", unit, interval,
        [=](const Row& row) { return bound(row, &Interval::high); }},
-      {"cliffs_delta", "", "effect sizes", [](const Row& row) { return row.item.cliffs_delta; }},
-      {"hedges_g", "", "effect sizes",
-       [](const Row& row) { return row.item.hedges_g.value_or(NAN); }},
-      {"ks_distance", "", "Kolmogorov-Smirnov distance",
-       [](const Row& row) { return row.item.ks_distance; }},
+      {"cliffs_delta", "", "effect sizes", &Difference::cliffs_delta},
+      {"hedges_g", "", "effect sizes", [](const Row& row) { return row->hedges_g.value_or(NAN); }},
+      {"ks_distance", "", "Kolmogorov-Smirnov distance", &Difference::ks_distance},
       {"p_value", "", "from random permutations by release point, uncorrected",
-       [](const Row& row) { return row.item.p_value; }},
-      {"p_holm", "", "... corrected for `tests` tests",
-       [](const Row& row) { return row.item.p_holm; }},
-      {"tests", "", "number of tests that `p_holm` is corrected for",
-       [](const Row& row) { return row.item.tests; }},
+       &Difference::p_value},
+      {"p_holm", "", "... corrected for `tests` tests", &Difference::p_holm},
+      {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::tests},
       {"found", "", "1 where `p_holm` is below 0.05",
-       [](const Row& row) { return std::uint64_t{row.item.found() ? 1u : 0u}; }},
+       [](const Row& row) { return std::uint64_t{row->found() ? 1u : 0u}; }},
       {"words", "", "a sentence to quote",
        [](const Row& row) { return in_words(row.item, row.comparison); }}};
   return columns;
@@ -171,49 +162,43 @@ const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns
 
 const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_columns() {
   using Row = ComparisonRow<MeasuredGroup>;
-  const auto value = [](const char* name, const char* unit, const char* meaning,
-                        const auto& of_group) {
-    return TableColumns<Row>{
-        {name, unit, meaning, [=](const Row& row) { return std::invoke(of_group, row.item); }}};
-  };
-  const auto interval = [](const std::string& name, const std::string& suffix, const char* unit,
-                           Interval MeasuredGroup::*of_group) {
-    return columns_of_list<Row>({name + "_low" + suffix, name + "_high" + suffix}, unit,
-                                "its 95 % confidence interval", [=](const Row& row) {
-                                  const Interval& bounds = row.item.*of_group;
-                                  return Vec2(bounds.low, bounds.high);
+  using Group = MeasuredGroup;
+  const auto bounds = [](const char* low, const char* high, const char* unit,
+                         Interval Group::*interval) {
+    return columns_of_list<Row>({low, high}, unit, "its 95 % confidence interval",
+                                [interval](const Row& row) {
+                                  return Vec2(((*row).*interval).low, ((*row).*interval).high);
                                 });
   };
-  using Group = MeasuredGroup;
   static const auto columns = joined<Row>(
-      {{{"group", "", "name", group_name<Group>}},
-       value("measured", "", "measured stops of the group", &Group::measured),
-       value("simulated", "", "runs at rest", &Group::simulated),
-       summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "of measured stops",
-                            [](const Row& row) { return row.item.runout; }),
+      {{{"group", "", "name", group_name<Group>},
+        {"measured", "", "measured stops of the group", &Group::measured},
+        {"simulated", "", "runs at rest", &Group::simulated}},
+       summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "of measured stops", &Group::runout),
        summary_columns<Row>(kMeanAndStd, "lateral_*_deg", "deg", "of measured stops",
-                            [](const Row& row) { return in_degrees(row.item.lateral); }),
-       value("simulated_runout_mean_m", "m", "of runs at rest", &Group::simulated_runout),
-       value("difference_m", "m", "mean runout, measured minus simulated",
-             [](const Group& g) { return g.runout.mean - g.simulated_runout; }),
-       value("cliffs_delta", "", "measured against simulated runout", &Group::cliffs_delta),
-       value("ks_distance", "", "Kolmogorov-Smirnov distance", &Group::ks_distance),
-       value("p_value", "", "of the distance, uncorrected", &Group::p_value),
-       value("p_holm", "", "... corrected for all groups", &Group::p_holm),
+                            [](const Row& row) { return in_degrees(row->lateral); }),
+       {{"simulated_runout_mean_m", "m", "of runs at rest", &Group::simulated_runout},
+        {"difference_m", "m", "mean runout, measured minus simulated",
+         [](const Row& row) { return row->runout.mean - row->simulated_runout; }},
+        {"cliffs_delta", "", "measured against simulated runout", &Group::cliffs_delta},
+        {"ks_distance", "", "Kolmogorov-Smirnov distance", &Group::ks_distance},
+        {"p_value", "", "of the distance, uncorrected", &Group::p_value},
+        {"p_holm", "", "... corrected for all groups", &Group::p_holm}},
        columns_of_list<Row>(
            {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of measured stops",
-           [](const Row& row) { return Vec2(row.item.quartiles.low, row.item.quartiles.high); }),
+           [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),
        columns_of_list<Row>(
            {"simulated_runout_q25_m", "simulated_runout_median_m", "simulated_runout_q75_m"}, "m",
            "quartiles of runs at rest",
            [](const Row& row) {
-             const Quartiles& runout = row.item.simulated_quartiles;
+             const Quartiles& runout = row->simulated_quartiles;
              return Vec3(runout.low, runout.median, runout.high);
            }),
-       value("median_difference_m", "m", "median runout, measured minus simulated",
-             [](const Group& g) { return g.quartiles.median - g.simulated_quartiles.median; }),
-       interval("median_difference", "_m", "m", &Group::median_difference),
-       interval("ks_distance", "", "", &Group::ks_interval)});
+       {{"median_difference_m", "m", "median runout, measured minus simulated",
+         [](const Row& row) { return row->quartiles.median - row->simulated_quartiles.median; }}},
+       bounds("median_difference_low_m", "median_difference_high_m", "m",
+              &Group::median_difference),
+       bounds("ks_distance_low", "ks_distance_high", "", &Group::ks_interval)});
   return columns;
 }
 
@@ -222,42 +207,42 @@ const TableColumns<ComparisonRow<ProfileBin>>& report_detail::profile_columns() 
   const char* along = "distance from each run's release point along downslope";
   static const auto columns = joined<Row>(
       {{{"group", "", "name", group_name<ProfileBin>},
-        {"from_m", "m", along, [](const Row& row) { return row.item.from; }},
-        {"to_m", "m", along, [](const Row& row) { return row.item.to; }},
-        {"runs", "", "that passed there", [](const Row& row) { return row.item.runs; }}},
+        {"from_m", "m", along, &ProfileBin::from},
+        {"to_m", "m", along, &ProfileBin::to},
+        {"runs", "", "that passed there", &ProfileBin::runs}},
        summary_columns<Row>(kUpper, "energy_*_j", "J",
                             "over runs, of each run's largest kinetic energy in between",
-                            [](const Row& row) { return row.item.energy; }),
+                            &ProfileBin::energy),
        summary_columns<Row>(kUpper, "speed_*_m_s", "m/s",
                             "over runs, of each run's largest speed in between",
-                            [](const Row& row) { return row.item.speed; }),
+                            &ProfileBin::speed),
        summary_columns<Row>(
            kUpper, "height_*_m", "m",
            "over runs, of each run's largest height of the centre of mass above ground in "
            "between",
-           [](const Row& row) { return row.item.height; })});
+           &ProfileBin::height)});
   return columns;
 }
 
 const TableColumns<ComparisonRow<ZoneOfSet>>& report_detail::ground_set_columns() {
   using Row = ComparisonRow<ZoneOfSet>;
   const auto results = [](const Row& row) -> const CampaignResults& {
-    return row.comparison.results[row.item.file];
+    return row.comparison.results[row->file];
   };
   const auto set = [=](const Row& row) -> const GroundSet& {
-    return results(row).ground_sets[row.item.set];
+    return results(row).ground_sets[row->set];
   };
   const auto ground = [=](const Row& row) -> const GroundParameters& {
-    return set(row).zones[row.item.zone];
+    return set(row).zones[row->zone];
   };
   static const TableColumns<Row> columns = {
-      {"file", "", "number of the results file", [](const Row& row) { return row.item.file + 1; }},
-      {"ground_set", "", "as in runs.csv", [](const Row& row) { return row.item.set; }},
+      {"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
+      {"ground_set", "", "as in runs.csv", &ZoneOfSet::set},
       {"block_group", "", "as in runs.csv", [=](const Row& row) { return set(row).group; }},
       {"ensemble_member", "", "as in runs.csv",
        [=](const Row& row) { return std::uint64_t{set(row).member}; }},
       {"zone", "", "name of the ground zone",
-       [=](const Row& row) { return results(row).zone_names[row.item.zone]; }},
+       [=](const Row& row) { return results(row).zone_names[row->zone]; }},
       {"energy_restitution", "", "e_n^2",
        [=](const Row& row) { return ground(row).energy_restitution; }},
       {"friction", "", "mu", [=](const Row& row) { return ground(row).friction; }},

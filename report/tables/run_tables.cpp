@@ -20,12 +20,10 @@ TableColumns<Row> of_run(const std::vector<std::string>& names, const Run& run) 
 
 const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns() {
   using Row = ComparisonRow<CrossingRow>;
-  const auto run = [](const Row& row) -> const RunRow& {
-    return row.comparison.rows[row.item.row];
-  };
-  const auto crossing = [](const Row& row) -> const Crossing& { return *row.item.crossing; };
+  const auto run = [](const Row& row) -> const RunRow& { return row.comparison.rows[row->row]; };
+  const auto crossing = [](const Row& row) -> const Crossing& { return *row->crossing; };
   const auto line = [](const Row& row) -> const BarrierLine& {
-    return row.comparison.lines[row.item.barrier];
+    return row.comparison.lines[row->barrier];
   };
   const auto stored = [&](const std::vector<std::string>& names) {
     return columns_of_part<Row>(chosen(stored_crossing_columns(), names), crossing);
@@ -41,10 +39,9 @@ const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns(
         {"counted", "",
          "1 for the first forward crossing of the run at this barrier; for a ring, for its first "
          "entry and for its first exit",
-         [](const Row& row) { return std::uint64_t{row.item.counted ? 1u : 0u}; }}},
+         [](const Row& row) { return std::uint64_t{row->counted ? 1u : 0u}; }}},
        stored({"time_s"}),
-       columns_of_list<Row>({"x_m", "y_m", "z_m"}, "m", "centre of mass",
-                            [](const Row& row) { return row.item.position; }),
+       columns_of_list<Row>({"x_m", "y_m", "z_m"}, "m", "centre of mass", &CrossingRow::position),
        stored({"height_m", "clearance_m"}),
        {{"speed_m_s", "m/s", "speed of the centre of mass",
          [=](const Row& row) { return crossing(row).velocity.norm(); }}},
@@ -68,33 +65,33 @@ const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns(
 
 const TableColumns<ComparisonRow<RunImpact>>& report_detail::impact_columns() {
   using Row = ComparisonRow<RunImpact>;
-  const auto run = [](const Row& row) -> const RunRow& { return row.item.run; };
+  const auto run = [](const Row& row) -> const RunRow& { return row->run; };
   const auto results = [](const Row& row) -> const CampaignResults& {
-    return row.comparison.results[row.item.run.file];
+    return row.comparison.results[row->run.file];
   };
   const auto stored = [](const std::vector<std::string>& names) {
     return columns_of_part<Row>(chosen(stored_impact_columns(), names),
-                                [](const Row& row) -> const Impact& { return row.item.impact; });
+                                [](const Row& row) -> const Impact& { return row->impact; });
   };
   const auto energy = [](const char* name, double Impact::*value) {
     return TableColumn<Row>{name, "J", "kinetic energy, at the first and the last contact",
-                            [value](const Row& row) { return row.item.impact.*value; }};
+                            [value](const Row& row) { return row->impact.*value; }};
   };
-  static const auto columns = joined<Row>(
-      {of_run<Row>({"run", "block", "class", "shape"}, run),
-       {{"zone", "", "name of the ground zone of the first contact",
-         [=](const Row& row) { return results(row).zone_names[row.item.impact.zone]; }}},
-       stored({"time_s", "contact_s"}),
-       columns_of_list<Row>(
-           {"x_m", "y_m", "z_m"}, "m", "position at the first contact",
-           [=](const Row& row) { return results(row).frame.map(row.item.impact.place); }),
-       stored({"speed_before_m_s", "speed_after_m_s"}),
-       {energy("translational_energy_before_j", &Impact::translational_before),
-        energy("translational_energy_after_j", &Impact::translational_after),
-        energy("rotational_energy_before_j", &Impact::rotational_before),
-        energy("rotational_energy_after_j", &Impact::rotational_after)},
-       stored({"depth_m"}),
-       of_run<Row>({"file"}, run)});
+  static const auto columns =
+      joined<Row>({of_run<Row>({"run", "block", "class", "shape"}, run),
+                   {{"zone", "", "name of the ground zone of the first contact",
+                     [=](const Row& row) { return results(row).zone_names[row->impact.zone]; }}},
+                   stored({"time_s", "contact_s"}),
+                   columns_of_list<Row>(
+                       {"x_m", "y_m", "z_m"}, "m", "position at the first contact",
+                       [=](const Row& row) { return results(row).frame.map(row->impact.place); }),
+                   stored({"speed_before_m_s", "speed_after_m_s"}),
+                   {energy("translational_energy_before_j", &Impact::translational_before),
+                    energy("translational_energy_after_j", &Impact::translational_after),
+                    energy("rotational_energy_before_j", &Impact::rotational_before),
+                    energy("rotational_energy_after_j", &Impact::rotational_after)},
+                   stored({"depth_m"}),
+                   of_run<Row>({"file"}, run)});
   return columns;
 }
 
