@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string_view>
 
 #include "core/delimited_text.hpp"
 #include "core/error.hpp"
@@ -43,16 +42,6 @@ char separator_of_numbers(std::string_view text) {
   return ' ';
 }
 
-/// "X_m" is the column x.
-std::string column_name(std::string_view field) {
-  std::string name;
-  for (const char c : field) {
-    name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  if (name.ends_with("_m")) name.resize(name.size() - 2);
-  return name;
-}
-
 /// Columns of `names` in a heading; none where it does not have each of them.
 std::optional<std::vector<std::size_t>> named_columns(
     const Record& heading, const std::vector<std::vector<std::string>>& names) {
@@ -60,7 +49,7 @@ std::optional<std::vector<std::size_t>> named_columns(
   for (const std::vector<std::string>& alike : names) {
     const auto field =
         std::find_if(heading.fields.begin(), heading.fields.end(), [&](std::string_view text) {
-          return std::find(alike.begin(), alike.end(), column_name(text)) != alike.end();
+          return std::find(alike.begin(), alike.end(), column_without_unit(text)) != alike.end();
         });
     if (field == heading.fields.end()) return std::nullopt;
     columns.push_back(static_cast<std::size_t>(field - heading.fields.begin()));
@@ -69,6 +58,15 @@ std::optional<std::vector<std::size_t>> named_columns(
 }
 
 }  // namespace
+
+std::string column_without_unit(std::string_view field) {
+  std::string name;
+  for (const char c : field) {
+    name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  if (name.ends_with("_m")) name.resize(name.size() - 2);
+  return name;
+}
 
 std::vector<NumberRow> read_number_table(const std::filesystem::path& file,
                                          const NumberTable& table) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/number_range.hpp"
@@ -21,6 +22,9 @@ struct NumberTable {
   NumberRange range;    ///< of every number
   std::string meaning;  ///< completes "a line must be ...": "three numbers, x y z"
 };
+
+/// The name of a column of lengths, in lower case: "X_m" is the column x.
+std::string column_without_unit(std::string_view field);
 
 /// Reads a table by `DelimitedText`; what follows a # is skipped. The first row may be a
 /// heading: where it names all columns ("X", "y_m"), these columns are read and others are not,

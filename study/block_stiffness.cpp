@@ -4,22 +4,22 @@
 #include <array>
 
 #include "core/number_text.hpp"
-#include "study/results_layout.hpp"
+#include "study/detail/results_layout.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
-using results_layout::kRunStiffness;
-
-constexpr std::array<const char*, kRunStiffness.size()> kHeadings{
-    "k_n, N/m",     "k_t, N/m",         "k_r, N m/rad",
-    "time step, s", "settled depth, m", "deepest impact, m"};
+constexpr std::array<const char*, 6> kHeadings{"k_n, N/m",         "k_t, N/m",
+                                               "k_r, N m/rad",     "time step, s",
+                                               "settled depth, m", "deepest impact, m"};
 
 BlockStiffness without_runs(const std::string& id) {
   BlockStiffness block{id, 0, {}};
-  for (std::size_t i = 0; i < kRunStiffness.size(); ++i) {
-    block.values.push_back({kRunStiffness[i].name, kHeadings[i], {}});
-  }
+  visit_stiffness([&](const char* name, const auto&...) {
+    block.values.push_back({name, kHeadings.at(block.values.size()), {}});
+  });
   return block;
 }
 
@@ -35,12 +35,13 @@ std::vector<BlockStiffness> stiffness_by_block(std::span<const BlockSummary> blo
                                                std::span<const RunRecord> runs) {
   std::vector<BlockStiffness> list;
   for (const BlockSummary& block : blocks) list.push_back(without_runs(block.id));
-  for (RunRecord run : runs) {
+  for (const RunRecord& run : runs) {
     BlockStiffness& block = list[run.block];
     ++block.runs;
-    for (std::size_t i = 0; i < kRunStiffness.size(); ++i) {
-      block.values[i].range.include(kRunStiffness[i].field(run));
-    }
+    auto value = block.values.begin();
+    visit_stiffness([&](const auto&, const auto&, const auto&, const auto& field) {
+      (value++)->range.include(std::invoke(field, run));
+    });
   }
   return list;
 }

@@ -6,10 +6,12 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "study/barrier_line.hpp"
-#include "study/campaign_ranges.hpp"
-#include "study/campaign_reading.hpp"
+#include "study/detail/campaign_ranges.hpp"
+#include "study/detail/campaign_reading.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 namespace fs = std::filesystem;
@@ -205,6 +207,22 @@ Campaign read_campaign(const fs::path& file) {
   campaign.barriers = read_barriers(top);
   read_run(top, campaign);
   return campaign;
+}
+
+std::vector<Quat> grid_45_orientations() {
+  std::vector<Quat> orientations;
+  const auto turn = [](int steps, const Vec3& axis) {
+    return Quat(Eigen::AngleAxisd(steps * kPi / 4.0, axis));
+  };
+  for (int a = 0; a < 4; ++a) {
+    for (int b = 0; b < 4; ++b) {
+      for (int c = 0; c < 4; ++c) {
+        orientations.push_back(turn(c, Vec3::UnitZ()) * turn(b, Vec3::UnitY()) *
+                               turn(a, Vec3::UnitX()));
+      }
+    }
+  }
+  return orientations;
 }
 
 }  // namespace clast

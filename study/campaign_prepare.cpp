@@ -8,14 +8,16 @@
 #include "core/number_text.hpp"
 #include "core/version.hpp"
 #include "dem/ground_gap.hpp"
-#include "study/campaign_checks.hpp"
 #include "study/campaign_runner.hpp"
-#include "study/ground_sets.hpp"
-#include "study/named_seed.hpp"
+#include "study/detail/campaign_checks.hpp"
+#include "study/detail/ground_sets.hpp"
+#include "study/detail/named_seed.hpp"
+#include "study/detail/run_stiffness.hpp"
 #include "study/release_points.hpp"
-#include "study/run_stiffness.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 std::string place(const Vec3& map) {

@@ -10,9 +10,11 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "study/results_journal.hpp"
+#include "study/detail/results_journal.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 // Collects what the stored results need of a motion, as it goes by.

@@ -7,11 +7,14 @@
 
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
-#include "study/comparison_barriers.hpp"
+#include "study/barrier_line.hpp"
+#include "study/detail/comparison_barriers.hpp"
 #include "study/run_columns.hpp"
 #include "study/runout.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 /// Mean release-to-stop lines shorter than this have no direction worth naming, m.
@@ -247,6 +250,18 @@ DepositGroup deposits_of(const Group& group, const std::vector<RunRow>& rows) {
 }
 
 }  // namespace
+
+std::string BarrierLine::direction(const Crossing& crossing) const {
+  if (counts == Counts::kForward) return crossing.forward ? "forward" : "backward";
+  return crossing.forward == inside_is_left(through) ? "out" : "in";
+}
+
+bool BarrierLine::counted(const Crossing& crossing) const {
+  const std::string way = direction(crossing);
+  return way == (counts == Counts::kForward   ? "forward"
+                 : counts == Counts::kEntries ? "in"
+                                              : "out");
+}
 
 const std::string& release_set_of(const CampaignResults& results, std::uint32_t point) {
   static const std::string none;

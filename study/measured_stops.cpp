@@ -8,25 +8,18 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/group_differences.hpp"
+#include "core/number_table.hpp"
 #include "core/random.hpp"
 #include "core/sample_tests.hpp"
 #include "core/text_file.hpp"
-#include "study/campaign_ranges.hpp"
 #include "study/comparison.hpp"
+#include "study/detail/campaign_ranges.hpp"
 #include "study/runout.hpp"
 
 namespace clast {
-namespace {
 
-/// "X_m" is the column x.
-std::string column_name(std::string_view field) {
-  std::string name;
-  for (const char c : field) {
-    name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  if (name.ends_with("_m")) name.resize(name.size() - 2);
-  return name;
-}
+using namespace study_detail;
+namespace {
 
 using Columns = std::map<std::string, std::size_t>;
 
@@ -34,7 +27,7 @@ Columns columns_of(const Record& header, const std::string& file) {
   Columns columns;
   std::string list;
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
-    const std::string name(column_name(header.fields[i]));
+    const std::string name(column_without_unit(header.fields[i]));
     const bool read = name == "x" || name == "y" || name == "start_x" || name == "start_y" ||
                       name == "block" || name == "shape";
     if (!columns.emplace(name, i).second && read) {

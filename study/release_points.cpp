@@ -8,9 +8,11 @@
 #include "core/number_table.hpp"
 #include "core/number_text.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "study/campaign_ranges.hpp"
+#include "study/detail/campaign_ranges.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 // Quaternions are often written with four to ten digits; further off is another quantity.

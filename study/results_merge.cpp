@@ -2,10 +2,11 @@
 #include <span>
 
 #include "core/error.hpp"
-#include "study/results_file.hpp"
+#include "study/detail/results_file.hpp"
 
 namespace clast {
 
+using namespace study_detail;
 namespace fs = std::filesystem;
 
 namespace {

@@ -1,19 +1,20 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <map>
 
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
 #include "core/number_text.hpp"
 #include "library/body_record.hpp"
-#include "study/checked_group.hpp"
+#include "study/detail/checked_group.hpp"
+#include "study/detail/results_layout.hpp"
 #include "study/results.hpp"
-#include "study/results_layout.hpp"
 
 namespace clast {
 
+using namespace study_detail;
 namespace fs = std::filesystem;
-using namespace results_layout;
 
 namespace {
 
@@ -39,21 +40,6 @@ void read_ground_sets(const CheckedGroup& reader, CampaignResults& results) {
       set.zones.push_back({restitution[k], friction[k], rolling[k]});
     }
     results.ground_sets.push_back(std::move(set));
-  }
-}
-
-void read_impacts(const CheckedGroup& reader, CampaignResults& results) {
-  const std::size_t rows = reader.length("run");
-  results.impacts.resize(rows);
-  for (const auto& column : kImpactIndices) {
-    const auto values = reader.column<std::uint32_t>(column.name, rows);
-    for (std::size_t i = 0; i < rows; ++i) column.field(results.impacts[i]) = values[i];
-    if (column.name == std::string("zone"))
-      reader.check_below(column.name, values, results.zone_names.size());
-  }
-  for (const auto& column : kImpactValues) {
-    const auto values = reader.column<double>(column.name, rows);
-    for (std::size_t i = 0; i < rows; ++i) column.field(results.impacts[i]) = values[i];
   }
 }
 
@@ -175,92 +161,61 @@ void read_terrain_group(const CheckedGroup& reader, CampaignResults& results) {
   results.frame = terrain.frame;
 }
 
-void read_crossings(const CheckedGroup& reader, CampaignResults& results) {
-  const std::size_t rows = reader.length("run");
-  std::vector<Crossing>& crossings = results.crossings;
-  crossings.resize(rows);
-  for (const auto& column : kCrossingIndices) {
-    const auto values = reader.column<std::uint32_t>(column.name, rows);
-    for (std::size_t i = 0; i < rows; ++i) column.field(crossings[i]) = values[i];
-    if (column.name == std::string("barrier"))
-      reader.check_below(column.name, values, results.barriers.size());
-  }
-  for (const auto& column : kCrossingValues) {
-    const auto values = reader.column<double>(column.name, rows);
-    for (std::size_t i = 0; i < rows; ++i) column.field(crossings[i]) = values[i];
-  }
-  const auto forward = reader.column<std::uint8_t>(kForward, rows);
-  for (std::size_t i = 0; i < rows; ++i) crossings[i].forward = forward[i] != 0;
+/// Reads rows by their columns, which are as long as "run".
+/// @param common  values that all rows share, of columns that the file does not have
+template <class Row>
+void read_rows(const CheckedGroup& reader, std::vector<Row>& rows,
+               const std::map<std::string, double>& common = {}) {
+  rows.resize(reader.length("run"));
+  visit_columns(
+      kRowsOf<Row>, [&](const std::string& name, const auto&, const auto&, const auto& field) {
+        using Value = std::remove_reference_t<decltype(std::invoke(field, rows.front()))>;
+        if constexpr (std::is_same_v<Value, double>) {
+          if (const auto one = common.find(name); one != common.end()) {
+            for (Row& row : rows) std::invoke(field, row) = one->second;
+            return;
+          }
+        }
+        const auto values = reader.column<Stored<Row, decltype(field)>>(name, rows.size());
+        if constexpr (std::is_same_v<Value, StopReason>) {
+          reader.check_below(name, values, static_cast<std::size_t>(StopReason::kError) + 1);
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+          std::invoke(field, rows[i]) = static_cast<Value>(values[i]);
+        }
+      });
 }
 
-// Numbers of runs, which stand in rising order.
-void check_order(const CheckedGroup& reader, const std::vector<std::uint32_t>& runs) {
+template <class Row>
+void check_below(const CheckedGroup& reader, const char* name, const std::vector<Row>& rows,
+                 std::uint32_t Row::*field, std::size_t limit) {
+  std::vector<std::uint32_t> values;
+  for (const Row& row : rows) values.push_back(row.*field);
+  reader.check_below(name, values, limit);
+}
+
+void check_runs(const CheckedGroup& reader, const CampaignResults& results) {
+  const std::vector<RunRecord>& runs = results.runs;
+  check_below(reader, "run", runs, &RunRecord::run, results.planned_runs);
+  check_below(reader, "block", runs, &RunRecord::block, results.blocks.size());
+  check_below(reader, "ground_set", runs, &RunRecord::ground_set, results.ground_sets.size());
+  check_below(reader, "point", runs, &RunRecord::point, results.release_points.size());
   for (std::size_t i = 1; i < runs.size(); ++i) {
-    if (runs[i] <= runs[i - 1]) {
-      reader.damaged("run",
-                     "holds " + std::to_string(runs[i]) + " after " + std::to_string(runs[i - 1]));
+    if (runs[i].run <= runs[i - 1].run) {
+      reader.damaged("run", "holds " + std::to_string(runs[i].run) + " after " +
+                                std::to_string(runs[i - 1].run));
     }
   }
 }
 
-void read_runs(const CheckedGroup& reader, CampaignResults& results) {
-  const std::size_t rows = reader.length("run");
-  std::vector<RunRecord>& runs = results.runs;
-  runs.resize(rows);
-  for (const RunIndex& column : kRunIndices) {
-    const auto values = reader.column<std::uint32_t>(column.name, rows);
-    for (std::size_t i = 0; i < rows; ++i) column.field(runs[i]) = values[i];
-    const std::string name = column.name;
-    if (name == "run") {
-      reader.check_below(name, values, results.planned_runs);
-      check_order(reader, values);
-    }
-    if (name == "block") reader.check_below(name, values, results.blocks.size());
-    if (name == "ground_set") reader.check_below(name, values, results.ground_sets.size());
-    if (name == "point") reader.check_below(name, values, results.release_points.size());
-  }
-  for (const StateOfRun& state : kRunStates) {
-    for (const StateValue& column : kStateValues) {
-      const auto values = reader.column<double>(state.prefix + std::string(column.name), rows);
-      for (std::size_t i = 0; i < rows; ++i) column.field(state.field(runs[i])) = values[i];
-    }
-  }
-  for (const RunValue& column : kRunValues) {
-    const auto values = reader.column<double>(column.name, rows);
-    for (std::size_t i = 0; i < rows; ++i) column.field(runs[i]) = values[i];
-  }
-  for (const RunCount& column : kRunCounts) {
-    const auto values = reader.column<std::int64_t>(column.name, rows);
-    for (std::size_t i = 0; i < rows; ++i) {
-      column.field(runs[i]) = static_cast<std::uint64_t>(values[i]);
-    }
-  }
-  const auto reason = reader.column<std::uint8_t>(kStopReason, rows);
-  reader.check_below(kStopReason, reason, static_cast<std::size_t>(StopReason::kError) + 1);
-  const auto below = reader.column<std::uint8_t>(kBelowGround, rows);
-  const auto message = reader.column<std::string>(kMessage, rows);
-  for (std::size_t i = 0; i < rows; ++i) {
-    runs[i].result.stop_reason = static_cast<StopReason>(reason[i]);
-    runs[i].result.below_ground = below[i] != 0;
-    runs[i].result.message = message[i];
-  }
-}
-
-// Of every run; in files that have one for all, as attributes of /contact, without depths.
-void read_stiffness(const CheckedGroup& reader, const Hdf5Group& contact,
-                    CampaignResults& results) {
-  std::vector<RunRecord>& runs = results.runs;
-  const bool one_for_all = contact.has_attribute(kRunStiffness.front().name);
-  for (const RunValue& column : kRunStiffness) {
-    std::vector<double> values;
-    if (!one_for_all) {
-      values = reader.column<double>(column.name, runs.size());
-    } else {
-      const bool stored = contact.has_attribute(column.name);
-      values.assign(runs.size(), stored ? contact.attribute<double>(column.name) : std::nan(""));
-    }
-    for (std::size_t i = 0; i < runs.size(); ++i) column.field(runs[i]) = values[i];
-  }
+// In files that have one stiffness for all runs, as attributes of /contact, without depths.
+std::map<std::string, double> common_stiffness(const Hdf5Group& contact) {
+  std::map<std::string, double> common;
+  visit_stiffness([&](const char* name, const auto&...) {
+    if (common.empty() && !contact.has_attribute(name)) return;
+    common[name] = contact.has_attribute(name) ? contact.attribute<double>(name) : std::nan("");
+  });
+  return common;
 }
 
 // Crossings and impacts are in order of runs that there are.
@@ -285,10 +240,10 @@ CampaignResults read_results(const fs::path& path) {
                      ": holds the runs of a campaign that is not finished; go on with it first, "
                      "by clast simulate with `resume`");
   }
-  const Hdf5File file = Hdf5File::open(path, kFormat, kSchemaVersion);
+  const Hdf5File file = Hdf5File::open(path, kResultsFormat, kResultsSchema);
   const CheckedGroup root{path.string(), "", file.root()};
   const auto schema = root.group.attribute<std::int64_t>("schema_version");
-  if (schema < kOldestSchema) {
+  if (schema < kOldestResultsSchema) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
                      " of an older clast, which kept less of each run; run the campaign again");
   }
@@ -324,12 +279,15 @@ CampaignResults read_results(const fs::path& path) {
   results.weights = contact_weights(contact.attribute<std::string>("weights"));
   read_terrain_group(root.into("terrain"), results);
 
-  read_runs(root.into("runs"), results);
-  read_stiffness(root.into("runs"), contact, results);
-  read_crossings(root.into("crossings"), results);
-  check_events(root.into("crossings"), results.crossings, results);
-  read_impacts(root.into("impacts"), results);
-  check_events(root.into("impacts"), results.impacts, results);
+  read_rows(root.into("runs"), results.runs, common_stiffness(contact));
+  check_runs(root.into("runs"), results);
+  const CheckedGroup crossings = root.into("crossings"), impacts = root.into("impacts");
+  read_rows(crossings, results.crossings);
+  check_below(crossings, "barrier", results.crossings, &Crossing::barrier, results.barriers.size());
+  check_events(crossings, results.crossings, results);
+  read_rows(impacts, results.impacts);
+  check_below(impacts, "zone", results.impacts, &Impact::zone, results.zone_names.size());
+  check_events(impacts, results.impacts, results);
   return results;
 }
 

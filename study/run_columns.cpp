@@ -8,196 +8,105 @@
 #include "classify/form.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "study/stored_columns.hpp"
 
 namespace clast {
 namespace {
 
+using Row = ComparisonRow<RunRow>;
+
 constexpr double kDegrees = 180.0 / kPi;
 
-std::uint64_t count(std::uint64_t value) { return value; }
+const CampaignResults& results_of(const Row& row) { return row.comparison.results[row->file]; }
 
-std::uint64_t ensemble_member(const CampaignResults& results, const RunRow& row) {
-  const std::uint32_t set = row.record->ground_set;
-  return set < results.ground_sets.size() ? results.ground_sets[set].member : 0;
+std::uint64_t ensemble_member(const Row& row) {
+  const std::vector<GroundSet>& sets = results_of(row).ground_sets;
+  const std::uint32_t set = row->record->ground_set;
+  return set < sets.size() ? sets[set].member : 0;
 }
 
-using Use = RunColumn::Use;
-constexpr RunColumn kColumns[] = {
-    {"run", "", "number of the run in its campaign, from 0", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return count(r.record->run); }},
-    {"block", "", "id", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->id; }},
-    {"class", "", "Sneed and Folk class", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->sneed_folk; }},
-    {"shape", "", "`compact` or `elongated`", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->garcia; }},
-    {"point", "", "index of the release point, from 0", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return count(r.record->point); }},
-    {"orientation", "", "index of the orientation, from 0", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return count(r.record->orientation);
-     }},
-    {"stop_reason", "", "`rest`, `left_terrain`, `max_time`, `error`", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return name_of(r.record->result.stop_reason);
-     }},
-    {"duration_s", "s", "simulated time", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.record->result.duration; }},
-    {"stop_x_m", "m", "centre of mass at the end", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.stop.x(); }},
-    {"stop_y_m", "m", "centre of mass at the end", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.stop.y(); }},
-    {"stop_z_m", "m", "centre of mass at the end", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.stop.z(); }},
-    {"runout_m", "m", "along downslope, see [theory](theory.md#statistics)", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.runout; }},
-    {"lateral_deg", "deg", "from downslope, see [theory](theory.md#statistics)", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.lateral * kDegrees; }},
-    {"max_speed_m_s", "m/s", "largest speed of the centre", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.record->result.max_speed; }},
-    {"max_penetration_m", "m", "largest overlap of any contact", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.max_penetration;
-     }},
-    {"energy_error", "", "share of the dissipated energy that the balance misses", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.energy.error;
-     }},
-    {"file", "", "number of the results file", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return count(r.file + 1); }},
-    {"mass_kg", "kg", "of the block", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->mass; }},
-    {"start_x_m", "m", "centre of mass at release", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.start.x(); }},
-    {"start_y_m", "m", "centre of mass at release", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.start.y(); }},
-    {"start_z_m", "m", "centre of mass at release", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.start.z(); }},
-    {"path_length_m", "m", "of the centre", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.path_length;
-     }},
-    {"settled_penetration_m", "m", "largest overlap at the end", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.settled_penetration;
-     }},
-    {"below_ground", "", "1 if the run ended below ground, else 0", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return count(r.record->result.below_ground ? 1 : 0);
-     }},
-    {"contact_steps", "", "time steps with a contact", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return count(r.record->result.contact_steps);
-     }},
-    {"impacts", "", "flights ended by a contact", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return count(r.record->result.impacts);
-     }},
-    {"stop_qw", "", "orientation at the end, world from principal frame", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.final_state.orientation.w();
-     }},
-    {"stop_qx", "", "orientation at the end, world from principal frame", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.final_state.orientation.x();
-     }},
-    {"stop_qy", "", "orientation at the end, world from principal frame", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.final_state.orientation.y();
-     }},
-    {"stop_qz", "", "orientation at the end, world from principal frame", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.final_state.orientation.z();
-     }},
-    {"energy_initial_j", "J", "kinetic + potential + stored, at the start", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.energy.initial;
-     }},
-    {"energy_final_j", "J", "kinetic + potential + stored, at the end", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.energy.final;
-     }},
-    {"energy_normal_j", "J", "dissipated by the normal law", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.energy.normal;
-     }},
-    {"energy_friction_j", "J", "dissipated by sliding", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.energy.friction;
-     }},
-    {"energy_rolling_j", "J", "dissipated by rolling resistance", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.energy.rolling;
-     }},
-    {"energy_reassigned_j", "J", "lost (gained, if negative) where contacts or weights change",
-     Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->result.energy.reassigned;
-     }},
-    {"message", "", "of a run that ended with an error", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.record->result.message; }},
-    {"library_block", "", "the block in the library that it is made from", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->library_block(); }},
-    {"block_group", "", "group of the block in the campaign", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->group; }},
-    {"scale", "", "factor on the lengths of the block in the library", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->scale; }},
-    {"volume_m3", "m^3", "of the block as it ran", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->volume; }},
-    {"s_c", "", "of the block as it ran", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return elongation_s_c(r.block->axes);
-     }},
-    {"release_set", "", "of the campaign", Use::kBoth,
-     [](const CampaignResults& c, const RunRow& r) -> RunCell {
-       return release_set_of(c, r.record->point);
-     }},
-    {"ground_set", "", "of the campaign; ground_sets.csv has the parameters", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return count(r.record->ground_set);
-     }},
-    {"ensemble_member", "", "of the ground set", Use::kBoth,
-     [](const CampaignResults& c, const RunRow& r) -> RunCell {
-       return count(ensemble_member(c, r));
-     }},
-    {"contact_time_s", "s", "as in [results](#results-hdf5)", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->contacts.contact_time;
-     }},
-    {"mean_contact_points", "", "as in [results](#results-hdf5)", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->contacts.mean_points;
-     }},
-    {"most_contact_points", "", "as in [results](#results-hdf5)", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return count(r.record->contacts.most_points);
-     }},
-    {"longest_flight_m", "m", "as in [results](#results-hdf5)", Use::kBoth,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->contacts.longest_flight;
-     }},
-    {"max_energy_j", "J", "as in [results](#results-hdf5)", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->contacts.max_energy;
-     }},
-    {"max_spin_rad_s", "rad/s", "as in [results](#results-hdf5)", Use::kTable,
-     [](const CampaignResults&, const RunRow& r) -> RunCell {
-       return r.record->contacts.max_spin;
-     }},
-    {"zingg", "", "Zingg class", Use::kGroups,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->zingg; }},
-    {"L_m", "m", "side of the smallest box", Use::kGroups,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->axes.L; }},
-    {"I_m", "m", "side of the smallest box", Use::kGroups,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->axes.I; }},
-    {"S_m", "m", "side of the smallest box", Use::kGroups,
-     [](const CampaignResults&, const RunRow& r) -> RunCell { return r.block->axes.S; }},
-};
+/// What is not a column of the results file: of the block, of the comparison, and on the map.
+TableColumns<Row> own_columns() {
+  const auto block = [](const Row& row) -> const BlockSummary& { return *row->block; };
+  return joined<Row>(
+      {{{"block", "", "id of the block", [=](const Row& r) { return block(r).id; }},
+        {"class", "", "Sneed and Folk class", [=](const Row& r) { return block(r).sneed_folk; }},
+        {"zingg", "", "Zingg class", [=](const Row& r) { return block(r).zingg; }},
+        {"shape", "", "`compact` or `elongated`", [=](const Row& r) { return block(r).garcia; }},
+        {"mass_kg", "kg", "of the block", [=](const Row& r) { return block(r).mass; }},
+        {"library_block", "", "the block in the library that it is made from",
+         [=](const Row& r) { return block(r).library_block(); }},
+        {"block_group", "", "group of the block in the campaign",
+         [=](const Row& r) { return block(r).group; }},
+        {"scale", "", "factor on the lengths of the block in the library",
+         [=](const Row& r) { return block(r).scale; }},
+        {"volume_m3", "m^3", "of the block as it ran",
+         [=](const Row& r) { return block(r).volume; }},
+        {"s_c", "", "of the block as it ran",
+         [=](const Row& r) { return elongation_s_c(block(r).axes); }}},
+       columns_of_list<Row>({"L_m", "I_m", "S_m"}, "m", "sides of the smallest box",
+                            [=](const Row& r) {
+                              const Axes& axes = block(r).axes;
+                              return Vec3(axes.L, axes.I, axes.S);
+                            }),
+       columns_of_list<Row>({"start_x_m", "start_y_m", "start_z_m"}, "m",
+                            "centre of mass at release", &RunRow::start),
+       columns_of_list<Row>({"stop_x_m", "stop_y_m", "stop_z_m"}, "m", "centre of mass at the end",
+                            &RunRow::stop),
+       {{"runout_m", "m", "along downslope, see [theory](theory.md#statistics)", &RunRow::runout},
+        {"lateral_deg", "deg", "from downslope, see [theory](theory.md#statistics)",
+         [](const Row& r) { return r->lateral * kDegrees; }},
+        {"file", "", "number of the results file",
+         [](const Row& r) { return std::uint64_t{r->file} + 1; }},
+        {"stop_reason", "", "`rest`, `left_terrain`, `max_time`, `error`",
+         [](const Row& r) { return name_of(r->record->result.stop_reason); }},
+        {"release_set", "", "of the campaign",
+         [](const Row& r) { return release_set_of(results_of(r), r->record->point); }},
+        {"ground_set", "", "of the campaign; ground_sets.csv has the parameters",
+         [](const Row& r) { return std::uint64_t{r->record->ground_set}; }},
+        {"ensemble_member", "", "of the ground set", ensemble_member}}});
+}
+
+/// Own columns first: where the file has one of the same name, it holds an index, or is local.
+const TableColumns<Row>& all_columns() {
+  static const TableColumns<Row> columns = joined<Row>(
+      {own_columns(),
+       columns_of_part<Row>(stored_run_columns(),
+                            [](const Row& row) -> const RunRecord& { return *row->record; })});
+  return columns;
+}
+
+const TableColumns<Row>& group_columns() {
+  static const TableColumns<Row> columns = chosen(all_columns(), {"block",
+                                                                  "class",
+                                                                  "shape",
+                                                                  "point",
+                                                                  "orientation",
+                                                                  "stop_reason",
+                                                                  "max_speed_m_s",
+                                                                  "file",
+                                                                  "mass_kg",
+                                                                  "impacts",
+                                                                  "library_block",
+                                                                  "block_group",
+                                                                  "scale",
+                                                                  "volume_m3",
+                                                                  "s_c",
+                                                                  "release_set",
+                                                                  "ground_set",
+                                                                  "ensemble_member",
+                                                                  "longest_flight_m",
+                                                                  "zingg",
+                                                                  "L_m",
+                                                                  "I_m",
+                                                                  "S_m"});
+  return columns;
+}
 
 /// Orders by number where there is one, then by text.
 using Value = std::pair<double, std::string>;
 
-Value value_of(const RunCell& cell) {
+Value value_of(const TableCell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return {*number, with_digits(*number, 6)};
   if (const auto* whole = std::get_if<std::uint64_t>(&cell)) {
     return {static_cast<double>(*whole), std::to_string(*whole)};
@@ -206,12 +115,11 @@ Value value_of(const RunCell& cell) {
   return {0.0, text.empty() ? "none" : text};
 }
 
-const RunColumn& column_named(const std::string& name) {
+const TableColumn<Row>& group_column(const std::string& name) {
   std::string list;
-  for (const RunColumn& column : run_columns()) {
-    if (!column.groups()) continue;
+  for (const TableColumn<Row>& column : group_columns()) {
     if (name == column.name) return column;
-    list += (list.empty() ? "" : ", ") + std::string(column.name);
+    list += (list.empty() ? "" : ", ") + column.name;
   }
   throw InputError("runs have no column \"" + name + "\" to be grouped by; there are " + list);
 }
@@ -228,13 +136,66 @@ Value quarter(const std::vector<double>& sorted, double value) {
 
 }  // namespace
 
-std::span<const RunColumn> run_columns() { return kColumns; }
+const TableColumns<Row>& run_columns() {
+  static const TableColumns<Row> columns = chosen(all_columns(), {"run",
+                                                                  "block",
+                                                                  "class",
+                                                                  "shape",
+                                                                  "point",
+                                                                  "orientation",
+                                                                  "stop_reason",
+                                                                  "duration_s",
+                                                                  "stop_x_m",
+                                                                  "stop_y_m",
+                                                                  "stop_z_m",
+                                                                  "runout_m",
+                                                                  "lateral_deg",
+                                                                  "max_speed_m_s",
+                                                                  "max_penetration_m",
+                                                                  "energy_error",
+                                                                  "file",
+                                                                  "mass_kg",
+                                                                  "start_x_m",
+                                                                  "start_y_m",
+                                                                  "start_z_m",
+                                                                  "path_length_m",
+                                                                  "settled_penetration_m",
+                                                                  "below_ground",
+                                                                  "contact_steps",
+                                                                  "impacts",
+                                                                  "stop_qw",
+                                                                  "stop_qx",
+                                                                  "stop_qy",
+                                                                  "stop_qz",
+                                                                  "energy_initial_j",
+                                                                  "energy_final_j",
+                                                                  "energy_normal_j",
+                                                                  "energy_friction_j",
+                                                                  "energy_rolling_j",
+                                                                  "energy_reassigned_j",
+                                                                  "message",
+                                                                  "library_block",
+                                                                  "block_group",
+                                                                  "scale",
+                                                                  "volume_m3",
+                                                                  "s_c",
+                                                                  "release_set",
+                                                                  "ground_set",
+                                                                  "ensemble_member",
+                                                                  "contact_time_s",
+                                                                  "mean_contact_points",
+                                                                  "most_contact_points",
+                                                                  "longest_flight_m",
+                                                                  "max_energy_j",
+                                                                  "max_spin_rad_s"});
+  return columns;
+}
 
 void append_column_groups(Comparison& comparison, const std::string& name) {
-  const RunColumn& column = column_named(name);
+  const TableColumn<Row>& column = group_column(name);
   std::vector<Value> values;
   for (const RunRow& row : comparison.rows) {
-    values.push_back(value_of(column.value(comparison.results[row.file], row)));
+    values.push_back(value_of(column.value({comparison, row})));
   }
   const std::set<Value> distinct(values.begin(), values.end());
   // Texts have the number 0.

@@ -1,15 +1,15 @@
-#include "study/checked_group.hpp"
+#include "study/detail/checked_group.hpp"
+#include "study/detail/results_layout.hpp"
 #include "study/results.hpp"
-#include "study/results_layout.hpp"
 
 namespace clast {
 
+using namespace study_detail;
 namespace fs = std::filesystem;
-using namespace results_layout;
 
 struct TrajectoryFile::Impl {
   explicit Impl(const fs::path& path)
-      : file(Hdf5File::open(path, kFormat, kSchemaVersion)),
+      : file(Hdf5File::open(path, kResultsFormat, kResultsSchema)),
         reader{path.string(), "/trajectories", file.root().group("trajectories")} {}
   Hdf5File file;
   CheckedGroup reader;
@@ -24,8 +24,8 @@ std::size_t TrajectoryFile::frames(std::uint32_t run) const {
   const std::string name = trajectory_name(run);
   if (!reader.group.has(name)) return 0;
   const std::vector<std::size_t> shape = reader.group.shape(name);
-  if (shape.size() != 2 || shape[0] != kTrajectoryRows) {
-    reader.damaged(name, "is not a table of " + std::to_string(kTrajectoryRows) + " rows");
+  if (shape.size() != 2 || shape[0] != trajectory_rows()) {
+    reader.damaged(name, "is not a table of " + std::to_string(trajectory_rows()) + " rows");
   }
   return shape[1];
 }
@@ -43,13 +43,11 @@ Trajectory TrajectoryFile::read(std::uint32_t run) const {
   const std::vector<double> rows = reader.group.read<double>(name);
   Trajectory trajectory;
   trajectory.time.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    RigidState state;
-    for (std::size_t k = 1; k < kTrajectoryRows; ++k) {
-      kStateValues[k - 1].field(state) = rows[k * count + i];
-    }
-    trajectory.states.push_back(state);
-  }
+  trajectory.states.resize(count);
+  auto value = rows.begin() + static_cast<std::ptrdiff_t>(count);
+  visit_columns(kRowsOf<RigidState>, [&](const auto&, const auto&, const auto&, const auto& field) {
+    for (RigidState& state : trajectory.states) field(state) = *value++;
+  });
   return trajectory;
 }
 

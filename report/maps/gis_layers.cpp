@@ -1,14 +1,15 @@
 #include "report/maps/gis_layers.hpp"
 
+#include <cmath>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/output_file.hpp"
 #include "core/version.hpp"
 #include "report/maps/detail/gdal_output.hpp"
+#include "report/tables/comparison_columns.hpp"
 #include "study/path_samples.hpp"
 
 namespace clast {
@@ -35,9 +36,11 @@ class Layer {
     for (const Field& field : fields) {
       OGRFieldDefn definition(field.first, field.second);
       check_written(layer_->CreateField(&definition) == OGRERR_NONE, target_, "layer " + name_);
+      fields_.push_back(field.first);
     }
   }
 
+  const std::vector<std::string>& fields() const { return fields_; }
   Feature feature() const { return Feature(OGRFeature::CreateFeature(layer_->GetLayerDefn())); }
   void add(Feature feature, const OGRGeometry& geometry) {
     feature->SetGeometry(&geometry);
@@ -47,15 +50,24 @@ class Layer {
  private:
   std::filesystem::path target_;
   std::string name_;
+  std::vector<std::string> fields_;
   OGRLayer* layer_ = nullptr;
 };
 
-void set_run(OGRFeature& feature, const RunRow& row) {
-  feature.SetField("file", static_cast<int>(row.file + 1));
-  feature.SetField("run", static_cast<int>(row.record->run));
-  feature.SetField("block", row.block->id.c_str());
-  feature.SetField("class", row.block->sneed_folk.c_str());
-  feature.SetField("shape", row.block->garcia.c_str());
+/// Fields that are columns of a table. An empty cell is a field that is not set.
+template <class Row>
+void set_fields(OGRFeature& feature, const TableColumns<Row>& columns, const Row& row) {
+  for (const TableColumn<Row>& column : columns) {
+    const TableCell cell = column.value(row);
+    const char* name = column.name.c_str();
+    if (const auto* count = std::get_if<std::uint64_t>(&cell)) {
+      feature.SetField(name, static_cast<GIntBig>(*count));
+    } else if (const auto* text = std::get_if<std::string>(&cell)) {
+      feature.SetField(name, text->c_str());
+    } else if (const double number = std::get<double>(cell); std::isfinite(number)) {
+      feature.SetField(name, number);
+    }
+  }
 }
 
 const std::vector<Layer::Field> kRunFields = {{"file", OFTInteger},
@@ -71,58 +83,35 @@ std::vector<Layer::Field> with_run_fields(const std::vector<Layer::Field>& more)
 }
 
 void write_stops(Layer layer, const Comparison& comparison) {
+  const auto columns = chosen(run_columns(), layer.fields());
   for (const RunRow& row : comparison.rows) {
     if (!row.stop.allFinite()) continue;  // a failed run may have no place
-    const ReleaseResult& result = row.record->result;
     Feature feature = layer.feature();
-    set_run(*feature, row);
-    feature->SetField("point", static_cast<int>(row.record->point));
-    feature->SetField("orientation", static_cast<int>(row.record->orientation));
-    feature->SetField("stop_reason", name_of(result.stop_reason).c_str());
-    feature->SetField("duration_s", result.duration);
-    feature->SetField("runout_m", row.runout);
-    feature->SetField("lateral_deg", row.lateral * 180.0 / kPi);
-    feature->SetField("max_speed_m_s", result.max_speed);
-    feature->SetField("mass_kg", row.block->mass);
+    set_fields(*feature, columns, {comparison, row});
     layer.add(std::move(feature), OGRPoint(row.stop.x(), row.stop.y(), row.stop.z()));
   }
 }
 
 void write_crossings(Layer layer, const Comparison& comparison) {
+  const auto columns = chosen(crossing_columns(), layer.fields());
   for (const CrossingRow& row : comparison.crossings) {
-    const Crossing& crossing = *row.crossing;
     Feature feature = layer.feature();
-    set_run(*feature, comparison.rows[row.row]);
-    feature->SetField("barrier", comparison.lines[row.barrier].name.c_str());
-    feature->SetField("direction", comparison.lines[row.barrier].direction(crossing).c_str());
-    feature->SetField("counted", row.counted ? 1 : 0);
-    feature->SetField("time_s", crossing.time);
-    feature->SetField("height_m", crossing.height);
-    feature->SetField("clearance_m", crossing.clearance);
-    feature->SetField("speed_m_s", crossing.velocity.norm());
-    feature->SetField("translational_energy_j", crossing.translational_energy);
-    feature->SetField("rotational_energy_j", crossing.rotational_energy);
-    feature->SetField("rotation_rate_rad_s", crossing.angular_velocity.norm());
+    set_fields(*feature, columns, {comparison, row});
     layer.add(std::move(feature), OGRPoint(row.position.x(), row.position.y(), row.position.z()));
   }
 }
 
 void write_barriers(Layer layer, const Comparison& comparison) {
+  const auto columns = chosen(barrier_columns(), {"runs", "crossings", "probability",
+                                                  "height_p95_m", "total_energy_p95_j"});
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
     Feature feature = layer.feature();
     feature->SetField("name", barrier.name.c_str());
-    for (const BarrierGroup& group : comparison.barriers) {
-      if (group.line != line || comparison.groups[group.group_index].kind != GroupKind::kAll ||
-          comparison.groups[group.group_index].file) {
-        continue;
-      }
-      feature->SetField("runs", static_cast<GIntBig>(group.started));
-      feature->SetField("crossings", static_cast<GIntBig>(group.crossed));
-      feature->SetField("probability", group.probability);
-      if (group.crossed > 0) {
-        feature->SetField("height_p95_m", group.height.p95);
-        feature->SetField("total_energy_p95_j", group.total.p95);
+    for (const BarrierGroup& row : comparison.barriers) {
+      const Group& group = comparison.groups[row.group_index];
+      if (row.line == line && group.kind == GroupKind::kAll && !group.file) {
+        set_fields(*feature, columns, row);
       }
     }
     OGRLineString geometry;
@@ -133,24 +122,21 @@ void write_barriers(Layer layer, const Comparison& comparison) {
 
 /// The way of every run with a stored trajectory, as a line through its frames.
 void write_trajectories(Layer layer, const Comparison& comparison) {
-  for_each_trajectory(
-      comparison, [&](std::size_t index, const Trajectory& trajectory, const TerrainSurface&) {
-        const RunRow& row = comparison.rows[index];
-        if (trajectory.states.size() < 2) return;
-        const Vec3& origin = comparison.results[row.file].frame.origin;
-        OGRLineString line;
-        for (const RigidState& state : trajectory.states) {
-          const Vec3 place = origin + state.position;
-          line.addPoint(place.x(), place.y(), place.z());
-        }
-        Feature feature = layer.feature();
-        set_run(*feature, row);
-        feature->SetField("stop_reason", name_of(row.record->result.stop_reason).c_str());
-        feature->SetField("runout_m", row.runout);
-        feature->SetField("max_speed_m_s", row.record->result.max_speed);
-        feature->SetField("max_energy_j", row.record->contacts.max_energy);
-        layer.add(std::move(feature), line);
-      });
+  const auto columns = chosen(run_columns(), layer.fields());
+  for_each_trajectory(comparison,
+                      [&](std::size_t index, const Trajectory& trajectory, const TerrainSurface&) {
+                        const RunRow& row = comparison.rows[index];
+                        if (trajectory.states.size() < 2) return;
+                        const Vec3& origin = comparison.results[row.file].frame.origin;
+                        OGRLineString line;
+                        for (const RigidState& state : trajectory.states) {
+                          const Vec3 place = origin + state.position;
+                          line.addPoint(place.x(), place.y(), place.z());
+                        }
+                        Feature feature = layer.feature();
+                        set_fields(*feature, columns, {comparison, row});
+                        layer.add(std::move(feature), line);
+                      });
 }
 
 void write_measured(Layer layer, const MeasuredStops& measured) {

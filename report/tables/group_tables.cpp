@@ -1,196 +1,292 @@
 #include "report/tables/group_tables.hpp"
 
 #include <cmath>
-#include <string_view>
 
-#include "core/csv_text.hpp"
+#include "report/tables/comparison_columns.hpp"
 
 namespace clast {
+
+using namespace report_detail;
 namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
-/// mean, std, median, p95, max; empty where nothing was measured.
-void cells(CsvText& csv, const Summary& summary) {
-  if (summary.count == 0) return csv.empty_cells(5);
-  for (const double value : {summary.mean, summary.std, summary.median, summary.p95, summary.max}) {
-    csv.cell(value);
-  }
-}
+struct Statistic {
+  const char* name;
+  double Summary::*value;
+};
+const std::vector<Statistic> kAllStatistics = {{"mean", &Summary::mean},
+                                               {"std", &Summary::std},
+                                               {"median", &Summary::median},
+                                               {"p95", &Summary::p95},
+                                               {"max", &Summary::max}};
+const std::vector<Statistic> kMeanAndStd = {{"mean", &Summary::mean}, {"std", &Summary::std}};
+const std::vector<Statistic> kUpper = {
+    {"mean", &Summary::mean}, {"p95", &Summary::p95}, {"max", &Summary::max}};
 
-std::string summary_columns(std::string_view quantity, std::string_view unit) {
-  std::string columns;
-  for (const char* statistic : {"mean", "std", "median", "p95", "max"}) {
-    columns.append(",").append(quantity).append("_").append(statistic).append("_").append(unit);
+/// A column for each statistic, whose name takes the place of `*` in `name`; empty where nothing
+/// was measured.
+/// @param summary  of a row, a function or a member
+template <class Row, class Get>
+TableColumns<Row> summary_columns(const std::vector<Statistic>& statistics, const std::string& name,
+                                  const std::string& unit, const std::string& meaning,
+                                  const Get& summary) {
+  TableColumns<Row> columns;
+  for (const Statistic& statistic : statistics) {
+    std::string column = name;
+    column.replace(column.find('*'), 1, statistic.name);
+    columns.push_back({column, unit, meaning, [=, value = statistic.value](const Row& row) {
+                         const Summary& of_row = std::invoke(summary, row);
+                         return of_row.count > 0 ? of_row.*value : NAN;
+                       }});
   }
   return columns;
 }
 
+Summary in_degrees(const Summary& angle) {
+  return {angle.count,          angle.mean * kDegrees,
+          angle.std * kDegrees, angle.median * kDegrees,
+          angle.p95 * kDegrees, angle.max * kDegrees};
+}
+
+template <class Item>
+const std::string& group_name(const ComparisonRow<Item>& row) {
+  return row.comparison.groups[row->group].name;
+}
+
 }  // namespace
 
+const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
+  using Row = BarrierGroup;
+  const auto interval = [](const Row& row) { return wilson_interval(row.crossed, row.started); };
+  const auto statistics = [](const char* name, const char* unit, const char* meaning,
+                             Summary Row::*summary) {
+    return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
+  };
+  static const auto columns = joined<Row>(
+      {{{"barrier", "", "name; of a ring with `(in)` or `(out)`", &Row::barrier},
+        {"group", "", "name", &Row::group},
+        {"runs", "", "runs started by the group in campaigns with this barrier", &Row::started},
+        {"crossings", "",
+         "of these, runs with a forward crossing; for a ring, with an entry or an exit",
+         &Row::crossed},
+        {"probability", "", "`crossings` / `runs`", &Row::probability},
+        {"probability_low", "", "its 95 % confidence interval after Wilson",
+         [=](const Row& row) { return interval(row).low; }},
+        {"probability_high", "", "its 95 % confidence interval after Wilson",
+         [=](const Row& row) { return interval(row).high; }}},
+       statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
+                  &Row::height),
+       statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",
+                  &Row::clearance),
+       statistics("speed_*_m_s", "m/s", "speed of the centre of mass", &Row::speed),
+       statistics("translational_energy_*_j", "J", "kinetic energy of the centre of mass",
+                  &Row::translational),
+       statistics("rotational_energy_*_j", "J", "kinetic energy of the rotation", &Row::rotational),
+       statistics("total_energy_*_j", "J", "both kinetic energies", &Row::total),
+       statistics("rotation_rate_*_rad_s", "rad/s", "magnitude of the angular velocity",
+                  &Row::rotation_rate)});
+  return columns;
+}
+
+const TableColumns<ComparisonRow<GroupDeposit>>& report_detail::deposit_columns() {
+  using Row = ComparisonRow<GroupDeposit>;
+  const auto stops = [](const Row& row) { return row->deposit.stops; };
+  static const auto columns = joined<Row>(
+      {{{"group", "", "name", [](const Row& row) { return row->group.name; }},
+        {"count", "", "runs that came to rest; the statistics are over these",
+         [=](const Row& row) { return stops(row).rest; }}},
+       summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "runout of the runs at rest",
+                            [](const Row& row) { return row->deposit.runout; }),
+       columns_of_list<Row>({"mean_stop_x_m", "mean_stop_y_m", "mean_stop_z_m"}, "m", "mean stop",
+                            [=](const Row& row) {
+                              return stops(row).rest > 0 ? row->deposit.mean_stop
+                                                         : Vec3(Vec3::Constant(NAN));
+                            }),
+       summary_columns<Row>(kMeanAndStd, "lateral_*_deg", "deg", "lateral angle, with its sign",
+                            [](const Row& row) { return in_degrees(row->deposit.lateral); }),
+       {{"runs", "", "runs started", [](const Row& row) { return row->deposit.started; }},
+        {"left_terrain", "", "runs that ended in this way",
+         [=](const Row& row) { return stops(row).left_terrain; }},
+        {"max_time", "", "runs that ended in this way",
+         [=](const Row& row) { return stops(row).max_time; }},
+        {"error", "", "runs that ended in this way",
+         [=](const Row& row) { return stops(row).error; }}},
+       columns_of_list<Row>({"downslope_x", "downslope_y"}, "",
+                            "unit vector that runout is measured along",
+                            [](const Row& row) { return row.comparison.downslope; })});
+  return columns;
+}
+
+const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns() {
+  using Row = ComparisonRow<Difference>;
+  const auto bound = [](const Row& row, double Interval::*end) {
+    return row->interval ? (*row->interval).*end : NAN;
+  };
+  const char* interval = "95 % confidence interval of the difference";
+  const char* unit = "as `quantity`";
+  static const TableColumns<Row> columns = {
+      {"first", "", "groups",
+       [](const Row& row) { return row.comparison.groups[row->first].name; }},
+      {"second", "", "groups",
+       [](const Row& row) { return row.comparison.groups[row->second].name; }},
+      {"quantity", "",
+       "`runout_m`, `lateral_deg`, `path_length_m` of runs that came to rest, `max_speed_m_s` of "
+       "runs that did not fail, and, per barrier, `NAME speed_m_s`, `NAME total_energy_j`, "
+       "`NAME height_m` of first crossings",
+       &Difference::quantity},
+      {"first_runs", "", "number of values of each group", &Difference::first_runs},
+      {"second_runs", "", "number of values of each group", &Difference::second_runs},
+      {"release_points", "", "number of clusters for interval and test", &Difference::points},
+      {"first_mean", unit, "mean of each group", &Difference::first_mean},
+      {"second_mean", unit, "mean of each group", &Difference::second_mean},
+      {"difference", unit, "first minus second",
+       [](const Row& row) { return row->first_mean - row->second_mean; }},
+      {"difference_low", unit, interval,
+       [=](const Row& row) { return bound(row, &Interval::low); }},
+      {"difference_high", unit, interval,
+       [=](const Row& row) { return bound(row, &Interval::high); }},
+      {"cliffs_delta", "", "effect sizes", &Difference::cliffs_delta},
+      {"hedges_g", "", "effect sizes", [](const Row& row) { return row->hedges_g.value_or(NAN); }},
+      {"ks_distance", "", "Kolmogorov-Smirnov distance", &Difference::ks_distance},
+      {"p_value", "", "from random permutations by release point, uncorrected",
+       &Difference::p_value},
+      {"p_holm", "", "... corrected for `tests` tests", &Difference::p_holm},
+      {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::tests},
+      {"found", "", "1 where `p_holm` is below 0.05",
+       [](const Row& row) { return std::uint64_t{row->found() ? 1u : 0u}; }},
+      {"words", "", "a sentence to quote",
+       [](const Row& row) { return in_words(row.item, row.comparison); }}};
+  return columns;
+}
+
+const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_columns() {
+  using Row = ComparisonRow<MeasuredGroup>;
+  using Group = MeasuredGroup;
+  const auto bounds = [](const char* low, const char* high, const char* unit,
+                         Interval Group::*interval) {
+    return columns_of_list<Row>({low, high}, unit, "its 95 % confidence interval",
+                                [interval](const Row& row) {
+                                  return Vec2(((*row).*interval).low, ((*row).*interval).high);
+                                });
+  };
+  static const auto columns = joined<Row>(
+      {{{"group", "", "name", group_name<Group>},
+        {"measured", "", "measured stops of the group", &Group::measured},
+        {"simulated", "", "runs at rest", &Group::simulated}},
+       summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "of measured stops", &Group::runout),
+       summary_columns<Row>(kMeanAndStd, "lateral_*_deg", "deg", "of measured stops",
+                            [](const Row& row) { return in_degrees(row->lateral); }),
+       {{"simulated_runout_mean_m", "m", "of runs at rest", &Group::simulated_runout},
+        {"difference_m", "m", "mean runout, measured minus simulated",
+         [](const Row& row) { return row->runout.mean - row->simulated_runout; }},
+        {"cliffs_delta", "", "measured against simulated runout", &Group::cliffs_delta},
+        {"ks_distance", "", "Kolmogorov-Smirnov distance", &Group::ks_distance},
+        {"p_value", "", "of the distance, uncorrected", &Group::p_value},
+        {"p_holm", "", "... corrected for all groups", &Group::p_holm}},
+       columns_of_list<Row>(
+           {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of measured stops",
+           [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),
+       columns_of_list<Row>(
+           {"simulated_runout_q25_m", "simulated_runout_median_m", "simulated_runout_q75_m"}, "m",
+           "quartiles of runs at rest",
+           [](const Row& row) {
+             const Quartiles& runout = row->simulated_quartiles;
+             return Vec3(runout.low, runout.median, runout.high);
+           }),
+       {{"median_difference_m", "m", "median runout, measured minus simulated",
+         [](const Row& row) { return row->quartiles.median - row->simulated_quartiles.median; }}},
+       bounds("median_difference_low_m", "median_difference_high_m", "m",
+              &Group::median_difference),
+       bounds("ks_distance_low", "ks_distance_high", "", &Group::ks_interval)});
+  return columns;
+}
+
+const TableColumns<ComparisonRow<ProfileBin>>& report_detail::profile_columns() {
+  using Row = ComparisonRow<ProfileBin>;
+  const char* along = "distance from each run's release point along downslope";
+  static const auto columns = joined<Row>(
+      {{{"group", "", "name", group_name<ProfileBin>},
+        {"from_m", "m", along, &ProfileBin::from},
+        {"to_m", "m", along, &ProfileBin::to},
+        {"runs", "", "that passed there", &ProfileBin::runs}},
+       summary_columns<Row>(kUpper, "energy_*_j", "J",
+                            "over runs, of each run's largest kinetic energy in between",
+                            &ProfileBin::energy),
+       summary_columns<Row>(kUpper, "speed_*_m_s", "m/s",
+                            "over runs, of each run's largest speed in between",
+                            &ProfileBin::speed),
+       summary_columns<Row>(
+           kUpper, "height_*_m", "m",
+           "over runs, of each run's largest height of the centre of mass above ground in "
+           "between",
+           &ProfileBin::height)});
+  return columns;
+}
+
+const TableColumns<ComparisonRow<ZoneOfSet>>& report_detail::ground_set_columns() {
+  using Row = ComparisonRow<ZoneOfSet>;
+  const auto results = [](const Row& row) -> const CampaignResults& {
+    return row.comparison.results[row->file];
+  };
+  const auto set = [=](const Row& row) -> const GroundSet& {
+    return results(row).ground_sets[row->set];
+  };
+  const auto ground = [=](const Row& row) -> const GroundParameters& {
+    return set(row).zones[row->zone];
+  };
+  static const TableColumns<Row> columns = {
+      {"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
+      {"ground_set", "", "as in runs.csv", &ZoneOfSet::set},
+      {"block_group", "", "as in runs.csv", [=](const Row& row) { return set(row).group; }},
+      {"ensemble_member", "", "as in runs.csv",
+       [=](const Row& row) { return std::uint64_t{set(row).member}; }},
+      {"zone", "", "name of the ground zone",
+       [=](const Row& row) { return results(row).zone_names[row->zone]; }},
+      {"energy_restitution", "", "e_n^2",
+       [=](const Row& row) { return ground(row).energy_restitution; }},
+      {"friction", "", "mu", [=](const Row& row) { return ground(row).friction; }},
+      {"rolling_friction", "", "mu_R",
+       [=](const Row& row) { return ground(row).rolling_friction; }}};
+  return columns;
+}
+
 std::string barriers_csv(const Comparison& comparison) {
-  CsvText csv;
-  csv.header("barrier,group,runs,crossings,probability,probability_low,probability_high" +
-             summary_columns("height", "m") + summary_columns("clearance", "m") +
-             summary_columns("speed", "m_s") + summary_columns("translational_energy", "j") +
-             summary_columns("rotational_energy", "j") + summary_columns("total_energy", "j") +
-             summary_columns("rotation_rate", "rad_s"));
-  for (const BarrierGroup& group : comparison.barriers) {
-    csv.cell(std::string_view(group.barrier));
-    csv.cell(std::string_view(group.group));
-    csv.count(group.started);
-    csv.count(group.crossed);
-    csv.cell(group.probability);
-    const Interval interval = wilson_interval(group.crossed, group.started);
-    csv.cell(interval.low);
-    csv.cell(interval.high);
-    for (const Summary* summary :
-         {&group.height, &group.clearance, &group.speed, &group.translational, &group.rotational,
-          &group.total, &group.rotation_rate}) {
-      cells(csv, *summary);
-    }
-    csv.end_row();
-  }
-  return csv.take();
+  return csv_of(barrier_columns(), comparison.barriers);
 }
 
 std::string deposits_csv(const Comparison& comparison) {
-  CsvText csv;
-  csv.header("group,count" + summary_columns("runout", "m") +
-             ",mean_stop_x_m,mean_stop_y_m,mean_stop_z_m,lateral_mean_deg,lateral_std_deg,"
-             "runs,left_terrain,max_time,error,downslope_x,downslope_y");
+  std::vector<GroupDeposit> deposits;
   for (std::size_t i = 0; i < comparison.groups.size(); ++i) {
-    const DepositGroup& deposit = comparison.deposits[i];
-    csv.cell(std::string_view(comparison.groups[i].name));
-    csv.count(deposit.stops.rest);
-    cells(csv, deposit.runout);
-    if (deposit.stops.rest > 0) {
-      for (const double part : deposit.mean_stop) csv.cell(part);
-      csv.cell(deposit.lateral.mean * kDegrees);
-      csv.cell(deposit.lateral.std * kDegrees);
-    } else {
-      csv.empty_cells(5);
-    }
-    csv.count(deposit.started);
-    csv.count(deposit.stops.left_terrain);
-    csv.count(deposit.stops.max_time);
-    csv.count(deposit.stops.error);
-    csv.cell(comparison.downslope.x());
-    csv.cell(comparison.downslope.y());
-    csv.end_row();
+    deposits.push_back({comparison.groups[i], comparison.deposits[i]});
   }
-  return csv.take();
+  return csv_of(deposit_columns(), rows_of(comparison, deposits));
 }
 
 std::string differences_csv(const Comparison& comparison) {
-  CsvText csv;
-  csv.header(
-      "first,second,quantity,first_runs,second_runs,release_points,first_mean,second_mean,"
-      "difference,difference_low,difference_high,cliffs_delta,hedges_g,ks_distance,p_value,p_holm,"
-      "tests,found,words");
-  for (const Difference& one : comparison.differences) {
-    csv.cell(std::string_view(comparison.groups[one.first].name));
-    csv.cell(std::string_view(comparison.groups[one.second].name));
-    csv.cell(std::string_view(one.quantity));
-    csv.count(one.first_runs);
-    csv.count(one.second_runs);
-    csv.count(one.points);
-    csv.cell(one.first_mean);
-    csv.cell(one.second_mean);
-    csv.cell(one.first_mean - one.second_mean);
-    csv.cell(one.interval ? one.interval->low : NAN);
-    csv.cell(one.interval ? one.interval->high : NAN);
-    csv.cell(one.cliffs_delta);
-    csv.cell(one.hedges_g.value_or(NAN));
-    csv.cell(one.ks_distance);
-    csv.cell(one.p_value);
-    csv.cell(one.p_holm);
-    csv.count(one.tests);
-    csv.count(one.found() ? 1 : 0);
-    csv.cell(std::string_view(in_words(one, comparison)));
-    csv.end_row();
-  }
-  return csv.take();
+  return csv_of(difference_columns(), rows_of(comparison, comparison.differences));
 }
 
 std::string measured_csv(const Comparison& comparison) {
-  CsvText csv;
-  csv.header(
-      "group,measured,simulated,runout_mean_m,runout_std_m,runout_median_m,runout_p95_m,"
-      "runout_max_m,lateral_mean_deg,lateral_std_deg,simulated_runout_mean_m,difference_m,"
-      "cliffs_delta,ks_distance,p_value,p_holm,runout_q25_m,runout_q75_m,simulated_runout_q25_m,"
-      "simulated_runout_median_m,simulated_runout_q75_m,median_difference_m,"
-      "median_difference_low_m,median_difference_high_m,ks_distance_low,ks_distance_high");
-  if (!comparison.measured) return csv.take();
-  for (const MeasuredGroup& group : comparison.measured->groups) {
-    csv.cell(std::string_view(comparison.groups[group.group].name));
-    csv.count(group.measured);
-    csv.count(group.simulated);
-    const Summary& runouts = group.runout;
-    for (const double value :
-         {runouts.mean, runouts.std, runouts.median, runouts.p95, runouts.max,
-          group.lateral.mean * kDegrees, group.lateral.std * kDegrees, group.simulated_runout,
-          runouts.mean - group.simulated_runout, group.cliffs_delta, group.ks_distance,
-          group.p_value, group.p_holm, group.quartiles.low, group.quartiles.high,
-          group.simulated_quartiles.low, group.simulated_quartiles.median,
-          group.simulated_quartiles.high,
-          group.quartiles.median - group.simulated_quartiles.median}) {
-      csv.cell(value);
-    }
-    for (const Interval& interval : {group.median_difference, group.ks_interval}) {
-      csv.cell(interval.low);
-      csv.cell(interval.high);
-    }
-    csv.end_row();
-  }
-  return csv.take();
+  if (!comparison.measured) return csv_of(measured_columns(), {});
+  return csv_of(measured_columns(), rows_of(comparison, comparison.measured->groups));
 }
 
 std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
-  CsvText csv;
-  csv.header(
-      "group,from_m,to_m,runs,energy_mean_j,energy_p95_j,energy_max_j,speed_mean_m_s,"
-      "speed_p95_m_s,speed_max_m_s,height_mean_m,height_p95_m,height_max_m");
-  for (const ProfileBin& bin : bins) {
-    csv.cell(std::string_view(comparison.groups[bin.group].name));
-    csv.cell(bin.from);
-    csv.cell(bin.to);
-    csv.count(bin.runs);
-    for (const Summary* summary : {&bin.energy, &bin.speed, &bin.height}) {
-      if (summary->count == 0) {
-        csv.empty_cells(3);
-        continue;
-      }
-      for (const double value : {summary->mean, summary->p95, summary->max}) csv.cell(value);
-    }
-    csv.end_row();
-  }
-  return csv.take();
+  return csv_of(profile_columns(), rows_of(comparison, bins));
 }
 
 std::string ground_sets_csv(const Comparison& comparison) {
-  CsvText csv;
-  csv.header(
-      "file,ground_set,block_group,ensemble_member,zone,energy_restitution,friction,"
-      "rolling_friction");
+  std::vector<ZoneOfSet> zones;
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     for (std::size_t set = 0; set < results.ground_sets.size(); ++set) {
-      const GroundSet& ground = results.ground_sets[set];
-      for (std::size_t zone = 0; zone < ground.zones.size(); ++zone) {
-        csv.count(file + 1);
-        csv.count(set);
-        csv.cell(std::string_view(ground.group));
-        csv.count(ground.member);
-        csv.cell(std::string_view(results.zone_names[zone]));
-        csv.cell(ground.zones[zone].energy_restitution);
-        csv.cell(ground.zones[zone].friction);
-        csv.cell(ground.zones[zone].rolling_friction);
-        csv.end_row();
+      for (std::size_t zone = 0; zone < results.ground_sets[set].zones.size(); ++zone) {
+        zones.push_back({file, set, zone});
       }
     }
   }
-  return csv.take();
+  return csv_of(ground_set_columns(), rows_of(comparison, zones));
 }
 
 }  // namespace clast

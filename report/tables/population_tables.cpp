@@ -4,69 +4,170 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/csv_text.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 #include "core/parallel.hpp"
+#include "report/tables/population_columns.hpp"
 
 namespace clast {
+
+using namespace report_detail;
 namespace {
 
-void class_row(CsvText& csv, const ReportedPopulation& reported, const MeasuredBlock& block,
-               const std::vector<std::string>& schemes, const SchemeOptions& limits) {
-  csv.cell(reported.population.name);
-  csv.cell(block.name);
-  if (block.unscaled) {
-    csv.empty_cells(5);
-  } else {
-    csv.cell(block.axes.L);
-    csv.cell(block.axes.I);
-    csv.cell(block.axes.S);
-    block.mass ? csv.cell(*block.mass) : csv.empty_cells(1);
-    csv.cell(block.axis_error);
-  }
-  for (const std::string& scheme : schemes) {
-    csv.cell(shape_class(scheme, block.as_written, limits));
-  }
-  for (const FormIndex& index : form_index_list()) {
-    const std::optional<double> value = index.value(block.as_written);
-    value ? csv.cell(*value) : csv.empty_cells(1);
-  }
-  csv.end_row();
+/// An empty cell for what is not known.
+template <class T>
+TableCell cell_of(const std::optional<T>& value) {
+  return value ? TableCell(*value) : TableCell(NAN);
 }
 
-void size_rows(CsvText& csv, const std::string& population, const SizeDistribution& size,
-               const char* weighting, const SizeCurve& curve) {
-  if (curve.blocks == 0) return;  // every block is unscaled
-  const auto begin_row = [&] {
-    csv.cell(population);
-    csv.cell(name_of(size.measure));
-    csv.cell(weighting);
-    csv.count(curve.blocks);
+std::vector<SizeRow> size_rows(const SizeRow& common, const SizeCurve& curve) {
+  if (curve.blocks == 0) return {};  // every block is unscaled
+  std::vector<SizeRow> rows;
+  const auto add = [&](const std::string& name, const char* unit, double value,
+                       std::optional<double> error = {}) {
+    rows.push_back(common);
+    SizeRow& row = rows.back();
+    row.blocks = curve.blocks;
+    row.quantity = name;
+    row.unit = unit;
+    row.value = value;
+    row.error = error;
   };
-  const auto quantity = [&](const std::string& name, const char* unit, double value,
-                            std::optional<double> error) {
-    begin_row();
-    csv.cell(name);
-    csv.cell(unit);
-    csv.cell(value);
-    error ? csv.cell(*error) : csv.empty_cells(1);
-    csv.end_row();
-  };
-  quantity("d10", "m", curve.d10, {});
-  quantity("d50", "m", curve.d50, {});
-  quantity("d90", "m", curve.d90, {});
+  add("d10", "m", curve.d10);
+  add("d50", "m", curve.d50);
+  add("d90", "m", curve.d90);
   for (const SizeLaw& law : curve.laws) {
     const bool normal = law.kind == SizeLawKind::kLogNormal;
     const std::string name = normal ? "log_normal_" : "rosin_rammler_";
-    quantity(name + (normal ? "median" : "d63"), "m", law.location, law.location_error);
-    quantity(name + (normal ? "sigma" : "exponent"), "", law.spread, law.spread_error);
-    quantity(name + "ks_distance", "", law.distance, {});
-    if (law.p_value) quantity(name + "ks_p_value", "", *law.p_value, {});
+    add(name + (normal ? "median" : "d63"), "m", law.location, law.location_error);
+    add(name + (normal ? "sigma" : "exponent"), "", law.spread, law.spread_error);
+    add(name + "ks_distance", "", law.distance);
+    if (law.p_value) add(name + "ks_p_value", "", *law.p_value);
   }
+  return rows;
+}
+
+TestRow row_of(const std::string& kind, const std::string& populations, const std::string& quantity,
+               const std::optional<TestResult>& test, const char* exact, const char* limit,
+               const std::string& words) {
+  if (!test) return {kind, populations, quantity, {}, {}, {}, "", words};
+  return {
+      kind, populations, quantity, test->statistic, {}, test->p_value, test->exact ? exact : limit,
+      words};
+}
+
+TestRow row_of(const std::string& populations, const ClassDifference& one) {
+  const std::string kind = "chi-squared";
+  if (!one.test) return {kind, populations, one.scheme, {}, {}, {}, "", one.words};
+  const ClassTest& test = *one.test;
+  const std::string from = test.draws > 0 ? std::to_string(test.draws) + " random tables"
+                                          : std::string("chi-squared distribution");
+  return {kind,         populations,  one.scheme, test.chi_squared,
+          test.freedom, test.p_value, from,       one.words};
 }
 
 }  // namespace
+
+TableColumns<BlockRow> report_detail::class_columns(const std::vector<std::string>& schemes,
+                                                    const SchemeOptions& limits) {
+  using Row = BlockRow;
+  const auto axis = [](const char* name, double Axes::*side) {
+    return TableColumn<Row>{name, "m", "axes, L >= I >= S", [side](const Row& row) {
+                              return row.block.unscaled ? NAN : row.block.axes.*side;
+                            }};
+  };
+  TableColumns<Row> columns = {
+      {"population", "", "names", [](const Row& row) { return row.population; }},
+      {"block", "", "names", [](const Row& row) { return row.block.name; }},
+      axis("L_m", &Axes::L),
+      axis("I_m", &Axes::I),
+      axis("S_m", &Axes::S),
+      {"mass_kg", "kg", "weighed, or volume times density for blocks of a library",
+       [](const Row& row) { return row.block.unscaled ? NAN : row.block.mass.value_or(NAN); }},
+      {"axis_error_m", "m", "possible error of each axis, as given or assumed",
+       [](const Row& row) { return row.block.unscaled ? NAN : row.block.axis_error; }}};
+  for (const std::string& scheme : schemes) {
+    columns.push_back({class_column(scheme), "",
+                       "class by each requested scheme; `shape` is Garcia's `compact` or "
+                       "`elongated`",
+                       [scheme, limits](const Row& row) {
+                         return shape_class(scheme, row.block.as_written, limits);
+                       }});
+  }
+  for (const FormIndex& index : form_index_list()) {
+    columns.push_back(
+        {index.name, "", "indices, see [theory](theory.md#shape-classes)",
+         [index](const Row& row) { return cell_of(index.value(row.block.as_written)); }});
+  }
+  return columns;
+}
+
+const TableColumns<ShareRow>& report_detail::share_columns() {
+  using Row = ShareRow;
+  const auto number = [](const char* name, double ClassShare::*value) {
+    return TableColumn<Row>{name, "", "by number, with its 95 % confidence interval",
+                            [value](const Row& row) { return row.share.*value; }};
+  };
+  const auto mass = [](const char* name, const char* unit, const char* meaning,
+                       double ClassShare::*value) {
+    return TableColumn<Row>{name, unit, meaning, [value](const Row& row) {
+                              return row.weighed ? row.share.*value : NAN;
+                            }};
+  };
+  const char* by_mass = "by mass, with its 95 % confidence interval; empty if no mass is known";
+  static const TableColumns<Row> columns = {
+      {"population", "", "names", [](const Row& row) { return row.population; }},
+      {"scheme", "", "names", [](const Row& row) { return row.scheme; }},
+      {"class", "", "name; classes without a block have a row too",
+       [](const Row& row) { return row.share.name; }},
+      {"blocks", "", "number of blocks in the class",
+       [](const Row& row) { return row.share.count; }},
+      number("share", &ClassShare::share),
+      number("share_low", &ClassShare::low),
+      number("share_high", &ClassShare::high),
+      mass("mass_kg", "kg", "of the blocks of the class whose mass is known", &ClassShare::mass),
+      mass("mass_share", "", by_mass, &ClassShare::mass_share),
+      mass("mass_share_low", "", by_mass, &ClassShare::mass_low),
+      mass("mass_share_high", "", by_mass, &ClassShare::mass_high)};
+  return columns;
+}
+
+const TableColumns<SizeRow>& report_detail::size_columns() {
+  using Row = SizeRow;
+  static const TableColumns<Row> columns = {
+      {"population", "", "name", &Row::population},
+      {"size", "", "which size: `I` or `(L I S)^(1/3)`", &Row::size},
+      {"weighting", "", "`number` or `mass`", &Row::weighting},
+      {"blocks", "", "number of blocks the quantity is based on", &Row::blocks},
+      {"quantity", "",
+       "`d10`, `d50`, `d90`; `log_normal_median`, `log_normal_sigma` (of ln d); "
+       "`rosin_rammler_d63`, `rosin_rammler_exponent`; for each law `..._ks_distance` and, by "
+       "number, `..._ks_p_value`",
+       &Row::quantity},
+      {"unit", "", "of the value: `m`, or empty", &Row::unit},
+      {"value", "see `unit`", "of the quantity", &Row::value},
+      {"standard_error", "see `unit`", "of fitted parameters only",
+       [](const Row& row) { return cell_of(row.error); }}};
+  return columns;
+}
+
+const TableColumns<TestRow>& report_detail::test_columns() {
+  using Row = TestRow;
+  const char* tested = "what was tested: a name, or two with `and`; the measures or the scheme";
+  static const TableColumns<Row> columns = {
+      {"test", "", "`spearman`, `kolmogorov-smirnov`, `chi-squared`", &Row::test},
+      {"populations", "", tested, &Row::populations},
+      {"quantity", "", tested, &Row::quantity},
+      {"statistic", "", "rho, D or chi-squared",
+       [](const Row& row) { return cell_of(row.statistic); }},
+      {"degrees_of_freedom", "", "of chi-squared",
+       [](const Row& row) { return cell_of(row.freedom); }},
+      {"p_value", "", "probability of a statistic at least this extreme if there is no effect",
+       [](const Row& row) { return cell_of(row.p_value); }},
+      {"p_from", "", "how p was determined", &Row::p_from},
+      {"words", "", "a sentence to quote", &Row::words}};
+  return columns;
+}
 
 std::string class_column(const std::string& scheme) {
   if (scheme == "garcia") return "shape";
@@ -79,13 +180,11 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
                        unsigned threads) {
   constexpr std::size_t kChunk = 2048;   // rows of one task
   constexpr std::size_t kTogether = 32;  // tasks in memory at a time, some 20 MB
-  const std::vector<std::string> schemes = report.options.chosen_schemes();
+  const TableColumns<BlockRow> columns =
+      class_columns(report.options.chosen_schemes(), report.options.limits);
   OutputFile file(path);
   std::ofstream stream(file.temporary(), std::ios::binary);
-  std::string header = "population,block,L_m,I_m,S_m,mass_kg,axis_error_m";
-  for (const std::string& scheme : schemes) header += "," + class_column(scheme);
-  for (const FormIndex& index : form_index_list()) header += std::string(",") + index.name;
-  stream << header << "\n";
+  stream << csv_header(columns) << "\n";
   for (const ReportedPopulation& reported : report.populations) {
     const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
     for (std::size_t first = 0; first < blocks.size(); first += kChunk * kTogether) {
@@ -95,7 +194,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
         CsvText csv;
         const std::size_t begin = first + chunk * kChunk;
         for (std::size_t i = begin; i < std::min(begin + kChunk, last); ++i) {
-          class_row(csv, reported, blocks[i], schemes, report.options.limits);
+          append_row(csv, columns, {reported.population.name, blocks[i]});
         }
         chunks[chunk] = csv.take();
       });
@@ -108,85 +207,54 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
 }
 
 std::string shares_csv(const PopulationReport& report) {
-  CsvText csv;
-  csv.header(
-      "population,scheme,class,blocks,share,share_low,share_high,"
-      "mass_kg,mass_share,mass_share_low,mass_share_high");
+  std::vector<ShareRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
+    const bool weighed = reported.summary.weighed > 0;
     for (const SchemeShares& scheme : reported.summary.schemes) {
       for (const ClassShare& share : scheme.shares) {
-        csv.cell(reported.population.name);
-        csv.cell(scheme.scheme);
-        csv.cell(share.name);
-        csv.count(share.count);
-        for (const double value : {share.share, share.low, share.high}) csv.cell(value);
-        if (reported.summary.weighed == 0) {
-          csv.empty_cells(4);
-        } else {
-          for (const double value : {share.mass, share.mass_share, share.mass_low, share.mass_high})
-            csv.cell(value);
-        }
-        csv.end_row();
+        rows.push_back({reported.population.name, scheme.scheme, share, weighed});
       }
     }
   }
-  return csv.take();
+  return csv_of(share_columns(), rows);
 }
 
 std::string sizes_csv(const PopulationReport& report) {
-  CsvText csv;
-  csv.header("population,size,weighting,blocks,quantity,unit,value,standard_error");
+  std::vector<SizeRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
     const SizeDistribution& size = reported.summary.size;
-    size_rows(csv, reported.population.name, size, "number", size.by_number);
-    if (size.by_mass) size_rows(csv, reported.population.name, size, "mass", *size.by_mass);
+    const auto add = [&](const char* weighting, const SizeCurve& curve) {
+      const std::vector<SizeRow> more =
+          size_rows({reported.population.name, name_of(size.measure), weighting}, curve);
+      rows.insert(rows.end(), more.begin(), more.end());
+    };
+    add("number", size.by_number);
+    if (size.by_mass) add("mass", *size.by_mass);
   }
-  return csv.take();
+  return csv_of(size_columns(), rows);
 }
 
 std::string tests_csv(const PopulationReport& report) {
-  CsvText csv;
-  csv.header("test,populations,quantity,statistic,degrees_of_freedom,p_value,p_from,words");
+  std::vector<TestRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
     for (const SizeShape& one : reported.summary.size_and_shape) {
-      csv.cell("spearman");
-      csv.cell(reported.population.name);
-      csv.cell(name_of(report.options.size) + " and " + one.measure->name);
-      csv.cell(one.test ? one.test->statistic : NAN);
-      csv.empty_cells(1);
-      csv.cell(one.test ? one.test->p_value : NAN);
-      csv.cell(!one.test ? "" : one.test->exact ? "all orders" : "Student's t");
-      csv.cell(size_shape_words(one, report.options.size));
-      csv.end_row();
+      rows.push_back(row_of("spearman", reported.population.name,
+                            name_of(report.options.size) + " and " + one.measure->name, one.test,
+                            "all orders", "Student's t",
+                            size_shape_words(one, report.options.size)));
     }
   }
-  if (!report.comparison) return csv.take();
-  const std::string pair = report.comparison->name_a + " and " + report.comparison->name_b;
-  for (const MeasureDifference& one : report.comparison->measures) {
-    csv.cell("kolmogorov-smirnov");
-    csv.cell(pair);
-    csv.cell(one.measure->name);
-    csv.cell(one.test ? one.test->statistic : NAN);
-    csv.empty_cells(1);
-    csv.cell(one.test ? one.test->p_value : NAN);
-    csv.cell(!one.test ? "" : one.test->exact ? "all deals" : "limit for many blocks");
-    csv.cell(one.words);
-    csv.end_row();
+  if (report.comparison) {
+    const std::string pair = report.comparison->name_a + " and " + report.comparison->name_b;
+    for (const MeasureDifference& one : report.comparison->measures) {
+      rows.push_back(row_of("kolmogorov-smirnov", pair, one.measure->name, one.test, "all deals",
+                            "limit for many blocks", one.words));
+    }
+    for (const ClassDifference& one : report.comparison->schemes) {
+      rows.push_back(row_of(pair, one));
+    }
   }
-  for (const ClassDifference& one : report.comparison->schemes) {
-    csv.cell("chi-squared");
-    csv.cell(pair);
-    csv.cell(one.scheme);
-    csv.cell(one.test ? one.test->chi_squared : NAN);
-    one.test ? csv.count(one.test->freedom) : csv.empty_cells(1);
-    csv.cell(one.test ? one.test->p_value : NAN);
-    csv.cell(!one.test             ? std::string()
-             : one.test->draws > 0 ? std::to_string(one.test->draws) + " random tables"
-                                   : std::string("chi-squared distribution"));
-    csv.cell(one.words);
-    csv.end_row();
-  }
-  return csv.take();
+  return csv_of(test_columns(), rows);
 }
 
 }  // namespace clast

@@ -1,106 +1,122 @@
 #include "report/tables/run_tables.hpp"
 
-#include "core/csv_text.hpp"
-#include "study/run_columns.hpp"
+#include "report/tables/comparison_columns.hpp"
+#include "study/stored_columns.hpp"
 
 namespace clast {
+
+using namespace report_detail;
 namespace {
 
-void cells(CsvText& csv, const Vec3& vector) {
-  for (int axis = 0; axis < 3; ++axis) csv.cell(vector[axis]);
-}
-
-void cells_of_run(CsvText& csv, const RunRow& row) {
-  csv.count(row.record->run);
-  csv.cell(std::string_view(row.block->id));
-  csv.cell(std::string_view(row.block->sneed_folk));
-  csv.cell(std::string_view(row.block->garcia));
-}
-
-void cell(CsvText& csv, const RunCell& value) {
-  if (const auto* count = std::get_if<std::uint64_t>(&value)) return csv.count(*count);
-  if (const auto* number = std::get_if<double>(&value)) return csv.cell(*number);
-  csv.cell(std::get<std::string>(value));
+/// Columns of runs.csv for rows that belong to a run.
+template <class Row, class Run>
+TableColumns<Row> of_run(const std::vector<std::string>& names, const Run& run) {
+  return columns_of_part<Row>(chosen(run_columns(), names), [run](const Row& row) {
+    return ComparisonRow<RunRow>{row.comparison, run(row)};
+  });
 }
 
 }  // namespace
 
+const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns() {
+  using Row = ComparisonRow<CrossingRow>;
+  const auto run = [](const Row& row) -> const RunRow& { return row.comparison.rows[row->row]; };
+  const auto crossing = [](const Row& row) -> const Crossing& { return *row->crossing; };
+  const auto line = [](const Row& row) -> const BarrierLine& {
+    return row.comparison.lines[row->barrier];
+  };
+  const auto stored = [&](const std::vector<std::string>& names) {
+    return columns_of_part<Row>(chosen(stored_crossing_columns(), names), crossing);
+  };
+  static const auto columns = joined<Row>(
+      {of_run<Row>({"run", "block", "class", "shape"}, run),
+       {{"barrier", "", "name; for a ring as in barriers.csv",
+         [=](const Row& row) { return line(row).name; }},
+        {"direction", "",
+         "`forward` (from the left of from-to to its right) or `backward`; for a ring `in` or "
+         "`out`",
+         [=](const Row& row) { return line(row).direction(crossing(row)); }},
+        {"counted", "",
+         "1 for the first forward crossing of the run at this barrier; for a ring, for its first "
+         "entry and for its first exit",
+         [](const Row& row) { return std::uint64_t{row->counted ? 1u : 0u}; }}},
+       stored({"time_s"}),
+       columns_of_list<Row>({"x_m", "y_m", "z_m"}, "m", "centre of mass", &CrossingRow::position),
+       stored({"height_m", "clearance_m"}),
+       {{"speed_m_s", "m/s", "speed of the centre of mass",
+         [=](const Row& row) { return crossing(row).velocity.norm(); }}},
+       columns_of_list<Row>({"velocity_x_m_s", "velocity_y_m_s", "velocity_z_m_s"}, "m/s",
+                            "velocity of the centre of mass",
+                            [=](const Row& row) { return crossing(row).velocity; }),
+       {{"rotation_rate_rad_s", "rad/s", "magnitude of the angular velocity",
+         [=](const Row& row) { return crossing(row).angular_velocity.norm(); }}},
+       columns_of_list<Row>(
+           {"angular_velocity_x_rad_s", "angular_velocity_y_rad_s", "angular_velocity_z_rad_s"},
+           "rad/s", "angular velocity along the world axes",
+           [=](const Row& row) { return crossing(row).angular_velocity; }),
+       stored({"translational_energy_j", "rotational_energy_j"}),
+       {{"total_energy_j", "J", "both kinetic energies",
+         [=](const Row& row) {
+           return crossing(row).translational_energy + crossing(row).rotational_energy;
+         }}},
+       of_run<Row>({"file"}, run)});
+  return columns;
+}
+
+const TableColumns<ComparisonRow<RunImpact>>& report_detail::impact_columns() {
+  using Row = ComparisonRow<RunImpact>;
+  const auto run = [](const Row& row) -> const RunRow& { return row->run; };
+  const auto results = [](const Row& row) -> const CampaignResults& {
+    return row.comparison.results[row->run.file];
+  };
+  const auto stored = [](const std::vector<std::string>& names) {
+    return columns_of_part<Row>(chosen(stored_impact_columns(), names),
+                                [](const Row& row) -> const Impact& { return row->impact; });
+  };
+  const auto energy = [](const char* name, double Impact::*value) {
+    return TableColumn<Row>{name, "J", "kinetic energy, at the first and the last contact",
+                            [value](const Row& row) { return row->impact.*value; }};
+  };
+  static const auto columns =
+      joined<Row>({of_run<Row>({"run", "block", "class", "shape"}, run),
+                   {{"zone", "", "name of the ground zone of the first contact",
+                     [=](const Row& row) { return results(row).zone_names[row->impact.zone]; }}},
+                   stored({"time_s", "contact_s"}),
+                   columns_of_list<Row>(
+                       {"x_m", "y_m", "z_m"}, "m", "position at the first contact",
+                       [=](const Row& row) { return results(row).frame.map(row->impact.place); }),
+                   stored({"speed_before_m_s", "speed_after_m_s"}),
+                   {energy("translational_energy_before_j", &Impact::translational_before),
+                    energy("translational_energy_after_j", &Impact::translational_after),
+                    energy("rotational_energy_before_j", &Impact::rotational_before),
+                    energy("rotational_energy_after_j", &Impact::rotational_after)},
+                   stored({"depth_m"}),
+                   of_run<Row>({"file"}, run)});
+  return columns;
+}
+
 std::string runs_csv(const Comparison& comparison) {
-  std::string header;
-  for (const RunColumn& column : run_columns()) {
-    if (column.in_table()) header += (header.empty() ? "" : ",") + std::string(column.name);
-  }
-  CsvText csv;
-  csv.header(header);
-  for (const RunRow& row : comparison.rows) {
-    for (const RunColumn& column : run_columns()) {
-      if (column.in_table()) cell(csv, column.value(comparison.results[row.file], row));
-    }
-    csv.end_row();
-  }
-  return csv.take();
+  return csv_of(run_columns(), rows_of(comparison, comparison.rows));
 }
 
 std::string crossings_csv(const Comparison& comparison) {
-  CsvText csv;
-  csv.header(
-      "run,block,class,shape,barrier,direction,counted,time_s,x_m,y_m,z_m,height_m,clearance_m,"
-      "speed_m_s,velocity_x_m_s,velocity_y_m_s,velocity_z_m_s,rotation_rate_rad_s,"
-      "angular_velocity_x_rad_s,angular_velocity_y_rad_s,angular_velocity_z_rad_s,"
-      "translational_energy_j,rotational_energy_j,total_energy_j,file");
-  for (const CrossingRow& row : comparison.crossings) {
-    const Crossing& crossing = *row.crossing;
-    cells_of_run(csv, comparison.rows[row.row]);
-    csv.cell(std::string_view(comparison.lines[row.barrier].name));
-    csv.cell(std::string_view(comparison.lines[row.barrier].direction(crossing)));
-    csv.count(row.counted ? 1 : 0);
-    csv.cell(crossing.time);
-    cells(csv, row.position);
-    csv.cell(crossing.height);
-    csv.cell(crossing.clearance);
-    csv.cell(crossing.velocity.norm());
-    cells(csv, crossing.velocity);
-    csv.cell(crossing.angular_velocity.norm());
-    cells(csv, crossing.angular_velocity);
-    csv.cell(crossing.translational_energy);
-    csv.cell(crossing.rotational_energy);
-    csv.cell(crossing.translational_energy + crossing.rotational_energy);
-    csv.count(comparison.rows[row.row].file + 1);
-    csv.end_row();
-  }
-  return csv.take();
+  return csv_of(crossing_columns(), rows_of(comparison, comparison.crossings));
 }
 
 std::string impacts_csv(const Comparison& comparison) {
-  CsvText csv;
-  csv.header(
-      "run,block,class,shape,zone,time_s,contact_s,x_m,y_m,z_m,speed_before_m_s,speed_after_m_s,"
-      "translational_energy_before_j,translational_energy_after_j,rotational_energy_before_j,"
-      "rotational_energy_after_j,depth_m,file");
+  std::vector<RunImpact> impacts;
   for (std::size_t i = 0, file = 0; file < comparison.results.size(); ++file) {
-    const CampaignResults& results = comparison.results[file];
-    for (const Impact& impact : results.impacts) {
+    for (const Impact& impact : comparison.results[file].impacts) {
       // Impacts and rows are in order of file and run.
       while (i < comparison.rows.size() &&
              (comparison.rows[i].file != file || comparison.rows[i].record->run < impact.run)) {
         ++i;
       }
       if (i == comparison.rows.size()) break;
-      cells_of_run(csv, comparison.rows[i]);
-      csv.cell(std::string_view(results.zone_names[impact.zone]));
-      csv.cell(impact.time);
-      csv.cell(impact.contact_duration);
-      cells(csv, results.frame.map(impact.place));
-      for (const double value : {impact.speed_before, impact.speed_after,
-                                 impact.translational_before, impact.translational_after,
-                                 impact.rotational_before, impact.rotational_after, impact.depth}) {
-        csv.cell(value);
-      }
-      csv.count(file + 1);
-      csv.end_row();
+      impacts.push_back({comparison.rows[i], impact});
     }
   }
-  return csv.take();
+  return csv_of(impact_columns(), rows_of(comparison, impacts));
 }
 
 }  // namespace clast

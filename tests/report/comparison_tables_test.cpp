@@ -13,7 +13,6 @@
 #include "report/tables/group_tables.hpp"
 #include "report/tables/run_tables.hpp"
 #include "study/comparison.hpp"
-#include "study/run_columns.hpp"
 #include "tests/study/csv_reader.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/refusal.hpp"
@@ -27,22 +26,6 @@ TEST(RunsTable, StartsWithTheAgreedColumns) {
   EXPECT_TRUE(text.starts_with(
       "run,block,class,shape,point,orientation,stop_reason,duration_s,stop_x_m,stop_y_m,stop_z_m,"
       "runout_m,lateral_deg,max_speed_m_s,max_penetration_m,energy_error,"));
-}
-
-TEST(RunsTable, IsDocumentedColumnByColumn) {
-  std::string rows;
-  for (const RunColumn& column : run_columns()) {
-    if (!column.in_table()) continue;
-    const std::string unit = column.unit;
-    rows += "| `" + std::string(column.name) + "` | " + (unit.empty() ? "" : unit + " ") + "| " +
-            column.meaning + " |\n";
-  }
-  const std::string docs =
-      read_text_file(std::filesystem::path(CLAST_SOURCE_DIR) / "docs" / "formats.md");
-  const std::string head = "| column | unit | meaning |\n|---|---|---|\n";
-  const std::size_t begin = docs.find(head, docs.find("### runs.csv")) + head.size();
-  EXPECT_EQ(docs.substr(begin, docs.find("\n\n", begin) + 1 - begin), rows)
-      << "the table of runs.csv in docs/formats.md is not that of study/run_columns.cpp";
 }
 
 TEST(RunsTable, ReadsBackToTheSameBits) {

@@ -7,10 +7,12 @@
 #include <set>
 
 #include "core/number_text.hpp"
-#include "study/results_journal.hpp"
+#include "study/detail/results_journal.hpp"
 #include "tests/study/campaign_run.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 const std::string kPoints = "points = [[-12, -3, 9.5], [-12, 3, 9.5]]";

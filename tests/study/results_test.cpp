@@ -11,12 +11,14 @@
 #include "core/hdf5_file.hpp"
 #include "core/text_file.hpp"
 #include "study/block_stiffness.hpp"
-#include "study/results_journal.hpp"
+#include "study/detail/results_journal.hpp"
 #include "tests/study/sample_results.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 namespace fs = std::filesystem;

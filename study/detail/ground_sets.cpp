@@ -1,12 +1,12 @@
-#include "study/ground_sets.hpp"
+#include "study/detail/ground_sets.hpp"
 
 #include <algorithm>
 #include <functional>
 
 #include "core/error.hpp"
-#include "study/named_seed.hpp"
+#include "study/detail/named_seed.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 namespace {
 
 using Values = std::map<std::string, GroundParameters>;  ///< by zone
@@ -85,4 +85,4 @@ std::vector<GroundParameters> central_ground(const Campaign& campaign,
   return in_order(values, zones);
 }
 
-}  // namespace clast
+}  // namespace clast::study_detail

@@ -5,7 +5,7 @@
 #include "library/block_ranges.hpp"
 #include "terrain/terrain_ranges.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 // [ground.NAME]
 inline constexpr NumberRange kEnergyRestitution{1e-6, 1.0};
@@ -36,4 +36,4 @@ inline constexpr NumberRange kTrajectoryInterval{1e-4, 1e5, "s", "none is stored
 inline constexpr NumberRange kDirectionComponent{-1e6, 1e6};
 inline constexpr NumberRange kDirectionLength{1e-6, 1e6};
 
-}  // namespace clast
+}  // namespace clast::study_detail

@@ -5,7 +5,7 @@
 
 #include "study/campaign_runner.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 /// Chooses them for each run from its own data: its block, the ground set that it meets, and
 /// the fastest speed that its own start allows. No other block, release or member of the ensemble
@@ -15,4 +15,4 @@ namespace clast {
 /// @throws InputError       settings that no run can have: field and value
 std::vector<std::string> settle_stiffness(PreparedCampaign& prepared);
 
-}  // namespace clast
+}  // namespace clast::study_detail

@@ -1,4 +1,4 @@
-#include "study/campaign_checks.hpp"
+#include "study/detail/campaign_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "study/campaign_reading.hpp"
+#include "study/detail/campaign_reading.hpp"
 #include "terrain/terrain_fit.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 namespace {
 
 // Quaternions closer than this are one rotation.
@@ -189,4 +189,4 @@ std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared) {
   return warnings;
 }
 
-}  // namespace clast
+}  // namespace clast::study_detail

@@ -8,7 +8,7 @@
 #include "core/hdf5_file.hpp"
 #include "core/types.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 /// One group of one file.
 struct CheckedGroup {
@@ -68,4 +68,4 @@ struct CheckedGroup {
   }
 };
 
-}  // namespace clast
+}  // namespace clast::study_detail

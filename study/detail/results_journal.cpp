@@ -1,4 +1,4 @@
-#include "study/results_journal.hpp"
+#include "study/detail/results_journal.hpp"
 
 #include <bit>
 #include <cstring>
@@ -8,12 +8,11 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "study/results_layout.hpp"
+#include "study/detail/results_layout.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 namespace fs = std::filesystem;
-using namespace results_layout;
 
 namespace {
 
@@ -26,16 +25,16 @@ const std::string kMagic = "clast results journal 3\n";
 class Packer {
  public:
   template <class T>
-  void plain(const T& value) {
+  void value(const T& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  void text(const std::string& value) {
-    plain(std::uint64_t{value.size()});
-    bytes += value;
+  void value(const std::string& text) {
+    value(std::uint64_t{text.size()});
+    bytes += text;
   }
   template <class T>
   void size(const std::vector<T>& list) {
-    plain(std::uint64_t{list.size()});
+    value(std::uint64_t{list.size()});
   }
   std::string bytes;
 };
@@ -44,18 +43,18 @@ class Unpacker {
  public:
   explicit Unpacker(const std::string& bytes) : bytes_(bytes) {}
   template <class T>
-  void plain(T& value) {
+  void value(T& value) {
     std::memcpy(&value, take(sizeof value), sizeof value);
   }
-  void text(std::string& value) {
+  void value(std::string& text) {
     std::uint64_t length = 0;
-    plain(length);
-    value.assign(take(length), length);
+    value(length);
+    text.assign(take(length), length);
   }
   template <class T>
   void size(std::vector<T>& list) {
     std::uint64_t count = 0;
-    plain(count);
+    value(count);
     // An element takes a byte at least.
     if (count > bytes_.size()) throw InputError("a record has an impossible size");
     list.resize(count);
@@ -71,40 +70,28 @@ class Unpacker {
   std::size_t at_ = 0;
 };
 
-template <class Archive, class Columns, class Row>
-void transfer_fields(Archive& archive, const Columns& columns, Row& row) {
-  for (const auto& column : columns) archive.plain(column.field(row));
+template <class Archive, class Row>
+void transfer_row(Archive& archive, Row& row) {
+  visit_columns(kRowsOf<Row>, [&](const auto&, const auto&, const auto&, const auto& field) {
+    archive.value(std::invoke(field, row));
+  });
+}
+
+template <class Archive, class Row>
+void transfer_rows(Archive& archive, std::vector<Row>& rows) {
+  archive.size(rows);
+  for (Row& row : rows) transfer_row(archive, row);
 }
 
 // Fields in one order for both ways.
 template <class Archive>
 void transfer(Archive& archive, StoredRun& run) {
-  RunRecord& record = run.record;
-  transfer_fields(archive, kRunIndices, record);
-  for (const StateOfRun& state : kRunStates) {
-    transfer_fields(archive, kStateValues, state.field(record));
-  }
-  transfer_fields(archive, kRunValues, record);
-  transfer_fields(archive, kRunStiffness, record);
-  transfer_fields(archive, kRunCounts, record);
-  archive.plain(record.result.stop_reason);
-  archive.plain(record.result.below_ground);
-  archive.text(record.result.message);
-  archive.size(run.crossings);
-  for (Crossing& crossing : run.crossings) {
-    transfer_fields(archive, kCrossingIndices, crossing);
-    transfer_fields(archive, kCrossingValues, crossing);
-    archive.plain(crossing.forward);
-  }
-  archive.size(run.impacts);
-  for (Impact& impact : run.impacts) {
-    transfer_fields(archive, kImpactIndices, impact);
-    transfer_fields(archive, kImpactValues, impact);
-  }
+  transfer_row(archive, run.record);
+  transfer_rows(archive, run.crossings);
+  transfer_rows(archive, run.impacts);
   archive.size(run.trajectory.time);
-  for (double& time : run.trajectory.time) archive.plain(time);
-  archive.size(run.trajectory.states);
-  for (RigidState& state : run.trajectory.states) transfer_fields(archive, kStateValues, state);
+  for (double& time : run.trajectory.time) archive.value(time);
+  transfer_rows(archive, run.trajectory.states);
 }
 
 struct Identity {
@@ -115,11 +102,11 @@ struct Identity {
 
 template <class Archive>
 void transfer(Archive& archive, Identity& identity) {
-  archive.text(identity.campaign);
-  archive.text(identity.program);
+  archive.value(identity.campaign);
+  archive.value(identity.program);
   archive.size(identity.inputs);
-  for (std::string& input : identity.inputs) archive.text(input);
-  archive.plain(identity.planned);
+  for (std::string& input : identity.inputs) archive.value(input);
+  archive.value(identity.planned);
 }
 
 Identity identity_of(const CampaignResults& header) {
@@ -135,7 +122,7 @@ std::string bytes_of(T value) {
 
 std::string record_of(const std::string& content) {
   Packer record;
-  record.plain(std::uint64_t{content.size()});
+  record.value(std::uint64_t{content.size()});
   return record.bytes + sha256(content) + content;
 }
 
@@ -272,4 +259,4 @@ StoredRun ResultsJournal::read(std::size_t index) {
   return unpacked(*content);
 }
 
-}  // namespace clast
+}  // namespace clast::study_detail

@@ -1,12 +1,12 @@
-#include "study/campaign_reading.hpp"
+#include "study/detail/campaign_reading.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 
 #include "core/error.hpp"
-#include "study/campaign_ranges.hpp"
+#include "study/detail/campaign_ranges.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 namespace fs = std::filesystem;
 
@@ -133,4 +133,4 @@ std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::strin
   return number;
 }
 
-}  // namespace clast
+}  // namespace clast::study_detail

@@ -9,7 +9,7 @@
 
 #include "study/results.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 /// A run as bytes, and back: what the journal keeps and processes send each other.
 std::string packed(const StoredRun& run);
@@ -47,4 +47,4 @@ class ResultsJournal {
   std::uint64_t end_ = 0;              ///< of the last whole record
 };
 
-}  // namespace clast
+}  // namespace clast::study_detail

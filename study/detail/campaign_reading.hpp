@@ -9,7 +9,7 @@
 #include "core/toml_reader.hpp"
 #include "study/campaign.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 /// Far above any study, and low enough that a slip of the keyboard does not fill the memory.
 inline constexpr std::uint64_t kMostPerSet = 1'000'000;
@@ -55,4 +55,4 @@ std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& 
 Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
 std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up);
 
-}  // namespace clast
+}  // namespace clast::study_detail

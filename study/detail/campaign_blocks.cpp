@@ -6,10 +6,10 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
-#include "study/campaign_ranges.hpp"
-#include "study/campaign_reading.hpp"
+#include "study/detail/campaign_ranges.hpp"
+#include "study/detail/campaign_reading.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 namespace {
 
 // Shares written with three digits add up to one within this.
@@ -221,4 +221,4 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
   return ensemble;
 }
 
-}  // namespace clast
+}  // namespace clast::study_detail

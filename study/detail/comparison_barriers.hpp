@@ -4,7 +4,7 @@
 
 #include "study/comparison.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 struct BarrierComparison {
   std::vector<BarrierLine> lines;
@@ -17,4 +17,4 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<RunRow>& rows,
                                    const std::vector<Group>& groups);
 
-}  // namespace clast
+}  // namespace clast::study_detail

@@ -6,7 +6,7 @@
 #include "study/campaign.hpp"
 #include "study/results.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 /// One set for each block group (blocks in no group first) and member of the ensemble (fastest).
 /// A parameter that a group does not name is the same for all groups of a member.
@@ -18,4 +18,4 @@ std::vector<GroundSet> ground_sets(const Campaign& campaign, const std::vector<s
 std::vector<GroundParameters> central_ground(const Campaign& campaign,
                                              const std::vector<std::string>& zones);
 
-}  // namespace clast
+}  // namespace clast::study_detail

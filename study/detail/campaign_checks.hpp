@@ -5,7 +5,7 @@
 
 #include "study/campaign_runner.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 /// "0.250": a length in metres, as campaign messages write it.
 std::string metres(double value);
@@ -21,4 +21,4 @@ void check_falls(const PreparedCampaign& prepared);
 /// @throws InputError  a run would take so many steps that it never ends
 std::vector<std::string> campaign_warnings(const PreparedCampaign& prepared);
 
-}  // namespace clast
+}  // namespace clast::study_detail

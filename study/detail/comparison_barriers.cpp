@@ -1,4 +1,4 @@
-#include "study/comparison_barriers.hpp"
+#include "study/detail/comparison_barriers.hpp"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "study/barrier_line.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 namespace {
 
 /// Lines of all files, and for every file the first line that each of its barriers is.
@@ -123,18 +123,6 @@ BarrierGroup measured(const std::vector<const Crossing*>& crossings) {
 
 }  // namespace
 
-std::string BarrierLine::direction(const Crossing& crossing) const {
-  if (counts == Counts::kForward) return crossing.forward ? "forward" : "backward";
-  return crossing.forward == inside_is_left(through) ? "out" : "in";
-}
-
-bool BarrierLine::counted(const Crossing& crossing) const {
-  const std::string way = direction(crossing);
-  return way == (counts == Counts::kForward   ? "forward"
-                 : counts == Counts::kEntries ? "in"
-                                              : "out");
-}
-
 BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<RunRow>& rows,
                                    const std::vector<Group>& groups) {
@@ -172,4 +160,4 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
   return compared;
 }
 
-}  // namespace clast
+}  // namespace clast::study_detail

@@ -1,11 +1,11 @@
-#include "study/run_stiffness.hpp"
+#include "study/detail/run_stiffness.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 namespace {
 
 /// So many blocks are named in warnings of one campaign; drawn ones can be thousands.
@@ -83,4 +83,4 @@ std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
   return warnings;
 }
 
-}  // namespace clast
+}  // namespace clast::study_detail

@@ -3,11 +3,11 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "study/campaign_ranges.hpp"
-#include "study/campaign_reading.hpp"
+#include "study/detail/campaign_ranges.hpp"
+#include "study/detail/campaign_reading.hpp"
 #include "study/release_points.hpp"
 
-namespace clast {
+namespace clast::study_detail {
 
 namespace fs = std::filesystem;
 
@@ -169,20 +169,4 @@ std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
   return releases;
 }
 
-std::vector<Quat> grid_45_orientations() {
-  std::vector<Quat> orientations;
-  const auto turn = [](int steps, const Vec3& axis) {
-    return Quat(Eigen::AngleAxisd(steps * kPi / 4.0, axis));
-  };
-  for (int a = 0; a < 4; ++a) {
-    for (int b = 0; b < 4; ++b) {
-      for (int c = 0; c < 4; ++c) {
-        orientations.push_back(turn(c, Vec3::UnitZ()) * turn(b, Vec3::UnitY()) *
-                               turn(a, Vec3::UnitX()));
-      }
-    }
-  }
-  return orientations;
-}
-
-}  // namespace clast
+}  // namespace clast::study_detail

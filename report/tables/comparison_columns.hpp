@@ -1,0 +1,46 @@
+#pragma once
+/// The columns of the tables of `clast compare`, each declared once; `run_columns` has those of
+/// runs.csv. A test compares them with docs/formats.md.
+#include <vector>
+
+#include "study/profiles.hpp"
+#include "study/run_columns.hpp"
+
+namespace clast::report_detail {
+
+/// A ground zone in a ground set of a results file.
+struct ZoneOfSet {
+  std::size_t file = 0;
+  std::size_t set = 0;
+  std::size_t zone = 0;
+};
+/// A group and where its runs came to rest.
+struct GroupDeposit {
+  const Group& group;
+  const DepositGroup& deposit;
+};
+/// An impact and its run.
+struct RunImpact {
+  const RunRow& run;
+  const Impact& impact;
+};
+
+const TableColumns<BarrierGroup>& barrier_columns();
+const TableColumns<ComparisonRow<CrossingRow>>& crossing_columns();
+const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns();
+const TableColumns<ComparisonRow<Difference>>& difference_columns();
+const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns();
+const TableColumns<ComparisonRow<RunImpact>>& impact_columns();
+const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns();
+const TableColumns<ComparisonRow<ProfileBin>>& profile_columns();
+
+/// The rows of a list in a comparison.
+template <class Item>
+std::vector<ComparisonRow<Item>> rows_of(const Comparison& comparison,
+                                         const std::vector<Item>& items) {
+  std::vector<ComparisonRow<Item>> rows;
+  for (const Item& item : items) rows.push_back({comparison, item});
+  return rows;
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,45 @@
+#include "study/stored_columns.hpp"
+
+#include "study/detail/results_layout.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+namespace {
+
+TableCell cell_of(std::uint64_t value) { return value; }
+TableCell cell_of(std::uint32_t value) { return std::uint64_t{value}; }
+TableCell cell_of(bool value) { return std::uint64_t{value ? 1u : 0u}; }
+TableCell cell_of(double value) { return value; }
+TableCell cell_of(const std::string& value) { return value; }
+TableCell cell_of(StopReason value) { return name_of(value); }
+
+template <class Row>
+TableColumns<Row> stored_columns() {
+  TableColumns<Row> columns;
+  visit_columns(kRowsOf<Row>, [&](const std::string& name, const std::string& unit,
+                                  const std::string& meaning, const auto& field) {
+    columns.push_back({name, unit, meaning,
+                       [field](const Row& row) { return cell_of(std::invoke(field, row)); }});
+  });
+  return columns;
+}
+
+}  // namespace
+
+const TableColumns<RunRecord>& stored_run_columns() {
+  static const TableColumns<RunRecord> columns = stored_columns<RunRecord>();
+  return columns;
+}
+
+const TableColumns<Crossing>& stored_crossing_columns() {
+  static const TableColumns<Crossing> columns = stored_columns<Crossing>();
+  return columns;
+}
+
+const TableColumns<Impact>& stored_impact_columns() {
+  static const TableColumns<Impact> columns = stored_columns<Impact>();
+  return columns;
+}
+
+}  // namespace clast
