@@ -12,6 +12,7 @@ endif()
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED CONFIG)
 find_package(assimp 5.2 REQUIRED CONFIG)
+find_package(Boost 1.74 REQUIRED)  # headers; CGAL needs them too
 find_package(CGAL 5.5 REQUIRED CONFIG)
 find_package(PclCore 1.12 REQUIRED)
 find_package(GDAL 3.6 REQUIRED CONFIG)
@@ -41,6 +42,7 @@ endif()
 set(HDF5_PREFER_PARALLEL FALSE)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)
 find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
+find_package(PNG 1.6 REQUIRED)  # GDAL and OpenCV load it
 find_package(ZLIB 1.2 REQUIRED)  # comes with HDF5
 if(HDF5_IS_PARALLEL)
   message(FATAL_ERROR "CMake found the MPI build of HDF5; clast needs the serial one (libhdf5-dev).")

@@ -13,8 +13,8 @@ build=build/release
 say() { printf '== %s\n' "$*"; }
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
-packages=(g++ cmake ninja-build libeigen3-dev libcgal-dev libassimp-dev libhdf5-dev libgdal-dev
-          libpcl-dev libopencv-dev libpugixml-dev libssl-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
+packages=(g++ cmake ninja-build libeigen3-dev libboost-dev libcgal-dev libassimp-dev libhdf5-dev
+          libgdal-dev libpcl-dev libopencv-dev libpugixml-dev libssl-dev libpng-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
           libjs-three python3-plotly libopenmpi-dev openmpi-bin)
 case "${1-}" in
   program) ;;

@@ -5,15 +5,14 @@ namespace clast {
 /// P(X <= z) of the standard normal.
 double normal_below(double z);
 
-/// P(X > x) of chi-squared: the regularised upper incomplete gamma function Q(freedom/2, x/2), by
-/// its power series below the mean and its continued fraction above.
-/// @param x        not negative
+/// P(X > x) of chi-squared: the regularised upper incomplete gamma function Q(freedom/2, x/2).
+/// @param x        finite, not negative
 /// @param freedom  degrees of freedom, positive
 /// @cite dlmf
 double chi_squared_above(double x, double freedom);
 
 /// P(|T| > |t|) of Student's t: the regularised incomplete beta function
-/// I_x(freedom/2, 1/2) at x = freedom/(freedom + t^2), by its continued fraction.
+/// I_x(freedom/2, 1/2) at x = freedom/(freedom + t^2).
 /// @cite dlmf
 double student_beyond(double t, double freedom);
 

@@ -199,6 +199,13 @@ std::optional<std::string> TomlTable::text(const std::string& key) const {
   return node->text;
 }
 
+std::optional<bool> TomlTable::boolean(const std::string& key) const {
+  const TomlNode* node = find(key);
+  if (!node) return std::nullopt;
+  if (node->kind != TomlNode::Kind::kBoolean) refuse(key, *node, "must be true or false");
+  return node->boolean;
+}
+
 std::optional<double> TomlTable::number(const std::string& key, const NumberRange& range) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;

@@ -51,6 +51,7 @@ class TomlTable {
   /// None when the key is absent.
   /// @throws InputError  wrong type, empty text, number out of range
   std::optional<std::string> text(const std::string& key) const;
+  std::optional<bool> boolean(const std::string& key) const;
   std::optional<double> number(const std::string& key, const NumberRange& range) const;
   std::optional<std::uint64_t> count(const std::string& key, std::uint64_t least,
                                      std::uint64_t most) const;

@@ -55,7 +55,6 @@ TerrainSurface::TerrainSurface(TerrainSurface&&) noexcept = default;
 
 const TriangleMesh& TerrainSurface::mesh() const { return impl_->mesh; }
 double TerrainSurface::radius() const { return impl_->surface.radius; }
-std::uint16_t TerrainSurface::zone(std::uint32_t triangle) const { return impl_->zones[triangle]; }
 std::uint16_t TerrainSurface::zone_count() const { return impl_->zone_count; }
 const Bounds& TerrainSurface::extent() const { return impl_->surface.extent; }
 

@@ -24,7 +24,6 @@ class TerrainSurface {
 
   const TriangleMesh& mesh() const;
   double radius() const;
-  std::uint16_t zone(std::uint32_t triangle) const;
   std::uint16_t zone_count() const;  ///< largest zone number + 1
   const Bounds& extent() const;
 

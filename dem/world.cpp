@@ -297,9 +297,6 @@ std::size_t World::body_count() const { return impl_->bodies.size(); }
 const RigidState& World::state(std::size_t body) const {
   return impl_->bodies.at(body).moving.state();
 }
-const RigidBody& World::shape_of(std::size_t body) const {
-  return impl_->bodies.at(body).shape->body;
-}
 bool World::fixed(std::size_t body) const { return impl_->bodies.at(body).fixed; }
 bool World::resting(std::size_t body) const {
   const WorldBody& asked = impl_->bodies.at(body);
@@ -307,7 +304,6 @@ bool World::resting(std::size_t body) const {
 }
 bool World::left_terrain(std::size_t body) const { return impl_->bodies.at(body).left; }
 Vec3 World::contact_force(std::size_t body) const { return impl_->bodies.at(body).force; }
-Vec3 World::contact_torque(std::size_t body) const { return impl_->bodies.at(body).torque; }
 
 double World::overlap(std::size_t body, std::size_t other) const {
   for (const ContactPair& pair : impl_->pairs.all()) {

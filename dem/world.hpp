@@ -68,15 +68,13 @@ class World {
   double time() const;  ///< s
   std::size_t body_count() const;
   const RigidState& state(std::size_t body) const;
-  const RigidBody& shape_of(std::size_t body) const;
   bool fixed(std::size_t body) const;
   /// At rest as `rest_energy` and `rest_duration` define it. A fixed body is.
   bool resting(std::size_t body) const;
   /// Its centre passed the border of the terrain: it stays there, out of the run.
   bool left_terrain(std::size_t body) const;
-  /// Force of all contacts on the body, N, and their torque about its centre, N m; world axes.
+  /// Force of all contacts on the body, N, world axes.
   Vec3 contact_force(std::size_t body) const;
-  Vec3 contact_torque(std::size_t body) const;
   /// Largest overlap of the two bodies now, m; 0 when they don't touch.
   double overlap(std::size_t body, std::size_t other) const;
 

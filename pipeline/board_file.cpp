@@ -36,12 +36,7 @@ CharucoBoard read_charuco(const TomlNode& node, const std::string& file,
   board.rows = static_cast<int>(*table.count("rows", 3, kMostSquares));
   board.square = *table.number("square_m", kMarkerSide);
   board.marker = *table.number("marker_m", kMarkerSide);
-  if (const TomlNode* older = table.find("older_pattern")) {
-    if (older->kind != TomlNode::Kind::kBoolean) {
-      table.refuse("older_pattern", *older, "must be true or false");
-    }
-    board.older_pattern = older->boolean;
-  }
+  board.older_pattern = table.boolean("older_pattern").value_or(false);
   return board;
 }
 

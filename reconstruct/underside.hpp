@@ -81,8 +81,8 @@ struct Underside {
 /// by what the seen surface stands out over its own tangent planes, down to the ground where one is
 /// known. Where it is known what was looked through, the upper volume is no larger than all that
 /// was not. Where that leaves more than a third as much again as was seen (as much again above a
-/// ground), there is no upper volume. See docs/theory.md for the best guess, and for what was
-/// measured.
+/// ground), there is no upper volume. See docs/theory.md for the best guess, and
+/// docs/benchmarks.md for what was measured.
 ///
 /// @param open  oriented 2-manifold in one component; small holes may be left
 /// @returns none where no hole is large enough: the scan is closed, or nearly

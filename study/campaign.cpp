@@ -43,12 +43,7 @@ void read_terrain_checks(const TomlTable& table, Campaign& campaign) {
       terrain.breaklines.push_back(input_file(table, "breaklines", element(*lines, i)));
     }
   }
-  if (const TomlNode* cut = table.find("cut_zones")) {
-    if (cut->kind != TomlNode::Kind::kBoolean) {
-      table.refuse("cut_zones", *cut, "must be true or false");
-    }
-    terrain.cut_zones = cut->boolean;
-  }
+  terrain.cut_zones = table.boolean("cut_zones").value_or(false);
   campaign.border_distance = table.number("border_distance_m", kBorderDistance);
 }
 

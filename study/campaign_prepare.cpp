@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/version.hpp"
-#include "dem/ground_gap.hpp"
+#include "dem/ground_overlap.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/detail/campaign_checks.hpp"
 #include "study/detail/ground_sets.hpp"
@@ -88,9 +88,10 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
 }
 
 // How deep a block is in the ground, m; none when it is clear of it.
-std::optional<double> depth_in_ground(const GroundGap& ground_gap, const TerrainSurface& surface,
-                                      const RigidBody& body, const RigidState& state) {
-  const double overlap = ground_gap.overlap(state);
+std::optional<double> depth_in_ground(const GroundOverlap& ground_overlap,
+                                      const TerrainSurface& surface, const RigidBody& body,
+                                      const RigidState& state) {
+  const double overlap = ground_overlap.deepest(state);
   // What the dynamics will refuse.
   if (overlap > ReleaseSettings{}.start_overlap * body.smallest_side) return overlap;
   // A block that is buried whole touches no face of the ground.
@@ -101,11 +102,11 @@ std::optional<double> depth_in_ground(const GroundGap& ground_gap, const Terrain
   return std::nullopt;
 }
 
-void check_clear_of_ground(const PreparedCampaign& prepared, const GroundGap& ground_gap,
+void check_clear_of_ground(const PreparedCampaign& prepared, const GroundOverlap& ground_overlap,
                            const ReleasePlan& release, std::size_t point_of_set,
                            const RunRecord& run) {
   const std::optional<double> depth =
-      depth_in_ground(ground_gap, *prepared.surface, prepared.bodies[run.block], run.start);
+      depth_in_ground(ground_overlap, *prepared.surface, prepared.bodies[run.block], run.start);
   if (!depth) return;
   const std::string table = release.name.empty() ? "[release]" : "[[release]] " + release.name;
   throw SimulationError(
@@ -136,7 +137,7 @@ void plan_block(const std::vector<std::vector<Vec3>>& points, std::uint32_t bloc
   const CampaignBlock& chosen = prepared.choice.blocks[block];
   const Quat source_from_body = prepared.choice.library[chosen.library].source_from_body().rotation;
   const std::uint32_t members = campaign.ensemble.members;
-  const GroundGap ground_gap(*prepared.surface, prepared.bodies[block]);
+  const GroundOverlap ground_overlap(*prepared.surface, prepared.bodies[block]);
   std::uint32_t point = 0;
   for (std::size_t set = 0; set < campaign.releases.size(); ++set) {
     const ReleasePlan& release = campaign.releases[set];
@@ -160,7 +161,7 @@ void plan_block(const std::vector<std::vector<Vec3>>& points, std::uint32_t bloc
           place_above_ground(*prepared.surface, prepared.bodies[block], *release.drop_height,
                              run.start);
         }
-        check_clear_of_ground(prepared, ground_gap, release, of_set, run);
+        check_clear_of_ground(prepared, ground_overlap, release, of_set, run);
         for (std::uint32_t member = 0; member < members; ++member) {
           run.run = static_cast<std::uint32_t>(prepared.runs.size());
           run.ground_set = static_cast<std::uint32_t>(chosen.group) * members + member;

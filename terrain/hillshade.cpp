@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/nice_number.hpp"
 #include "terrain/detail/map_lines.hpp"
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/relief.hpp"
@@ -14,16 +15,6 @@ namespace {
 constexpr Rgb kRelease = {200, 20, 20}, kHalo = {255, 255, 255}, kBarrier = {20, 20, 20};
 constexpr double kContours = 20.0;  // about so many over the whole relief
 constexpr double kMargin = 0.02;    // of the longer side
-
-/// 1, 2 or 5 times a power of ten, at least `wanted`.
-double round_step(double wanted) {
-  if (!(wanted > 0.0)) return 1.0;
-  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
-  for (const double digit : {1.0, 2.0, 5.0}) {
-    if (digit * decade >= wanted) return digit * decade;
-  }
-  return 10.0 * decade;
-}
 
 /// Draws on a picture of a window of the plan.
 class Canvas {
@@ -109,7 +100,7 @@ void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
   const Vec2 origin = terrain.frame.origin.head<2>();
   const Relief relief = sampled(terrain, {window.low - origin, window.high - origin}, columns);
   Picture picture = relief_picture(relief, terrain.zone_names, terrain.frame.origin.z(),
-                                   round_step((high.z() - low.z()) / kContours));
+                                   round_up_to_nice((high.z() - low.z()) / kContours));
   Canvas canvas(picture, window, relief.cell);
   const std::uint8_t halo = canvas.colour(kHalo), barrier = canvas.colour(kBarrier);
   const std::uint8_t release = canvas.colour(kRelease);

@@ -33,9 +33,4 @@ ClosestOnSegments closest_on_segments(const Vec3& a, const Vec3& u, double lengt
   return closest;
 }
 
-double segment_distance(const Vec3& a, const Vec3& u, double length_a, const Vec3& b, const Vec3& v,
-                        double length_b) {
-  return closest_on_segments(a, u, length_a, b, v, length_b).between.norm();
-}
-
 }  // namespace clast::dem_detail

@@ -15,8 +15,4 @@ struct ClosestOnSegments {
 ClosestOnSegments closest_on_segments(const Vec3& a, const Vec3& u, double length_a, const Vec3& b,
                                       const Vec3& v, double length_b);
 
-/// Distance between the segments from `a` and `b` along their unit directions.
-double segment_distance(const Vec3& a, const Vec3& u, double length_a, const Vec3& b, const Vec3& v,
-                        double length_b);
-
 }  // namespace clast::dem_detail

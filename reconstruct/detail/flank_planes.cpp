@@ -12,7 +12,7 @@ namespace clast::reconstruct_detail {
 namespace {
 
 /// Of a patch, as a share of the root of the seen area: so large that its mean normal says how the
-/// flank leans and not how a bump on it does. See docs/theory.md for what other sizes give.
+/// flank leans and not how a bump on it does. See docs/benchmarks.md for what other sizes give.
 constexpr double kPatchRadius = 0.10;
 /// The planes lie outside of what was seen by so many times what stands out over tangent planes.
 constexpr double kSlack = 1.5;

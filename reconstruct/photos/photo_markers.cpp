@@ -104,10 +104,6 @@ double FoundMarker::side() const {
 
 std::vector<std::string> marker_dictionaries() { return photos_detail::dictionary_names(); }
 
-std::vector<FoundMarker> found_markers(const PhotoModel& model, const MarkerOptions& options) {
-  return search_markers(model, options).markers;
-}
-
 MarkerSearch search_markers(const PhotoModel& model, const MarkerOptions& options) {
   options.check();
   MarkerSearch search;

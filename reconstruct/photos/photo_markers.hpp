@@ -67,7 +67,4 @@ std::vector<std::string> marker_dictionaries();
 /// @cite garrido2014
 MarkerSearch search_markers(const PhotoModel& model, const MarkerOptions& options = {});
 
-/// Those of `search_markers` whose place is known.
-std::vector<FoundMarker> found_markers(const PhotoModel& model, const MarkerOptions& options = {});
-
 }  // namespace clast

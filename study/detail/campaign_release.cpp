@@ -91,12 +91,7 @@ void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) 
     plan.orientation_seed = rule.count("seed", 0, INT64_MAX).value_or(plan.seed);
     plan.orientations =
         random_orientations(*rule.count("random", 1, kMostPerSet), plan.orientation_seed);
-    if (const TomlNode* fresh = rule.find("fresh")) {
-      if (fresh->kind != TomlNode::Kind::kBoolean) {
-        rule.refuse("fresh", *fresh, "must be true or false");
-      }
-      plan.fresh_orientations = fresh->boolean;
-    }
+    plan.fresh_orientations = rule.boolean("fresh").value_or(false);
     return;
   }
   if (node.kind != TomlNode::Kind::kString)

@@ -69,7 +69,7 @@ void visit_stiffness(const Visit& visit) {
   visit("time_step_s", "s", "time step as used, determined for the run or given",
         [](auto& r) -> decltype(auto) { return (r.stiffness.time_step); });
   visit("rest_depth_m", "m",
-        "penetration depth of the block at rest under its k_n, on the ground zone with the least "
+        "settled depth of the block under its k_n, on the ground zone with the least "
         "support; since schema 4",
         &RunRecord::rest_depth);
   visit("impact_depth_m", "m",

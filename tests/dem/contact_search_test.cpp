@@ -6,8 +6,8 @@
 #include "dem/detail/flying_ball.hpp"
 #include "dem/detail/segment_distance.hpp"
 #include "dem/detail/terrain_impl.hpp"
-#include "dem/ground_gap.hpp"
 #include "dem/release.hpp"
+#include "tests/support/ground_gap.hpp"
 #include "tests/support/test_rock.hpp"
 
 namespace clast {
@@ -99,7 +99,7 @@ TEST(SafeTime, NoContactBeforeIt) {
     start.position = {random.uniform(-3, 3), random.uniform(-3, 3), 0.0};
     start.orientation = random.rotation();
     start.position.z() = *terrain.height(start.position.x(), start.position.y(), 0.0) + 2.0;
-    const std::optional<double> gap = GroundGap(terrain, body).gap(start, 3.0);
+    const std::optional<double> gap = ground_gap(terrain, body, start, 3.0);
     ASSERT_TRUE(gap);
     start.position.z() -= *gap - random.uniform(0.001, 0.1);  // close to the ground or in it
     // About as if it rolled.
@@ -300,10 +300,10 @@ TEST(GroundGap, CubeOverAPlaneAndARidge) {
   RigidState state;
   state.position = {0.2, 0.1, 1.0};
   const TerrainSurface flat = ground(plane_mesh(5.0, 7));
-  EXPECT_NEAR(*GroundGap(flat, cube).gap(state, 2.0), 0.45, 1e-12);
-  EXPECT_FALSE(GroundGap(flat, cube).gap(state, 0.4));
+  EXPECT_NEAR(*ground_gap(flat, cube, state, 2.0), 0.45, 1e-12);
+  EXPECT_FALSE(ground_gap(flat, cube, state, 0.4));
   state.position.z() = 0.5;
-  EXPECT_NEAR(*GroundGap(flat, cube).gap(state, 2.0), -0.05, 1e-12);
+  EXPECT_NEAR(*ground_gap(flat, cube, state, 2.0), -0.05, 1e-12);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Blocks that start with an edge of the ground through them are refused however deep it is.
 #include <gtest/gtest.h>
 
-#include "dem/ground_gap.hpp"
+#include "tests/support/ground_gap.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/test_bodies.hpp"
 
@@ -35,7 +35,7 @@ TEST_P(PiercedStart, IsRefusedWithItsDepth) {
   start.orientation = Quat(Eigen::AngleAxisd(0.25 * kPi, Vec3::UnitY()));
   const Vec3 up = start.orientation * Vec3::UnitZ(), along = start.orientation * Vec3::UnitX();
   start.position = (0.2 - depth) * up + 0.9 * along;
-  const std::optional<double> gap = GroundGap(terrain, plate).gap(start, 5.0);
+  const std::optional<double> gap = ground_gap(terrain, plate, start, 5.0);
   ASSERT_TRUE(gap);
   EXPECT_LT(*gap, 0.0);
   const std::string message = refusal<SimulationError>([&] {

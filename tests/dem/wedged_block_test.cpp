@@ -2,9 +2,9 @@
 // to rest, and what changes of contacts dissipate or add stays small.
 #include <gtest/gtest.h>
 
-#include "dem/ground_gap.hpp"
 #include "dem/release.hpp"
 #include "dem/stiffness.hpp"
+#include "tests/support/ground_gap.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {
@@ -147,8 +147,7 @@ TEST(Needles, FeelEveryWallOfAPit) {
     RigidState start;
     start.orientation = random.rotation();
     start.position = {random.uniform(-0.3, 0.3), 0.0, -8.0};
-    while (GroundGap(terrain, needle).gap(start, 1.0).value_or(1.0) < 1e-3)
-      start.position.z() += 0.1;
+    while (ground_gap(terrain, needle, start, 1.0).value_or(1.0) < 1e-3) start.position.z() += 0.1;
     start.velocity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0};
     start.angular_velocity = random.uniform(0.0, 5.0) * random.direction();
     const ReleaseResult result = simulate_release(terrain, zones, needle, start, settings);

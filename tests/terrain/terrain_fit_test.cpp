@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "dem/ground_gap.hpp"
 #include "terrain/terrain_fit.hpp"
+#include "tests/support/ground_gap.hpp"
 #include "tests/support/test_bodies.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
@@ -88,12 +88,12 @@ TEST_F(TerrainFit, ABallOverAKnownNodeTouchesAtItsHeight) {
   const RigidBody body = ball(10.0, kRadius);
   RigidState state;
   state.position = {x, y, peak + kRadius + kGap};
-  EXPECT_NEAR(GroundGap(surface, body).gap(state, 1.0).value_or(-1.0), kGap, 1e-12);
+  EXPECT_NEAR(ground_gap(surface, body, state, 1.0).value_or(-1.0), kGap, 1e-12);
   state.position.z() = peak + kRadius;
-  EXPECT_NEAR(GroundGap(surface, body).gap(state, 1.0).value_or(-1.0), 0.0, 1e-12);
+  EXPECT_NEAR(ground_gap(surface, body, state, 1.0).value_or(-1.0), 0.0, 1e-12);
   // Half a cell off, as the corner registration would have it, it is far from touching.
   state.position += Vec3(1.0, 1.0, 0.0);
-  EXPECT_GT(GroundGap(surface, body).gap(state, 3.0).value_or(3.0), 0.3);
+  EXPECT_GT(ground_gap(surface, body, state, 3.0).value_or(3.0), 0.3);
   EXPECT_FALSE(surface.covers(0.5, 0.5)) << "half a cell at the border is not known";
 }
 

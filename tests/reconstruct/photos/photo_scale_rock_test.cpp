@@ -13,8 +13,10 @@ namespace {
 class RockScale : public testing::Test {
  protected:
   static const std::vector<FoundMarker>& markers(bool of_truth) {
-    static const std::vector<FoundMarker> kTrue = found_markers(true_model(), {.threads = 2});
-    static const std::vector<FoundMarker> kColmap = found_markers(colmap_model(), {.threads = 2});
+    static const std::vector<FoundMarker> kTrue =
+        search_markers(true_model(), {.threads = 2}).markers;
+    static const std::vector<FoundMarker> kColmap =
+        search_markers(colmap_model(), {.threads = 2}).markers;
     return of_truth ? kTrue : kColmap;
   }
   /// Metres per unit by the 36 true camera centres.
@@ -63,7 +65,7 @@ TEST_F(RockScale, SidesGiveTheScaleWithoutTheInwardBias) {
 }
 
 TEST_F(RockScale, NumberOfThreadsDoesNotMatter) {
-  const std::vector<FoundMarker> one = found_markers(colmap_model(), {.threads = 1});
+  const std::vector<FoundMarker> one = search_markers(colmap_model(), {.threads = 1}).markers;
   ASSERT_EQ(one.size(), markers(false).size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
