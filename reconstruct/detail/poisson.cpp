@@ -13,10 +13,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include "mesh/detail/cgal_mesh.hpp"
+
+/// The order in which CGAL refines cells of equal quality. Its own is that of their addresses,
+/// which differ from run to run (https://github.com/CGAL/cgal/issues/6240); the places of the
+/// corners do not.
+template <>
+struct std::less<CGAL::Poisson_reconstruction_function<
+    clast::mesh_detail::CgalKernel>::Triangulation::Cell_handle> {
+  template <class Cell>
+  bool operator()(const Cell& a, const Cell& b) const {
+    if (a == b) return false;
+    for (int k = 0; k < 4; ++k) {
+      const auto &p = a->vertex(k)->point(), &q = b->vertex(k)->point();
+      if (p != q) return p < q;
+    }
+    return false;
+  }
+};
 
 namespace clast::reconstruct_detail {
 

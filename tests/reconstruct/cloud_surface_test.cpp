@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <memory>
 #include <set>
 
 #include "core/error.hpp"
@@ -10,6 +12,7 @@
 #include "massprops/solid.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "reconstruct/detail/outliers.hpp"
+#include "reconstruct/detail/poisson.hpp"
 #include "tests/support/field_scene.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -55,6 +58,40 @@ TEST(CloudSurface, IsOpenWhereNoPointsAre) {
   // It goes on for up to 1.5 cells of 0.07 around a rim of 2 pi 0.8.
   EXPECT_NEAR(surface_area(surface), 0.8 * 4.0 * kPi, 0.06 * 4.0 * kPi);
   EXPECT_NEAR(bounds(surface).low.z(), 5.0 - 0.6, 0.15);
+}
+
+// Points on a grid have many equal distances: what decides between cells of equal quality must not
+// be where they lie in memory.
+TEST(CloudSurface, IndicatorIsTheSameWhereverMemoryLies) {
+  std::vector<Vec3> points, normals;
+  constexpr int kSide = 32;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      for (int i = 0; i < kSide; ++i) {
+        for (int k = 0; k < kSide; ++k) {
+          Vec3 place(side, (2.0 * i + 1.0) / kSide - 1.0, (2.0 * k + 1.0) / kSide - 1.0);
+          Vec3 normal(side, 0.0, 0.0);
+          std::rotate(place.begin(), place.begin() + axis, place.end());
+          std::rotate(normal.begin(), normal.begin() + axis, normal.end());
+          points.push_back(place);
+          normals.push_back(normal);
+        }
+      }
+    }
+  }
+  Random random(1);
+  std::vector<std::unique_ptr<char[]>> held;
+  std::set<double> values;
+  for (int run = 0; run < 8; ++run) {
+    for (std::uint64_t n = random.below(2000); n > 0; --n) {
+      held.push_back(std::make_unique<char[]>(1 + random.below(run % 2 == 0 ? 500 : 50000)));
+      if (random.below(3) == 0) held[random.below(held.size())].reset();
+    }
+    const reconstruct_detail::Indicator indicator(points, normals);
+    ASSERT_TRUE(indicator.found());
+    values.insert(indicator.at({0.31, 0.17, 0.44}));
+  }
+  EXPECT_EQ(values.size(), 1u);
 }
 
 TEST(CloudSurface, LiesWhereTheCloudLiesOnAMap) {
