@@ -101,9 +101,12 @@ FileLock::FileLock(const fs::path& target, const FileLockOptions& options)
     }
     ::close(descriptor_);
     if (std::chrono::steady_clock::now() - begin > options.longest_wait) {
-      throw InputError(target.string() + ": another program has been writing to it for " +
-                       std::to_string(options.longest_wait.count() / 1000) +
-                       " s; wait until it ends, or end it, and try again");
+      const auto waited = std::chrono::duration_cast<std::chrono::seconds>(options.longest_wait);
+      throw InputError(target.string() + ": another program " +
+                       (waited.count() > 0
+                            ? "has been writing to it for " + std::to_string(waited.count()) + " s"
+                            : "is writing to it") +
+                       "; wait until it ends, or end it, and try again");
     }
     if (!said && options.waiting) options.waiting();
     said = true;

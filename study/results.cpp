@@ -1,8 +1,11 @@
 #include "study/results.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <memory>
 #include <numeric>
 
+#include "core/file_lock.hpp"
 #include "core/output_file.hpp"
 #include "study/detail/results_file.hpp"
 #include "study/detail/results_layout.hpp"
@@ -20,7 +23,19 @@ fs::path partial_results(const fs::path& target) {
 
 void check_results_place(const fs::path& target) { check_output(target, {.kind = kResultsFormat}); }
 
+namespace {
+
+/// Held while the file is being written: two programs would mix their runs.
+std::unique_ptr<FileLock> locked(const fs::path& target) {
+  check_results_place(target);
+  return std::make_unique<FileLock>(target,
+                                    FileLockOptions{.longest_wait = std::chrono::milliseconds(0)});
+}
+
+}  // namespace
+
 struct ResultsWriter::Impl {
+  std::unique_ptr<FileLock> lock;
   fs::path target;
   CampaignResults header;
   ResultsJournal journal;
@@ -33,20 +48,25 @@ ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 
 ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignResults& header,
                                     std::size_t runs) {
+  std::unique_ptr<FileLock> lock = locked(target);
   check_room_for(target, header, runs);
-  return ResultsWriter(std::unique_ptr<Impl>(
-      new Impl{target, header, ResultsJournal::create(partial_results(target), header), {}}));
+  return ResultsWriter(
+      std::unique_ptr<Impl>(new Impl{std::move(lock),
+                                     target,
+                                     header,
+                                     ResultsJournal::create(partial_results(target), header),
+                                     {}}));
 }
 
 ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResults& header,
                                     std::size_t runs) {
-  check_results_place(target);
+  std::unique_ptr<FileLock> lock = locked(target);
   ResultsJournal journal = ResultsJournal::resume(partial_results(target), header);
   std::vector<std::uint32_t> stored = journal.runs();
   std::sort(stored.begin(), stored.end());
   check_room_for(target, header, runs - std::min(runs, stored.size()));
-  return ResultsWriter(
-      std::unique_ptr<Impl>(new Impl{target, header, std::move(journal), std::move(stored)}));
+  return ResultsWriter(std::unique_ptr<Impl>(
+      new Impl{std::move(lock), target, header, std::move(journal), std::move(stored)}));
 }
 
 const std::vector<std::uint32_t>& ResultsWriter::stored_runs() const { return impl_->stored; }
@@ -68,6 +88,7 @@ void ResultsWriter::finish() {
                      [&](std::size_t i) { return impl_->journal.read(order[i]); });
   std::error_code code;  // what is left of it is harmless
   fs::remove(impl_->journal.path(), code);
+  impl_->lock.reset();
 }
 
 }  // namespace clast

@@ -140,13 +140,13 @@ void check_results_place(const std::filesystem::path& target);
 std::filesystem::path partial_results(const std::filesystem::path& target);
 
 /// Keeps results run by run, so that a kill costs no run that was added, and writes the file when
-/// all are done.
+/// all are done. Until then it holds the lock on the target (core/file_lock.hpp).
 class ResultsWriter {
  public:
   /// Starts anew, in place of what an interrupted campaign left. Makes missing parent folders.
   /// @param runs  that will be in the file
-  /// @throws InputError  as `check_results_place`; or the disk is too full for the header and as
-  ///                     many runs
+  /// @throws InputError  as `check_results_place`; another program is writing to the target; or
+  ///                     the disk is too full for the header and as many runs
   static ResultsWriter create(const std::filesystem::path& target, const CampaignResults& header,
                               std::size_t runs = 0);
   /// Goes on with `partial_results(target)`; half a run that a kill left is dropped.

@@ -17,6 +17,7 @@
 #include "app/progress_bar.hpp"
 #include "core/error.hpp"
 #include "core/file_kind.hpp"
+#include "core/file_lock.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/parallel.hpp"
@@ -292,6 +293,9 @@ void simulate(const SimulateArgs& args) {
     if (team.leads()) check_results_place(output);
     plan.emplace(prepare_campaign(read_campaign(args.campaign)));
     if (team.leads() && !args.dry_run && !args.resume && std::filesystem::exists(part)) {
+      if (std::filesystem::exists(FileLock::lock_file(output))) {
+        const FileLock running(output, {.longest_wait = {}});
+      }
       throw InputError(part.string() +
                        ": holds the runs of an interrupted campaign; add --resume to go on "
                        "with it, or delete the file to start afresh");

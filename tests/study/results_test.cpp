@@ -23,6 +23,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+TEST(Results, TwoWritersOfOneFileDoNotMixTheirRuns) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder / "r.h5";
+  ResultsWriter writer = ResultsWriter::create(file, sample_header());
+  add_run(writer, 0);
+  const char* const busy = "r.h5: another program is writing to it; wait until it ends";
+  EXPECT_TRUE(contains(refusal([&] { ResultsWriter::resume(file, sample_header()); }), busy));
+  EXPECT_TRUE(contains(refusal([&] { ResultsWriter::create(file, sample_header()); }), busy));
+  add_run(writer, 1);
+  writer.finish();
+  EXPECT_EQ(read_results(file).runs.size(), 2u);
+  EXPECT_EQ(refusal([&] { ResultsWriter::create(file, sample_header()); }), "");
+}
+
 TEST(Results, EverythingComesBackInRunOrder) {
   const ScratchFolder folder;
   const fs::path target = folder / "new folder/results.h5";
