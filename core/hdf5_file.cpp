@@ -58,6 +58,25 @@ void chunk_and_compress(const Id& properties, const std::vector<hsize_t>& chunk)
   H5Pset_fletcher32(properties);
 }
 
+/// True when the index of chunks names one, along the first dimension, that is stored without a
+/// filter. None is written so; HDF5 would take its bytes for a whole chunk and read beyond them.
+bool lacks_filters(const Id& dataset, const std::vector<hsize_t>& extent) {
+  const Id properties(H5Dget_create_plist(dataset), H5Pclose);
+  if (H5Pget_layout(properties) != H5D_CHUNKED) return false;
+  std::vector<hsize_t> chunk(extent.size()), place(extent.size(), 0);
+  H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+  for (; place[0] < extent[0]; place[0] += chunk[0]) {
+    unsigned left_out = 0;
+    haddr_t address = 0;
+    hsize_t size = 0;
+    if (H5Dget_chunk_info_by_coord(dataset, place.data(), &left_out, &address, &size) < 0 ||
+        left_out != 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 /// An open file or group, with the name it has in messages.
@@ -219,12 +238,14 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
   const Id dataset = handle_->dataset(name);
   const std::size_t element = handle_->check_type<T>(dataset, name);
   const hsize_t most = (H5Dget_storage_size(dataset) * kLargestRatio + kSmallest) / element;
+  const std::vector<hsize_t> extent = handle_->extent(dataset, name);
   hsize_t count = 1;
-  for (const hsize_t size : handle_->extent(dataset, name)) {
+  for (const hsize_t size : extent) {
     if (count > 0 && size > most / count)
       handle_->fail(name, std::string("has an impossible size") + kDamaged);
     count *= size;
   }
+  if (count > 0 && lacks_filters(dataset, extent)) handle_->fail_damaged(name);
   const auto verified = [&](const auto& bytes) {
     handle_->verify(dataset, name, values_sum(bytes.data(), bytes.size() * sizeof bytes[0], count));
   };
