@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/detail/hdf5_checksum.hpp"
+#include "core/detail/hdf5_chunks.hpp"
 #include "core/detail/hdf5_types.hpp"
 #include "core/error.hpp"
 #include "core/input_file.hpp"
@@ -28,8 +29,6 @@ namespace {
 [[maybe_unused]] const herr_t kNoCleanUpAtExit = H5dont_atexit();
 
 constexpr std::size_t kSmallest = 4096;  ///< bytes; smaller arrays are stored plain
-constexpr std::size_t kChunk = 32768;    ///< bytes of a chunk
-constexpr unsigned kGzipLevel = 4;
 /// Deflate shrinks at most 1032 times: an array that claims more than this of its bytes on disk is
 /// damaged, and is refused before memory is asked for.
 constexpr std::size_t kLargestRatio = 1040;
@@ -49,32 +48,6 @@ Id access_properties() {
   Id properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(properties, H5F_LIBVER_V18, H5F_LIBVER_V18);
   return properties;
-}
-
-void chunk_and_compress(const Id& properties, const std::vector<hsize_t>& chunk) {
-  H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
-  H5Pset_shuffle(properties);
-  H5Pset_deflate(properties, kGzipLevel);
-  H5Pset_fletcher32(properties);
-}
-
-/// True when the index of chunks names one, along the first dimension, that is stored without a
-/// filter. None is written so; HDF5 would take its bytes for a whole chunk and read beyond them.
-bool lacks_filters(const Id& dataset, const std::vector<hsize_t>& extent) {
-  const Id properties(H5Dget_create_plist(dataset), H5Pclose);
-  if (H5Pget_layout(properties) != H5D_CHUNKED) return false;
-  std::vector<hsize_t> chunk(extent.size()), place(extent.size(), 0);
-  H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
-  for (; place[0] < extent[0]; place[0] += chunk[0]) {
-    unsigned left_out = 0;
-    haddr_t address = 0;
-    hsize_t size = 0;
-    if (H5Dget_chunk_info_by_coord(dataset, place.data(), &left_out, &address, &size) < 0 ||
-        left_out != 0) {
-      return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace
@@ -217,9 +190,7 @@ void Hdf5Group::write(const std::string& name, std::span<const T> values,
   const Id space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
   const Id properties = dataset_properties();
   if (values.size() * stored.element > kSmallest) {
-    std::vector<hsize_t> chunk = sizes;
-    chunk[0] = std::clamp<hsize_t>(kChunk / (row * stored.element), 1, sizes[0]);
-    chunk_and_compress(properties, chunk);
+    chunk_and_compress(properties, sizes, row * stored.element);
   }
   const Id dataset(
       H5Dcreate2(parent, name.c_str(), stored.in_file, space, H5P_DEFAULT, properties, H5P_DEFAULT),
@@ -245,7 +216,7 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
       handle_->fail(name, std::string("has an impossible size") + kDamaged);
     count *= size;
   }
-  if (count > 0 && lacks_filters(dataset, extent)) handle_->fail_damaged(name);
+  if (count > 0 && chunks_are_damaged(dataset, extent)) handle_->fail_damaged(name);
   const auto verified = [&](const auto& bytes) {
     handle_->verify(dataset, name, values_sum(bytes.data(), bytes.size() * sizeof bytes[0], count));
   };

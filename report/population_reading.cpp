@@ -84,7 +84,7 @@ void add_brief_notes(std::vector<std::string>& brief, const std::string& input,
   }
 }
 
-/// Rows without a name of their own are told apart by `stem`, where there is one.
+/// Rows without a name of their own are named after `stem`, where there is one.
 void add_table(ReportedPopulation& reported, const BlockReading& reading, const std::string& path,
                const DimensionColumns& columns, const std::string& stem) {
   DimensionTable table = read_dimension_table(path, columns);

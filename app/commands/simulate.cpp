@@ -294,7 +294,7 @@ void simulate(const SimulateArgs& args) {
     plan.emplace(prepare_campaign(read_campaign(args.campaign)));
     if (team.leads() && !args.dry_run && !args.resume && std::filesystem::exists(part)) {
       if (std::filesystem::exists(FileLock::lock_file(output))) {
-        const FileLock running(output, {.longest_wait = {}});
+        const FileLock lock(output, {.longest_wait = {}});  // refused while that campaign runs
       }
       throw InputError(part.string() +
                        ": holds the runs of an interrupted campaign; add --resume to go on "

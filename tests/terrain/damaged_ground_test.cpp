@@ -1,5 +1,5 @@
 // Grounds damaged in every way at once, by seed: each is repaired, or refused with the place.
-// Blocks thrown on the mended ones must all end with a reason, none below ground, and none by
+// Blocks released on the repaired ones must all end with a reason, none below ground, and none by
 // leaving where the sound ground has no border.
 #include <gtest/gtest.h>
 
