@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dem/detail/deep_contacts.hpp"
 #include "dem/detail/flying_ball.hpp"
@@ -19,11 +20,10 @@ constexpr double kPartMargins = 4.0;
 constexpr double kDepthShare = 0.5;
 /// The ground near the whole block is gathered for this many margins of movement more.
 constexpr double kGroundMargins = 8.0;
-/// Pairs are listed when they are this many margins from touching.
-constexpr double kPairMargins = 3.0;
-/// What is due is listed for this many calls like the last, but for this share of a margin at
-/// least.
-constexpr double kListCalls = 16.0, kShortest = 1.0 / 16.0;
+/// The ground's mean normal near a part may turn this far from its axis, as a cosine.
+constexpr double kSameAxis = 0.97;
+/// A part this many margins from the ground is far again.
+constexpr double kFarMargins = 2.0;
 /// The flight of the ball around the block is enough when it is this many times what is worthwhile:
 /// less than what a closer search costs.
 constexpr double kBallSteps = 16.0;
@@ -31,12 +31,6 @@ constexpr double kLongestFlight = 60.0;  ///< s
 /// The search for a longer flight starts at the first of these numbers of margins and goes on in
 /// strides.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
-
-/// From distance = speed t + acceleration t^2/2, in the form that keeps its digits.
-double time_over(double distance, double speed, double acceleration) {
-  if (!(distance > 0.0)) return 0.0;
-  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
-}
 
 double distance_in(double time, double speed, double acceleration) {
   return time * (speed + 0.5 * acceleration * time);
@@ -52,23 +46,19 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& b
       reach_(block.radius + ground.radius),
       size_(size),
       margin_(kMarginShare * size),
+      list_holds_(kPartMargins * margin_),
       depth_limit_(kDepthShare * size),
-      awake_vertices_(parts_.vertices.size()),
-      awake_sides_(parts_.sides.size()),
-      due_sides_(parts_.sides.size()) {
+      part_states_(parts_.parts.size()),
+      part_due_(parts_.parts.size(), -1.0),
+      vertex_states_(parts_.vertices.size()),
+      vertex_asleep_(parts_.vertices.size()),
+      due_parts_(parts_.parts.size()),
+      visits_(parts_.parts.size()) {
   for (const Vec3& vertex : block_.vertices) {
     bounding_radius_ = std::max(bounding_radius_, vertex.norm());
   }
-  part_states_.resize(parts_.parts.size());
-  vertex_states_.resize(parts_.vertices.size());
-  side_states_.resize(parts_.sides.size());
-  side_lists_.resize(parts_.sides.size());
-  vertex_due_.assign(parts_.vertices.size(), -1.0);
-  side_due_.assign(parts_.sides.size(), -1.0);
-  for (std::uint32_t p = 0; p < parts_.parts.size(); ++p) {
-    const BlockPart& part = parts_.parts[p];
-    for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) vertex_states_[v].part = p;
-    for (std::uint32_t s = part.first_side; s < part.end_side; ++s) side_lists_[s].part = p;
+  for (const BlockPart& part : parts_.parts) {
+    farthest_ = std::max(farthest_, part.centre.norm() + part.radius);
   }
 }
 
@@ -77,19 +67,22 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   move_to(ground_from_body);
   travel_ = travel;
   contacts_.clear();
-  if (moved_ >= next_part_ || moved_ > horizon_) wake();
-  list_due_sides();
-  for (const std::uint32_t v : awake_vertices_) {
-    if (vertex_due_[v] <= moved_) update_vertex(v, moved_);
-  }
+  list_visits();
+  for (const std::uint32_t p : visits_) update_vertices(p, {});
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  update_due_sides(std::max(reach_, deepest_pair()) + kPairMargins * margin_);
+  if (allow_depth()) visit_all_sides();
+  for (const std::uint32_t p : visits_) {
+    update_sides(p, {});
+    part_due_[p] = next_visit(p);
+  }
+  add_side_contacts();
   remove_resolved(contacts_, ground_, surface_, ground_from_body, size_);
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  if (!contacts_.empty()) {
+  if (contacts_.empty()) {
+    allowed_depth_ = 0.0;
+  } else {
     search_at_ = -1.0;
-    if (listed_for_flight_) horizon_ = -1.0;
   }
   return contacts_;
 }
@@ -102,7 +95,7 @@ void ContactSearch::move_to(const Pose& ground_from_body) {
     // factor is the Frobenius norm of the change of the matrix over sqrt(2).
     const double turn = std::sqrt(0.5 * (rotation - rotation_).squaredNorm());
     turned_ += turn;
-    last_move_ = (position - position_).norm() + turn * bounding_radius_;
+    last_move_ = (position - position_).norm() + turn * farthest_;
     moved_ += last_move_;
   }
   started_ = true;
@@ -110,28 +103,35 @@ void ContactSearch::move_to(const Pose& ground_from_body) {
   position_ = position;
 }
 
-void ContactSearch::wake() {
-  bool relist = moved_ > horizon_;
-  if (moved_ >= next_part_ && !sleep_whole()) {
-    for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-      PartState& part = part_states_[p];
-      if (part.due > moved_) continue;
-      const bool was_near = part.near;
-      update_part(p, moved_);
-      relist = relist || part.near != was_near;
-    }
+void ContactSearch::list_visits() {
+  due_parts_.clear();
+  visits_.clear();
+  for (std::uint32_t p = 0; p < part_due_.size(); ++p) {
+    due_parts_.add_if(part_due_[p] <= moved_, p);
   }
-  if (relist) return list_awake(moved_ + list_ahead());
-  find_next_part();
+  if (due_parts_.size() == 0 || sleep_whole()) return;
+  for (const std::uint32_t p : due_parts_) {
+    if (part_states_[p].near) {
+      read_way(p);
+      renew_ground(p, 0.0);
+    } else {
+      update_part(p, moved_);
+    }
+    visits_.add_if(part_states_[p].near, p);
+  }
 }
 
-double ContactSearch::list_ahead() const {
-  return std::clamp(kListCalls * last_move_, kShortest * margin_, margin_);
-}
-
-void ContactSearch::find_next_part() {
-  next_part_ = 1e300;
-  for (const PartState& part : part_states_) next_part_ = std::min(next_part_, part.due);
+void ContactSearch::visit_all_sides() {
+  visits_.clear();
+  for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
+    PartState& part = part_states_[p];
+    if (!part.near) continue;
+    read_way(p);
+    for (GroundFeature& feature : part.features) feature.asleep = {};
+    part.pairs.clear();
+    part.all_features = {};
+    visits_.add_if(true, p);
+  }
 }
 
 bool ContactSearch::sleep_whole() {
@@ -145,9 +145,7 @@ bool ContactSearch::sleep_whole() {
     above = nearest ? nearest->distance : 2.0 * look;
   }
   if (above <= bounding_radius_ + reach_ + margin_) return false;
-  for (PartState& part : part_states_) {
-    part.due = std::max(part.due, moved_ + above - bounding_radius_ - reach_);
-  }
+  for (double& due : part_due_) due = std::max(due, moved_ + above - bounding_radius_ - reach_);
   return true;
 }
 
@@ -169,13 +167,11 @@ void ContactSearch::update_part(std::uint32_t p, double until) {
   const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
   const double enough = std::max(margin_, until - moved_);
   double gap = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
-  if (!state.near) {
-    gap = std::max(gap, state.gap - (centre - state.seen).norm() -
-                            part.radius * (turned_ - state.seen_turned));
-  }
+  gap = std::max(gap, state.gap - (centre - state.seen).norm() -
+                          part.radius * (turned_ - state.seen_turned));
   if (gap <= enough) {
     double distance = complete;
-    if (state.due < 0.0) {
+    if (part_due_[p] < 0.0) {
       // Not measured yet: it may lie deep inside.
       const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
       const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
@@ -191,66 +187,115 @@ void ContactSearch::update_part(std::uint32_t p, double until) {
     state.seen = centre;
     state.seen_turned = turned_;
   }
-  if (gap <= margin_) return gather(p, gap + touching);
-  state.near = false;
-  state.due = moved_ + gap;
+  if (gap > margin_) {
+    part_due_[p] = moved_ + gap;
+    return;
+  }
+  // How deep a vertex of it can be inside the ground: unknown at the start, not at all if it slept.
+  const double deepest = part_due_[p] < 0.0 ? part.radius - gap - touching : 0.0;
+  state.way = {};
+  state.centre = centre;
+  state.turned = turned_;
+  gather(p, deepest);
 }
 
-void ContactSearch::gather(std::uint32_t p, double distance) {
+void ContactSearch::read_way(std::uint32_t p) {
+  PartState& part = part_states_[p];
+  const Vec3 centre = placed(parts_.parts[p].centre);
+  const Vec3 shift = centre - part.centre;
+  const double turn = parts_.parts[p].radius * (turned_ - part.turned);
+  const double across = part.axis.dot(shift), squared = shift.squaredNorm();
+  part.way.across += std::abs(across) + turn;
+  part.way.along += std::sqrt(std::max(0.0, squared - across * across)) + turn;
+  part.way.whole += std::sqrt(squared) + turn;
+  part.centre = centre;
+  part.turned = turned_;
+}
+
+void ContactSearch::renew_ground(std::uint32_t p, double ahead) {
+  PartState& part = part_states_[p];
+  if (part.way.whole + ahead < list_end(part)) return;
+  const double touching = parts_.parts[p].radius + reach_;
+  const double far = touching + kFarMargins * margin_;
+  gather_ground(touching + 2.0 * kPartMargins * margin_);
+  const LocalGround::Nearest found =
+      local_.nearest(ground_.features, part.centre, far, 0.0, part.near_face);
+  part.near_face = found.entry;
+  if (found.nearest.distance > far) {
+    part.near = false;
+    part.gap = far - touching;
+    part.seen = part.centre;
+    part.seen_turned = turned_;
+    part_due_[p] = moved_ + part.gap;
+    return;
+  }
+  gather(p, deepest_ + last_move_);
+}
+
+void ContactSearch::gather(std::uint32_t p, double deepest) {
   const BlockPart& part = parts_.parts[p];
   PartState& state = part_states_[p];
-  // How deep a vertex of the part can be inside the ground: unknown at the start, not at all when
-  // the part slept, as last measured when it was near.
-  double deepest = state.due < 0.0 ? part.radius - distance : 0.0;
-  for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
-    VertexState& vertex = vertex_states_[v];
-    if (state.near) {
-      deepest = std::max(deepest, moved_ - vertex.seen_at - vertex.distance);
-    } else {
-      vertex = {.part = p, .distance = reach_, .seen_at = moved_};
-      vertex_due_[v] = moved_;
-    }
-    vertex.near_face = 0;
-  }
-  if (!state.near) {
-    for (std::uint32_t s = part.first_side; s < part.end_side; ++s) {
-      SideState& side = side_states_[s];
-      side_due_[s] = side.clear_until = side.list_until = side.others_clear_until = moved_;
-      side_lists_[s].list_holds = 0.0;
-    }
-  }
-  deepest = std::max(std::min(deepest, part.radius - distance), deepest_);
-  const double ahead = kPartMargins * margin_;
-  state.complete = std::max(reach_, deepest) + 2.0 * ahead;
-  state.gathered_at = moved_;
-  state.due = moved_ + ahead;
-  state.near = true;
+  const bool was_near = std::exchange(state.near, true);
+  state.complete = std::max(reach_, deepest) + 2.0 * kPartMargins * margin_;
+  state.gathered_at = state.way.whole;
   gather_ground(state.complete);
-  state.ground.gather(ground_.features, local_, placed(part.centre), part.radius + state.complete);
+  state.ground.gather(ground_.features, local_, state.centre, part.radius + state.complete);
+  if (!was_near || state.axis.dot(state.ground.plane.normal) < kSameAxis) turn_axis(p);
+  state.tilts.clear();
+  for (const LocalGround::Face& face : state.ground.faces) {
+    const double across = std::min(std::abs(face.normal.dot(state.axis)), 1.0);
+    state.tilts.push_back({across, std::sqrt(1.0 - across * across)});
+  }
+  for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
+    vertex_states_[v].near_face = 0;
+  }
+  state.pairs.clear();
+  state.features.clear();
+  state.all_features = state.all_pairs = {};
+  for (std::uint32_t i = 0; i < state.ground.edges.size(); ++i) {
+    state.features.push_back({.is_corner = false, .entry = i, .asleep = {}});
+  }
+  for (std::uint32_t i = 0; i < state.ground.corners.size(); ++i) {
+    state.features.push_back({.is_corner = true, .entry = i, .asleep = {}});
+  }
 }
 
-void ContactSearch::list_awake(double horizon) {
-  horizon_ = horizon;
-  listed_for_flight_ = false;
-  awake_vertices_.clear();
-  awake_sides_.clear();
-  double sleepers_clear_until = 1e300;
-  const auto list = [&](std::uint32_t first, std::uint32_t end, const std::vector<double>& due,
-                        NumberList& awake) {
-    for (std::uint32_t i = first; i < end; ++i) {
-      const bool is_awake = due[i] <= horizon;
-      awake.add_if(is_awake, i);
-      sleepers_clear_until = std::min(sleepers_clear_until, is_awake ? 1e300 : due[i]);
-    }
-  };
-  for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-    if (!part_states_[p].near) continue;
-    const BlockPart& part = parts_.parts[p];
-    list(part.first_vertex, part.end_vertex, vertex_due_, awake_vertices_);
-    list(part.first_side, part.end_side, side_due_, awake_sides_);
+void ContactSearch::turn_axis(std::uint32_t p) {
+  const BlockPart& part = parts_.parts[p];
+  PartState& state = part_states_[p];
+  state.axis = state.ground.plane.normal;
+  for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
+    vertex_states_[v].sure_face = kNoFeature;
+    vertex_asleep_[v] = {};
   }
-  sleepers_clear_until_ = sleepers_clear_until;
-  find_next_part();
+  state.all_vertices = {};
+}
+
+double ContactSearch::next_visit(std::uint32_t p) const {
+  // No point of the part moves farther than any of the block, neither across nor along.
+  return moved_ + shortest(p, {.across = 1.0, .along = 1.0, .whole = 1.0});
+}
+
+double ContactSearch::shortest(std::uint32_t p, const Way& rate) const {
+  const PartState& part = part_states_[p];
+  double least = (list_end(part) - part.way.whole) / rate.whole;
+  for (const Asleep& asleep : {part.all_vertices, part.all_features, part.all_pairs}) {
+    const double left = asleep.left(part.way);
+    const double used = asleep.per_across * rate.across + asleep.per_along * rate.along;
+    if (!(left > 0.0)) return 0.0;
+    if (left < least * used) least = left / used;
+  }
+  return least;
+}
+
+ContactSearch::Asleep ContactSearch::asleep(const PartState& part, const Vec3& away, double apart,
+                                            double others) const {
+  if (!(apart > 0.0 && others > 0.0)) return {};
+  const double across = std::min(std::abs(away.dot(part.axis)), 1.0);
+  const double along = std::sqrt(1.0 - across * across);
+  Asleep result{std::max(across / apart, 1.0 / others), std::max(along / apart, 1.0 / others), 1.0};
+  result.until += result.per_across * part.way.across + result.per_along * part.way.along;
+  return result;
 }
 
 double ContactSearch::safe_travel() {
@@ -277,62 +322,47 @@ double ContactSearch::safe_time(const FlightBounds& flight, double worthwhile) {
 }
 
 double ContactSearch::search_time(const FlightBounds& flight, double first) {
-  // Bounds shrink with every movement. Measuring what could touch first, and only that, gives how
-  // long the block can fly; each stride is made only when the one before was clear.
-  const double spin_rate = flight.spin.norm();
+  // Measuring what could touch first, and only that, gives how long the block can fly; each stride
+  // is made only when the one before was clear.
   double wanted = first;
   while (true) {
-    const double farthest = distance_in(wanted, flight.top_speed, flight.gravity);
-    const double until = moved_ + farthest;
-    double time = 1e300, others_clear_until = 1e300;
-    // The time that a ball around `arm` needs for its distance, looked at again when that is short.
-    const auto consider = [&](const double& clear_until, const Vec3& in_body, double radius,
-                              const auto& look) {
-      if (clear_until >= until) {
-        others_clear_until = std::min(others_clear_until, clear_until);
-        return;
-      }
-      const Vec3 arm = rotation_ * in_body;
-      const double speed = (flight.velocity + flight.spin.cross(arm)).norm() + radius * spin_rate;
-      const double needed = std::min(farthest, distance_in(wanted, speed, flight.acceleration));
-      if (clear_until < moved_ + needed) look(moved_ + needed);
-      const double distance = clear_until - moved_;
-      if (distance_in(time, speed, flight.acceleration) <= distance ||
-          distance_in(time, flight.top_speed, flight.gravity) <= distance) {
-        return;
-      }
-      time = std::max(time_over(distance, speed, flight.acceleration),
-                      time_over(distance, flight.top_speed, flight.gravity));
-    };
-    bool relist = until > horizon_;
+    double time = wanted;
     for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-      if (part_states_[p].near) continue;
-      const double others = time;
-      consider(part_states_[p].due, parts_.parts[p].centre, parts_.parts[p].radius,
-               [&](double needed) { update_part(p, needed); });
-      if (part_states_[p].near) {
-        time = others;
-        relist = true;
-      }
+      time = std::min(time, part_time(p, flight, wanted));
     }
-    if (relist) {
-      list_awake(std::max(horizon_, until));
-      listed_for_flight_ = true;
+    if (time < wanted ||
+        distance_in(wanted, flight.top_speed, flight.gravity) >= kLastLook * margin_) {
+      return time;
     }
-    others_clear_until = std::min(others_clear_until, sleepers_clear_until_);
-    for (const std::uint32_t v : awake_vertices_) {
-      consider(vertex_due_[v], block_.vertices[parts_.vertices[v]], 0.0,
-               [&](double needed) { update_vertex(v, needed); });
-    }
-    for (const std::uint32_t s : awake_sides_) {
-      const BlockSide& side = parts_.sides[s];
-      consider(side_states_[s].clear_until, side.middle, side.radius,
-               [&](double needed) { update_side(s, needed, reach_ + (needed - moved_)); });
-    }
-    time = std::min(time, time_over(others_clear_until - moved_, flight.top_speed, flight.gravity));
-    if (time < wanted || farthest >= kLastLook * margin_) return time;
     wanted *= kStride;
   }
+}
+
+double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, double wanted) {
+  const BlockPart& of_block = parts_.parts[p];
+  PartState& part = part_states_[p];
+  const Vec3 velocity = flight.velocity + flight.spin.cross(rotation_ * of_block.centre);
+  const double turning = flight.spin.norm() * of_block.radius;
+  const double gained = 0.5 * flight.acceleration * wanted;
+  const double most = flight.top_speed + 0.5 * flight.gravity * wanted;
+  // No point of the part has a higher mean speed.
+  const auto bound = [&](double speed) { return std::min(speed + turning + gained, most); };
+  const double whole = bound(velocity.norm());
+  if (part.near) {
+    read_way(p);
+    renew_ground(p, whole * wanted);
+  } else if (part_due_[p] < moved_ + whole * wanted) {
+    update_part(p, moved_ + whole * wanted);
+  }
+  if (!part.near) return (part_due_[p] - moved_) / whole;
+  const double across = std::abs(velocity.dot(part.axis));
+  const double along = std::sqrt(std::max(0.0, velocity.squaredNorm() - across * across));
+  const Way speed{bound(across), bound(along), whole};
+  const Way ahead{wanted * speed.across, wanted * speed.along, wanted * whole};
+  update_vertices(p, ahead);
+  update_sides(p, ahead);
+  part_due_[p] = next_visit(p);
+  return shortest(p, speed);
 }
 
 void ContactSearch::add(const ContactPoint& contact) {

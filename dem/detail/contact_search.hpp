@@ -2,11 +2,13 @@
 /// Narrow phase: finds the contact points of one block on a reference body, the terrain or another
 /// block. That body is called the ground here, and everything is in its frame.
 ///
-/// Everything is paced by how far any point of the block has moved since the start, `moved_`.
-/// Whatever is found to be a distance d away sleeps until it has grown by d, so that nothing can
-/// touch unseen and most of the block costs nothing most of the time. The block is cut into parts
-/// that sleep as one; a part near the ground keeps a list of the ground near it, in which its
-/// vertices and its sides (edges and faces) search for features that they may touch.
+/// The block is cut into parts. One far from the ground sleeps as a whole, until `moved_`, a bound of
+/// how far any of its points has moved, has grown by its gap. One near the ground keeps a list of
+/// the ground near it, in which its vertices and its sides (edges and faces) search for what they
+/// may touch. What is measured there sleeps too, for as long as the plane between it and the ground
+/// keeps them apart: that plane mostly lies along the ground, so what slides or rolls over it
+/// sleeps long although it moves far (docs/theory.md, Contact search).
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -67,86 +69,147 @@ class ContactSearch {
   double safe_time(const FlightBounds& flight, double worthwhile);
 
  private:
+  /// How far a part has moved against its ground since a common start, summed from visit to visit,
+  /// m: bounds for all of its points.
+  struct Way {
+    double across = 0.0;  ///< along `PartState::axis`, up or down
+    double along = 0.0;   ///< perpendicular to it
+    double whole = 0.0;
+
+    Way operator+(const Way& more) const {
+      return {across + more.across, along + more.along, whole + more.whole};
+    }
+  };
+  /// Something of a part that is measured again when it may touch. Two convex features d apart have
+  /// a plane with normal w between them; they stay apart until the part has moved d along w, which
+  /// takes `across` |w.axis| + `along` |w x axis| = d.
+  struct Asleep {
+    double per_across = 0.0, per_along = 0.0;  ///< |w.axis|/d and |w x axis|/d, 1/m
+    double until = -1.0;                       ///< due when both, times the way, add up to this
+
+    /// What is left of 1; not above 0 when due.
+    double left(const Way& way) const {
+      return until - per_across * way.across - per_along * way.along;
+    }
+    bool due(const Way& way) const { return !(left(way) > 0.0); }
+  };
+  /// Until the first of many may be due.
+  class First {
+   public:
+    explicit First(const Way& way) : way_(way) {}
+    void include(const Asleep& one) {
+      if (due_) return;
+      const double left = one.left(way_);
+      due_ = !(left > 0.0);
+      across_ = std::max(across_, one.per_across / left);
+      along_ = std::max(along_, one.per_along / left);
+    }
+    Asleep asleep() const {
+      if (due_) return {};
+      return {across_, along_, 1.0 + across_ * way_.across + along_ * way_.along};
+    }
+
+   private:
+    const Way& way_;
+    double across_ = 0.0, along_ = 0.0;
+    bool due_ = false;
+  };
+  /// An edge or corner of the ground near a part.
+  struct GroundFeature {
+    bool is_corner = false;
+    std::uint32_t entry = 0;  ///< of the list in the part's `ground`
+    Asleep asleep;            ///< until a side that is not listed with it may touch
+  };
+  /// A side of the block with an edge or corner of the ground.
+  struct FeaturePair {
+    ContactKind kind;
+    std::uint32_t side;  ///< of BlockParts::sides
+    std::uint32_t ground_feature;
+    Asleep asleep;
+  };
+  /// |n.axis| and |n x axis| of a face of the ground with normal n.
+  struct FaceTilt {
+    double across, along;
+  };
   struct PartState {
     bool near = false;
-    double due = -1.0;  ///< asleep until, or its list of the ground holds until
-    // What was measured last: the gap, where the centre was, and `turned_`.
+    // Far from the ground, what was measured last: the gap, where the centre was, and `turned_`.
     double gap = 0.0;
     Vec3 seen = Vec3::Zero();
     double seen_turned = 0.0;
     std::uint32_t near_face = 0;  ///< entry of `local_` that was nearest
+    // Near the ground.
     LocalGround ground;
     double complete = 0.0;     ///< from every point of the part so far the list was complete, m ...
-    double gathered_at = 0.0;  ///< ... when it was gathered
+    double gathered_at = 0.0;  ///< ... at this `way.whole`
+    Vec3 axis = Vec3::UnitZ();
+    Way way;
+    Vec3 centre = Vec3::Zero();  ///< when the way was last read, and `turned_` then
+    double turned = 0.0;
+    std::vector<FaceTilt> tilts;  ///< of the faces of `ground`
+    std::vector<GroundFeature> features;
+    std::vector<FeaturePair> pairs;
+    Asleep all_vertices, all_features, all_pairs;  ///< until the first of each may be due
   };
   struct VertexState {
-    std::uint32_t part = 0;
-    double distance = 0.0;        ///< last known, signed, m
-    double seen_at = 0.0;         ///< `moved_` it was known at
-    Vec3 seen = Vec3::Zero();     ///< and where the vertex was
     std::uint32_t near_face = 0;  ///< entry of the part's list that was nearest
     // While its foot stays on `sure_face`, no other face matters: inside the ground until the one,
-    // outside within reach until the other.
+    // outside within reach until the other `way.whole`.
     std::uint32_t sure_face = kNoFeature;
     double sure_foot_until = -1.0;  ///< the foot cannot leave the face before
     double sure_inside_until = -1.0;
     double sure_outside_until = -1.0;
   };
-  /// A side of the block with an edge or vertex of the ground.
-  struct FeaturePair {
-    ContactKind kind;
-    std::uint32_t ground_feature;
-    double due;          ///< check it again
-    double clear_until;  ///< cannot touch before
-
-    bool same_features(const FeaturePair& other) const {
-      return kind == other.kind && ground_feature == other.ground_feature;
-    }
-  };
-  /// What every check of a side reads: one cache line, and the pairs themselves. In a pile this is
-  /// most of what comes from memory.
-  struct alignas(64) SideState {
-    double clear_until = -1.0;
-    // `due` and `clear_until` of the pairs that are not due soon: of the first of them.
-    // Until when the list of pairs holds, and until when what is not listed cannot touch.
-    double sleepers_due = -1.0, sleepers_clear_until = -1.0;
-    double list_until = -1.0;
-    double others_clear_until = -1.0;
-    std::vector<FeaturePair>
-        awake;  ///< copies of the listed pairs that are due soon, in their order
-  };
-  /// What is needed only where a side's lists are renewed.
-  struct SideList {
-    std::uint32_t part = 0;
-    std::vector<FeaturePair> pairs;  ///< all listed; of those awake the copies count
-    // When the list ends and what is not listed can touch, as movement from where the middle was
-    // when listed, and `turned_` then.
-    double list_holds = 0.0, others_clear = 0.0;
-    Vec3 listed = Vec3::Zero();
-    double listed_turned = 0.0;
+  /// A contact of a side, with what it is sorted by.
+  struct SideContact {
+    std::uint32_t side;
+    ContactPoint point;
   };
 
   void move_to(const Pose& ground_from_body);
-  void wake();
   bool sleep_whole();
   /// Makes `local_` complete up to this distance from the block.
   void gather_ground(double complete);
-  /// How far lists of what is due look ahead, m.
-  double list_ahead() const;
-  /// Until when it must be known whether the part can touch.
+  /// Lists the parts to look at in this call.
+  void list_visits();
+  /// Visits all parts near the ground, with all their features of the ground due.
+  void visit_all_sides();
+  /// Until when it must be known whether a part far from the ground can touch.
   void update_part(std::uint32_t p, double until);
-  void gather(std::uint32_t p, double distance);
-  void find_next_part();
-  void list_awake(double horizon);
+  /// Lists the ground near the part.
+  /// @param deepest  no point of the part is deeper inside the ground, m
+  void gather(std::uint32_t p, double deepest);
+  /// Takes the mean normal of the ground listed as the axis; what was measured is due.
+  void turn_axis(std::uint32_t p);
+  void read_way(std::uint32_t p);
+  /// Renews the list of the ground when the part has moved too far for it, or is about to; a part
+  /// that has left the ground sleeps as a whole again.
+  void renew_ground(std::uint32_t p, double ahead);
+  /// When the part must be looked at again, as `moved_`.
+  double next_visit(std::uint32_t p) const;
+  /// Until something of the part is due when its way grows at this rate: the rate's unit of time.
+  double shortest(std::uint32_t p, const Way& rate) const;
+  /// The list of the ground must be renewed at this `way.whole`.
+  double list_end(const PartState& part) const { return part.gathered_at + list_holds_; }
   double search_time(const FlightBounds& flight, double first);
+  /// The same for one part near the ground; no more than `wanted` is measured.
+  double part_time(std::uint32_t p, const FlightBounds& flight, double wanted);
   double completeness(const PartState& part) const {
-    return part.complete - (moved_ - part.gathered_at);
+    return part.complete - (part.way.whole - part.gathered_at);
   }
+  /// Asleep while something `apart` away along the unit vector `away` stays out of reach, and
+  /// nothing else comes closer than `others`, wherever it is; due at once when either is not above
+  /// 0.
+  Asleep asleep(const PartState& part, const Vec3& away, double apart, double others) const;
 
-  /// Until when it must be known whether the vertex can touch.
-  void update_vertex(std::uint32_t vertex, double until);
-  bool update_sure_face(std::uint32_t vertex, const Vec3& centre);
-  void measure_vertex(std::uint32_t vertex, const Vec3& centre);
+  /// Every vertex of the part that is due.
+  /// @param ahead  way for which it must be known whether they can touch
+  void update_vertices(std::uint32_t p, const Way& ahead);
+  void update_vertex(std::uint32_t p, std::uint32_t vertex, const Way& ahead);
+  /// Until a vertex outside the ground may touch any of it; due when it may touch now.
+  Asleep clear_of_ground(const PartState& part, const Vec3& centre) const;
+  bool update_sure_face(const PartState& part, std::uint32_t vertex, const Vec3& centre);
+  void measure_vertex(const PartState& part, std::uint32_t vertex, const Vec3& centre);
   /// Direction in which a vertex inside the ground is pushed: to the surface point, or up to the
   /// plane in which a ground that ends there goes on.
   Vec3 push_of(const NearestPoint& nearest, const Vec3& centre) const;
@@ -154,30 +217,27 @@ class ContactSearch {
   /// ground that ends where the block does, the nearest way out may be the ground's wall.
   bool pushes_backwards(std::uint32_t vertex, const Vec3& push) const;
   /// The nearest face below which it lies that does not, or `nearest` where there is none.
-  NearestPoint nearest_forwards(std::uint32_t vertex, const Vec3& centre,
+  NearestPoint nearest_forwards(const PartState& part, std::uint32_t vertex, const Vec3& centre,
                                 const NearestPoint& nearest) const;
   void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
-  void add_outside_contacts(std::uint32_t vertex, const Vec3& centre);
+  void add_outside_contacts(const PartState& part, std::uint32_t vertex, const Vec3& centre);
 
-  /// The sides that are due: fetches what the first of them need.
-  void list_due_sides();
-  void update_due_sides(double within);
-  /// Everything of the side that is due until then; lists pairs within a distance.
-  void update_side(std::uint32_t s, double until, double within);
-  bool list_holds(std::uint32_t s, double until);
-  void list_awake_pairs(std::uint32_t s, double horizon);
-  void list_pairs(std::uint32_t s, double within);
-  void update_edges(std::uint32_t block_edge, FeaturePair& pair);
-  void update_edge_vertex(std::uint32_t block_edge, FeaturePair& pair);
-  void update_face_vertex(std::uint32_t block_face, FeaturePair& pair);
-  void update_pair(std::uint32_t block_feature, FeaturePair& pair);
-  /// How deep an edge or a face may be in contact without having been seen before, m.
-  double deepest_pair() const;
-  /// How far the block can move before features this far apart must be looked at again.
-  double sleep_distance(double apart) const;
-  void sleep(FeaturePair& pair, double apart) const;
-  void touch_corner(std::uint32_t block_feature, FeaturePair& pair, const Vec3& normal,
-                    double distance);
+  /// Everything of the part's sides that is due.
+  void update_sides(std::uint32_t p, const Way& ahead);
+  /// Lists the sides of the part near a feature of the ground.
+  void update_feature(std::uint32_t p, GroundFeature& feature);
+  void update_pair(const PartState& part, FeaturePair& pair);
+  void update_edges(const PartState& part, FeaturePair& pair);
+  void update_edge_vertex(const PartState& part, FeaturePair& pair);
+  void update_face_vertex(const PartState& part, FeaturePair& pair);
+  /// Allows for contacts of edges and faces that are as deep as they may be now; true when what
+  /// sleeps has not allowed for that.
+  bool allow_depth();
+  /// Sides closer than this to a feature of the ground may touch it, m.
+  double touching_distance() const { return std::max(reach_, allowed_depth_); }
+  void add_side_contacts();
+  void sleep(const PartState& part, FeaturePair& pair, const Vec3& between) const;
+  void touch_corner(FeaturePair& pair, const Vec3& normal, double distance);
   void touch(FeaturePair& pair, const ContactPoint& contact);
 
   void add(const ContactPoint& contact);
@@ -196,8 +256,10 @@ class ContactSearch {
   const BlockParts& parts_;        ///< and its parts
   double reach_;                   ///< block radius + skin radius, m
   double bounding_radius_ = 0.0;   ///< of the core about the centre, m
+  double farthest_ = 0.0;          ///< of the balls around the parts from the centre, m
   double size_;                    ///< smallest side, m
   double margin_;                  ///< how far lists look ahead, m
+  double list_holds_;              ///< way of a part for which its list of the ground holds, m
   double depth_limit_;             ///< edge and face contacts deeper than this are not trusted, m
 
   Mat3 rotation_ = Mat3::Identity();
@@ -212,19 +274,15 @@ class ContactSearch {
   double ground_complete_ = -1.0;
   double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;
-  std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices
-  std::vector<SideState> side_states_;      ///< in the order of parts_.sides, likewise ...
-  std::vector<SideList> side_lists_;
-  std::vector<double> vertex_due_, side_due_;  ///< `moved_` at which to check again
-  double next_part_ = -1.0;                    ///< the first part is due then
-  double horizon_ = -1.0;                      ///< everything due before it is listed as awake
-  bool listed_for_flight_ = false;             ///< the list is longer than contact steps need
-  NumberList awake_vertices_, awake_sides_;
-  NumberList due_sides_;                ///< of this call
-  double sleepers_clear_until_ = -1.0;  ///< no other vertex or side of parts near the ground
-                                        ///< touches before
-  double search_at_ = -1.0;             ///< no longer flight is searched for before
-  double deepest_ = 0.0;                ///< largest overlap at the last call, m
+  std::vector<double> part_due_;            ///< `moved_` at which to look at the part again
+  std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices, likewise ...
+  std::vector<Asleep> vertex_asleep_;
+  NumberList due_parts_;        ///< parts to look at in this call ...
+  NumberList visits_;           ///< ... and those of them that are near the ground
+  double search_at_ = -1.0;     ///< no longer flight is searched for before
+  double deepest_ = 0.0;        ///< largest overlap at the last call, m
+  double allowed_depth_ = 0.0;  ///< of edges and faces: what sleeps has allowed for it, m
+  std::vector<SideContact> side_contacts_;  ///< of this call
   std::vector<ContactPoint> contacts_;
 };
 

@@ -7,10 +7,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// A vertex that may have moved all its distance but really moved less than this share of it needs
-/// no new measurement.
-constexpr double kLittleMoved = 0.5;
-/// And one that is known to be this many margins away needs none either.
+/// The plane over the ground near a part settles it for a vertex this many margins above it.
 constexpr double kEnough = 0.25;
 /// Faces up to this many margins behind the nearest are distinguished from it.
 constexpr double kDistinctMargins = 4.0;
@@ -21,54 +18,102 @@ bool ContactSearch::meets_vertex(std::uint32_t vertex, const Vec3& normal) const
   return in_cone(block_, vertex, -(rotation_.transpose() * normal));
 }
 
-void ContactSearch::update_vertex(std::uint32_t v, double until) {
-  VertexState& state = vertex_states_[v];
-  const Vec3 centre = placed(block_.vertices[parts_.vertices[v]]);
-  if (update_sure_face(v, centre)) return;
-  // Often the last measurement or the plane bounds the gap well enough.
-  const PartState& part = part_states_[state.part];
-  const double gap = state.distance - reach_;
-  const double by_movement = gap - (centre - state.seen).norm();
-  const double by_plane =
-      std::min(part.ground.plane.clearance(centre), completeness(part)) - reach_;
-  const double known = std::max(by_movement, by_plane);
-  if (known > std::max(until - moved_, std::min(kEnough * margin_, kLittleMoved * gap))) {
-    vertex_due_[v] = moved_ + known;
-    return;
+void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
+  PartState& part = part_states_[p];
+  const Way then = part.way + ahead;
+  if (!part.all_vertices.due(then)) return;
+  First first(part.way);
+  for (std::uint32_t v = parts_.parts[p].first_vertex; v < parts_.parts[p].end_vertex; ++v) {
+    if (vertex_asleep_[v].due(then)) update_vertex(p, v, ahead);
+    first.include(vertex_asleep_[v]);
   }
-  measure_vertex(v, centre);
+  part.all_vertices = first.asleep();
 }
 
-void ContactSearch::measure_vertex(std::uint32_t v, const Vec3& centre) {
+void ContactSearch::update_vertex(std::uint32_t p, std::uint32_t v, const Way& ahead) {
+  const PartState& part = part_states_[p];
+  const Vec3 centre = placed(block_.vertices[parts_.vertices[v]]);
+  if (update_sure_face(part, v, centre)) return;
+  const GroundPlane& plane = part.ground.plane;
+  const double above = plane.clearance(centre) - reach_;
+  if (above > kEnough * margin_) {
+    const Asleep by_plane = asleep(part, plane.normal, above, completeness(part) - reach_);
+    if (!by_plane.due(part.way + ahead)) {
+      vertex_asleep_[v] = by_plane;
+      return;
+    }
+  }
+  const Asleep clear = clear_of_ground(part, centre);
+  if (clear.due(part.way)) return measure_vertex(part, v, centre);
+  vertex_asleep_[v] = clear;
+}
+
+ContactSearch::Asleep ContactSearch::clear_of_ground(const PartState& part,
+                                                     const Vec3& centre) const {
+  const double others = completeness(part) - reach_;
+  if (!(others > 0.0)) return {};
+  double per_across = 1.0 / others, per_along = per_across;
+  for (std::size_t i = 0; i < part.ground.faces.size(); ++i) {
+    const LocalGround::Face& face = part.ground.faces[i];
+    const FaceTilt& tilt = part.tilts[i];
+    // Either the plane of the face keeps them apart or one that touches the ball around it.
+    const double height = face.normal.dot(centre) - face.offset - reach_;
+    const double by_plane = 2.0 * height / (tilt.across + tilt.along);
+    const double near = face.radius + reach_ + std::max(0.0, by_plane);
+    const double squared = (centre - face.middle).squaredNorm();
+    if (squared > near * near) {
+      const double apart = std::sqrt(squared) - face.radius - reach_;
+      per_across = std::max(per_across, 1.0 / apart);
+      per_along = std::max(per_along, 1.0 / apart);
+    } else if (height > 0.0) {
+      per_across = std::max(per_across, tilt.across / height);
+      per_along = std::max(per_along, tilt.along / height);
+    } else {
+      const NearestPoint nearest = nearest_on_face(ground_.features, face.face, centre);
+      const double apart = nearest.distance - reach_;
+      if (!(apart > 0.0)) return {};
+      const Vec3 away = (centre - nearest.point) / nearest.distance;
+      const double across = std::min(std::abs(away.dot(part.axis)), 1.0);
+      per_across = std::max(per_across, across / apart);
+      per_along = std::max(per_along, std::sqrt(1.0 - across * across) / apart);
+    }
+  }
+  return {per_across, per_along,
+          1.0 + per_across * part.way.across + per_along * part.way.along};
+}
+
+void ContactSearch::measure_vertex(const PartState& part, std::uint32_t v, const Vec3& centre) {
   VertexState& state = vertex_states_[v];
-  const PartState& part = part_states_[state.part];
   const double complete = completeness(part);
-  // Other faces are measured only as far as it matters that they are farther.
-  const double beyond = state.distance < reach_ + margin_ ? kDistinctMargins * margin_ : 0.0;
   const LocalGround::Nearest found =
-      part.ground.nearest(ground_.features, centre, complete, beyond, state.near_face);
+      part.ground.nearest(ground_.features, centre, complete, kDistinctMargins * margin_,
+                          state.near_face);
   const NearestPoint& nearest = found.nearest;
   state.near_face = found.entry;
   const double depth = std::abs(nearest.distance);
 
-  state.seen_at = moved_;
-  state.seen = centre;
   state.sure_face = kNoFeature;
-  // Beyond the list nothing is known, not even the side.
-  state.distance = depth < complete ? nearest.distance : complete;
-  vertex_due_[v] = moved_ + (state.distance - reach_);
-  if (depth >= complete) return;
+  vertex_asleep_[v] = {};
+  if (depth >= complete) {
+    // Beyond the list nothing is known, not even the side.
+    vertex_asleep_[v] = asleep(part, part.axis, complete - reach_, complete - reach_);
+    return;
+  }
   const bool backwards =
       nearest.distance < 0.0 && pushes_backwards(parts_.vertices[v], push_of(nearest, centre));
   if (nearest.within_face && !backwards) {
     state.sure_face = nearest.face;
-    state.sure_foot_until = moved_;
-    state.sure_inside_until = moved_ + 0.5 * (found.second - depth);
-    state.sure_outside_until = moved_ + (found.second - reach_);
+    state.sure_foot_until = part.way.whole;
+    state.sure_inside_until = part.way.whole + 0.5 * (found.second - depth);
+    state.sure_outside_until = part.way.whole + (found.second - reach_);
   }
-  if (nearest.distance >= reach_) return;
-  if (nearest.distance >= 0.0) return add_outside_contacts(v, centre);
-  add_inside_contact(v, centre, backwards ? nearest_forwards(v, centre, nearest) : nearest);
+  if (nearest.distance >= reach_) {
+    const Vec3 away = nearest.within_face ? nearest.normal : Vec3((centre - nearest.point) / depth);
+    vertex_asleep_[v] = asleep(part, away, nearest.distance - reach_, found.second - reach_);
+    return;
+  }
+  if (nearest.distance >= 0.0) return add_outside_contacts(part, v, centre);
+  add_inside_contact(v, centre, backwards ? nearest_forwards(part, v, centre, nearest) : nearest);
 }
 
 Vec3 ContactSearch::push_of(const NearestPoint& nearest, const Vec3& centre) const {
@@ -83,11 +128,12 @@ bool ContactSearch::pushes_backwards(std::uint32_t vertex, const Vec3& push) con
   return ground_.of_block && push.dot(rotation_ * block_.vertex_normals[vertex]) > 0.0;
 }
 
-NearestPoint ContactSearch::nearest_forwards(std::uint32_t v, const Vec3& centre,
+NearestPoint ContactSearch::nearest_forwards(const PartState& part, std::uint32_t v,
+                                             const Vec3& centre,
                                              const NearestPoint& nearest) const {
   NearestPoint best = nearest;
   double distance = 1e300;
-  for (const LocalGround::Face& face : part_states_[vertex_states_[v].part].ground.faces) {
+  for (const LocalGround::Face& face : part.ground.faces) {
     const NearestPoint candidate = nearest_on_face(ground_.features, face.face, centre);
     if (candidate.within_face && candidate.distance < 0.0 && -candidate.distance < distance &&
         !pushes_backwards(parts_.vertices[v], push_of(candidate, centre))) {
@@ -98,28 +144,26 @@ NearestPoint ContactSearch::nearest_forwards(std::uint32_t v, const Vec3& centre
   return best;
 }
 
-bool ContactSearch::update_sure_face(std::uint32_t v, const Vec3& centre) {
+bool ContactSearch::update_sure_face(const PartState& part, std::uint32_t v, const Vec3& centre) {
   VertexState& state = vertex_states_[v];
   if (state.sure_face == kNoFeature) return false;
+  const double way = part.way.whole;
   const SurfaceFace& face = ground_.features.faces[state.sure_face];
   const double height = face.normal.dot(centre - ground_.features.vertices[face.vertices[0]]);
-  if (moved_ >= (height < 0.0 ? state.sure_inside_until : state.sure_outside_until)) return false;
-  if (moved_ >= state.sure_foot_until) {
-    const double inside = depth_in_face(ground_.features, face, centre);
-    if (inside < 0.0) return false;
-    state.sure_foot_until = moved_ + inside;
-  }
-  if (height < 0.0 && pushes_backwards(parts_.vertices[v], face.normal)) return false;
-  state.distance = height;
-  state.seen = centre;
-  state.seen_at = moved_;
+  if (way >= (height < 0.0 ? state.sure_inside_until : state.sure_outside_until)) return false;
   if (height >= reach_) {
-    // Another face may be nearer, as long as it is out of reach.
-    state.distance = std::min(height, reach_ + (state.sure_outside_until - moved_));
-    vertex_due_[v] = moved_ + state.distance - reach_;
+    const double others = state.sure_outside_until - way;
+    if (others < height - reach_) return false;
+    vertex_asleep_[v] = asleep(part, face.normal, height - reach_, others);
     return true;
   }
-  vertex_due_[v] = moved_;
+  if (way >= state.sure_foot_until) {
+    const double inside = depth_in_face(ground_.features, face, centre);
+    if (inside < 0.0) return false;
+    state.sure_foot_until = way + inside;
+  }
+  if (height < 0.0 && pushes_backwards(parts_.vertices[v], face.normal)) return false;
+  vertex_asleep_[v] = {};
   ContactPoint contact;
   contact.block_feature = parts_.vertices[v];
   contact.ground_feature = contact.ground_face = state.sure_face;
@@ -142,7 +186,8 @@ void ContactSearch::add_inside_contact(std::uint32_t v, const Vec3& centre,
   contacts_.push_back(contact);
 }
 
-void ContactSearch::add_outside_contacts(std::uint32_t v, const Vec3& centre) {
+void ContactSearch::add_outside_contacts(const PartState& part, std::uint32_t v,
+                                         const Vec3& centre) {
   const SurfaceFeatures& ground = ground_.features;
   const std::uint32_t vertex = parts_.vertices[v];
   ContactPoint contact;
@@ -155,7 +200,7 @@ void ContactSearch::add_outside_contacts(std::uint32_t v, const Vec3& centre) {
     contact.foot = on_ground + ground_.radius * normal;
     add(contact);
   };
-  for (const LocalGround::Face& local : part_states_[vertex_states_[v].part].ground.faces) {
+  for (const LocalGround::Face& local : part.ground.faces) {
     const double near = reach_ + local.radius;
     if ((centre - local.middle).squaredNorm() > near * near) continue;
     const std::uint32_t f = local.face;
