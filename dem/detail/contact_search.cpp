@@ -1,6 +1,7 @@
 #include "dem/detail/contact_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -31,6 +32,12 @@ constexpr double kLongestFlight = 60.0;  ///< s
 /// The search for a longer flight starts at the first of these numbers of margins and goes on in
 /// strides.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
+
+/// From distance = speed t + acceleration t^2/2, in the form that keeps its digits.
+double time_over(double distance, double speed, double acceleration) {
+  if (!(distance > 0.0)) return 0.0;
+  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
+}
 
 double distance_in(double time, double speed, double acceleration) {
   return time * (speed + 0.5 * acceleration * time);
@@ -170,33 +177,45 @@ void ContactSearch::update_part(std::uint32_t p, double until) {
   gap = std::max(gap, state.gap - (centre - state.seen).norm() -
                           part.radius * (turned_ - state.seen_turned));
   if (gap <= enough) {
-    double distance = complete;
-    if (part_due_[p] < 0.0) {
-      // Not measured yet: it may lie deep inside.
-      const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
-      const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
-      distance = nearest ? nearest->distance : far;
-    } else {
-      const LocalGround::Nearest found =
-          local_.nearest(ground_.features, centre, complete, 0.0, state.near_face);
-      state.near_face = found.entry;
-      if (std::abs(found.nearest.distance) < complete) distance = found.nearest.distance;
-    }
-    gap = distance - touching;
-    state.gap = gap;
-    state.seen = centre;
-    state.seen_turned = turned_;
+    gap = measured_gap(p);
   }
   if (gap > margin_) {
     part_due_[p] = moved_ + gap;
     return;
   }
-  // How deep a vertex of it can be inside the ground: unknown at the start, not at all if it slept.
-  const double deepest = part_due_[p] < 0.0 ? part.radius - gap - touching : 0.0;
+  // A part that slept is outside the ground. At the start that is not known, nor how deep it is.
+  const bool slept = !(part_due_[p] < 0.0);
+  const double deepest = slept ? 0.0 : part.radius - gap - touching;
+  for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
+    vertex_states_[v].outside = slept;
+  }
   state.way = {};
   state.centre = centre;
   state.turned = turned_;
   gather(p, deepest);
+}
+
+double ContactSearch::measured_gap(std::uint32_t p) {
+  PartState& state = part_states_[p];
+  const double touching = parts_.parts[p].radius + reach_;
+  const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
+  const Vec3 centre = placed(parts_.parts[p].centre);
+  double distance = complete;
+  if (part_due_[p] < 0.0) {
+    // Not measured yet: it may lie deep inside.
+    const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
+    const std::optional<NearestPoint> nearest = ground_.nearest(centre, far);
+    distance = nearest ? nearest->distance : far;
+  } else {
+    const LocalGround::Nearest found =
+        local_.nearest(ground_.features, centre, complete, 0.0, state.near_face);
+    state.near_face = found.entry;
+    if (std::abs(found.nearest.distance) < complete) distance = found.nearest.distance;
+  }
+  state.gap = distance - touching;
+  state.seen = centre;
+  state.seen_turned = turned_;
+  return state.gap;
 }
 
 void ContactSearch::read_way(std::uint32_t p) {
@@ -216,17 +235,11 @@ void ContactSearch::renew_ground(std::uint32_t p, double ahead) {
   PartState& part = part_states_[p];
   if (part.way.whole + ahead < list_end(part)) return;
   const double touching = parts_.parts[p].radius + reach_;
-  const double far = touching + kFarMargins * margin_;
   gather_ground(touching + 2.0 * kPartMargins * margin_);
-  const LocalGround::Nearest found =
-      local_.nearest(ground_.features, part.centre, far, 0.0, part.near_face);
-  part.near_face = found.entry;
-  if (found.nearest.distance > far) {
+  const double gap = measured_gap(p);
+  if (gap > kFarMargins * margin_) {
     part.near = false;
-    part.gap = far - touching;
-    part.seen = part.centre;
-    part.seen_turned = turned_;
-    part_due_[p] = moved_ + part.gap;
+    part_due_[p] = moved_ + gap;
     return;
   }
   gather(p, deepest_ + last_move_);
@@ -244,7 +257,11 @@ void ContactSearch::gather(std::uint32_t p, double deepest) {
   state.tilts.clear();
   for (const LocalGround::Face& face : state.ground.faces) {
     const double across = std::min(std::abs(face.normal.dot(state.axis)), 1.0);
-    state.tilts.push_back({across, std::sqrt(1.0 - across * across)});
+    const std::array<std::uint32_t, 3>& of_face = ground_.features.faces[face.face].edges;
+    const bool at_border = std::any_of(of_face.begin(), of_face.end(), [&](std::uint32_t edge) {
+      return ground_.features.edges[edge].kind == EdgeKind::kBorder;
+    });
+    state.tilts.push_back({across, std::sqrt(1.0 - across * across), at_border});
   }
   for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
     vertex_states_[v].near_face = 0;
@@ -272,20 +289,16 @@ void ContactSearch::turn_axis(std::uint32_t p) {
 }
 
 double ContactSearch::next_visit(std::uint32_t p) const {
-  // No point of the part moves farther than any of the block, neither across nor along.
-  return moved_ + shortest(p, {.across = 1.0, .along = 1.0, .whole = 1.0});
-}
-
-double ContactSearch::shortest(std::uint32_t p, const Way& rate) const {
   const PartState& part = part_states_[p];
-  double least = (list_end(part) - part.way.whole) / rate.whole;
+  double least = list_end(part) - part.way.whole;
   for (const Asleep& asleep : {part.all_vertices, part.all_features, part.all_pairs}) {
     const double left = asleep.left(part.way);
-    const double used = asleep.per_across * rate.across + asleep.per_along * rate.along;
-    if (!(left > 0.0)) return 0.0;
+    if (!(left > 0.0)) return moved_;
+    // No point of the part moves farther than any of the block, neither across nor along.
+    const double used = asleep.per_across + asleep.per_along;
     if (left < least * used) least = left / used;
   }
-  return least;
+  return moved_ + least;
 }
 
 ContactSearch::Asleep ContactSearch::asleep(const PartState& part, const Vec3& away, double apart,
@@ -343,26 +356,37 @@ double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, dou
   PartState& part = part_states_[p];
   const Vec3 velocity = flight.velocity + flight.spin.cross(rotation_ * of_block.centre);
   const double turning = flight.spin.norm() * of_block.radius;
-  const double gained = 0.5 * flight.acceleration * wanted;
-  const double most = flight.top_speed + 0.5 * flight.gravity * wanted;
-  // No point of the part has a higher mean speed.
-  const auto bound = [&](double speed) { return std::min(speed + turning + gained, most); };
-  const double whole = bound(velocity.norm());
+  // By the speed that points of the part have now, or the top speed: the shorter way.
+  const auto way_in = [&](double time, double speed) {
+    return std::min(distance_in(time, speed + turning, flight.acceleration),
+                    distance_in(time, flight.top_speed, flight.gravity));
+  };
+  const auto time_for = [&](double left, double per_across, double per_along, double speed) {
+    const double per_whole = per_across + per_along;
+    return std::max(
+        time_over(left, speed + per_whole * turning, per_whole * flight.acceleration),
+        time_over(left, per_whole * flight.top_speed, per_whole * flight.gravity));
+  };
+  const double speed = velocity.norm(), whole = way_in(wanted, speed);
   if (part.near) {
     read_way(p);
-    renew_ground(p, whole * wanted);
-  } else if (part_due_[p] < moved_ + whole * wanted) {
-    update_part(p, moved_ + whole * wanted);
+    renew_ground(p, whole);
+  } else if (part_due_[p] < moved_ + whole) {
+    update_part(p, moved_ + whole);
   }
-  if (!part.near) return (part_due_[p] - moved_) / whole;
-  const double across = std::abs(velocity.dot(part.axis));
-  const double along = std::sqrt(std::max(0.0, velocity.squaredNorm() - across * across));
-  const Way speed{bound(across), bound(along), whole};
-  const Way ahead{wanted * speed.across, wanted * speed.along, wanted * whole};
+  if (!part.near) return time_for(part_due_[p] - moved_, 0.0, 1.0, speed);
+  const double across = std::min(std::abs(velocity.dot(part.axis)), speed);
+  const double along = std::sqrt(speed * speed - across * across);
+  const Way ahead{way_in(wanted, across), way_in(wanted, along), whole};
   update_vertices(p, ahead);
   update_sides(p, ahead);
   part_due_[p] = next_visit(p);
-  return shortest(p, speed);
+  double time = time_for(list_end(part) - part.way.whole, 0.0, 1.0, speed);
+  for (const Asleep& asleep : {part.all_vertices, part.all_features, part.all_pairs}) {
+    time = std::min(time, time_for(asleep.left(part.way), asleep.per_across, asleep.per_along,
+                                   asleep.per_across * across + asleep.per_along * along));
+  }
+  return time;
 }
 
 void ContactSearch::add(const ContactPoint& contact) {

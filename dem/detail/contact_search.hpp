@@ -130,6 +130,7 @@ class ContactSearch {
   /// |n.axis| and |n x axis| of a face of the ground with normal n.
   struct FaceTilt {
     double across, along;
+    bool at_border;  ///< beyond which its plane goes on
   };
   struct PartState {
     bool near = false;
@@ -152,6 +153,7 @@ class ContactSearch {
     Asleep all_vertices, all_features, all_pairs;  ///< until the first of each may be due
   };
   struct VertexState {
+    bool outside = false;         ///< known to have been out of reach of the ground
     std::uint32_t near_face = 0;  ///< entry of the part's list that was nearest
     // While its foot stays on `sure_face`, no other face matters: inside the ground until the one,
     // outside within reach until the other `way.whole`.
@@ -176,6 +178,8 @@ class ContactSearch {
   void visit_all_sides();
   /// Until when it must be known whether a part far from the ground can touch.
   void update_part(std::uint32_t p, double until);
+  /// Between the ball around the part and the ground, m.
+  double measured_gap(std::uint32_t p);
   /// Lists the ground near the part.
   /// @param deepest  no point of the part is deeper inside the ground, m
   void gather(std::uint32_t p, double deepest);
@@ -187,8 +191,6 @@ class ContactSearch {
   void renew_ground(std::uint32_t p, double ahead);
   /// When the part must be looked at again, as `moved_`.
   double next_visit(std::uint32_t p) const;
-  /// Until something of the part is due when its way grows at this rate: the rate's unit of time.
-  double shortest(std::uint32_t p, const Way& rate) const;
   /// The list of the ground must be renewed at this `way.whole`.
   double list_end(const PartState& part) const { return part.gathered_at + list_holds_; }
   double search_time(const FlightBounds& flight, double first);
@@ -206,7 +208,7 @@ class ContactSearch {
   /// @param ahead  way for which it must be known whether they can touch
   void update_vertices(std::uint32_t p, const Way& ahead);
   void update_vertex(std::uint32_t p, std::uint32_t vertex, const Way& ahead);
-  /// Until a vertex outside the ground may touch any of it; due when it may touch now.
+  /// Until a vertex that is outside the ground may touch any of it; due when it may touch now.
   Asleep clear_of_ground(const PartState& part, const Vec3& centre) const;
   bool update_sure_face(const PartState& part, std::uint32_t vertex, const Vec3& centre);
   void measure_vertex(const PartState& part, std::uint32_t vertex, const Vec3& centre);

@@ -39,13 +39,19 @@ void ContactSearch::update_vertex(std::uint32_t p, std::uint32_t v, const Way& a
   if (above > kEnough * margin_) {
     const Asleep by_plane = asleep(part, plane.normal, above, completeness(part) - reach_);
     if (!by_plane.due(part.way + ahead)) {
+      vertex_states_[v].outside = true;
       vertex_asleep_[v] = by_plane;
       return;
     }
   }
-  const Asleep clear = clear_of_ground(part, centre);
-  if (clear.due(part.way)) return measure_vertex(part, v, centre);
-  vertex_asleep_[v] = clear;
+  if (vertex_states_[v].outside) {
+    const Asleep clear = clear_of_ground(part, centre);
+    if (!clear.due(part.way)) {
+      vertex_asleep_[v] = clear;
+      return;
+    }
+  }
+  measure_vertex(part, v, centre);
 }
 
 ContactSearch::Asleep ContactSearch::clear_of_ground(const PartState& part,
@@ -61,7 +67,11 @@ ContactSearch::Asleep ContactSearch::clear_of_ground(const PartState& part,
     const double by_plane = 2.0 * height / (tilt.across + tilt.along);
     const double near = face.radius + reach_ + std::max(0.0, by_plane);
     const double squared = (centre - face.middle).squaredNorm();
-    if (squared > near * near) {
+    if (tilt.at_border) {
+      if (!(height > 0.0)) return {};
+      per_across = std::max(per_across, tilt.across / height);
+      per_along = std::max(per_along, tilt.along / height);
+    } else if (squared > near * near) {
       const double apart = std::sqrt(squared) - face.radius - reach_;
       per_across = std::max(per_across, 1.0 / apart);
       per_along = std::max(per_along, 1.0 / apart);
@@ -93,6 +103,7 @@ void ContactSearch::measure_vertex(const PartState& part, std::uint32_t v, const
   const double depth = std::abs(nearest.distance);
 
   state.sure_face = kNoFeature;
+  state.outside = nearest.distance >= reach_ && depth < complete;
   vertex_asleep_[v] = {};
   if (depth >= complete) {
     // Beyond the list nothing is known, not even the side.
@@ -154,6 +165,7 @@ bool ContactSearch::update_sure_face(const PartState& part, std::uint32_t v, con
   if (height >= reach_) {
     const double others = state.sure_outside_until - way;
     if (others < height - reach_) return false;
+    state.outside = true;
     vertex_asleep_[v] = asleep(part, face.normal, height - reach_, others);
     return true;
   }
