@@ -35,12 +35,15 @@ enum class ContactWeights {
 ContactWeights contact_weights(const std::string& name);
 std::string name_of(ContactWeights weights);
 
-/// Stiffnesses and the time step that they require.
+/// Stiffnesses and the time steps that they require.
 struct ContactStiffness {
   double normal = 0.0;      ///< k_n, N/m
   double tangential = 0.0;  ///< k_t, N/m
   double rolling = 0.0;     ///< k_r, N m/rad
-  double time_step = 0.0;   ///< s
+  double time_step = 0.0;   ///< resolves an impact, s
+  /// Of a release between impacts, while its contacts carry one full k_n, s; below `time_step`: all
+  /// steps have that length.
+  double longest_step = 0.0;
 };
 
 }  // namespace clast

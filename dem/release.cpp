@@ -23,6 +23,8 @@ namespace {
 constexpr double kLandingTime = 5e-10;
 /// Growth of the stride of the search for the first touch after one that fell short of it.
 constexpr double kLookFarther = 8.0;
+/// A contact through which more than this share of the block's kinetic energy passes is an impact.
+constexpr double kImpactShare = 0.01;
 /// A block at rest may lie deeper than its settled depth by this factor before it counts as lost.
 constexpr double kSettledSlack = 1.1;
 
@@ -141,8 +143,7 @@ class Release {
     resting_ = 0.0;
     ++result_.flight_pieces;
     update_contacts(moving_.motion(), 0.0);
-    result_.energy.reassigned += moving_.first_kick(settings_.stiffness.time_step, load_.force,
-                                                    load_.torque, {0.0, 0.0, -settings_.gravity});
+    step_length_ = 0.0;
     advance(begin, duration, true);
   }
 
@@ -181,11 +182,30 @@ class Release {
     return longest;
   }
 
+  /// How long a step may be now: impacts are resolved, and between them the frequency of all
+  /// contacts together (docs/theory.md, Time step).
+  double resolving_step() const {
+    const ContactStiffness& contact = settings_.stiffness;
+    const double specific =
+        std::max(moving_.kinetic_energy() / body_.mass, settings_.rest_energy);
+    if (0.5 * load_.squared_rate > kImpactShare * specific) return contact.time_step;
+    return std::max(contact.time_step,
+                    contact.longest_step / std::sqrt(std::max(1.0, load_.weight)));
+  }
+
   void step() {
     flight_.reset();
-    const double dt = std::min(settings_.stiffness.time_step, settings_.max_time - time_);
     const RigidState begin = moving_.state();
     const Vec3 gravity(0.0, 0.0, -settings_.gravity);
+    const double dt = std::min(resolving_step(), settings_.max_time - time_);
+    if (dt != step_length_) {
+      // What Verlet steps conserve depends on their length.
+      const auto kick = [&](double length) {
+        return moving_.first_kick(length, load_.force, load_.torque, gravity);
+      };
+      result_.energy.reassigned += kick(dt) - kick(step_length_);
+      step_length_ = dt;
+    }
     const BodyMotion motion = moving_.begin_step(dt, load_.force, load_.torque, gravity);
     travel_ += dt * moving_.top_speed();
     result_.path_length += dt * motion.velocity.norm();
@@ -262,6 +282,7 @@ class Release {
   double flown_ = 0.0;                ///< time since it began, s
   double time_ = 0.0;
   double travel_ = 0.0;
+  double step_length_ = 0.0;  ///< of the last step, 0 in flight, s
   double resting_ = 0.0;
   bool left_ = false;
   ReleaseResult result_;

@@ -16,9 +16,10 @@ constexpr double kSettledDepth = 0.02;
 constexpr double kSettledDepthShare = 0.02;
 /// Deepest impact allowed, share of S.
 constexpr double kImpactDepthShare = 0.25;
-/// Time step times the highest contact frequency. Explicit stepping is stable below 2; a twentieth
-/// of that gives 16 steps while a single contact loads, still 9 with three at once.
-constexpr double kStepTimesFrequency = 0.1;
+/// Time step times the highest contact frequency, in impacts and between them. Explicit stepping is
+/// stable below 2.
+constexpr double kImpactStep = 0.2;
+constexpr double kLongestStep = 0.8;
 constexpr double kUnstable = 2.0;
 /// Share of the smallest S that a block may travel in one step.
 constexpr double kTravelShare = 0.25;
@@ -156,8 +157,9 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
                                                        chosen.rolling / demand.smallest_moment)));
   // A step in contact may not carry a block past the ground, however soft that is.
   const double travel = fastest > 0.0 ? kTravelShare * demand.smallest_side / fastest : 1e300;
-  const double resolved = std::min(kStepTimesFrequency / frequency, travel);
+  const double resolved = std::min(kImpactStep / frequency, travel);
   chosen.time_step = options.time_step.value_or(resolved);
+  if (!options.time_step) chosen.longest_step = std::min(kLongestStep / frequency, travel);
   const double most = std::min(kUnstable / frequency, travel);
   if (chosen.time_step > most) {
     throw SimulationError(

@@ -251,6 +251,9 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
 
   // Eq. 6: the loads of a point count by its weight.
   const double w = contact.weight;
+  load.weight += w;
+  const double share = slip.closing > 0.0 ? 1.0 : law.rest_stiffness() / stiffness_.normal;
+  load.squared_rate = std::max(load.squared_rate, share * slip.closing * slip.closing);
   const Vec3 force = w * (contact.normal * contact.point.normal + contact.tangential);
   load.force += force;
   load.torque += slip.arm.cross(force) + w * contact.rolling;

@@ -28,6 +28,10 @@ struct ContactLoad {
   Vec3 force = Vec3::Zero();            ///< on the block
   Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
   Vec3 torque_on_other = Vec3::Zero();  ///< on the other body about its own
+  double weight = 0.0;                  ///< of all contacts: how many times k_n they are together
+  /// Largest (k/k_n) h'^2 of any, with the stiffness k along which its overlap h changes: twice the
+  /// energy that passes through it per mass that it stops, m^2/s^2.
+  double squared_rate = 0.0;
   /// To be applied once, at the end of this step (`MovingBody::correct`).
   std::optional<EventLoad> event;
 };
