@@ -41,8 +41,8 @@ struct ContactStiffness {
   double tangential = 0.0;  ///< k_t, N/m
   double rolling = 0.0;     ///< k_r, N m/rad
   double time_step = 0.0;   ///< resolves an impact, s
-  /// Of a release between impacts, while its contacts carry one full k_n, s; below `time_step`: all
-  /// steps have that length.
+  /// Resolves what goes on between the impacts of a release, s: a contact of the block's most
+  /// mobile point. Not above `time_step`: all steps have that length.
   double longest_step = 0.0;
 };
 

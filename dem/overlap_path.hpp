@@ -20,9 +20,9 @@ struct OverlapPath {
   double rate_at(double time) const { return rate + 2.0 * time * bend(); }
   /// When the overlap turns from growing to shrinking or back; the end when it does not.
   double turn() const {
-    const double twice = 2.0 * bend();
-    const double time = twice != 0.0 ? -rate / twice : duration;
-    return time > 0.0 && time < duration ? time : duration;
+    const double end_rate_times_duration = 2.0 * (after - before) - rate * duration;
+    if (!(rate * end_rate_times_duration < 0.0)) return duration;
+    return std::min(-0.5 * rate / bend(), duration);
   }
   /// When the overlap is zero, between two times of a monotonic piece that straddles it.
   double zero_between(double from, double to) const {

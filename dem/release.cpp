@@ -12,6 +12,7 @@
 #include "dem/detail/moving_body.hpp"
 #include "dem/detail/pierced_depth.hpp"
 #include "dem/detail/terrain_impl.hpp"
+#include "dem/stiffness.hpp"
 
 namespace clast {
 
@@ -23,8 +24,10 @@ namespace {
 constexpr double kLandingTime = 5e-10;
 /// Growth of the stride of the search for the first touch after one that fell short of it.
 constexpr double kLookFarther = 8.0;
-/// A contact through which more than this share of the block's kinetic energy passes is an impact.
+/// Contacts that more than this share of the block's kinetic energy passes through are an impact.
 constexpr double kImpactShare = 0.01;
+/// Contacts on points that are hard to move allow steps up to this many times `longest_step`.
+constexpr double kHardlyMobile = 2.0;
 /// A block at rest may lie deeper than its settled depth by this factor before it counts as lost.
 constexpr double kSettledSlack = 1.1;
 
@@ -43,6 +46,8 @@ class Release {
         forces_(zones, terrain.impl().zones, surface_, body.size(), settings.stiffness,
                 settings.weights, settings.law),
         moving_(body, start),
+        mobilities_(vertex_mobilities(body)),
+        largest_mobility_(*std::max_element(mobilities_.begin(), mobilities_.end())),
         radius_(body.bounding_radius()) {}
 
   ReleaseResult run() {
@@ -93,7 +98,7 @@ class Release {
                               .acceleration = g + uneven * spin * spin * radius_,
                               .top_speed = moving_.state().velocity.norm() + spin * radius_,
                               .gravity = g},
-                             settings_.stiffness.time_step);
+                             longest_step());
   }
 
   /// Moves to another time of the flight and searches for contacts there.
@@ -114,8 +119,8 @@ class Release {
       flown_ = 0.0;
     }
     const double before = flown_;
-    double end = before + std::min(std::max(safe_time(), settings_.stiffness.time_step),
-                                   settings_.max_time - time_);
+    double end =
+        before + std::min(std::max(safe_time(), longest_step()), settings_.max_time - time_);
     const auto inside = [&](double flown) {
       const RigidState& from = flight_->begin();
       return terrain_.covers(from.position.x() + flown * from.velocity.x(),
@@ -182,22 +187,27 @@ class Release {
     return longest;
   }
 
-  /// How long a step may be now: impacts are resolved, and between them the frequency of all
-  /// contacts together (docs/theory.md, Time step).
-  double resolving_step() const {
+  double longest_step() const {
+    return std::max(settings_.stiffness.time_step, settings_.stiffness.longest_step);
+  }
+  /// What the present contacts need: steps follow the frequency of all of them together, and
+  /// resolve an impact (docs/theory.md, Time step).
+  double needed_step() const {
     const ContactStiffness& contact = settings_.stiffness;
-    const double specific =
-        std::max(moving_.kinetic_energy() / body_.mass, settings_.rest_energy);
-    if (0.5 * load_.squared_rate > kImpactShare * specific) return contact.time_step;
-    return std::max(contact.time_step,
-                    contact.longest_step / std::sqrt(std::max(1.0, load_.weight)));
+    if (!(contact.longest_step > contact.time_step)) return contact.time_step;
+    const double stiffer = forces_.mobility(mobilities_) / largest_mobility_;
+    const double together =
+        contact.longest_step * std::min(1.0 / std::sqrt(stiffer), kHardlyMobile);
+    const double specific = std::max(moving_.kinetic_energy() / body_.mass, settings_.rest_energy);
+    const bool impact = load_.impact > kImpactShare * specific;
+    return impact ? std::min(contact.time_step, together) : together;
   }
 
   void step() {
     flight_.reset();
     const RigidState begin = moving_.state();
     const Vec3 gravity(0.0, 0.0, -settings_.gravity);
-    const double dt = std::min(resolving_step(), settings_.max_time - time_);
+    const double dt = std::min(needed_step(), settings_.max_time - time_);
     if (dt != step_length_) {
       // What Verlet steps conserve depends on their length.
       const auto kick = [&](double length) {
@@ -276,6 +286,8 @@ class Release {
   ContactSearch search_;
   ContactForces forces_;
   MovingBody moving_;
+  std::vector<double> mobilities_;  ///< of the block's vertices, 1/kg
+  double largest_mobility_;
   double radius_;
   ContactLoad load_;
   std::optional<FreeFlight> flight_;  ///< the one in progress

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 
@@ -17,9 +15,9 @@ constexpr double kSettledDepthShare = 0.02;
 /// Deepest impact allowed, share of S.
 constexpr double kImpactDepthShare = 0.25;
 /// Time step times the highest contact frequency, in impacts and between them. Explicit stepping is
-/// stable below 2.
+/// stable below 2 (docs/theory.md, Time step).
 constexpr double kImpactStep = 0.2;
-constexpr double kLongestStep = 0.8;
+constexpr double kLongestStep = 0.6;
 constexpr double kUnstable = 2.0;
 /// Share of the smallest S that a block may travel in one step.
 constexpr double kTravelShare = 0.25;
@@ -29,24 +27,6 @@ constexpr double kRollingArmShare = 0.5;
 constexpr double kCostlyRestShare = 1e-3;
 /// What such a ground is compared with: the e_n^2 of the paper's zones.
 constexpr double kUsualRestShare = 0.01;
-
-/// Largest eigenvalue of the mobility 1/m + [x]^T I^-1 [x] over the points of the body, 1/kg: how
-/// easily a force at its surface moves the surface there.
-double largest_mobility(const RigidBody& body) {
-  double largest = 1.0 / body.mass;
-  for (const Vec3& vertex : body.shape.vertices) {
-    const double length = vertex.norm();
-    const Vec3 arm = length > 0.0 ? Vec3(vertex * (1.0 + body.shape.radius / length))
-                                  : Vec3(body.shape.radius, 0.0, 0.0);
-    Mat3 cross;
-    cross << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
-    const Mat3 mobility = Mat3::Identity() / body.mass +
-                          cross.transpose() * body.moments.cwiseInverse().asDiagonal() * cross;
-    const Eigen::SelfAdjointEigenSolver<Mat3> solver(mobility, Eigen::EigenvaluesOnly);
-    largest = std::max(largest, solver.eigenvalues()[2]);
-  }
-  return largest;
-}
 
 /// The most demanding of all bodies in every respect.
 struct Demand {
@@ -109,8 +89,27 @@ std::string cost_warning(const ContactStiffness& chosen, double rest_share) {
 
 }  // namespace
 
+std::vector<double> vertex_mobilities(const RigidBody& body) {
+  std::vector<double> mobilities;
+  mobilities.reserve(body.shape.vertices.size());
+  for (const Vec3& vertex : body.shape.vertices) {
+    const double length = vertex.norm();
+    const Vec3 arm = length > 0.0 ? Vec3(vertex * (1.0 + body.shape.radius / length))
+                                  : Vec3(body.shape.radius, 0.0, 0.0);
+    // [x]^T A [x] has the eigenvector x to 0, and two more from its trace and second invariant.
+    const Vec3 easy = body.moments.cwiseInverse(), squared = arm.cwiseAbs2();
+    const double trace = squared.sum() * easy.sum() - squared.dot(easy);
+    const double second = squared.sum() * easy.prod() * squared.dot(body.moments);
+    const double turning = 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4.0 * second)));
+    mobilities.push_back(1.0 / body.mass + turning);
+  }
+  return mobilities;
+}
+
 ContactBody contact_body(const RigidBody& body) {
-  return {body.mass, body.smallest_side, body.moments.minCoeff(), largest_mobility(body)};
+  const std::vector<double> mobilities = vertex_mobilities(body);
+  return {body.mass, body.smallest_side, body.moments.minCoeff(),
+          *std::max_element(mobilities.begin(), mobilities.end())};
 }
 
 ContactGround contact_ground(std::span<const GroundParameters> zones, const ContactLaw& law) {
@@ -159,7 +158,7 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   const double travel = fastest > 0.0 ? kTravelShare * demand.smallest_side / fastest : 1e300;
   const double resolved = std::min(kImpactStep / frequency, travel);
   chosen.time_step = options.time_step.value_or(resolved);
-  if (!options.time_step) chosen.longest_step = std::min(kLongestStep / frequency, travel);
+  if (!options.time_step) chosen.longest_step = std::min(kLongestStep / frequency, 0.5 * travel);
   const double most = std::min(kUnstable / frequency, travel);
   if (chosen.time_step > most) {
     throw SimulationError(

@@ -19,6 +19,10 @@ struct StiffnessOptions {
   ContactLaw law;                    ///< sets the settled depth and the fastest rate of a contact
 };
 
+/// How easily a force at the surface beyond each vertex of the body moves it there: the largest
+/// eigenvalue of the mobility 1/m + [x]^T J^-1 [x], 1/kg.
+std::vector<double> vertex_mobilities(const RigidBody& body);
+
 /// What a body requires of its contacts, computed once: the mobility needs all its points.
 struct ContactBody {
   double mass = 0.0;             ///< kg

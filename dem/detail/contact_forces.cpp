@@ -152,6 +152,7 @@ ContactForces::ContactForces(std::span<const GroundParameters> zones,
                              const ContactLaw& law)
     : zones_(zones),
       zone_of_face_(zone_of_face),
+      block_(block.features),
       patches_(block, weights),
       history_(kNearShare * size),
       stiffness_(stiffness),
@@ -251,9 +252,12 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
 
   // Eq. 6: the loads of a point count by its weight.
   const double w = contact.weight;
-  load.weight += w;
-  const double share = slip.closing > 0.0 ? 1.0 : law.rest_stiffness() / stiffness_.normal;
-  load.squared_rate = std::max(load.squared_rate, share * slip.closing * slip.closing);
+  const double rest = law.rest_stiffness();
+  const double drop = contact.normal - rest * contact.point.overlap;
+  const double share = slip.closing > 0.0 ? 1.0 : rest / stiffness_.normal;
+  load.impact += 0.5 * w *
+                 (share * slip.closing * slip.closing +
+                  drop * drop * motion.block.inverse_mass / stiffness_.normal);
   const Vec3 force = w * (contact.normal * contact.point.normal + contact.tangential);
   load.force += force;
   load.torque += slip.arm.cross(force) + w * contact.rolling;
@@ -327,6 +331,23 @@ double ContactForces::stored_in(const Contact& contact, const Law& law) const {
   return contact.weight * (law.stored(contact.point.overlap) +
                            0.5 * (contact.tangential.squaredNorm() * tangential_give_ +
                                   contact.rolling.squaredNorm() * rolling_give_));
+}
+
+double ContactForces::mobility(std::span<const double> of_vertices) const {
+  double sum = 0.0;
+  for (const Contact& contact : contacts_) {
+    const std::uint32_t feature = contact.point.block_feature;
+    const auto largest = [&](const auto& vertices) {
+      double most = 0.0;
+      for (const std::uint32_t vertex : vertices) most = std::max(most, of_vertices[vertex]);
+      return most;
+    };
+    sum += contact.weight * (contact.point.kind == ContactKind::kVertexGround ? of_vertices[feature]
+                             : contact.point.kind == ContactKind::kFaceVertex
+                                 ? largest(block_.faces[feature].vertices)
+                                 : largest(block_.edges[feature].vertices));
+  }
+  return sum;
 }
 
 double ContactForces::stored_energy() const {

@@ -28,10 +28,9 @@ struct ContactLoad {
   Vec3 force = Vec3::Zero();            ///< on the block
   Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
   Vec3 torque_on_other = Vec3::Zero();  ///< on the other body about its own
-  double weight = 0.0;                  ///< of all contacts: how many times k_n they are together
-  /// Largest (k/k_n) h'^2 of any, with the stiffness k along which its overlap h changes: twice the
-  /// energy that passes through it per mass that it stops, m^2/s^2.
-  double squared_rate = 0.0;
+  /// Energy that the contacts are about to take up, are giving back, or will drop when they turn,
+  /// per mass of the block, J/kg (docs/theory.md, Time step).
+  double impact = 0.0;
   /// To be applied once, at the end of this step (`MovingBody::correct`).
   std::optional<EventLoad> event;
 };
@@ -57,6 +56,10 @@ class ContactForces {
                      const BodyMotion& other, double duration, EnergyLedger& ledger);
 
   bool empty() const { return contacts_.empty(); }
+  /// Of all contacts together, 1/kg: with springs of stiffness k at each, weighted, the block has
+  /// no frequency above the root of k times this.
+  /// @param of_vertices  of the block (`vertex_mobilities`)
+  double mobility(std::span<const double> of_vertices) const;
   double stored_energy() const;  ///< what unloading would give back, J
   double max_overlap() const;    ///< m
   struct Deepest {
@@ -116,6 +119,7 @@ class ContactForces {
   std::span<const GroundParameters> zones_;
   std::span<const std::uint16_t> zone_of_face_;
   LawsOf<ContactLaw>::Type laws_;
+  const SurfaceFeatures& block_;
   ContactPatches patches_;
   ContactHistory history_;
   ContactStiffness stiffness_;

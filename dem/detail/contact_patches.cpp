@@ -94,8 +94,11 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
   };
   const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
   normals_in_body_.clear();
-  for (const ContactPoint& point : points)
-    normals_in_body_.push_back(body_from_world * point.normal);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool same = i > 0 && points[i].normal == points[i - 1].normal;
+    normals_in_body_.push_back(same ? normals_in_body_.back()
+                                    : Vec3(body_from_world * points[i].normal));
+  }
   // A side wall joins no points on the ground: two feet stay two.
   const auto wall = [&](std::uint32_t joint, std::uint32_t point) {
     return joint < block_.faces.size() &&

@@ -174,8 +174,8 @@ void ContactSearch::update_part(std::uint32_t p, double until) {
   const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
   const double enough = std::max(margin_, until - moved_);
   double gap = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
-  gap = std::max(gap, state.gap - (centre - state.seen).norm() -
-                          part.radius * (turned_ - state.seen_turned));
+  gap = std::max(
+      gap, state.gap - (centre - state.seen).norm() - part.radius * (turned_ - state.seen_turned));
   if (gap <= enough) {
     gap = measured_gap(p);
   }
@@ -265,6 +265,7 @@ void ContactSearch::gather(std::uint32_t p, double deepest) {
   }
   for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
     vertex_states_[v].near_face = 0;
+    vertex_states_[v].closest_plane = kNoFeature;
   }
   state.pairs.clear();
   state.features.clear();
@@ -363,9 +364,8 @@ double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, dou
   };
   const auto time_for = [&](double left, double per_across, double per_along, double speed) {
     const double per_whole = per_across + per_along;
-    return std::max(
-        time_over(left, speed + per_whole * turning, per_whole * flight.acceleration),
-        time_over(left, per_whole * flight.top_speed, per_whole * flight.gravity));
+    return std::max(time_over(left, speed + per_whole * turning, per_whole * flight.acceleration),
+                    time_over(left, per_whole * flight.top_speed, per_whole * flight.gravity));
   };
   const double speed = velocity.norm(), whole = way_in(wanted, speed);
   if (part.near) {
@@ -374,15 +374,23 @@ double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, dou
   } else if (part_due_[p] < moved_ + whole) {
     update_part(p, moved_ + whole);
   }
-  if (!part.near) return time_for(part_due_[p] - moved_, 0.0, 1.0, speed);
+  if (!part.near) {
+    const double gap = part_due_[p] - moved_;
+    return gap >= whole ? wanted : time_for(gap, 0.0, 1.0, speed);
+  }
   const double across = std::min(std::abs(velocity.dot(part.axis)), speed);
   const double along = std::sqrt(speed * speed - across * across);
   const Way ahead{way_in(wanted, across), way_in(wanted, along), whole};
   update_vertices(p, ahead);
   update_sides(p, ahead);
   part_due_[p] = next_visit(p);
-  double time = time_for(list_end(part) - part.way.whole, 0.0, 1.0, speed);
+  const Way then = part.way + ahead;
+  double time = wanted;
+  if (list_end(part) < then.whole) {
+    time = time_for(list_end(part) - part.way.whole, 0.0, 1.0, speed);
+  }
   for (const Asleep& asleep : {part.all_vertices, part.all_features, part.all_pairs}) {
+    if (!asleep.due(then)) continue;
     time = std::min(time, time_for(asleep.left(part.way), asleep.per_across, asleep.per_along,
                                    asleep.per_across * across + asleep.per_along * along));
   }

@@ -2,12 +2,12 @@
 /// Narrow phase: finds the contact points of one block on a reference body, the terrain or another
 /// block. That body is called the ground here, and everything is in its frame.
 ///
-/// The block is cut into parts. One far from the ground sleeps as a whole, until `moved_`, a bound of
-/// how far any of its points has moved, has grown by its gap. One near the ground keeps a list of
-/// the ground near it, in which its vertices and its sides (edges and faces) search for what they
-/// may touch. What is measured there sleeps too, for as long as the plane between it and the ground
-/// keeps them apart: that plane mostly lies along the ground, so what slides or rolls over it
-/// sleeps long although it moves far (docs/theory.md, Contact search).
+/// The block is cut into parts. One far from the ground sleeps as a whole, until `moved_`, a bound
+/// of how far any of its points has moved, has grown by its gap. One near the ground keeps a list
+/// of the ground near it, in which its vertices and its sides (edges and faces) search for what
+/// they may touch. What is measured there sleeps too, for as long as the plane between it and the
+/// ground keeps them apart: that plane mostly lies along the ground, so what slides or rolls over
+/// it sleeps long although it moves far (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -93,6 +93,19 @@ class ContactSearch {
     }
     bool due(const Way& way) const { return !(left(way) > 0.0); }
   };
+  /// What keeps a vertex apart from several things, each by its own plane.
+  struct Bound {
+    double per_across = 0.0, per_along = 0.0;  ///< as of `Asleep`, from where the vertex is
+
+    void include(const Bound& other) {
+      per_across = std::max(per_across, other.per_across);
+      per_along = std::max(per_along, other.per_along);
+    }
+    double sum() const { return per_across + per_along; }
+    Asleep asleep(const Way& way) const {
+      return {per_across, per_along, 1.0 + per_across * way.across + per_along * way.along};
+    }
+  };
   /// Until the first of many may be due.
   class First {
    public:
@@ -153,7 +166,11 @@ class ContactSearch {
     Asleep all_vertices, all_features, all_pairs;  ///< until the first of each may be due
   };
   struct VertexState {
-    bool outside = false;         ///< known to have been out of reach of the ground
+    bool outside = false;  ///< known to have been out of reach of the ground
+    // While outside: entry of the list whose plane it is closest to reach, and until when it is
+    // clear of all else.
+    std::uint32_t closest_plane = kNoFeature;
+    Asleep others;
     std::uint32_t near_face = 0;  ///< entry of the part's list that was nearest
     // While its foot stays on `sure_face`, no other face matters: inside the ground until the one,
     // outside within reach until the other `way.whole`.
@@ -209,7 +226,9 @@ class ContactSearch {
   void update_vertices(std::uint32_t p, const Way& ahead);
   void update_vertex(std::uint32_t p, std::uint32_t vertex, const Way& ahead);
   /// Until a vertex that is outside the ground may touch any of it; due when it may touch now.
-  Asleep clear_of_ground(const PartState& part, const Vec3& centre) const;
+  Asleep clear_of_ground(const PartState& part, std::uint32_t vertex, const Vec3& centre);
+  /// The same from its closest plane, where all else is known to be clear.
+  Asleep clear_of_plane(const PartState& part, std::uint32_t vertex, const Vec3& centre) const;
   bool update_sure_face(const PartState& part, std::uint32_t vertex, const Vec3& centre);
   void measure_vertex(const PartState& part, std::uint32_t vertex, const Vec3& centre);
   /// Direction in which a vertex inside the ground is pushed: to the surface point, or up to the

@@ -70,10 +70,11 @@ void ContactSearch::update_feature(std::uint32_t p, GroundFeature& feature) {
   PartState& part = part_states_[p];
   const BlockPart& of_block = parts_.parts[p];
   const LocalGround& ground = part.ground;
-  const std::uint32_t number = feature.is_corner ? ground.corners[feature.entry].vertex
-                                                 : ground.edges[feature.entry].edge;
+  const std::uint32_t number =
+      feature.is_corner ? ground.corners[feature.entry].vertex : ground.edges[feature.entry].edge;
   std::erase_if(part.pairs, [&](const FeaturePair& pair) {
-    return pair.ground_feature == number && (pair.kind != ContactKind::kEdgeEdge) == feature.is_corner;
+    return pair.ground_feature == number &&
+           (pair.kind != ContactKind::kEdgeEdge) == feature.is_corner;
   });
   const auto away_from = [&](const Vec3& point) -> Vec3 {
     return point - (feature.is_corner ? ground.corners[feature.entry].point
@@ -172,7 +173,8 @@ void ContactSearch::update_face_vertex(const PartState& part, FeaturePair& pair)
   const Vec3& corner = ground_.features.vertices[pair.ground_feature];
   const Vec3 in_body = rotation_.transpose() * (corner - position_);
   if (depth_in_face(block_, face, in_body) < 0.0) {
-    return sleep(part, pair, rotation_ * (in_body - nearest_on_face(block_, block_face, in_body).point));
+    return sleep(part, pair,
+                 rotation_ * (in_body - nearest_on_face(block_, block_face, in_body).point));
   }
   const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);
   sleep(part, pair, height * (rotation_ * face.normal));

@@ -34,6 +34,11 @@ void ContactSearch::update_vertex(std::uint32_t p, std::uint32_t v, const Way& a
   const PartState& part = part_states_[p];
   const Vec3 centre = placed(block_.vertices[parts_.vertices[v]]);
   if (update_sure_face(part, v, centre)) return;
+  const Asleep by_closest = clear_of_plane(part, v, centre);
+  if (!by_closest.due(part.way + ahead)) {
+    vertex_asleep_[v] = by_closest;
+    return;
+  }
   const GroundPlane& plane = part.ground.plane;
   const double above = plane.clearance(centre) - reach_;
   if (above > kEnough * margin_) {
@@ -45,7 +50,7 @@ void ContactSearch::update_vertex(std::uint32_t p, std::uint32_t v, const Way& a
     }
   }
   if (vertex_states_[v].outside) {
-    const Asleep clear = clear_of_ground(part, centre);
+    const Asleep clear = clear_of_ground(part, v, centre);
     if (!clear.due(part.way)) {
       vertex_asleep_[v] = clear;
       return;
@@ -54,12 +59,29 @@ void ContactSearch::update_vertex(std::uint32_t p, std::uint32_t v, const Way& a
   measure_vertex(part, v, centre);
 }
 
-ContactSearch::Asleep ContactSearch::clear_of_ground(const PartState& part,
-                                                     const Vec3& centre) const {
-  const double others = completeness(part) - reach_;
-  if (!(others > 0.0)) return {};
-  double per_across = 1.0 / others, per_along = per_across;
-  for (std::size_t i = 0; i < part.ground.faces.size(); ++i) {
+ContactSearch::Asleep ContactSearch::clear_of_plane(const PartState& part, std::uint32_t v,
+                                                    const Vec3& centre) const {
+  const VertexState& state = vertex_states_[v];
+  if (state.closest_plane == kNoFeature) return {};
+  const LocalGround::Face& face = part.ground.faces[state.closest_plane];
+  const double height = face.normal.dot(centre) - face.offset - reach_;
+  if (!(height > 0.0)) return {};
+  const FaceTilt& tilt = part.tilts[state.closest_plane];
+  First first(part.way);
+  first.include(state.others);
+  first.include(Bound{tilt.across / height, tilt.along / height}.asleep(part.way));
+  return first.asleep();
+}
+
+ContactSearch::Asleep ContactSearch::clear_of_ground(const PartState& part, std::uint32_t v,
+                                                     const Vec3& centre) {
+  VertexState& state = vertex_states_[v];
+  state.closest_plane = kNoFeature;
+  const double complete = completeness(part) - reach_;
+  if (!(complete > 0.0)) return {};
+  Bound others{1.0 / complete, 1.0 / complete}, plane;
+  std::uint32_t closest = kNoFeature;
+  for (std::uint32_t i = 0; i < part.ground.faces.size(); ++i) {
     const LocalGround::Face& face = part.ground.faces[i];
     const FaceTilt& tilt = part.tilts[i];
     // Either the plane of the face keeps them apart or one that touches the ball around it.
@@ -67,37 +89,38 @@ ContactSearch::Asleep ContactSearch::clear_of_ground(const PartState& part,
     const double by_plane = 2.0 * height / (tilt.across + tilt.along);
     const double near = face.radius + reach_ + std::max(0.0, by_plane);
     const double squared = (centre - face.middle).squaredNorm();
-    if (tilt.at_border) {
-      if (!(height > 0.0)) return {};
-      per_across = std::max(per_across, tilt.across / height);
-      per_along = std::max(per_along, tilt.along / height);
-    } else if (squared > near * near) {
+    if (!tilt.at_border && squared > near * near) {
       const double apart = std::sqrt(squared) - face.radius - reach_;
-      per_across = std::max(per_across, 1.0 / apart);
-      per_along = std::max(per_along, 1.0 / apart);
+      others.include({1.0 / apart, 1.0 / apart});
     } else if (height > 0.0) {
-      per_across = std::max(per_across, tilt.across / height);
-      per_along = std::max(per_along, tilt.along / height);
+      Bound by_this{tilt.across / height, tilt.along / height};
+      if (by_this.sum() > plane.sum()) {
+        std::swap(by_this, plane);
+        closest = i;
+      }
+      others.include(by_this);
+    } else if (tilt.at_border) {
+      return {};
     } else {
       const NearestPoint nearest = nearest_on_face(ground_.features, face.face, centre);
       const double apart = nearest.distance - reach_;
       if (!(apart > 0.0)) return {};
       const Vec3 away = (centre - nearest.point) / nearest.distance;
       const double across = std::min(std::abs(away.dot(part.axis)), 1.0);
-      per_across = std::max(per_across, across / apart);
-      per_along = std::max(per_along, std::sqrt(1.0 - across * across) / apart);
+      others.include({across / apart, std::sqrt(1.0 - across * across) / apart});
     }
   }
-  return {per_across, per_along,
-          1.0 + per_across * part.way.across + per_along * part.way.along};
+  state.closest_plane = closest;
+  state.others = others.asleep(part.way);
+  others.include(plane);
+  return others.asleep(part.way);
 }
 
 void ContactSearch::measure_vertex(const PartState& part, std::uint32_t v, const Vec3& centre) {
   VertexState& state = vertex_states_[v];
   const double complete = completeness(part);
-  const LocalGround::Nearest found =
-      part.ground.nearest(ground_.features, centre, complete, kDistinctMargins * margin_,
-                          state.near_face);
+  const LocalGround::Nearest found = part.ground.nearest(
+      ground_.features, centre, complete, kDistinctMargins * margin_, state.near_face);
   const NearestPoint& nearest = found.nearest;
   state.near_face = found.entry;
   const double depth = std::abs(nearest.distance);
