@@ -66,7 +66,7 @@ void visit_stiffness(const Visit& visit) {
         [](auto& r) -> decltype(auto) { return (r.stiffness.tangential); });
   visit("rolling_stiffness_n_m_rad", "N m/rad", "k_r as used, determined for the run or given",
         [](auto& r) -> decltype(auto) { return (r.stiffness.rolling); });
-  visit("time_step_s", "s", "time step as used, determined for the run or given",
+  visit("time_step_s", "s", "time step of impacts as used, determined for the run or given",
         [](auto& r) -> decltype(auto) { return (r.stiffness.time_step); });
   visit("rest_depth_m", "m",
         "settled depth of the block under its k_n, on the ground zone with the least "
