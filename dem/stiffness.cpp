@@ -17,7 +17,7 @@ constexpr double kImpactDepthShare = 0.25;
 /// Time step times the highest contact frequency, in impacts and between them. Explicit stepping is
 /// stable below 2 (docs/theory.md, Time step).
 constexpr double kImpactStep = 0.2;
-constexpr double kLongestStep = 0.6;
+constexpr double kLongestStep = 0.4;
 constexpr double kUnstable = 2.0;
 /// Share of the smallest S that a block may travel in one step.
 constexpr double kTravelShare = 0.25;

@@ -144,7 +144,7 @@ TEST(AutoStiffness, SpringDashpotRestsOnItsSpring) {
   const double rate = (ratio + std::sqrt(ratio * ratio - 1.0)) *
                       std::sqrt(choice.stiffness.normal / 1000.0 * (1.0 + 2.5));
   EXPECT_NEAR(choice.stiffness.time_step, 0.2 / rate, 1e-3 * 0.2 / rate);
-  EXPECT_NEAR(choice.stiffness.longest_step, 0.6 / rate, 1e-3 * 0.6 / rate);
+  EXPECT_NEAR(choice.stiffness.longest_step, 0.4 / rate, 1e-3 * 0.4 / rate);
 
   ReleaseSettings settings;
   settings.stiffness = choice.stiffness;
@@ -226,7 +226,7 @@ TEST(AutoStiffness, TimeStepFollowsTheLightestPoint) {
   const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 10.0, kG, options);
   const double point_mass = 1000.0 / (1.0 + 0.75 * 6.0);
   EXPECT_NEAR(choice.stiffness.time_step, 0.2 * std::sqrt(point_mass / 1e8), 1e-11);
-  EXPECT_NEAR(choice.stiffness.longest_step, 0.6 * std::sqrt(point_mass / 1e8), 1e-11);
+  EXPECT_NEAR(choice.stiffness.longest_step, 0.4 * std::sqrt(point_mass / 1e8), 1e-11);
 }
 
 }  // namespace
