@@ -65,8 +65,8 @@ struct EnergyRestitutionLaw {
 
  private:
   /// A force this close to the unloading line, relative to itself, is on it. The correction of the
-  /// step in which the overlap turns shifts the block by (w dt)^4/24 of it, with w dt up to 0.1:
-  /// that must not make an event of every step of the unloading.
+  /// step in which the overlap turns shifts the block by (w dt)^4/24 of it: where that is less, it
+  /// makes no events of the steps of the unloading.
   static constexpr double kOnLine = 1e-5;
 };
 

@@ -11,8 +11,8 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Candidate lists look ahead this share of the block's smallest side: long enough to be rebuilt
-/// rarely, short enough to stay short.
+/// Margin, as a share of the block's smallest side: lists of what is near look ahead some of them,
+/// far enough to be made anew rarely, and near enough to stay short.
 constexpr double kMarginShare = 0.05;
 /// The ground near a part is gathered for this many margins of movement.
 constexpr double kPartMargins = 4.0;
