@@ -302,8 +302,8 @@ double ContactSearch::next_visit(std::uint32_t p) const {
   return moved_ + least;
 }
 
-ContactSearch::Asleep ContactSearch::asleep(const PartState& part, const Vec3& away, double apart,
-                                            double others) const {
+Asleep ContactSearch::asleep(const PartState& part, const Vec3& away, double apart,
+                             double others) const {
   if (!(apart > 0.0 && others > 0.0)) return {};
   const double across = std::min(std::abs(away.dot(part.axis)), 1.0);
   const double along = std::sqrt(1.0 - across * across);

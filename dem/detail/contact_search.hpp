@@ -15,6 +15,7 @@
 #include "dem/detail/block_surface.hpp"
 #include "dem/detail/local_ground.hpp"
 #include "dem/detail/number_list.hpp"
+#include "dem/detail/separation.hpp"
 
 namespace clast::dem_detail {
 
@@ -69,64 +70,6 @@ class ContactSearch {
   double safe_time(const FlightBounds& flight, double worthwhile);
 
  private:
-  /// How far a part has moved against its ground since a common start, summed from visit to visit,
-  /// m: bounds for all of its points.
-  struct Way {
-    double across = 0.0;  ///< along `PartState::axis`, up or down
-    double along = 0.0;   ///< perpendicular to it
-    double whole = 0.0;
-
-    Way operator+(const Way& more) const {
-      return {across + more.across, along + more.along, whole + more.whole};
-    }
-  };
-  /// Something of a part that is measured again when it may touch. Two convex features d apart have
-  /// a plane with normal w between them; they stay apart until the part has moved d along w, which
-  /// takes `across` |w.axis| + `along` |w x axis| = d.
-  struct Asleep {
-    double per_across = 0.0, per_along = 0.0;  ///< |w.axis|/d and |w x axis|/d, 1/m
-    double until = -1.0;                       ///< due when both, times the way, add up to this
-
-    /// What is left of 1; not above 0 when due.
-    double left(const Way& way) const {
-      return until - per_across * way.across - per_along * way.along;
-    }
-    bool due(const Way& way) const { return !(left(way) > 0.0); }
-  };
-  /// What keeps a vertex apart from several things, each by its own plane.
-  struct Bound {
-    double per_across = 0.0, per_along = 0.0;  ///< as of `Asleep`, from where the vertex is
-
-    void include(const Bound& other) {
-      per_across = std::max(per_across, other.per_across);
-      per_along = std::max(per_along, other.per_along);
-    }
-    double sum() const { return per_across + per_along; }
-    Asleep asleep(const Way& way) const {
-      return {per_across, per_along, 1.0 + per_across * way.across + per_along * way.along};
-    }
-  };
-  /// Until the first of many may be due.
-  class First {
-   public:
-    explicit First(const Way& way) : way_(way) {}
-    void include(const Asleep& one) {
-      if (due_) return;
-      const double left = one.left(way_);
-      due_ = !(left > 0.0);
-      across_ = std::max(across_, one.per_across / left);
-      along_ = std::max(along_, one.per_along / left);
-    }
-    Asleep asleep() const {
-      if (due_) return {};
-      return {across_, along_, 1.0 + across_ * way_.across + along_ * way_.along};
-    }
-
-   private:
-    const Way& way_;
-    double across_ = 0.0, along_ = 0.0;
-    bool due_ = false;
-  };
   /// An edge or corner of the ground near a part.
   struct GroundFeature {
     bool is_corner = false;

@@ -51,13 +51,13 @@ void ContactSearch::update_sides(std::uint32_t p, const Way& ahead) {
     for (GroundFeature& feature : part.features) {
       if (feature.asleep.due(then)) update_feature(p, feature);
     }
-    First first(part.way);
+    FirstDue first(part.way);
     for (const GroundFeature& feature : part.features) first.include(feature.asleep);
     part.all_features = first.asleep();
     part.all_pairs = {};
   }
   if (part.all_pairs.due(then)) {
-    First first(part.way);
+    FirstDue first(part.way);
     for (FeaturePair& pair : part.pairs) {
       if (pair.asleep.due(then)) update_pair(part, pair);
       first.include(pair.asleep);

@@ -22,7 +22,7 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
   PartState& part = part_states_[p];
   const Way then = part.way + ahead;
   if (!part.all_vertices.due(then)) return;
-  First first(part.way);
+  FirstDue first(part.way);
   for (std::uint32_t v = parts_.parts[p].first_vertex; v < parts_.parts[p].end_vertex; ++v) {
     if (vertex_asleep_[v].due(then)) update_vertex(p, v, ahead);
     first.include(vertex_asleep_[v]);
@@ -59,27 +59,26 @@ void ContactSearch::update_vertex(std::uint32_t p, std::uint32_t v, const Way& a
   measure_vertex(part, v, centre);
 }
 
-ContactSearch::Asleep ContactSearch::clear_of_plane(const PartState& part, std::uint32_t v,
-                                                    const Vec3& centre) const {
+Asleep ContactSearch::clear_of_plane(const PartState& part, std::uint32_t v,
+                                     const Vec3& centre) const {
   const VertexState& state = vertex_states_[v];
   if (state.closest_plane == kNoFeature) return {};
   const LocalGround::Face& face = part.ground.faces[state.closest_plane];
   const double height = face.normal.dot(centre) - face.offset - reach_;
   if (!(height > 0.0)) return {};
   const FaceTilt& tilt = part.tilts[state.closest_plane];
-  First first(part.way);
+  FirstDue first(part.way);
   first.include(state.others);
-  first.include(Bound{tilt.across / height, tilt.along / height}.asleep(part.way));
+  first.include(Separation{tilt.across / height, tilt.along / height}.asleep(part.way));
   return first.asleep();
 }
 
-ContactSearch::Asleep ContactSearch::clear_of_ground(const PartState& part, std::uint32_t v,
-                                                     const Vec3& centre) {
+Asleep ContactSearch::clear_of_ground(const PartState& part, std::uint32_t v, const Vec3& centre) {
   VertexState& state = vertex_states_[v];
   state.closest_plane = kNoFeature;
   const double complete = completeness(part) - reach_;
   if (!(complete > 0.0)) return {};
-  Bound others{1.0 / complete, 1.0 / complete}, plane;
+  Separation others{1.0 / complete, 1.0 / complete}, plane;
   std::uint32_t closest = kNoFeature;
   for (std::uint32_t i = 0; i < part.ground.faces.size(); ++i) {
     const LocalGround::Face& face = part.ground.faces[i];
@@ -93,7 +92,7 @@ ContactSearch::Asleep ContactSearch::clear_of_ground(const PartState& part, std:
       const double apart = std::sqrt(squared) - face.radius - reach_;
       others.include({1.0 / apart, 1.0 / apart});
     } else if (height > 0.0) {
-      Bound by_this{tilt.across / height, tilt.along / height};
+      Separation by_this{tilt.across / height, tilt.along / height};
       if (by_this.sum() > plane.sum()) {
         std::swap(by_this, plane);
         closest = i;
