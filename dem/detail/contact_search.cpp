@@ -286,13 +286,14 @@ void ContactSearch::turn_axis(std::uint32_t p) {
     vertex_states_[v].sure_face = kNoFeature;
     vertex_asleep_[v] = {};
   }
-  state.all_vertices = {};
+  state.other_vertices = {};
 }
 
 double ContactSearch::next_visit(std::uint32_t p) const {
   const PartState& part = part_states_[p];
+  if (!part.due_vertices.empty()) return moved_;
   double least = list_end(part) - part.way.whole;
-  for (const Asleep& asleep : {part.all_vertices, part.all_features, part.all_pairs}) {
+  for (const Asleep& asleep : {part.other_vertices, part.all_features, part.all_pairs}) {
     const double left = asleep.left(part.way);
     if (!(left > 0.0)) return moved_;
     // No point of the part moves farther than any of the block, neither across nor along.
@@ -384,12 +385,13 @@ double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, dou
   update_vertices(p, ahead);
   update_sides(p, ahead);
   part_due_[p] = next_visit(p);
+  if (!part.due_vertices.empty()) return 0.0;
   const Way then = part.way + ahead;
   double time = wanted;
   if (list_end(part) < then.whole) {
     time = time_for(list_end(part) - part.way.whole, 0.0, 1.0, speed);
   }
-  for (const Asleep& asleep : {part.all_vertices, part.all_features, part.all_pairs}) {
+  for (const Asleep& asleep : {part.other_vertices, part.all_features, part.all_pairs}) {
     if (!asleep.due(then)) continue;
     time = std::min(time, time_for(asleep.left(part.way), asleep.per_across, asleep.per_along,
                                    asleep.per_across * across + asleep.per_along * along));

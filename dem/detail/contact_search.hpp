@@ -106,7 +106,8 @@ class ContactSearch {
     std::vector<FaceTilt> tilts;  ///< of the faces of `ground`
     std::vector<GroundFeature> features;
     std::vector<FeaturePair> pairs;
-    Asleep all_vertices, all_features, all_pairs;  ///< until the first of each may be due
+    std::vector<std::uint32_t> due_vertices;         ///< those that touch, mostly; in order
+    Asleep other_vertices, all_features, all_pairs;  ///< until the first of each may be due
   };
   struct VertexState {
     bool outside = false;  ///< known to have been out of reach of the ground

@@ -57,12 +57,17 @@ void ContactSearch::update_sides(std::uint32_t p, const Way& ahead) {
     part.all_pairs = {};
   }
   if (part.all_pairs.due(then)) {
-    FirstDue first(part.way);
+    bool due = false;
     for (FeaturePair& pair : part.pairs) {
-      if (pair.asleep.due(then)) update_pair(part, pair);
-      first.include(pair.asleep);
+      if (!pair.asleep.due(then)) continue;
+      update_pair(part, pair);
+      due = due || pair.asleep.due(part.way);
     }
-    part.all_pairs = first.asleep();
+    FirstDue first(part.way);
+    if (!due) {
+      for (const FeaturePair& pair : part.pairs) first.include(pair.asleep);
+    }
+    part.all_pairs = due ? Asleep() : first.asleep();
   }
 }
 

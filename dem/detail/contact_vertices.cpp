@@ -21,13 +21,28 @@ bool ContactSearch::meets_vertex(std::uint32_t vertex, const Vec3& normal) const
 void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
   PartState& part = part_states_[p];
   const Way then = part.way + ahead;
-  if (!part.all_vertices.due(then)) return;
   FirstDue first(part.way);
-  for (std::uint32_t v = parts_.parts[p].first_vertex; v < parts_.parts[p].end_vertex; ++v) {
-    if (vertex_asleep_[v].due(then)) update_vertex(p, v, ahead);
-    first.include(vertex_asleep_[v]);
+  if (!part.other_vertices.due(then)) {
+    if (part.due_vertices.empty()) return;
+    first.include(part.other_vertices);
+    std::erase_if(part.due_vertices, [&](std::uint32_t v) {
+      update_vertex(p, v, ahead);
+      if (vertex_asleep_[v].due(part.way)) return false;
+      first.include(vertex_asleep_[v]);
+      return true;
+    });
+  } else {
+    part.due_vertices.clear();
+    for (std::uint32_t v = parts_.parts[p].first_vertex; v < parts_.parts[p].end_vertex; ++v) {
+      if (vertex_asleep_[v].due(then)) update_vertex(p, v, ahead);
+      if (vertex_asleep_[v].due(part.way)) {
+        part.due_vertices.push_back(v);
+      } else {
+        first.include(vertex_asleep_[v]);
+      }
+    }
   }
-  part.all_vertices = first.asleep();
+  part.other_vertices = first.asleep();
 }
 
 void ContactSearch::update_vertex(std::uint32_t p, std::uint32_t v, const Way& ahead) {
