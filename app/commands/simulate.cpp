@@ -281,11 +281,7 @@ std::string fingerprint(const PreparedCampaign& prepared) {
   return text;
 }
 
-void simulate(const SimulateArgs& args) {
-  if (!args.parts.empty()) return join_parts(args);
-  const Shard shard = shard_from(args.shard);
-  ProcessTeam team;
-  if (!team.leads()) silence();
+void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& shard) {
   std::optional<PreparedCampaign> plan;
   const std::filesystem::path output = output_of(args, shard);
   const std::filesystem::path part = partial_results(output);
@@ -331,6 +327,20 @@ void simulate(const SimulateArgs& args) {
   run_campaign(prepared, output, options);
   bar.clear();
   if (team.leads()) print_results(output, args, summary);
+}
+
+void simulate(const SimulateArgs& args) {
+  if (!args.parts.empty()) return join_parts(args);
+  const Shard shard = shard_from(args.shard);
+  ProcessTeam team;
+  if (team.leads()) return simulate_with(team, args, shard);
+  silence();
+  try {
+    simulate_with(team, args, shard);
+  } catch (const std::exception&) {
+    // The leader knows, says why and fails. mpirun ends all as soon as one fails: it must be the
+    // first to do so, or its message is lost.
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "tests/support/tested_slope.hpp"
 
@@ -36,6 +37,9 @@ TEST(TimeStep, HalfOfItMovesTheMeanStopByLessThanTheStandardErrorOf64Releases) {
   const double mean = sum / kReleases;
   const double deviation = std::sqrt(squares / kReleases - mean * mean);
   const double standard_error = deviation / std::sqrt(kOfTheBar);
+  RecordProperty("shift_of_64_m", std::to_string(shift_of_64));
+  RecordProperty("shift_m", std::to_string(shift / kReleases));
+  RecordProperty("standard_error_m", std::to_string(standard_error));
   EXPECT_LT(std::abs(shift_of_64), standard_error);
   EXPECT_LT(std::abs(shift / kReleases), standard_error);
 }
