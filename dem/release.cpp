@@ -111,7 +111,8 @@ class Release {
     return search_.contacts(moving_.state().world_from_body(), travel_);
   }
 
-  /// Flies as far as no contact can come, at least a time step, and never beyond the first touch.
+  /// Flies as far as no contact can come, at least the longest step, and never beyond the first
+  /// touch.
   void fly() {
     const RigidState begin = moving_.state();
     if (!flight_) {

@@ -158,6 +158,7 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   const double travel = fastest > 0.0 ? kTravelShare * demand.smallest_side / fastest : 1e300;
   const double resolved = std::min(kImpactStep / frequency, travel);
   chosen.time_step = options.time_step.value_or(resolved);
+  // Half of what may be travelled: contacts that are hard to move allow twice this step.
   if (!options.time_step) chosen.longest_step = std::min(kLongestStep / frequency, 0.5 * travel);
   const double most = std::min(kUnstable / frequency, travel);
   if (chosen.time_step > most) {

@@ -337,7 +337,7 @@ void simulate(const SimulateArgs& args) {
   silence();
   try {
     simulate_with(team, args, shard);
-  } catch (const std::exception&) {
+  } catch (const Error&) {
     // The leader knows, says why and fails. mpirun ends all as soon as one fails: it must be the
     // first to do so, or its message is lost.
   }
