@@ -9,9 +9,9 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "mesh/half_edges.hpp"
 #include "shapes/convex_hull.hpp"
 #include "shapes/detail/calipers.hpp"
+#include "shapes/detail/gauss_image.hpp"
 
 namespace clast {
 namespace {
@@ -24,8 +24,6 @@ constexpr std::size_t kRefined = 48;
 constexpr double kMargin = 1.02;
 // Volumes closer than this are equal; area and length decide.
 constexpr double kTie = 1e-11;
-// Sine of the angle within which a face counts as seen on edge.
-constexpr double kOnEdge = 1e-11;
 // An extent below this share of the largest is rounding.
 constexpr double kFlat = 1e-12;
 constexpr int kFirstGoldenSteps = 12, kGoldenSteps = 28;
@@ -46,144 +44,6 @@ void check_points(std::span<const Vec3> points, double radius) {
   }
 }
 
-/// A direction seen as the normal of one pair of box sides, with the best box it allows.
-struct Posture {
-  double volume = kInfinity;
-  Mat3 axes = Mat3::Identity();
-};
-
-/// The hull with its Gauss image: faces are points on the sphere of directions, edges are arcs.
-class Hull {
- public:
-  Hull(const TriangleMesh& mesh, double radius)
-      : vertices_(mesh.vertices), radius_(radius), next_(mesh.vertices.size(), 0) {
-    const auto count = static_cast<Eigen::Index>(vertices_.size());
-    coordinates_.resize(count, 3);
-    for (Eigen::Index i = 0; i < count; ++i) coordinates_.row(i) = vertices_[i].transpose();
-    const auto faces = static_cast<Eigen::Index>(mesh.triangles.size());
-    normals_.resize(faces, 3);
-    weighted_normals_.resize(faces, 3);
-    areas_.resize(faces);
-    up_.resize(mesh.triangles.size());
-    for (Eigen::Index f = 0; f < faces; ++f) {
-      const auto& [a, b, c] = mesh.triangles[f];
-      const Vec3 cross = (vertices_[b] - vertices_[a]).cross(vertices_[c] - vertices_[a]);
-      const double twice = cross.norm();
-      areas_[f] = 0.5 * twice;
-      // A face without area adds no direction of its own; any will do, as every box is measured.
-      const Vec3 normal = twice > 0.0 ? Vec3(cross / twice) : Vec3::UnitX();
-      normals_.row(f) = normal.transpose();
-      weighted_normals_.row(f) = 0.5 * cross.transpose();
-    }
-    for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
-      if (!are_neighbours(sides)) return;
-      const std::size_t out = sides[0].forward ? 0 : 1;
-      edges_.push_back({sides[0].low, sides[0].high, sides[out].triangle, sides[1 - out].triangle});
-    });
-  }
-
-  std::size_t face_count() const { return static_cast<std::size_t>(areas_.size()); }
-  std::size_t edge_count() const { return edges_.size(); }
-  Vec3 normal(std::size_t face) const { return normals_.row(static_cast<Eigen::Index>(face)); }
-  double face_area(std::size_t face) const { return areas_[static_cast<Eigen::Index>(face)]; }
-  std::array<std::size_t, 2> faces_of(std::size_t edge) const {
-    return {edges_[edge].face, edges_[edge].other_face};
-  }
-  double arc(std::size_t edge) const {
-    const Vec3 a = normal(edges_[edge].face), b = normal(edges_[edge].other_face);
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-  }
-  /// At `share` of the way along the arc of an edge.
-  Vec3 on_arc(std::size_t edge, double share) const {
-    const Vec3 a = normal(edges_[edge].face), b = normal(edges_[edge].other_face);
-    const double angle = arc(edge);
-    if (!(angle > 1e-12)) return a;
-    return (std::sin((1.0 - share) * angle) * a + std::sin(share * angle) * b).normalized();
-  }
-
-  /// The smallest box with sides along and across `direction`; none where a lower bound (projected
-  /// area times width) says that it is above `limit`.
-  Posture best_about(const Vec3& direction, double limit) {
-    along_.noalias() = coordinates_ * direction;
-    const double width = along_.maxCoeff() - along_.minCoeff() + 2.0 * radius_;
-    slopes_.noalias() = weighted_normals_ * direction;
-    const double shadow = 0.5 * slopes_.cwiseAbs().sum();
-    const double side = std::sqrt(shadow) + 2.0 * radius_;
-    if (width * side * side > limit) return {};
-
-    Mat3 frame;
-    frame.col(0) = direction;
-    frame.col(1) = direction.unitOrthogonal();
-    frame.col(2) = direction.cross(frame.col(1));
-    trace_outline(frame);
-    const Rectangle rectangle = smallest_rectangle_of_outline(outline_, radius_);
-    Posture posture;
-    posture.axes.col(0) = direction;
-    posture.axes.col(1) =
-        (rectangle.direction.x() * frame.col(1) + rectangle.direction.y() * frame.col(2))
-            .normalized();
-    posture.axes.col(2) = posture.axes.col(0).cross(posture.axes.col(1));
-    posture.volume = width * rectangle.area();
-    return posture;
-  }
-
- private:
-  struct Edge {
-    std::uint32_t from, to;  ///< counter-clockwise around `face`, seen from outside
-    std::uint32_t face, other_face;
-  };
-
-  /// Corners of the shadow's outline: faces that look up are bounded by one loop of edges, which
-  /// runs around the shadow.
-  void trace_outline(const Mat3& frame) {
-    for (std::size_t f = 0; f < up_.size(); ++f) {
-      const auto i = static_cast<Eigen::Index>(f);
-      // Faces on edge look up, all of them: decided by rounding, the loop would run to and fro on
-      // them.
-      up_[f] = slopes_[i] >= -kOnEdge * areas_[i];
-    }
-    std::size_t count = 0;
-    std::uint32_t start = 0;
-    for (const Edge& edge : edges_) {
-      if (up_[edge.face] == up_[edge.other_face]) continue;
-      const bool forward = up_[edge.face] != 0;
-      start = forward ? edge.from : edge.to;
-      next_[start] = forward ? edge.to : edge.from;
-      ++count;
-    }
-    outline_.clear();
-    const auto add = [&](std::uint32_t v) {
-      outline_.emplace_back(frame.col(1).dot(vertices_[v]), frame.col(2).dot(vertices_[v]));
-    };
-    std::uint32_t v = start;
-    do {
-      add(v);
-      v = next_[v];
-    } while (v != start && outline_.size() < count);
-    if (v == start && outline_.size() == count) {
-      outline_ = convex_loop(std::move(outline_));
-      return;
-    }
-    // Faces on edge, up or down by rounding, can pinch the loop.
-    outline_.clear();
-    for (const Edge& edge : edges_) {
-      if (up_[edge.face] == up_[edge.other_face]) continue;
-      add(edge.from);
-      add(edge.to);
-    }
-    outline_ = convex_outline(std::move(outline_));
-  }
-
-  std::vector<Vec3> vertices_;
-  std::vector<Edge> edges_;
-  double radius_;
-  Eigen::MatrixX3d coordinates_, normals_, weighted_normals_;  ///< by area
-  Eigen::VectorXd areas_, along_, slopes_;
-  std::vector<std::uint8_t> up_;     ///< of every face: looks along the direction
-  std::vector<std::uint32_t> next_;  ///< of vertices on the outline
-  std::vector<Vec2> outline_;
-};
-
 /// A place on an arc, and half the distance to the next that was looked at.
 struct Candidate {
   double volume;
@@ -193,7 +53,7 @@ struct Candidate {
 
 /// Looks at every face and along every edge's arc: some smallest box has two adjacent sides flush
 /// with edges (O'Rourke 1985), so one of its axes is on an arc, and the calipers find the rest.
-std::vector<Candidate> scan_gauss_image(Hull& hull) {
+std::vector<Candidate> scan_gauss_image(GaussImage& hull) {
   double total = 0.0;
   for (std::size_t e = 0; e < hull.edge_count(); ++e) total += hull.arc(e);
   const double step = std::max(total / kDirections, kFinestStep);
@@ -241,7 +101,7 @@ struct Refined {
 };
 
 /// Golden section on the candidate's arc: so many steps nearer to the lowest posture within reach.
-Refined refined(Hull& hull, const Candidate& candidate, int steps) {
+Refined refined(GaussImage& hull, const Candidate& candidate, int steps) {
   constexpr double kGolden = 0.6180339887498949;
   double low = std::max(0.0, candidate.share - candidate.reach);
   double high = std::min(1.0, candidate.share + candidate.reach);
@@ -279,7 +139,7 @@ Refined refined(Hull& hull, const Candidate& candidate, int steps) {
 
 /// Calipers about the three axes in turn until none makes the box smaller, or so many times: off an
 /// arc's minimum the gains can become ever smaller without an end.
-Posture settled(Hull& hull, Posture posture, int rounds) {
+Posture settled(GaussImage& hull, Posture posture, int rounds) {
   bool smaller = true;
   for (int round = 0; smaller && round < rounds; ++round) {
     smaller = false;
@@ -367,7 +227,7 @@ OrientedBox smallest_box(std::span<const Vec3> points, double radius) {
   const Bounds around = bounds(mesh);
   const Vec3 middle = 0.5 * (around.low + around.high);
   for (Vec3& v : mesh.vertices) v -= middle;
-  Hull hull(mesh, radius);
+  GaussImage hull(mesh, radius);
 
   // All of the best a little, then those that are still in the running to the end.
   std::vector<Refined> running;

@@ -174,6 +174,33 @@ TEST(SmallestBox, FlatStraightAndSinglePointsHaveABox) {
   EXPECT_TRUE(dot.centre == Vec3(1, 2, 3));
 }
 
+// The hull has a face of no area, with the normal opposite to that of the next: halfway between
+// them is no direction at all, and the box along it was 0 m long.
+TEST(SmallestBox, OfAFlatBottomWithPointsInLineHoldsTheBody) {
+  const std::vector<Vec3> points = {
+      {-0.22321286918075578, -0.0040320922956814664, 0.23971931243769801},
+      {-0.20993193925521486, 0.027107210676579594, -0.22791337322977762},
+      {-0.20245971080795858, 0.071864106312009957, -0.22791337322977762},
+      {-0.19941207072774478, 0.090118755506329987, -0.22791337322977762},
+      {-0.19709413459496977, -0.18263381319100891, -0.22791337322977762},
+      {0.4057127559977618, 0.054859800166242506, 0.049437688363852622}};
+  expect_tight(smallest_box(points), points, 0.0);
+}
+
+// Cut faces: many points in a plane, and of these many in lines.
+TEST(SmallestBox, OfBodiesCutByPlanesHoldsTheBody) {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    Random random(seed);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 4; ++i) points.push_back(random.direction());
+    const Vec3 from(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), -1.0);
+    const Vec3 to(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), -1.0);
+    for (int i = 0; i < 5; ++i) points.push_back(from + random.uniform() * (to - from));
+    expect_tight(smallest_box(points), points, 0.0);
+    ASSERT_FALSE(HasFailure()) << "seed " << seed;
+  }
+}
+
 TEST(SmallestBox, BadInputIsRefused) {
   EXPECT_THROW(smallest_box(std::vector<Vec3>{}), GeometryError);
   EXPECT_THROW(smallest_box(std::vector<Vec3>{Vec3(0, 0, std::nan(""))}), GeometryError);
