@@ -30,8 +30,17 @@ namespace clast {
 namespace {
 
 constexpr double kClean = 0.05;  ///< noise over the distance of points that does not matter
-/// Neighbours for a normal, of averaged points and of others: what to try first.
-constexpr std::array<int, 3> kManyFirst = {18, 10, 30}, kFewFirst = {10, 18, 30};
+using reconstruct_detail::Propagation;
+
+/// A way to normals that face outward.
+struct NormalsBy {
+  int neighbours = 0;
+  Propagation propagation = Propagation::kAlike;
+};
+
+/// Of averaged points and of others: what to try first.
+constexpr std::array<NormalsBy, 4> kManyFirst = {{{18}, {10}, {30}, {10, Propagation::kAlongArcs}}};
+constexpr std::array<NormalsBy, 4> kFewFirst = {{{10}, {10, Propagation::kAlongArcs}, {18}, {30}}};
 /// Share of touching edges and of missed points for a surface through well-oriented points.
 constexpr double kGood = 5e-4;
 /// A point is missed where the surface is so many spacings away; where missed points stand for more
@@ -171,16 +180,17 @@ double unseen_share(const Body& body) {
   return area / surface_area(body.surface);
 }
 
-/// The surface through the points with their noise smoothed; of those that normals of few and of
-/// many neighbours give, the first that is as good as a surface, or the best.
+/// The surface through the points with their noise smoothed; of those that the ways to normals
+/// give, the first that is as good as a surface, or the best.
 /// @param trim  as `CloudSurfaceOptions::trim`
-Body body_through(const std::vector<Vec3>& points, std::span<const int> neighbours, double trim) {
+Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> ways, double trim) {
   Body best;
   Missed missed;
   double least = std::numeric_limits<double>::infinity();
-  for (const int count : neighbours) {
-    Body body{points, reconstruct_detail::plane_normals(points, count), {}, 0, 0.0, {}, {}, {}};
-    reconstruct_detail::turn_outward(body.normals, body.points);
+  for (const NormalsBy& way : ways) {
+    std::vector<Vec3> normals = reconstruct_detail::plane_normals(points, way.neighbours);
+    reconstruct_detail::turn_outward(normals, points, way.propagation);
+    Body body{points, std::move(normals), {}, 0, 0.0, {}, {}, {}};
     find_surface(body);
     remove_off_surface(body);
     smooth(body);
@@ -229,8 +239,16 @@ void add_volumes(SurfaceMargin& margin, const Body& body) {
   margin.volume_below = kSafety * std::max(0.0, -mean) + kScatters * apart + rough;
 }
 
-TriangleMesh largest_component(const TriangleMesh& mesh) {
-  std::vector<reconstruct_detail::Component> components = reconstruct_detail::components_of(mesh);
+/// The largest component of what was seen; no triangles where nothing was.
+TriangleMesh seen_part(const Body& body) {
+  // Parted while it is closed: an edge of which both sheets lose a side would join the wrong ones.
+  TriangleMesh closed = body.surface;
+  const std::vector<std::uint32_t> source = reconstruct_detail::cut_touching_edges(closed).source;
+  std::vector<bool> seen;
+  for (const std::uint32_t t : source) seen.push_back(body.seen.seen[t]);
+  TriangleMesh open = with_triangles(closed, seen);
+  reconstruct_detail::split_pinched_vertices(open);
+  std::vector<reconstruct_detail::Component> components = reconstruct_detail::components_of(open);
   return components.empty() ? TriangleMesh() : std::move(components.front().mesh);
 }
 
@@ -259,12 +277,10 @@ CloudSurface cloud_surface(std::span<const Vec3> points, const CloudSurfaceOptio
   const Body body = body_through(
       dense ? reconstruct_detail::decimated(points, cell)
             : std::vector<Vec3>(points.begin(), points.end()),
-      dense ? std::span<const int>(kManyFirst) : std::span<const int>(kFewFirst), options.trim);
+      dense ? std::span<const NormalsBy>(kManyFirst) : std::span<const NormalsBy>(kFewFirst),
+      options.trim);
   const reconstruct_detail::SeenSurface& seen = body.seen;
-  TriangleMesh open = with_triangles(body.surface, seen.seen);
-  reconstruct_detail::cut_touching_edges(open);
-  reconstruct_detail::split_pinched_vertices(open);
-  open = largest_component(open);
+  TriangleMesh open = seen_part(body);
   if (open.triangles.empty()) {
     throw GeometryError("the surface found does not follow the " + std::to_string(points.size()) +
                         " points; check that all lie on the surface of one block, and clean the "

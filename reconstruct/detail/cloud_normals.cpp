@@ -17,9 +17,29 @@ namespace {
 constexpr int kBeside = 12;      ///< neighbours that a normal is compared with
 constexpr double kAgrees = 0.5;  ///< cosine: 60 degrees
 
+/// The normal at `to` that follows from the one at `from`.
+Vec3 carried_over(const Vec3& normal, const Vec3& from, const Vec3& to, Propagation propagation) {
+  if (propagation == Propagation::kAlike) return normal;
+  const Vec3 way = (to - from).normalized();  // mirrored at the plane half way
+  return normal - 2.0 * way.dot(normal) * way;
+}
+
+/// Above zero where normals face away from the middle of their points on the whole: of a closed
+/// surface sampled evenly, three times its volume over its area, m.
+double outward_share(std::span<const std::uint32_t> component, std::span<const Vec3> points,
+                     std::span<const Vec3> normals) {
+  const auto count = static_cast<double>(component.size());
+  Vec3 middle = Vec3::Zero();
+  for (const std::uint32_t i : component) middle += points[i] / count;
+  double share = 0.0;
+  for (const std::uint32_t i : component) share += normals[i].dot(points[i] - middle) / count;
+  return share;
+}
+
 }  // namespace
 
-void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points) {
+void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
+                  Propagation propagation) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
   const NearestPoints tree(points);
@@ -45,21 +65,30 @@ void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points) {
     return (points[a] - middle).squaredNorm() > (points[b] - middle).squaredNorm();
   });
   std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
+  std::vector<std::uint32_t> component;
   const auto settle = [&](std::uint32_t point, const Vec3& like) {
     if (normals[point].dot(like) < 0.0) normals[point] = -normals[point];
     done[point] = true;
+    component.push_back(point);
     for (const std::uint32_t next : beside[point]) {
-      if (!done[next]) open.push({1.0 - std::abs(normals[point].dot(normals[next])), point, next});
+      if (done[next]) continue;
+      const Vec3 carried = carried_over(normals[point], points[point], points[next], propagation);
+      open.push({1.0 - std::abs(carried.dot(normals[next])), point, next});
     }
   };
   for (const std::uint32_t start : outermost) {  // a second component, if there is one, starts anew
     if (done[start]) continue;
+    component.clear();
     settle(start, points[start] - middle);
     while (!open.empty()) {
       const Step step = open.top();
       open.pop();
-      if (!done[step.to]) settle(step.to, normals[step.from]);
+      if (done[step.to]) continue;
+      const Vec3& from = points[step.from];
+      settle(step.to, carried_over(normals[step.from], from, points[step.to], propagation));
     }
+    if (outward_share(component, points, normals) >= 0.0) continue;
+    for (const std::uint32_t point : component) normals[point] = -normals[point];
   }
 }
 

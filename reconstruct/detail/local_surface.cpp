@@ -24,6 +24,9 @@ constexpr std::array<int, 4> kScales = {24, 48, 96, 192};
 /// its own spacing so many times theirs.
 constexpr double kOffSpacings = 0.4, kOffDeviations = 3.0;
 constexpr double kApart = 1.15;
+/// Over neighbours that all face one way (the mean of their normals is no shorter), a point is off
+/// by less already, however near it is to the next: on a face, noise or roughness would show.
+constexpr double kOneWay = 0.95, kOffFaceSpacings = 0.1, kOffFaceDeviations = 6.0;
 constexpr double kFits = 1.15;  ///< residuals over the noise
 /// A plane does where its residuals are no larger than the quadric's by more than this.
 constexpr double kFlatEnough = 1.03;
@@ -114,11 +117,16 @@ std::vector<bool> LocalSurface::off_surface(std::span<const double> spacings) co
       spacing += spacings[n.point] / static_cast<double>(near.size());
       facing += normals_[n.point] / static_cast<double>(near.size());
     }
-    if (spacings[i] < kApart * spacing || facing.norm() < kSameSide) continue;
+    const bool apart = spacings[i] >= kApart * spacing, on_face = facing.norm() > kOneWay;
+    if (!(apart || on_face) || facing.norm() < kSameSide) continue;
     const Patch patch = patch_at(points_[i], facing.normalized(), near, points_, normals_);
     if (patch.rows.size() < kFewest) continue;
     const Fit fit = fit_of<3>(patch);
-    off[i] = std::abs(fit.height) > kOffSpacings * spacing + kOffDeviations * fit.deviation;
+    const auto is_beyond = [&](double gaps, double deviations) {
+      return std::abs(fit.height) > gaps * spacing + deviations * fit.deviation;
+    };
+    off[i] = (apart && is_beyond(kOffSpacings, kOffDeviations)) ||
+             (on_face && is_beyond(kOffFaceSpacings, kOffFaceDeviations));
   }
   return off;
 }

@@ -208,7 +208,7 @@ SoupRepair repair_soup(TriangleMesh& mesh, double largest_fin) {
     repair.orientation = orient_consistently(mesh);
   }
   if (!repair.orientation.orientable || inspect(mesh).non_manifold_edges == 0) return repair;
-  const Change cut = cut_touching_edges(mesh);
+  const Change cut = cut_touching_edges(mesh).cut;
   if (repair.touching.count == 0) repair.touching.place = cut.place;
   repair.touching.count += cut.count;
   repair.touching.area += cut.area;

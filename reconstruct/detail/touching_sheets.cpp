@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
+constexpr int kRounds = 8;  ///< a triangle is cut once in each, for at most three edges of its own
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// The next pair of sides that part an edge's triangles: around the edge, each pair has rock
@@ -52,6 +54,21 @@ std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
   return pairs;
 }
 
+/// Triangles that lie on one another meet anew at every edge that is cut: they are dropped.
+void drop_touching(TriangleMesh& mesh, TouchingEdges& touching) {
+  std::vector<bool> drop(mesh.triangles.size(), false);
+  for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
+    if (sides.size() < 3) return;
+    for (const HalfEdge& side : sides) drop[side.triangle] = true;
+  });
+  std::vector<std::uint32_t> source;
+  for (std::size_t t = 0; t < drop.size(); ++t) {
+    if (!drop[t]) source.push_back(touching.source[t]);
+  }
+  touching.source = std::move(source);
+  touching.cut.area = drop_triangles(mesh, drop).area;
+}
+
 /// Gives each group of corners at a vertex a vertex of its own; the group of the first corner keeps
 /// the old one. Returns which vertices were split.
 std::vector<bool> split_by_groups(TriangleMesh& mesh, const std::vector<std::uint32_t>& group) {
@@ -74,6 +91,49 @@ std::vector<bool> split_by_groups(TriangleMesh& mesh, const std::vector<std::uin
   return split;
 }
 
+/// Cuts a triangle in two from the middle of a side, a vertex of the mesh, to the corner opposite.
+void halve(TriangleMesh& mesh, const HalfEdge& side, std::uint32_t middle) {
+  Triangle& t = mesh.triangles[side.triangle];
+  Triangle other = t;
+  other[side.side] = middle;
+  t[(side.side + 1) % 3] = middle;
+  mesh.triangles.push_back(other);
+}
+
+/// Where more than two triangles meet at an edge, each pair that bounds rock, and each triangle
+/// without another, is given a vertex of its own in the middle. Leaves the edges of triangles that
+/// were cut in this round for the next.
+/// @param source  of each triangle, the one that it is half of; extended
+/// @returns whether an edge was cut
+bool halve_touching_edges(TriangleMesh& mesh, std::vector<std::uint32_t>& source) {
+  std::vector<bool> cut(mesh.triangles.size(), false);
+  bool any = false;
+  for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
+    const auto was_cut = [&](const HalfEdge& side) { return cut[side.triangle]; };
+    if (sides.size() < 3 || std::any_of(sides.begin(), sides.end(), was_cut)) return;
+    any = true;
+    std::vector<std::size_t> partner(sides.size());
+    std::iota(partner.begin(), partner.end(), std::size_t{0});
+    for (const auto& [i, j] : rock_pairs(mesh, sides)) {
+      if (sides[i].forward != sides[j].forward) partner[std::max(i, j)] = std::min(i, j);
+    }
+    const Vec3 place = 0.5 * (mesh.vertices[sides[0].low] + mesh.vertices[sides[0].high]);
+    std::vector<std::uint32_t> middle(sides.size());
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (partner[i] == i) {
+        middle[i] = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back(place);
+      } else {
+        middle[i] = middle[partner[i]];
+      }
+      cut[sides[i].triangle] = true;
+      source.push_back(source[sides[i].triangle]);
+    }
+    for (std::size_t i = 0; i < sides.size(); ++i) halve(mesh, sides[i], middle[i]);
+  });
+  return any;
+}
+
 }  // namespace
 
 std::vector<Vec3> wings(const TriangleMesh& mesh, std::span<const HalfEdge> sides) {
@@ -88,9 +148,11 @@ std::vector<Vec3> wings(const TriangleMesh& mesh, std::span<const HalfEdge> side
   return result;
 }
 
-Change cut_touching_edges(TriangleMesh& mesh) {
-  Change result;
-  std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
+TouchingEdges cut_touching_edges(TriangleMesh& mesh) {
+  TouchingEdges result;
+  result.source.resize(mesh.triangles.size());
+  std::iota(result.source.begin(), result.source.end(), 0u);
+  const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   DisjointSets corners(3 * mesh.triangles.size());
   const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
     corners.join(a.low_corner(), b.low_corner());
@@ -99,21 +161,17 @@ Change cut_touching_edges(TriangleMesh& mesh) {
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() == 2) join(sides[0], sides[1]);
     if (sides.size() < 3) return;
-    if (result.count++ == 0) result.place = mesh.vertices[sides[0].low];
+    if (result.cut.count++ == 0) result.cut.place = mesh.vertices[sides[0].low];
     for (const auto& [i, j] : rock_pairs(mesh, sides)) join(sides[i], sides[j]);
   });
-  if (result.count == 0) return result;
+  if (result.cut.count == 0) return result;
   std::vector<std::uint32_t> group(3 * mesh.triangles.size());
   for (std::uint32_t c = 0; c < group.size(); ++c) group[c] = corners.find(c);
   split_by_groups(mesh, group);
-  // Sheets that meet again at both ends of the edge can't be parted there.
-  sorted = sorted_half_edges(mesh);
-  std::vector<bool> drop(mesh.triangles.size(), false);
-  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-    if (sides.size() < 3) return;
-    for (const HalfEdge& side : sides) drop[side.triangle] = true;
-  });
-  result.area = drop_triangles(mesh, drop).area;
+  for (int round = 0; round < kRounds; ++round) {
+    if (!halve_touching_edges(mesh, result.source)) return result;
+  }
+  drop_touching(mesh, result);
   return result;
 }
 

@@ -13,11 +13,19 @@ namespace clast::reconstruct_detail {
 /// @param sides  those of one edge, one at least
 std::vector<Vec3> wings(const TriangleMesh& mesh, std::span<const HalfEdge> sides);
 
+/// Edges that were cut, and what became of the triangles.
+struct TouchingEdges {
+  Change cut;  ///< counts edges
+  /// Of each triangle, the one that it is or that it is half of.
+  std::vector<std::uint32_t> source;
+};
+
 /// Makes edges of more than two triangles into edges of two, without moving anything: sheets that
-/// touch are parted so that each pair bounds rock. Where that can't be, the triangles at the edge
-/// are dropped. Counts edges.
+/// touch are parted so that each pair bounds rock. Where the sheets meet at both ends of an edge as
+/// well, each pair is given a vertex of its own in the middle, so that a closed surface stays
+/// closed. Triangles that lie on one another can't be parted, and are dropped.
 /// @pre oriented as well as it can be
-Change cut_touching_edges(TriangleMesh& mesh);
+TouchingEdges cut_touching_edges(TriangleMesh& mesh);
 
 /// Gives every fan of triangles a vertex of its own. Counts the vertices that were split.
 Change split_pinched_vertices(TriangleMesh& mesh);
