@@ -34,6 +34,8 @@ constexpr double kMostPointedBest = 3.0;  ///< ... and may rise to this power
 /// Heights of the rim, as shares of it that lie lower, from which the sections are continued: under
 /// an uneven rim each stands for a part, and the largest volume counts.
 constexpr std::array<double, 3> kRimShares = {0.25, 0.5, 0.75};
+/// The likeliest shape goes no deeper below the rim than so many times its width.
+constexpr double kDeepestBelowRim = 1.5;
 /// A rim is uneven where its heights spread over more than this share of the whole. The sections do
 /// not say then what hangs beside them, and the best shape is put at this share between the closure
 /// and the largest cone: the median of 100 blocks of which what faces down steeply was removed.
@@ -181,6 +183,7 @@ class Closing {
     const Bottom bottom =
         bottom_below(heights, heights[(heights.size() - 1) / 2], sections.highest());
     bound(bottom.lowest, sections.highest());
+    rim_root_ = std::sqrt(std::abs(rims[0].area.dot(result_.down)));
     guess(heights, sections, bottom.likely, closure);
     const double filling = area_from(result_.best, result_.first_invented);
     result_.invented_share = filling / surface_area(result_.best);
@@ -269,8 +272,8 @@ class Closing {
     double largest_volume = 0.0, best_volume = 0.0;
   };
 
-  static Continued continued(const reconstruct_detail::Sections& sections, double level,
-                             double bottom) {
+  Continued continued(const reconstruct_detail::Sections& sections, double level,
+                      double bottom) const {
     const double height = sections.highest() - level;
     // Just above the level, where a flat filling does not count any more.
     const double root = std::sqrt(std::max(0.0, sections.area(level + 1e-6 * height)));
@@ -279,8 +282,11 @@ class Closing {
       return (higher - root) / (band * height);
     };
     const double above = sections.volume_above(level);
-    return {above + cone_below(root, narrowing(kLargestBand), level - bottom),
-            above + kBestShare * cone_below(root, narrowing(kBestBand), level - bottom)};
+    // A section may go through much more of the block than what ends at the rim.
+    const double rim = std::min(root, rim_root_);
+    const double deepest = std::min(level - bottom, kDeepestBelowRim * rim_root_);
+    return {above + cone_below(rim, narrowing(kLargestBand), deepest),
+            above + kBestShare * cone_below(rim, narrowing(kBestBand), deepest)};
   }
 
   /// Ascending.
@@ -361,6 +367,7 @@ class Closing {
   Underside result_;
   std::size_t first_vertex_ = 0;
   double closure_volume_ = 0.0;  ///< of `lower`, m^3
+  double rim_root_ = 0.0;        ///< square root of the area of the rim, seen from below, m
 };
 
 }  // namespace

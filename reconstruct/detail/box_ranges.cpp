@@ -14,10 +14,11 @@ namespace {
 constexpr int kEverywhere = 1500;    ///< turns spread over all, about 13 degrees apart
 constexpr std::size_t kStarts = 32;  ///< of these, those with the smallest boxes are followed down
 constexpr double kFirstStep = 0.12, kLastStep = 3e-4;  // rad; halved in between
-constexpr double kSameBox = 1e-4;    ///< relative; minima closer than this are one
-constexpr std::size_t kMinima = 12;  ///< ... and so many least boxes are looked around
-constexpr int kDirections = 24;      ///< a minimum is looked around by turns about so many axes
-constexpr int kAngles = 8;           ///< ... by so many angles
+constexpr double kLeastGain = 1e-12;  ///< of a step; less is rounding, which never ends
+constexpr double kSameBox = 1e-4;     ///< relative; minima closer than this are one
+constexpr std::size_t kMinima = 12;   ///< ... and so many least boxes are looked around
+constexpr int kDirections = 24;       ///< a minimum is looked around by turns about so many axes
+constexpr int kAngles = 8;            ///< ... by so many angles
 constexpr double kLargestAngle = 0.25, kShrink = 0.62;  // rad; each angle against the last
 /// Hulls with more corners are simplified; what is lost of an extent is below 1e-3 of it.
 constexpr std::size_t kMostCorners = 1500;
@@ -97,7 +98,7 @@ Turn followed_down(const Eigen::Matrix3Xd& points, Turn turn) {
         const Vec3 axis = (way % 2 == 0 ? 1.0 : -1.0) * turn.axes.col(way / 2);
         const Mat3 axes = Eigen::AngleAxisd(step, axis) * turn.axes;
         const double volume = extents(points, axes).prod();
-        if (volume >= turn.volume) continue;
+        if (!(volume < (1.0 - kLeastGain) * turn.volume)) continue;
         turn = {volume, axes};
         moved = true;
       }

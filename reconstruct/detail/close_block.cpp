@@ -158,11 +158,9 @@ Underside moved(Underside side, double unit, const Move& move) {
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& field) {
   const ScanOptions& options = field.scan;
   if (turn_outward(open.surface)) swap_sides(open.repaired);
-  if (open.repaired.as_read.triangles > 0) {  // the surface of a cloud has no small holes
-    const std::vector<FilledHole> filled = fill_holes(open.surface, false);
-    open.repaired =
-        with_fillings(std::move(open.repaired), filled, surface_area(open.surface), options.unit);
-  }
+  const std::vector<FilledHole> filled = fill_holes(open.surface, false);
+  open.repaired =
+      with_fillings(std::move(open.repaired), filled, surface_area(open.surface), options.unit);
   const std::unique_ptr<const ScannedSurface> scanned = scanned_part(open);
   std::optional<Underside> side = close_unseen_side(open, scanned.get(), name, field.through);
   FieldBlock block{clean_scan(side ? side->best : open.surface, name, options), {}, {}};

@@ -16,7 +16,7 @@ constexpr int kNeighbours = 40;  ///< whose planes bound a point's surroundings
 constexpr double kFarthest = 8.0;
 constexpr double kMostOut = 3.0;    ///< spacings by which noise makes a point stand out at most
 constexpr double kAlong = 0.05;     ///< a plane bounds directions that rise this steeply to it
-constexpr double kLeeway = 2.0;     ///< scatters by which a plane lies farther out than fitted
+constexpr double kLeeway = 3.0;     ///< scatters by which a plane lies farther out than fitted
 constexpr double kStandsOut = 1.0;  ///< ... and by which a point may stand out of its neighbours
 constexpr double kNoise = 1.0;      ///< standard deviations of the noise by which places are off
 
@@ -52,7 +52,8 @@ class Margin {
     return near_[v];
   }
 
-  /// How far one can go from a place until a plane of the surroundings is met.
+  /// How far one can go from a place until a plane of the surroundings is met. A plane that the
+  /// place is beyond already bounds nothing: its normal comes from points of two sides.
   /// @param v  the vertex whose surroundings these are
   double reach(const Vec3& from, const Vec3& direction, std::uint32_t v) {
     double reach = kFarthest * known_.spacings[v];
@@ -62,7 +63,7 @@ class Margin {
       if (along < kAlong) continue;
       const double room =
           kLeeway * standings_[n].deviation - normal.dot(from - surface_.vertices[n]);
-      reach = std::min(reach, std::max(0.0, room) / along);
+      if (room >= 0.0) reach = std::min(reach, room / along);
     }
     return reach;
   }
