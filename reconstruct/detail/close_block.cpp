@@ -158,7 +158,10 @@ Underside moved(Underside side, double unit, const Move& move) {
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& field) {
   const ScanOptions& options = field.scan;
   if (turn_outward(open.surface)) swap_sides(open.repaired);
-  const std::vector<FilledHole> filled = fill_holes(open.surface, false);
+  // Of a cloud, holes are where points are missing: only the mouth of a pocket is small.
+  const std::vector<FilledHole> filled = open.margin != nullptr
+                                             ? close_by_fans(open.surface, kFanEdges)
+                                             : fill_holes(open.surface, false);
   open.repaired =
       with_fillings(std::move(open.repaired), filled, surface_area(open.surface), options.unit);
   const std::unique_ptr<const ScannedSurface> scanned = scanned_part(open);
