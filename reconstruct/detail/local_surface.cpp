@@ -27,6 +27,8 @@ constexpr double kApart = 1.15;
 /// Over neighbours that all face one way (the mean of their normals is no shorter), a point is off
 /// by less already, however near it is to the next: on a face, noise or roughness would show.
 constexpr double kOneWay = 0.95, kOffFaceSpacings = 0.1, kOffFaceDeviations = 6.0;
+/// Two of them beside one another are off by so many deviations of the others.
+constexpr double kPairDeviations = 10.0;
 constexpr double kFits = 1.15;  ///< residuals over the noise
 /// A plane does where its residuals are no larger than the quadric's by more than this.
 constexpr double kFlatEnough = 1.03;
@@ -45,18 +47,26 @@ struct Fit {
   double deviation = 0.0;  ///< of the points about it, m
 };
 
+template <int Terms>
+using Coefficients = Eigen::Matrix<double, Terms, 1>;
+
 /// Least squares with the first `Terms` of a row: 3, a plane; 6, a quadric.
 template <int Terms>
-Fit fit_of(const Patch& patch) {
+Coefficients<Terms> coefficients_of(const Patch& patch) {
   Eigen::Matrix<double, Terms, Terms> matrix = Eigen::Matrix<double, Terms, Terms>::Zero();
-  Eigen::Matrix<double, Terms, 1> right = Eigen::Matrix<double, Terms, 1>::Zero();
+  Coefficients<Terms> right = Coefficients<Terms>::Zero();
   for (std::size_t i = 0; i < patch.rows.size(); ++i) {
-    const Eigen::Matrix<double, Terms, 1> row = patch.rows[i].template head<Terms>();
+    const Coefficients<Terms> row = patch.rows[i].template head<Terms>();
     matrix += patch.weights[i] * row * row.transpose();
     right += patch.weights[i] * patch.heights[i] * row;
   }
   matrix.diagonal().array() += 1e-9 * matrix(0, 0);
-  const Eigen::Matrix<double, Terms, 1> found = matrix.ldlt().solve(right);
+  return matrix.ldlt().solve(right);
+}
+
+template <int Terms>
+Fit fit_of(const Patch& patch) {
+  const Coefficients<Terms> found = coefficients_of<Terms>(patch);
   double squares = 0.0, weight = 0.0;
   for (std::size_t i = 0; i < patch.rows.size(); ++i) {
     const double off = patch.heights[i] - found.dot(patch.rows[i].template head<Terms>());
@@ -65,6 +75,32 @@ Fit fit_of(const Patch& patch) {
   }
   const auto used = static_cast<double>(patch.rows.size());
   return {found[0], std::sqrt(squares / (weight * std::max(1.0, used - Terms) / used))};
+}
+
+/// Is the place of the patch so far off the plane of its points, and one of these beside it as
+/// well? Of two outliers beside one another, each makes the other's neighbours look rough.
+bool is_one_of_two_outliers(Patch patch, double least) {
+  const auto off = [](const Coefficients<3>& plane, double height, const Row& row) {
+    return height - plane.dot(row.head<3>());
+  };
+  const Coefficients<3> plane = coefficients_of<3>(patch);
+  const double side = plane[0] < 0.0 ? 1.0 : -1.0;
+  std::ptrdiff_t other = 0;
+  double most = 0.0;
+  for (std::size_t i = 0; i < patch.rows.size(); ++i) {
+    const double beside = side * off(plane, patch.heights[i], patch.rows[i]);
+    if (beside <= most) continue;
+    most = beside;
+    other = static_cast<std::ptrdiff_t>(i);
+  }
+  const Row row = patch.rows[static_cast<std::size_t>(other)];
+  const double height = patch.heights[static_cast<std::size_t>(other)];
+  patch.rows.erase(patch.rows.begin() + other);
+  patch.heights.erase(patch.heights.begin() + other);
+  patch.weights.erase(patch.weights.begin() + other);
+  const Coefficients<3> rest = coefficients_of<3>(patch);
+  least += kPairDeviations * fit_of<3>(patch).deviation;
+  return -side * rest[0] > least && side * off(rest, height, row) > least;
 }
 
 /// The nearest points that face the way of `normal`.
@@ -126,7 +162,8 @@ std::vector<bool> LocalSurface::off_surface(std::span<const double> spacings) co
       return std::abs(fit.height) > gaps * spacing + deviations * fit.deviation;
     };
     off[i] = (apart && is_beyond(kOffSpacings, kOffDeviations)) ||
-             (on_face && is_beyond(kOffFaceSpacings, kOffFaceDeviations));
+             (on_face && (is_beyond(kOffFaceSpacings, kOffFaceDeviations) ||
+                          is_one_of_two_outliers(patch, kOffFaceSpacings * spacing)));
   }
   return off;
 }

@@ -294,6 +294,19 @@ TEST(CloudSurface, PointsJustOffAFlatFaceAreOutliers) {
   EXPECT_GT(box.low.y(), -0.4 - 1e-9);
 }
 
+// Each makes the other's neighbours look rough.
+TEST(CloudSurface, TwoOutliersBesideOneAnotherHideNeither) {
+  const Vec3 sides(1.0, 0.8, 0.6);
+  std::vector<Vec3> points = points_on_box(sides, 4000, 2);
+  const double spacing = std::sqrt(3.76 / 4000.0);
+  points.emplace_back(0.1, 0.1, 0.3 + 1.2 * spacing);
+  points.emplace_back(0.1 + 0.5 * spacing, 0.1, 0.3 + spacing);
+  const CloudSurface surface = cloud_surface(points);
+  EXPECT_GE(surface.outliers, 2u);
+  EXPECT_LE(surface.outliers, 4u) << "points of the box left out";
+  EXPECT_LT(bounds(surface.mesh).high.z(), 0.3 + 1e-9);
+}
+
 TEST(CloudSurface, PointsThatBoundNoBodyAreRefusedAsSuch) {
   Random random(4);
   std::vector<Vec3> plane, line;
