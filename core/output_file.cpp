@@ -33,7 +33,7 @@ std::string why_kept(const fs::path& target, const OutputRules& rules) {
            "\", so it is not replaced; give another name, or delete it first";
   }
   if (rules.replace) return "";
-  return begin + ", and replace is not set; set it to replace the file, or give another name";
+  return begin + "; `replace` replaces it, or give another name";
 }
 
 /// An empty file beside the target that no other program uses, in containers with the same process

@@ -59,7 +59,7 @@ std::string why_kept(const fs::path& target, const FolderKind& kind, bool replac
   }
   if (replace) return "";
   return target.string() + ": holds a " + kind.name +
-         " already, and replace is not set; set it to replace that one, or name another folder";
+         " already; `replace` replaces it, or name another folder";
 }
 
 /// The folder itself, by an absolute name that ends with its own.

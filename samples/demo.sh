@@ -17,7 +17,7 @@ clast show out/blocks.h5
 clast classify samples/talus.csv --against out/blocks.h5 -o out/classes --replace
 # A demo that was interrupted left runs behind, which simulate keeps until it is told what to do.
 rm -f out/results.h5.part*
-clast simulate samples/campaign.toml -o out/results.h5
+clast simulate samples/campaign.toml -o out/results.h5 --replace
 clast compare out/results.h5 -o out/report --replace
 
 printf '\nThe report, to open in a browser:\n%s\n' "$PWD/out/report/report.html"

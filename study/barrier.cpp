@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/error.hpp"
 #include "study/barrier_line.hpp"
 
 namespace clast {
@@ -141,6 +142,16 @@ std::vector<Crossing> crossings_of_ring(const Barrier& barrier, const RigidBody&
 }
 
 }  // namespace
+
+CountedCrossings counted_crossings(const std::string& name) {
+  if (name == "either") return CountedCrossings::kEither;
+  if (name == "forward") return CountedCrossings::kForward;
+  throw InputError("\"" + name + "\" is unknown; use either or forward");
+}
+
+std::string name_of(CountedCrossings crossings) {
+  return crossings == CountedCrossings::kForward ? "forward" : "either";
+}
 
 std::vector<Crossing> find_crossings(const Barrier& barrier, const RigidBody& body,
                                      const MotionStep& step, const TerrainSurface& terrain,

@@ -147,9 +147,21 @@ std::vector<Barrier> read_barriers(const TomlTable& top) {
     top.refuse("barrier", *all, "each barrier is a table [[barrier]]");
   }
   for (const TomlNode& node : all->list) {
-    const TomlTable table(node, top.file(), "[[barrier]]", {"name", "from", "to", "through"});
+    const TomlTable table(node, top.file(), "[[barrier]]",
+                          {"name", "from", "to", "through", "direction"});
     table.required("name", "a text in quotes");
-    const Barrier barrier{*table.text("name"), read_barrier_line(table)};
+    Barrier barrier{*table.text("name"), read_barrier_line(table)};
+    if (const std::optional<std::string> direction = table.text("direction")) {
+      const TomlNode& given = *table.find("direction");
+      if (is_ring(barrier.through)) {
+        table.refuse("direction", given, "is not for a ring, whose entries and exits both count");
+      }
+      try {
+        barrier.counted = counted_crossings(*direction);
+      } catch (const InputError& error) {
+        table.refuse("direction", given, error.what());
+      }
+    }
     for (const Barrier& other : barriers) {
       if (other.name == barrier.name) {
         table.refuse("name", *table.find("name"), "another barrier has this name");

@@ -275,6 +275,11 @@ void Shard::check() const {
 void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
                   const RunOptions& options) {
   options.shard.check();
+  const std::size_t runs = options.shard.runs_of(prepared.runs.size());
+  if (options.resume && !options.replace && !std::filesystem::exists(partial_results(target)) &&
+      is_finished(target, prepared.header, runs)) {
+    return;
+  }
   ProcessTeam* team = options.team && options.team->size() > 1 ? options.team : nullptr;
   // Processes are asked for one by one, so each has a core to itself unless another number is
   // given.
@@ -284,7 +289,7 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   const auto open_results = [&] {
     if (team && !team->leads()) return std::string();
     const bool go_on = options.resume && std::filesystem::exists(partial_results(target));
-    const std::size_t runs = options.shard.runs_of(prepared.runs.size());
+    if (!go_on) check_results_place(target, options.replace);
     writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
                          : ResultsWriter::create(target, prepared.header, runs));
     open = open_runs(prepared, options.shard, target, writer->stored_runs());

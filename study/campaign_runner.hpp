@@ -67,6 +67,9 @@ struct RunOptions {
   /// Goes on with an interrupted campaign; begins when there is none. Otherwise what an interrupted
   /// one left is replaced.
   bool resume = false;
+  /// Finished results in the target are replaced; else they are kept, and the campaign refused. To
+  /// resume a campaign that is finished does nothing.
+  bool replace = false;
   Shard shard = {};
   /// The runs are shared among its processes; only the one that leads writes. None: this one alone.
   ProcessTeam* team = nullptr;
@@ -78,8 +81,8 @@ struct RunOptions {
 /// reason `error` and its message. The datasets do not depend on the number of threads or
 /// processes, or on interruptions; what `progress` throws ends the campaign after the runs under
 /// way, which are kept.
-/// @throws InputError  the target can't be written, or resuming what another campaign or shard
-///                     began
+/// @throws InputError  the target can't be written or holds results that are kept, or resuming what
+///                     another campaign or shard began
 void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
                   const RunOptions& options = {});
 

@@ -252,15 +252,26 @@ DepositGroup deposits_of(const Group& group, const std::vector<RunRow>& rows) {
 }  // namespace
 
 std::string BarrierLine::direction(const Crossing& crossing) const {
-  if (counts == Counts::kForward) return crossing.forward ? "forward" : "backward";
+  if (!of_ring()) return crossing.forward ? "forward" : "backward";
   return crossing.forward == inside_is_left(through) ? "out" : "in";
 }
 
+std::string BarrierLine::counted_direction() const {
+  switch (counts) {
+    case Counts::kEither:
+      return "either";
+    case Counts::kForward:
+      return "forward";
+    case Counts::kEntries:
+      return "in";
+    case Counts::kExits:
+      return "out";
+  }
+  return "either";
+}
+
 bool BarrierLine::counted(const Crossing& crossing) const {
-  const std::string way = direction(crossing);
-  return way == (counts == Counts::kForward   ? "forward"
-                 : counts == Counts::kEntries ? "in"
-                                              : "out");
+  return counts == Counts::kEither || direction(crossing) == counted_direction();
 }
 
 const std::string& release_set_of(const CampaignResults& results, std::uint32_t point) {

@@ -42,17 +42,20 @@ struct Group {
 /// A barrier on the map. The same name and line in several files is one barrier; a ring is two, of
 /// entries and of exits.
 struct BarrierLine {
-  enum class Counts { kForward, kEntries, kExits };
+  enum class Counts { kEither, kForward, kEntries, kExits };
   std::string name;  ///< made unique by " (file 2)" where lines differ; of a ring with " (in)" or
                      ///< " (out)"
   std::vector<Vec2> through;         ///< map, m
   std::vector<std::uint32_t> files;  ///< that have it
-  Counts counts = Counts::kForward;
+  Counts counts = Counts::kEither;
 
   /// "forward" or "backward"; of a ring "in" or "out".
   std::string direction(const Crossing& crossing) const;
+  /// What counts: "either", "forward", "in" or "out".
+  std::string counted_direction() const;
   /// A crossing that way.
   bool counted(const Crossing& crossing) const;
+  bool of_ring() const { return counts == Counts::kEntries || counts == Counts::kExits; }
 };
 
 /// One row of crossings.csv.
@@ -68,10 +71,12 @@ struct CrossingRow {
 struct BarrierGroup {
   std::string barrier;
   std::string group;
+  std::string counted;          ///< as `BarrierLine::counted_direction`
   std::size_t line = 0;         ///< into Comparison::lines
   std::size_t group_index = 0;  ///< into Comparison::groups
   std::size_t started = 0;      ///< runs of the group in files that have the barrier
   std::size_t crossed = 0;
+  std::size_t backward = 0;  ///< runs that passed backward first, counted or not; of a ring none
   double probability = 0.0;
   Summary height, clearance, speed;          ///< m, m, m/s
   Summary translational, rotational, total;  ///< J

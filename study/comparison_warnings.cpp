@@ -234,6 +234,28 @@ void warn_of_measured(const Comparison& comparison, std::vector<std::string>& wa
   });
 }
 
+/// A barrier drawn the wrong way must not make what lies behind it look safe.
+void warn_of_directions(const Comparison& comparison, std::vector<std::string>& warnings) {
+  for (const BarrierGroup& group : comparison.barriers) {
+    const BarrierLine& line = comparison.lines[group.line];
+    if (line.counts != BarrierLine::Counts::kForward || group.group_index != 0 ||
+        group.backward <= group.crossed) {
+      continue;
+    }
+    double most = 0.0;
+    for (const CrossingRow& row : comparison.crossings) {
+      if (row.barrier != group.line || row.crossing->forward) continue;
+      most = std::max(most, row.crossing->translational_energy + row.crossing->rotational_energy);
+    }
+    warnings.push_back("barrier " + line.name +
+                       " counts only crossings from the left of its line " + "to the right, but " +
+                       std::to_string(group.backward) + " of " + std::to_string(group.started) +
+                       " runs crossed it the other way first, with " + "up to " +
+                       with_digits(most / 1000.0, 4) +
+                       " kJ; swap its points, or leave direction out to count both ways");
+  }
+}
+
 }  // namespace
 
 std::optional<double> reassigned_share(const EnergyLedger& energy) {
@@ -250,6 +272,7 @@ std::vector<std::string> comparison_warnings(const Comparison& comparison) {
   warn_of_masses(comparison, warnings);
   warn_of_slopes(comparison, warnings);
   warn_of_changed_blocks(comparison, warnings);
+  warn_of_directions(comparison, warnings);
   warn_of_measured(comparison, warnings);
   // What all files warn of is said once.
   const auto in_all_files = [&](const std::string& warning) {

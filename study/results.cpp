@@ -5,7 +5,10 @@
 #include <memory>
 #include <numeric>
 
+#include "core/error.hpp"
+#include "core/file_kind.hpp"
 #include "core/file_lock.hpp"
+#include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "study/detail/results_file.hpp"
 #include "study/detail/results_layout.hpp"
@@ -21,13 +24,28 @@ fs::path partial_results(const fs::path& target) {
   return part;
 }
 
-void check_results_place(const fs::path& target) { check_output(target, {.kind = kResultsFormat}); }
+void check_results_place(const fs::path& target, bool replace) {
+  check_output(target, {.kind = kResultsFormat, .replace = replace});
+}
+
+bool is_finished(const fs::path& target, const CampaignResults& header, std::size_t runs) {
+  if (kind_of_file(target) != kResultsFormat) return false;
+  const CampaignResults stored = read_results(target);
+  std::string difference = campaign_difference(stored, header);
+  if (difference.empty() && stored.runs.size() != runs) {
+    difference = counted(stored.runs.size(), "run") + ", where this one has " +
+                 std::to_string(runs) + " (another shard)";
+  }
+  if (difference.empty()) return true;
+  throw InputError(target.string() + ": holds the finished results of " + difference +
+                   "; `replace` replaces them, or give another name");
+}
 
 namespace {
 
 /// Held while the file is being written: two programs would mix their runs.
 std::unique_ptr<FileLock> locked(const fs::path& target) {
-  check_results_place(target);
+  check_results_place(target, true);
   return std::make_unique<FileLock>(target,
                                     FileLockOptions{.longest_wait = std::chrono::milliseconds(0)});
 }

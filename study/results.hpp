@@ -132,9 +132,17 @@ void merge_results(const std::vector<std::filesystem::path>& parts,
                    const std::filesystem::path& target);
 
 /// Checks that results could be written to `target`, before the runs.
+/// @param replace  results that are there; false: they are kept
 /// @throws InputError  a folder, a device, a link in a circle, write-protected, in a folder that
-///                     can't be written to, or a file that is not empty and holds no results
-void check_results_place(const std::filesystem::path& target);
+///                     can't be written to, a file that is not empty and holds no results, or one
+///                     that is to be kept
+void check_results_place(const std::filesystem::path& target, bool replace);
+
+/// Are the results of this campaign in `target` already, finished?
+/// @param runs  that will be in the file
+/// @throws InputError  it holds other results: of another campaign, other inputs or another version
+bool is_finished(const std::filesystem::path& target, const CampaignResults& header,
+                 std::size_t runs);
 
 /// Where runs are kept until all are done: target + ".part", a journal, not HDF5.
 std::filesystem::path partial_results(const std::filesystem::path& target);

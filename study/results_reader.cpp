@@ -107,13 +107,21 @@ void read_barriers(const CheckedGroup& reader, CampaignResults& results) {
   if (reader.group.has("points_m")) {
     const auto counts = reader.column<std::uint32_t>("point_count", names.size());
     const auto points = reader.vectors<Vec2>("points_m");
+    // Added to schema 4 later.
+    const std::vector<std::string> directions =
+        reader.group.has("direction") ? reader.column<std::string>("direction", names.size())
+                                      : std::vector<std::string>(names.size(), "either");
     std::size_t at = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (counts[i] < 2 || counts[i] > points.size() - at) {
         reader.damaged("point_count", "does not fit points_m");
       }
       const auto begin = points.begin() + static_cast<std::ptrdiff_t>(at);
-      results.barriers.push_back({names[i], {begin, begin + counts[i]}});
+      if (directions[i] != "either" && directions[i] != "forward") {
+        reader.damaged("direction", "is neither either nor forward");
+      }
+      results.barriers.push_back(
+          {names[i], {begin, begin + counts[i]}, counted_crossings(directions[i])});
       at += counts[i];
     }
     if (at != points.size()) reader.damaged("points_m", "has more points than barriers have");
@@ -126,7 +134,7 @@ void read_barriers(const CheckedGroup& reader, CampaignResults& results) {
     reader.damaged("from_m", "and to_m do not have one row per name");
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
-    results.barriers.push_back({names[i], {from[i], to[i]}});
+    results.barriers.push_back({names[i], {from[i], to[i]}, CountedCrossings::kEither});
   }
 }
 

@@ -38,6 +38,7 @@ struct SimulateArgs {
   std::string output = "results.h5";
   unsigned threads = 0;
   bool resume = false;
+  bool replace = false;
   bool dry_run = false;
   bool json = false;
   std::string shard;
@@ -211,22 +212,23 @@ nlohmann::ordered_json outcome_json(const CampaignResults& results) {
           {"largest_reassigned_share", outcome.largest_reassigned}};
 }
 
+/// @param done  what became of the file
 void print_results(const std::filesystem::path& file, const SimulateArgs& args,
-                   nlohmann::ordered_json summary) {
+                   nlohmann::ordered_json summary, const std::string& done = "written") {
   const CampaignResults results = read_results(file);
   if (args.json) {
     summary.update(outcome_json(results));
     std::cout << summary.dump(2) << "\n";
   } else {
     print_outcome(results);
-    std::cout << printable(file.string()) << ": written\n";
+    std::cout << printable(file.string()) << ": " << done << "\n";
   }
   check_outcome(results, file);
 }
 
 void join_parts(const SimulateArgs& args) {
   const std::filesystem::path target = args.output;
-  check_results_place(target);
+  check_results_place(target, args.replace);
   merge_results({args.parts.begin(), args.parts.end()}, target);
   print_results(target, args, nlohmann::ordered_json::object());
 }
@@ -283,12 +285,18 @@ std::string fingerprint(const PreparedCampaign& prepared) {
 
 void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& shard) {
   std::optional<PreparedCampaign> plan;
+  bool finished = false;
   const std::filesystem::path output = output_of(args, shard);
   const std::filesystem::path part = partial_results(output);
   team.agree([&] {
-    if (team.leads()) check_results_place(output);
+    const bool begun = std::filesystem::exists(part);
+    const bool keep = !args.replace && !args.resume && !args.dry_run && !begun;
+    if (team.leads()) check_results_place(output, !keep);
     plan.emplace(prepare_campaign(read_campaign(args.campaign)));
-    if (team.leads() && !args.dry_run && !args.resume && std::filesystem::exists(part)) {
+    if (args.resume && !args.replace && !begun) {
+      finished = is_finished(output, plan->header, shard.runs_of(plan->runs.size()));
+    }
+    if (team.leads() && !args.dry_run && !args.resume && begun) {
       if (std::filesystem::exists(FileLock::lock_file(output))) {
         const FileLock lock(output, {.longest_wait = {}});  // refused while that campaign runs
       }
@@ -296,13 +304,17 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& sha
                        ": holds the runs of an interrupted campaign; add --resume to go on "
                        "with it, or delete the file to start afresh");
     }
-    return fingerprint(*plan);
+    return fingerprint(*plan) + (finished ? "finished" : "");
   });
   const PreparedCampaign& prepared = *plan;
   nlohmann::ordered_json summary = plan_json(prepared);
   if (!args.json) print_plan(prepared);
   if (args.dry_run) {
     if (team.leads()) report_dry_run(args, prepared, shard, summary);
+    return;
+  }
+  if (finished) {
+    if (team.leads()) print_results(output, args, summary, "nothing to do, has all runs already");
     return;
   }
   const std::string resume_hint = "clast simulate " + args.campaign + " -o " + args.output +
@@ -314,6 +326,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& sha
   RunOptions options;
   options.threads = args.threads;
   options.resume = args.resume;
+  options.replace = args.replace;
   options.shard = shard;
   options.team = &team;
   options.progress = [&](const ProgressStep& step) {
@@ -360,6 +373,7 @@ void add_simulate(CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume, "Continue an interrupted campaign");
+  command->add_flag("--replace", args->replace, "Replace the results that FILE holds");
   command
       ->add_option("--shard", args->shard,
                    "Do every n-th run only, from the i-th on, and write FILE with .IofN before its "

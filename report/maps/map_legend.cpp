@@ -51,7 +51,7 @@ MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double co
   if (!comparison.lines.empty()) {
     legend.row(svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
                         "stroke=\"#111\" stroke-width=\"2.2\""),
-               "barrier, arrow forward");
+               "barrier, crossings counted");
   }
   legend.row(svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8, legend.mark_y(),
                       "stroke=\"#7a6245\" stroke-width=\"1.2\""),

@@ -45,16 +45,16 @@ Window map_window(const Comparison& comparison) {
   return {middle - 0.5 * size, middle + 0.5 * size};
 }
 
-ForwardArrow forward_arrow(const BarrierLine& line) {
+CountArrow count_arrow(const BarrierLine& line) {
   using Counts = BarrierLine::Counts;
   // The two arrows of a ring stand at different sides.
   const std::size_t side = line.counts == Counts::kExits ? 0 : (line.through.size() - 1) / 2;
   const Vec2 &from = line.through[side], &to = line.through[side + 1];
   const Vec2 along = (to - from).normalized();
   const Vec2 to_right(along.y(), -along.x());
-  const bool right = line.counts == Counts::kForward ||
-                     inside_is_left(line.through) == (line.counts == Counts::kExits);
-  return {0.5 * (from + to), right ? to_right : Vec2(-to_right)};
+  const bool right =
+      !line.of_ring() || inside_is_left(line.through) == (line.counts == Counts::kExits);
+  return {0.5 * (from + to), right ? to_right : Vec2(-to_right), line.counts == Counts::kEither};
 }
 
 double contour_interval(const Comparison& comparison) {

@@ -12,13 +12,14 @@ namespace clast::report_detail {
 /// coordinates. Of a plan (no groups) the whole terrain.
 Window map_window(const Comparison& comparison);
 
-/// Where a barrier is marked, and which way is forward (unit), both on the map.
-struct ForwardArrow {
+/// Where a barrier is marked, and which way passages count (unit), both on the map.
+struct CountArrow {
   Vec2 root = Vec2::Zero();
-  Vec2 forward = Vec2::UnitX();
+  Vec2 way = Vec2::UnitX();
+  bool both_ways = false;
 };
 /// On the middle of the line's middle segment.
-ForwardArrow forward_arrow(const BarrierLine& line);
+CountArrow count_arrow(const BarrierLine& line);
 
 /// Metres between contours: about a dozen over the heights the runs pass.
 double contour_interval(const Comparison& comparison);

@@ -29,11 +29,11 @@ std::string plan_map(const CampaignResults& header) {
   }
   const Vec2 origin = results.frame.origin.head<2>();
   for (const Barrier& barrier : results.barriers) {
-    const bool ring = is_ring(barrier.through);
-    plan.lines.push_back({barrier.name,
-                          barrier.through,
-                          {0},
-                          ring ? BarrierLine::Counts::kEntries : BarrierLine::Counts::kForward});
+    using Counts = BarrierLine::Counts;
+    const Counts counts = is_ring(barrier.through)                        ? Counts::kEntries
+                          : barrier.counted == CountedCrossings::kForward ? Counts::kForward
+                                                                          : Counts::kEither;
+    plan.lines.push_back({barrier.name, barrier.through, {0}, counts});
     for (Vec2& point : plan.lines.back().through) point += origin;
   }
   return svg_file(svg_map(plan));

@@ -70,14 +70,18 @@ std::string barriers(const Comparison& comparison, const Sheet& sheet) {
       svg += "<path fill=\"none\" stroke-linecap=\"round\" " + std::string(style) + " d=\"" + path +
              "\"/>";
     }
-    const ForwardArrow arrow = forward_arrow(line);
+    const CountArrow arrow = count_arrow(line);
     const Vec2 root(sheet.x(arrow.root.x()), sheet.y(arrow.root.y()));
-    const Vec2 forward(arrow.forward.x(), -arrow.forward.y());  // on the picture y points down
-    const Vec2 across(-forward.y(), forward.x());
-    const Vec2 tip = root + 11.0 * forward, a = root + 5.0 * across, b = root - 5.0 * across;
-    svg += "<path fill=\"#111\" stroke=\"#fff\" d=\"M" + fixed(a.x(), 1) + " " + fixed(a.y(), 1) +
-           "L" + fixed(tip.x(), 1) + " " + fixed(tip.y(), 1) + "L" + fixed(b.x(), 1) + " " +
-           fixed(b.y(), 1) + "Z\"><title>counted through " + escaped(line.name) + "</title></path>";
+    for (const double sign : {1.0, -1.0}) {
+      if (sign < 0.0 && !arrow.both_ways) break;
+      const Vec2 way(sign * arrow.way.x(), -sign * arrow.way.y());  // on the picture y points down
+      const Vec2 across(-way.y(), way.x());
+      const Vec2 tip = root + 11.0 * way, a = root + 5.0 * across, b = root - 5.0 * across;
+      svg += "<path fill=\"#111\" stroke=\"#fff\" d=\"M" + fixed(a.x(), 1) + " " + fixed(a.y(), 1) +
+             "L" + fixed(tip.x(), 1) + " " + fixed(tip.y(), 1) + "L" + fixed(b.x(), 1) + " " +
+             fixed(b.y(), 1) + "Z\"><title>counted through " + escaped(line.name) +
+             "</title></path>";
+    }
     // Named at that end, inside the frame.
     svg += svg_text(end.x(), exits ? end.y() + 17.0 : std::max(end.y() - 7.0, kMapTop + 13.0),
                     line.name, std::string(kHalo) + " text-anchor=\"middle\"");

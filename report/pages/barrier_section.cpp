@@ -77,6 +77,30 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
   return any ? table.html() : std::string();
 }
 
+/// Which crossings of the line count, and how many went which way.
+std::string directions_of(const Comparison& comparison, std::size_t line) {
+  const BarrierLine& barrier = comparison.lines[line];
+  if (barrier.of_ring()) {
+    return std::string(barrier.counts == BarrierLine::Counts::kEntries ? "entries" : "exits") +
+           " are counted";
+  }
+  std::size_t crossed = 0, backward = 0;
+  for (const BarrierGroup& group : comparison.barriers) {
+    if (group.line != line || comparison.groups[group.group_index].kind != GroupKind::kAll)
+      continue;
+    if (comparison.groups[group.group_index].file) continue;
+    crossed = group.crossed;
+    backward = group.backward;
+  }
+  if (barrier.counts == BarrierLine::Counts::kForward) {
+    return "only crossings from the left of the line to the right are counted; " +
+           std::to_string(backward) + " runs crossed it the other way first";
+  }
+  return "both directions are counted: " + std::to_string(crossed - backward) +
+         " runs crossed it first from its left to its right, " + std::to_string(backward) +
+         " the other way";
+}
+
 std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   std::vector<const Crossing*> first(comparison.rows.size(), nullptr);
   bool any = false;
@@ -115,9 +139,9 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
 std::string barrier_section(const Comparison& comparison) {
   if (comparison.lines.empty()) return {};
   std::string html = paragraph(
-      "First forward crossing of each run; of a ring the first entry (in) and the first exit "
-      "(out). "
-      "Probability is runs with a crossing over runs started, "
+      "First crossing of each run, in either direction unless the campaign asks for one; of a ring "
+      "the first entry (in) and the first exit (out). Probability is runs with a crossing over "
+      "runs started, "
       "with Wilson's 95 % interval. Height is of the centre of mass, clearance of the lowest point "
       "of the block, both above the ground under it. Energy is translational plus rotational.");
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
@@ -127,7 +151,8 @@ std::string barrier_section(const Comparison& comparison) {
       points +=
           (points.empty() ? "(" : " to (") + fixed(point.x(), 2) + ", " + fixed(point.y(), 2) + ")";
     }
-    html += "<h3>" + escaped(barrier.name) + "</h3>\n<p class=\"note\">from " + points + " m</p>\n";
+    html += "<h3>" + escaped(barrier.name) + "</h3>\n<p class=\"note\">from " + points + " m; " +
+            directions_of(comparison, line) + "</p>\n";
     html += passage_table(comparison, line) + impact_table(comparison, line) +
             barrier_charts(comparison, line);
   }

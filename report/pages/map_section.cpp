@@ -161,7 +161,7 @@ void add_releases(const Comparison& comparison, Json& data) {
   data.push_back(std::move(trace));
 }
 
-/// Lines with their names, and an arrow forward from the middle of each.
+/// Lines with their names, and an arrow the way that counts from the middle of each.
 void add_barriers(const Comparison& comparison, Json& data, Json& notes) {
   for (const BarrierLine& line : comparison.lines) {
     Json trace = points_trace(line.name);
@@ -170,14 +170,16 @@ void add_barriers(const Comparison& comparison, Json& data, Json& notes) {
     trace["line"] = {{"color", "#111"}, {"width", 3}};
     trace["showlegend"] = false;
     data.push_back(std::move(trace));
-    const ForwardArrow arrow = forward_arrow(line);
+    const CountArrow arrow = count_arrow(line);
     constexpr double kArrow = 26.0;  // px
     notes.push_back({{"x", on_map(arrow.root.x())},
                      {"y", on_map(arrow.root.y())},
-                     {"ax", -kArrow * arrow.forward.x()},
-                     {"ay", kArrow * arrow.forward.y()},
+                     {"ax", -kArrow * arrow.way.x()},
+                     {"ay", kArrow * arrow.way.y()},
                      {"showarrow", true},
                      {"arrowhead", 2},
+                     {"arrowside", arrow.both_ways ? "end+start" : "end"},
+                     {"startarrowhead", 2},
                      {"arrowwidth", 2},
                      {"arrowcolor", "#111"},
                      {"text", "<b>" + escaped(line.name) + "</b>"},

@@ -67,9 +67,15 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
       {{{"barrier", "", "name; of a ring with `(in)` or `(out)`", &Row::barrier},
         {"group", "", "name", &Row::group},
         {"runs", "", "runs started by the group in campaigns with this barrier", &Row::started},
-        {"crossings", "",
-         "of these, runs with a forward crossing; for a ring, with an entry or an exit",
-         &Row::crossed},
+        {"counted", "",
+         "`either`: the first crossing of a run whatever its direction; `forward`: the first from "
+         "the left of the line to its right; for a ring `in` or `out`",
+         &Row::counted},
+        {"crossings", "", "of these, runs with a crossing that counts", &Row::crossed},
+        {"backward", "",
+         "runs that crossed from the right of the line to its left first, counted or not; for a "
+         "ring 0",
+         &Row::backward},
         {"probability", "", "`crossings` / `runs`", &Row::probability},
         {"probability_low", "", "its 95 % confidence interval after Wilson",
          [=](const Row& row) { return interval(row).low; }},
@@ -162,28 +168,29 @@ const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns
 
 const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_columns() {
   using Row = ComparisonRow<MeasuredGroup>;
-  using Group = MeasuredGroup;
+  using Measured = MeasuredGroup;
   const auto bounds = [](const char* low, const char* high, const char* unit,
-                         Interval Group::*interval) {
+                         Interval Measured::*interval) {
     return columns_of_list<Row>({low, high}, unit, "its 95 % confidence interval",
                                 [interval](const Row& row) {
                                   return Vec2(((*row).*interval).low, ((*row).*interval).high);
                                 });
   };
   static const auto columns = joined<Row>(
-      {{{"group", "", "name", group_name<Group>},
-        {"measured", "", "measured stops of the group", &Group::measured},
-        {"simulated", "", "runs at rest", &Group::simulated}},
-       summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "of measured stops", &Group::runout),
+      {{{"group", "", "name", group_name<Measured>},
+        {"measured", "", "measured stops of the group", &Measured::measured},
+        {"simulated", "", "runs at rest", &Measured::simulated}},
+       summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "of measured stops",
+                            &Measured::runout),
        summary_columns<Row>(kMeanAndStd, "lateral_*_deg", "deg", "of measured stops",
                             [](const Row& row) { return in_degrees(row->lateral); }),
-       {{"simulated_runout_mean_m", "m", "of runs at rest", &Group::simulated_runout},
+       {{"simulated_runout_mean_m", "m", "of runs at rest", &Measured::simulated_runout},
         {"difference_m", "m", "mean runout, measured minus simulated",
          [](const Row& row) { return row->runout.mean - row->simulated_runout; }},
-        {"cliffs_delta", "", "measured against simulated runout", &Group::cliffs_delta},
-        {"ks_distance", "", "Kolmogorov-Smirnov distance", &Group::ks_distance},
-        {"p_value", "", "of the distance, uncorrected", &Group::p_value},
-        {"p_holm", "", "... corrected for all groups", &Group::p_holm}},
+        {"cliffs_delta", "", "measured against simulated runout", &Measured::cliffs_delta},
+        {"ks_distance", "", "Kolmogorov-Smirnov distance", &Measured::ks_distance},
+        {"p_value", "", "of the distance, uncorrected", &Measured::p_value},
+        {"p_holm", "", "... corrected for all groups", &Measured::p_holm}},
        columns_of_list<Row>(
            {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of measured stops",
            [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),
@@ -197,8 +204,8 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_column
        {{"median_difference_m", "m", "median runout, measured minus simulated",
          [](const Row& row) { return row->quartiles.median - row->simulated_quartiles.median; }}},
        bounds("median_difference_low_m", "median_difference_high_m", "m",
-              &Group::median_difference),
-       bounds("ks_distance_low", "ks_distance_high", "", &Group::ks_interval)});
+              &Measured::median_difference),
+       bounds("ks_distance_low", "ks_distance_high", "", &Measured::ks_interval)});
   return columns;
 }
 

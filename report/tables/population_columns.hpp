@@ -24,7 +24,7 @@ struct ShareRow {
 struct SizeRow {
   std::string population, size, weighting;
   std::size_t blocks = 0;
-  std::string quantity, unit;
+  std::string quantity = {}, unit = {};
   double value = 0.0;
   std::optional<double> error = {};
 };

@@ -37,7 +37,8 @@ const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns(
          "`out`",
          [=](const Row& row) { return line(row).direction(crossing(row)); }},
         {"counted", "",
-         "1 for the first forward crossing of the run at this barrier; for a ring, for its first "
+         "1 for the first crossing of the run at this barrier that counts; for a ring, for its "
+         "first "
          "entry and for its first exit",
          [](const Row& row) { return std::uint64_t{row->counted ? 1u : 0u}; }}},
        stored({"time_s"}),

@@ -115,6 +115,26 @@ void tell_of_releases(const PreparedCampaign& prepared, std::vector<std::string>
   }
 }
 
+/// Of places along a barrier, those where the ground falls from its left to its right, less those
+/// where it rises.
+int places_that_fall_forward(const Barrier& barrier, const TerrainSurface& surface) {
+  constexpr int kPlaces = 20;  ///< on each segment
+  const Bounds& ground = surface.extent();
+  const double beside = 0.01 * (ground.high - ground.low).head<2>().norm(), top = ground.high.z();
+  int forward = 0;
+  for (std::size_t i = 0; i + 1 < barrier.through.size(); ++i) {
+    const Vec2 along = barrier.through[i + 1] - barrier.through[i];
+    const Vec2 left = beside * Vec2(-along.y(), along.x()).normalized();
+    for (int k = 0; k < kPlaces; ++k) {
+      const Vec2 place = barrier.through[i] + (k + 0.5) / kPlaces * along;
+      const auto on_left = surface.height(place.x() + left.x(), place.y() + left.y(), top);
+      const auto on_right = surface.height(place.x() - left.x(), place.y() - left.y(), top);
+      if (on_left && on_right) forward += *on_left > *on_right ? 1 : -1;
+    }
+  }
+  return forward;
+}
+
 void tell_of_barriers(const PreparedCampaign& prepared, std::vector<std::string>& warnings) {
   const Bounds& ground = prepared.surface->extent();
   for (const Barrier& barrier : prepared.header.barriers) {
@@ -128,6 +148,12 @@ void tell_of_barriers(const PreparedCampaign& prepared, std::vector<std::string>
       warnings.push_back("barrier " + barrier.name +
                          " lies off the terrain, so nothing can cross it; its points are x, y of "
                          "the z-up map");
+    } else if (barrier.counted == CountedCrossings::kForward &&
+               places_that_fall_forward(barrier, *prepared.surface) < 0) {
+      warnings.push_back("barrier " + barrier.name +
+                         " counts only crossings from the left of its line to the right, but the "
+                         "ground falls the other way; swap its points, or leave direction out to "
+                         "count both ways");
     }
   }
 }

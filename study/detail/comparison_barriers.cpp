@@ -27,11 +27,16 @@ Lines collect_lines(const std::vector<CampaignResults>& results) {
     for (const Barrier& barrier : results[file].barriers) {
       std::vector<Vec2> through = barrier.through;
       for (Vec2& point : through) point += origin;
+      const Counts counts =
+          barrier.counted == CountedCrossings::kForward ? Counts::kForward : Counts::kEither;
       std::size_t line = 0;
       bool name_taken = false;
       for (; line < found.lines.size(); ++line) {
         if (plain_names[line] != barrier.name) continue;
-        if (found.lines[line].through == through) break;
+        if (found.lines[line].through == through &&
+            (is_ring(through) || found.lines[line].counts == counts)) {
+          break;
+        }
         name_taken = true;
       }
       const bool ring = is_ring(through);
@@ -42,7 +47,7 @@ Lines collect_lines(const std::vector<CampaignResults>& results) {
           found.lines.push_back({name + " (in)", through, {}, Counts::kEntries});
           found.lines.push_back({name + " (out)", through, {}, Counts::kExits});
         } else {
-          found.lines.push_back({name, through, {}, Counts::kForward});
+          found.lines.push_back({name, through, {}, counts});
         }
         plain_names.resize(found.lines.size(), barrier.name);
       }
@@ -85,8 +90,7 @@ std::vector<CrossingRow> collect_crossings(const std::vector<CampaignResults>& r
             " fits no run or barrier of the file; it is damaged, run the campaign again");
       }
       std::size_t line = lines.line_of[file][crossing.barrier];
-      const bool ring = lines.lines[line].counts != BarrierLine::Counts::kForward;
-      if (ring && !lines.lines[line].counted(crossing)) ++line;  // an exit
+      if (lines.lines[line].of_ring() && !lines.lines[line].counted(crossing)) ++line;  // an exit
       crossings.push_back(
           {&crossing, row->second, line, results[file].frame.map(crossing.position), false});
     }
@@ -132,27 +136,34 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
   compared.lines = std::move(lines.lines);
 
   for (std::size_t line = 0; line < compared.lines.size(); ++line) {
-    std::vector<const Crossing*> first(rows.size(), nullptr);  // by row
+    std::vector<const Crossing*> first(rows.size(), nullptr);  // counted, by row
+    std::vector<const Crossing*> any(rows.size(), nullptr);    // counted or not
     for (const CrossingRow& crossing : compared.crossings) {
-      if (crossing.counted && crossing.barrier == line) first[crossing.row] = crossing.crossing;
+      if (crossing.barrier != line) continue;
+      if (crossing.counted) first[crossing.row] = crossing.crossing;
+      if (any[crossing.row] == nullptr) any[crossing.row] = crossing.crossing;
     }
     const std::vector<std::uint32_t>& files = compared.lines[line].files;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      std::size_t started = 0;
+      std::size_t started = 0, backward = 0;
       std::vector<const Crossing*> crossings;
       for (const std::size_t row : groups[g].rows) {
         if (std::find(files.begin(), files.end(), rows[row].file) == files.end()) continue;
         ++started;
         if (first[row] != nullptr) crossings.push_back(first[row]);
+        const bool ring = compared.lines[line].of_ring();
+        backward += !ring && any[row] != nullptr && !any[row]->forward;
       }
       if (started == 0) continue;
       BarrierGroup group = measured(crossings);
       group.barrier = compared.lines[line].name;
       group.group = groups[g].name;
+      group.counted = compared.lines[line].counted_direction();
       group.line = line;
       group.group_index = g;
       group.started = started;
       group.crossed = crossings.size();
+      group.backward = backward;
       group.probability = static_cast<double>(group.crossed) / static_cast<double>(started);
       compared.groups.push_back(std::move(group));
     }

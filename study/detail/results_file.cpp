@@ -119,6 +119,8 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   write_column(barriers, "point_count", "", header.barriers,
                [](const Barrier& b) { return static_cast<std::uint32_t>(b.through.size()); });
   write_vectors(barriers, "points_m", "m", points);
+  write_column(barriers, "direction", "", header.barriers,
+               [](const Barrier& b) { return name_of(b.counted); });
 
   Hdf5Group ground = root.create_group("ground");
   const auto& zones = header.ground;

@@ -153,7 +153,8 @@ std::multiset<std::string> digests(const std::vector<std::string>& inputs) {
   return result;
 }
 
-void check_same_campaign(const fs::path& path, const Identity& stored, const Identity& now) {
+/// Empty: none.
+std::string difference_of(const Identity& stored, const Identity& now) {
   std::string difference;
   if (stored.campaign != now.campaign) {
     difference = "another campaign file";
@@ -171,6 +172,11 @@ void check_same_campaign(const fs::path& path, const Identity& stored, const Ide
     difference = std::to_string(stored.planned) + " planned runs, now there are " +
                  std::to_string(now.planned);
   }
+  return difference;
+}
+
+void check_same_campaign(const fs::path& path, const Identity& stored, const Identity& now) {
+  const std::string difference = difference_of(stored, now);
   if (difference.empty()) return;
   throw InputError(path.string() + ": was begun with " + difference +
                    "; delete it and start without `resume`");
@@ -185,6 +191,10 @@ std::fstream opened(const fs::path& path) {
 }  // namespace
 
 std::string packed(const StoredRun& run) { return bytes_of(run); }
+
+std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now) {
+  return difference_of(identity_of(stored), identity_of(now));
+}
 
 StoredRun unpacked(const std::string& bytes) {
   StoredRun run;

@@ -16,6 +16,10 @@ std::string packed(const StoredRun& run);
 /// @throws InputError  not the bytes of a run
 StoredRun unpacked(const std::string& bytes);
 
+/// What tells the campaign of stored results from this one: campaign file, inputs, version or
+/// number of runs. Empty: nothing.
+std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now);
+
 class ResultsJournal {
  public:
   /// Begins a journal in place of what was there. Makes missing parent folders.

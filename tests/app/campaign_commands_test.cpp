@@ -120,6 +120,26 @@ TEST_F(Campaigns, CompareGroupsAnimatesAndHoldsAgainstMeasuredStops) {
   EXPECT_TRUE(contains(still.err, "trajectory_interval_s")) << still.err;
 }
 
+TEST_F(Campaigns, FinishedResultsAreKeptAndNotRunAgain) {
+  const auto simulate = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {"simulate", "campaign.toml", "-o", "r.h5"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_clast(words, folder.path());
+  };
+  ASSERT_EQ(simulate({}).exit_code, 0);
+  const std::string first = read_text_file(folder / "r.h5");
+  expect_refused(folder, {"simulate", "campaign.toml", "-o", "r.h5"}, 1,
+                 "r.h5: already exists; --replace replaces it");
+  const ProgramRun again = simulate({"--resume"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_TRUE(contains(again.out, "r.h5: nothing to do, has all runs already")) << again.out;
+  EXPECT_EQ(read_text_file(folder / "r.h5"), first);
+  EXPECT_EQ(simulate({"--replace"}).exit_code, 0);
+  write_text_file(folder / "campaign.toml", slope_campaign() + "# another one\n");
+  expect_refused(folder, {"simulate", "campaign.toml", "-o", "r.h5", "--resume"}, 1,
+                 "r.h5: holds the finished results of another campaign file; --replace replaces");
+}
+
 TEST_F(Campaigns, WhatAnInterruptedCampaignLeftIsNotThrownAway) {
   write_text_file(folder / "results.h5.part", "runs of yesterday");
   expect_refused(folder, {"simulate", "campaign.toml"}, 1, "--resume");
@@ -158,7 +178,7 @@ TEST_F(Campaigns, RunsThatEndedWithAnErrorMakeTheCommandFail) {
   EXPECT_TRUE(fs::exists(folder / "all.h5")) << "what was run is kept";
   store("good.h5", 0);
   const ProgramRun good =
-      run_clast({"simulate", "--merge", "good.h5", "-o", "all.h5"}, folder.path());
+      run_clast({"simulate", "--merge", "good.h5", "-o", "all.h5", "--replace"}, folder.path());
   EXPECT_EQ(good.exit_code, 0) << good.err;
 }
 

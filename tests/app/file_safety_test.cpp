@@ -78,9 +78,9 @@ TEST_F(FileSafety, FinishedTerrainsAndTheirPicturesNeedReplace) {
   const std::vector<std::string> command = {"terrain",   "slope.obj", "-o",       "t.h5",
                                             "--picture", "slope.png", "--export", "s.ply"};
   make(command);
-  expect_kept("t.h5", {"terrain", "flat.obj", "-o", "t.h5"}, "t.h5: already exists, and replace");
+  expect_kept("t.h5", {"terrain", "flat.obj", "-o", "t.h5"}, "t.h5: already exists; --replace");
   expect_kept("slope.png", {"terrain", "flat.obj", "-o", "u.h5", "--picture", "slope.png"},
-              "slope.png: already exists, and replace is not set");
+              "slope.png: already exists; --replace replaces it");
   expect_kept("s.ply", {"terrain", "flat.obj", "-o", "u.h5", "--export", "s.ply"},
               "s.ply: already exists");
   std::vector<std::string> again = command;
@@ -96,7 +96,7 @@ TEST_F(FileSafety, ExportsNeverReplaceTheScansTheyCameFrom) {
   write_obj(folder / "rock.obj", noisy_ellipsoid(4, {0.5, 0.4, 0.3}));
   make({"reconstruct", "rock.obj", "-o", "rock.h5"});
   const std::vector<std::string> command = {"export", "rock.h5", "--format", "shp,obj", "-o", "."};
-  expect_kept("rock.obj", command, "rock.obj: already exists, and replace is not set");
+  expect_kept("rock.obj", command, "rock.obj: already exists; --replace replaces it");
   EXPECT_FALSE(fs::exists(folder / "rock.shp"));
   std::vector<std::string> replaced = command;
   replaced.push_back("--replace");
@@ -136,7 +136,7 @@ TEST_F(FileSafety, PagesOfScansNeedReplaceOrResume) {
   const std::vector<std::string> command = {"reconstruct", "a.obj", "-o", "a.h5", "--report", "p"};
   make(command);
   expect_kept("p/index.html", {"reconstruct", "a.obj", "-o", "b.h5", "--report", "p"},
-              "p/summary.csv: already exists, and replace is not set");
+              "p/summary.csv: already exists; --replace replaces it");
   std::vector<std::string> words = command;
   words.push_back("--resume");
   make(words);
@@ -212,7 +212,7 @@ TEST_F(FileSafety, OfManyProgramsThatWriteTheSameNewFileOneDoes) {
       if (done.exit_code == 0) ++written;
       const bool meanwhile = contains(done.err, "another program wrote it meanwhile");
       if (meanwhile) ++kept;
-      EXPECT_TRUE(done.exit_code == 0 || meanwhile || contains(done.err, "replace is not set"))
+      EXPECT_TRUE(done.exit_code == 0 || meanwhile || contains(done.err, "--replace replaces it"))
           << done.err;
     }
     EXPECT_EQ(written, 1) << command[0];
@@ -247,7 +247,7 @@ TEST_F(FileSafety, TheOriginOfAnExportIsKeptAsTheExportIs) {
   fs::remove(folder / "far.stl");
   fs::remove(folder / "t.h5");
   expect_kept("far.stl.origin.txt", {"terrain", "slope.obj", "-o", "t.h5", "--export", "far.stl"},
-              "far.stl.origin.txt: already exists, and replace is not set");
+              "far.stl.origin.txt: already exists; --replace replaces it");
   make({"terrain", "slope.obj", "-o", "t.h5", "--export", "far.stl", "--replace"});
   EXPECT_FALSE(fs::exists(folder / "far.stl.origin.txt"));
 }

@@ -116,7 +116,9 @@ TEST_F(SlopeCampaign, ARingCountsEntriesAndExits) {
     std::string text = campaign;
     text.insert(at, std::string("[[barrier]]\nname = \"ring\"\nthrough = ") + line + "\n");
     write_text_file(folder / "ring.toml", text);
-    ASSERT_EQ(run_clast({"simulate", "ring.toml", "-o", "r.h5"}, folder.path()).exit_code, 0);
+    ASSERT_EQ(
+        run_clast({"simulate", "ring.toml", "-o", "r.h5", "--replace"}, folder.path()).exit_code,
+        0);
     ASSERT_EQ(run_clast({"compare", "r.h5", "-o", "out", "--replace"}, folder.path()).exit_code, 0);
     const std::string crossings = read_text_file(folder / "out" / "crossings.csv");
     EXPECT_TRUE(contains(crossings, ",ring (in),in,1,"));

@@ -95,7 +95,7 @@ TEST(OutputFile, OnlyItsOwnKindIsReplacedAndOnlyWhenAsked) {
   EXPECT_EQ(refused("empty.png", {.kind = "PNG", .replace = false}), "");
   EXPECT_EQ(refused("new.png", {.kind = "PNG", .replace = false}), "");
   EXPECT_TRUE(contains(refused("a.png", {.kind = "PNG", .replace = false}),
-                       "a.png: already exists, and replace is not set"));
+                       "a.png: already exists; `replace` replaces it"));
   for (const bool replace : {false, true}) {
     EXPECT_TRUE(contains(refused("notes.png", {.kind = "PNG", .replace = replace}),
                          "notes.png: already exists and holds \"text\", not \"PNG\", so it is not "

@@ -54,7 +54,7 @@ TEST(OutputFolder, AFormerOneIsKeptUntilReplaceAndReplacedWhole) {
   const ScratchFolder folder;
   write(folder / "out", "old", false);
   EXPECT_TRUE(contains(refusal([&] { write(folder / "out", "new", false); }),
-                       "out: holds a report already, and replace is not set"));
+                       "out: holds a report already; `replace` replaces it"));
   EXPECT_EQ(read_text_file(folder / "out" / "runs.csv"), "old");
   write_text_file(folder / "out" / "old.csv", "of the former report");
   write_text_file(folder / "out" / "maps" / "b.tif", "of the former report");

@@ -129,7 +129,7 @@ TEST_F(MeshFiles, OriginsAreWrittenAsTheirMeshesAre) {
   write_mesh(mesh, far, keep);
   std::filesystem::remove(mesh);
   EXPECT_TRUE(contains(refusal([&] { write_mesh(mesh, near, keep); }),
-                       "a.stl.origin.txt: already exists, and replace is not set"));
+                       "a.stl.origin.txt: already exists; `replace` replaces it"));
   write_mesh(mesh, near, replace);
   EXPECT_FALSE(std::filesystem::exists(origin)) << "is that of another mesh";
   // Taken by another program meanwhile: what is kept has its origin beside it.

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:28: [contacts]: unknown table; did you mean contact?"},
         Refused{"name = \"EC12\"", "name = \"EC12\"\ncolour = 1",
                 "campaign.toml:40: [[barrier]] colour = 1: unknown key; known here are name, from, "
-                "to, through"},
+                "to, through, direction"},
         // missing
         Refused{"library = \"blocks.h5\"", "",
                 "campaign.toml:1: [blocks]: library is missing; it must be a block library made by "
@@ -166,6 +166,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "segments 1 and 2 meet at (1, 0); a barrier must not cross, touch or retrace "
                 "itself, apart from a ring, whose last point is its first: make two barriers of "
                 "it"},
+        Refused{"to = [36, -340]", "to = [36, -340]\ndirection = \"backward\"",
+                "campaign.toml:42: [[barrier]] direction = \"backward\": \"backward\" is unknown; "
+                "use either or forward"},
+        Refused{"from = [36, -400]\nto = [36, -340]",
+                "through = [[0, 0], [4, 0], [4, 4], [0, 0]]\ndirection = \"forward\"",
+                "campaign.toml:41: [[barrier]] direction = \"forward\": is not for a ring, whose "
+                "entries and exits both count"},
         Refused{"to = [36, -340]", "to = [36, -400]",
                 "campaign.toml:41: [[barrier]] to = [36, -400]: must differ from from"},
         Refused{

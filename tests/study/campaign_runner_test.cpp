@@ -97,6 +97,20 @@ TEST_F(CampaignRun, GridDuplicatesAreCounted) {
   EXPECT_LT(distinct.size(), 64u);
 }
 
+TEST_F(CampaignRun, BarrierThatCountsUphillOnlyIsNamed) {
+  const auto warned = [](const std::string& ends) {
+    const PreparedCampaign plan = prepared(with("from = [0, -20]\nto = [0, 20]", ends));
+    bool told = false;
+    for (const std::string& warning : plan.header.warnings) {
+      told |= contains(warning, "barrier foot counts only crossings from the left");
+    }
+    return told;
+  };
+  EXPECT_FALSE(warned("from = [0, 20]\nto = [0, -20]")) << "either direction counts";
+  EXPECT_FALSE(warned("from = [0, -20]\nto = [0, 20]\ndirection = \"forward\""));
+  EXPECT_TRUE(warned("from = [0, 20]\nto = [0, -20]\ndirection = \"forward\""));
+}
+
 TEST_F(CampaignRun, BarrierOffTheTerrainIsNamed) {
   const auto warned = [](const PreparedCampaign& plan) {
     bool told = false;
@@ -322,6 +336,31 @@ TEST_F(CampaignRun, TargetThatCantBeWrittenIsRefusedBeforeAnythingRuns) {
   const auto ran = [](const ProgressStep&) { FAIL() << "a run was done"; };
   EXPECT_THROW(run_campaign(plan, *folder_ / "folder.h5", {.progress = ran}), InputError);
   EXPECT_THROW(run_campaign(plan, *folder_ / "turns.txt/r.h5", {.progress = ran}), InputError);
+}
+
+TEST_F(CampaignRun, FinishedResultsAreKeptUntilReplaceAndNotRunAgain) {
+  const PreparedCampaign plan = prepared();
+  const fs::path target = *folder_ / "finished.h5";
+  run_campaign(plan, target, {.threads = 2});
+  const std::string first = read_text_file(target);
+  const auto none = [](const ProgressStep&) { FAIL() << "a run was done"; };
+  EXPECT_THROW(run_campaign(plan, target, {.progress = none}), InputError);
+  run_campaign(plan, target, {.resume = true, .progress = none});
+  const PreparedCampaign other = prepared(with("max_time_s = 6", "max_time_s = 5"));
+  try {
+    run_campaign(other, target, {.resume = true, .progress = none});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(contains(error.what(),
+                         "finished.h5: holds the finished results of another "
+                         "campaign file; `replace` replaces them"))
+        << error.what();
+  }
+  EXPECT_THROW(run_campaign(plan, target, {.resume = true, .shard = {1, 2}, .progress = none}),
+               InputError);
+  EXPECT_EQ(read_text_file(target), first);
+  run_campaign(other, target, {.threads = 2, .replace = true});
+  EXPECT_EQ(read_results(target).campaign_sha256, other.header.campaign_sha256);
 }
 
 TEST_F(CampaignRun, ChangedInputsAreNotResumed) {

@@ -90,7 +90,7 @@ class Company : public CampaignRun {
 
   /// Does a campaign and returns the runs of a block.
   static Runs runs_of(const std::string& block, const std::string& text,
-                      const RunOptions& options = {.threads = 1}) {
+                      const RunOptions& options = {.threads = 1, .replace = true}) {
     run_campaign(prepared(text), *folder_ / "company.h5", options);
     return stored(*folder_ / "company.h5", block);
   }
@@ -127,7 +127,7 @@ TEST_F(Company, OtherBlocksChangeNothing) {
 
 TEST_F(Company, NeitherDoThreadsNorShards) {
   const Runs alone = runs_of("slab", of("\"slab\""));
-  expect_same(alone, runs_of("slab", campaign_text(), {.threads = 2}));
+  expect_same(alone, runs_of("slab", campaign_text(), {.threads = 2, .replace = true}));
   std::vector<std::filesystem::path> parts;
   for (std::uint32_t shard = 1; shard <= 3; ++shard) {
     parts.push_back(*folder_ / ("part" + std::to_string(shard) + ".h5"));

@@ -165,7 +165,7 @@ TEST(Compare, StopsAtTheReleaseLeaveDownslopeUndefined) {
   EXPECT_EQ(deposit(comparison, "all").runout.max, 0.0);
 }
 
-TEST(Compare, FirstForwardCrossingCounts) {
+TEST(Compare, FirstCrossingCounts) {
   const Comparison comparison = compared(hand_made_results());
   const BarrierGroup& compact = at_barrier(comparison, "B<1>", "class compact");
   EXPECT_EQ(compact.started, 4u);
@@ -180,12 +180,35 @@ TEST(Compare, FirstForwardCrossingCounts) {
   EXPECT_EQ(at_barrier(comparison, "B2", "class elongated").crossed, 0u);
 }
 
-TEST(Compare, BackwardCrossingFirstDoesNotCount) {
+/// All runs cross B<1> from the right of its line to its left.
+CampaignResults results_with_a_barrier_drawn_the_wrong_way() {
   CampaignResults results = hand_made_results();
-  results.crossings[0].forward = false;
-  results.crossings[2].forward = false;
-  const Comparison comparison = compared(std::move(results));
-  EXPECT_EQ(at_barrier(comparison, "B<1>", "class compact").crossed, 2u);
+  for (Crossing& crossing : results.crossings) crossing.forward = !crossing.forward;
+  return results;
+}
+
+TEST(Compare, ABarrierDrawnTheWrongWayCountsTheSameRuns) {
+  const Comparison comparison = compared(results_with_a_barrier_drawn_the_wrong_way());
+  const BarrierGroup& compact = at_barrier(comparison, "B<1>", "class compact");
+  EXPECT_EQ(compact.counted, "either");
+  EXPECT_EQ(compact.crossed, 3u);
+  EXPECT_EQ(compact.backward, 3u);
+  EXPECT_NEAR(compact.speed.mean, 4.0, 1e-12);
+  EXPECT_FALSE(warns(comparison, "the other way"));
+}
+
+TEST(Compare, OfAStatedDirectionOnlyThatCountsAndMostlyTheOtherIsWarnedOf) {
+  CampaignResults results = results_with_a_barrier_drawn_the_wrong_way();
+  results.barriers[0].counted = CountedCrossings::kForward;
+  const Comparison comparison = compared(results);
+  const BarrierGroup& compact = at_barrier(comparison, "B<1>", "class compact");
+  EXPECT_EQ(compact.counted, "forward");
+  EXPECT_EQ(compact.crossed, 1u) << "that came back";
+  EXPECT_EQ(compact.backward, 3u);
+  EXPECT_TRUE(warns(comparison, "barrier B<1> counts only"));
+  EXPECT_TRUE(warns(comparison, "of 6 runs crossed it the other way first"));
+  for (Crossing& crossing : results.crossings) crossing.forward = !crossing.forward;
+  EXPECT_FALSE(warns(compared(std::move(results)), "the other way first"));
 }
 
 TEST(Compare, UnequalMassesAreNamed) {

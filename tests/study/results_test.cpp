@@ -66,6 +66,8 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.blocks[1].zingg, "rod");
   ASSERT_EQ(results.barriers.size(), 2u);
   EXPECT_EQ(results.barriers[1].name, "EC12");
+  EXPECT_EQ(results.barriers[0].counted, CountedCrossings::kEither);
+  EXPECT_EQ(results.barriers[1].counted, CountedCrossings::kForward);
   EXPECT_EQ(results.barriers[0].through, (std::vector<Vec2>{{25, -400}, {25, -340}}));
   EXPECT_EQ(results.barriers[1].through, (std::vector<Vec2>{{36, -400}, {36, -370}, {40, -340}}));
   EXPECT_EQ(results.release_points, header.release_points);
