@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <regex>
+#include <sstream>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -146,13 +148,39 @@ const TomlNode* TomlNode::find(const std::string& key) const {
   return nullptr;
 }
 
+namespace {
+
+/// What a line that is not TOML was probably meant to be; empty: not known.
+std::string hint_for(const std::string& line) {
+  static const std::regex kDecimalComma("=\\s*[-+]?[0-9]+,[0-9]+\\s*(#.*)?$"),
+      kBareText("=\\s*[A-Za-z_./][^\"'\\[{]*$"), kBackslash("=.*\"[^\"]*\\\\");
+  if (std::regex_search(line, kDecimalComma)) return "numbers have a decimal point, as in 0.5";
+  if (std::regex_search(line, kBackslash)) {
+    return "write paths with /, or between single quotes, as in 'C:\\blocks.h5'";
+  }
+  if (std::regex_search(line, kBareText)) return "texts and paths need quotes, as in \"blocks.h5\"";
+  return "";
+}
+
+std::string line_of(const std::string& text, std::size_t number) {
+  std::istringstream lines(text);
+  std::string line;
+  while (number-- > 0 && std::getline(lines, line)) {
+  }
+  return line.substr(0, 1000);  // longer ones are no mistyped value
+}
+
+}  // namespace
+
 TomlNode parse_toml(const std::string& text, const std::string& name) {
   check_toml_depth(text, name);
   try {
     return converted(toml::parse(text, name), SourceText(text));
   } catch (const toml::parse_error& error) {
+    const std::string hint = hint_for(line_of(text, error.source().begin.line));
     throw InputError(name + ":" + std::to_string(error.source().begin.line) +
-                     ": not TOML: " + std::string(error.description()) + "; correct this line");
+                     ": not TOML: " + std::string(error.description()) + "; " +
+                     (hint.empty() ? "correct this line" : hint));
   }
 }
 

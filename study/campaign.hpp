@@ -45,6 +45,7 @@ struct BlockSelection {
   BlockFilter filter;
   BlockScale scale;
   std::optional<BlockDraw> draw;
+  bool any_size = false;  ///< take blocks beyond the usual sizes, or large for the terrain
 };
 
 /// Ground parameters of a zone as the campaign gives them; in a block group only what differs.

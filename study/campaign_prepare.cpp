@@ -267,6 +267,7 @@ PreparedCampaign prepare_campaign(const Campaign& campaign) {
   }
   prepared.header = header_of(prepared, read_terrain(campaign.terrain));
   CampaignResults& header = prepared.header;
+  check_sizes(prepared);
   prepared.surface.emplace(terrain_surface(header.terrain, campaign.terrain_radius));
 
   plan_runs(prepared);

@@ -137,13 +137,15 @@ bool uncertain(const std::map<std::string, GroundTable>& ground) {
 }  // namespace
 
 BlockSelection read_blocks(const TomlTable& top) {
-  const TomlTable table = required_table(top, "blocks", {"library", "select", "scale", "draw"});
+  const TomlTable table =
+      required_table(top, "blocks", {"library", "select", "scale", "draw", "allow_any_size"});
   BlockSelection blocks;
   const TomlNode& library = table.required("library", "a block library made by clast reconstruct");
   table.text("library");
   blocks.library = input_file(table, "library", library);
   blocks.filter = read_filter(table, "[blocks]");
   blocks.scale = read_scale(table);
+  blocks.any_size = table.boolean("allow_any_size").value_or(false);
   if (const TomlNode* draw = table.find("draw")) {
     if (const TomlNode* scale = table.find("scale")) {
       table.refuse("scale", *scale, "drawn blocks are scaled by mass_kg of draw; leave scale out");

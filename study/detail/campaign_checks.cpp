@@ -12,6 +12,10 @@
 namespace clast::study_detail {
 namespace {
 
+constexpr double kLongestBlock = 20.0;  // m
+constexpr double kHeaviestBlock = 1e7;  // kg
+constexpr double kLargestShare = 0.1;   ///< of the terrain that a block may be long
+
 // Quaternions closer than this are one rotation.
 constexpr double kSameRotation = 1e-9;
 
@@ -168,6 +172,29 @@ std::string metres(double value) {
 
 std::string set_name(const ReleasePlan& release) {
   return release.name.empty() ? "" : "release set " + release.name + ", ";
+}
+
+void check_sizes(const PreparedCampaign& prepared) {
+  if (prepared.campaign.blocks.any_size) return;
+  const Bounds ground = bounds(prepared.header.terrain.surface);
+  const double extent = (ground.high - ground.low).head<2>().maxCoeff();
+  for (const BlockSummary& block : prepared.header.blocks) {
+    std::string why;
+    if (block.axes.L > kLongestBlock) {
+      why = "blocks are no longer than " + with_digits(kLongestBlock, 3) + " m";
+    } else if (block.mass > kHeaviestBlock) {
+      why = "blocks are no heavier than " + with_digits(kHeaviestBlock / 1000.0, 5) + " t";
+    } else if (block.axes.L > kLargestShare * extent) {
+      why = "a block is no longer than a tenth of the terrain, which is " + with_digits(extent, 4) +
+            " m across";
+    }
+    if (why.empty()) continue;
+    throw InputError(prepared.campaign.file.string() + ": [blocks] " + block.id + " is " +
+                     with_digits(block.axes.L, 3) + " m long and " +
+                     with_digits(block.mass / 1000.0, 3) + " t heavy; usually " + why +
+                     ": check scale and the units of scans and terrain, or set allow_any_size = "
+                     "true");
+  }
 }
 
 void check_falls(const PreparedCampaign& prepared) {

@@ -166,6 +166,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "segments 1 and 2 meet at (1, 0); a barrier must not cross, touch or retrace "
                 "itself, apart from a ring, whose last point is its first: make two barriers of "
                 "it"},
+        Refused{
+            "friction = 0.70", "friction = 0,70",
+            "campaign.toml:14: not TOML: Error while parsing key-value pair: expected a comment "
+            "or whitespace, saw ','; numbers have a decimal point, as in 0.5"},
+        Refused{"\"blocks.h5\"", "\"C:\\Data\\blocks.h5\"",
+                "campaign.toml:2: not TOML: Error while parsing string: unknown escape sequence "
+                "'\\D'; write paths with /, or between single quotes, as in 'C:\\blocks.h5'"},
+        Refused{"\"blocks.h5\"", "blocks.h5",
+                "campaign.toml:2: not TOML: Error while parsing value: could not determine value "
+                "type; texts and paths need quotes, as in \"blocks.h5\""},
         Refused{"to = [36, -340]", "to = [36, -340]\ndirection = \"backward\"",
                 "campaign.toml:42: [[barrier]] direction = \"backward\": \"backward\" is unknown; "
                 "use either or forward"},

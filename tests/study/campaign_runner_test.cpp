@@ -338,6 +338,25 @@ TEST_F(CampaignRun, TargetThatCantBeWrittenIsRefusedBeforeAnythingRuns) {
   EXPECT_THROW(run_campaign(plan, *folder_ / "turns.txt/r.h5", {.progress = ran}), InputError);
 }
 
+TEST_F(CampaignRun, BlocksBeyondTheUsualSizesAreRefusedUnlessAllowed) {
+  const auto refused = [](const std::string& scale) {
+    try {
+      prepared(with("[blocks]", "[blocks]\n" + scale));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused("scale = { mass_kg = 20000 }"), "");
+  EXPECT_TRUE(contains(refused("scale = { mass_kg = 2e5 }"),
+                       "a block is no longer than a tenth of the terrain, which is 50 m across"));
+  EXPECT_TRUE(contains(refused("scale = { mass_kg = 2e7 }"), "blocks are no heavier than 10000 t"));
+  EXPECT_TRUE(contains(refused("scale = { mass_kg = 1e9 }"), "blocks are no longer than 20 m"));
+  EXPECT_TRUE(
+      contains(refused("allow_any_size = true\nscale = { mass_kg = 2e5 }"), "inside the ground"))
+      << "only then is it placed";
+}
+
 TEST_F(CampaignRun, FinishedResultsAreKeptUntilReplaceAndNotRunAgain) {
   const PreparedCampaign plan = prepared();
   const fs::path target = *folder_ / "finished.h5";
