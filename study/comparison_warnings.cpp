@@ -238,7 +238,8 @@ void warn_of_measured(const Comparison& comparison, std::vector<std::string>& wa
 void warn_of_directions(const Comparison& comparison, std::vector<std::string>& warnings) {
   for (const BarrierGroup& group : comparison.barriers) {
     const BarrierLine& line = comparison.lines[group.line];
-    if (line.counts != BarrierLine::Counts::kForward || group.group_index != 0 ||
+    const Group& runs = comparison.groups[group.group_index];
+    if (line.counts != BarrierLine::Counts::kForward || runs.kind != GroupKind::kAll || runs.file ||
         group.backward <= group.crossed) {
       continue;
     }
@@ -248,9 +249,9 @@ void warn_of_directions(const Comparison& comparison, std::vector<std::string>& 
       most = std::max(most, row.crossing->translational_energy + row.crossing->rotational_energy);
     }
     warnings.push_back("barrier " + line.name +
-                       " counts only crossings from the left of its line " + "to the right, but " +
+                       " counts only crossings from the left of its line to the right, but " +
                        std::to_string(group.backward) + " of " + std::to_string(group.started) +
-                       " runs crossed it the other way first, with " + "up to " +
+                       " runs crossed it the other way first, with up to " +
                        with_digits(most / 1000.0, 4) +
                        " kJ; swap its points, or leave direction out to count both ways");
   }

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian packages), builds clast and its tests, and runs them.
 #
-#   tests/run.sh         unit, physics, cli and validation-quick: under two minutes after the build
-#   tests/run.sh --ci    validation too: under 15 minutes
+#   tests/run.sh         unit, physics, cli and validation-quick: about four minutes after the build
+#   tests/run.sh --ci    validation too: about 25 minutes
 #   tests/run.sh --all   slow tests too
 #
 # The validation tests read real data from the folder that CLAST_DATA names (default

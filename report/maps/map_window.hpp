@@ -12,7 +12,7 @@ namespace clast::report_detail {
 /// coordinates. Of a plan (no groups) the whole terrain.
 Window map_window(const Comparison& comparison);
 
-/// Where a barrier is marked, and which way passages count (unit), both on the map.
+/// Where a barrier is marked, and which way crossings count (unit), both on the map.
 struct CountArrow {
   Vec2 root = Vec2::Zero();
   Vec2 way = Vec2::UnitX();

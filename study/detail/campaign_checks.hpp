@@ -16,9 +16,8 @@ std::string set_name(const ReleasePlan& release);
 /// @throws InputError  a fall to the lowest ground could end faster than `kMostSpeed`
 void check_falls(const PreparedCampaign& prepared);
 
-/// @throws InputError  a block longer than 20 m, heavier than 10,000 t or longer than a tenth of
-/// the
-///                     terrain, unless the campaign allows any size
+/// @throws InputError  a block longer than 20 m, heavier than 10,000 t, or longer than a tenth of
+///                     the terrain, unless the campaign allows any size
 void check_sizes(const PreparedCampaign& prepared);
 
 /// What its user should know before anything runs: doubtful inputs in words, none where all is
