@@ -267,13 +267,13 @@ std::optional<double> reassigned_share(const EnergyLedger& energy) {
 
 std::vector<std::string> comparison_warnings(const Comparison& comparison) {
   std::vector<std::string> warnings;
+  warn_of_directions(comparison, warnings);  // it turns an answer round
   warn_of_unfinished(comparison, warnings);
   warn_of_lost_runs(comparison, warnings);
   warn_of_reassigned(comparison, warnings);
   warn_of_masses(comparison, warnings);
   warn_of_slopes(comparison, warnings);
   warn_of_changed_blocks(comparison, warnings);
-  warn_of_directions(comparison, warnings);
   warn_of_measured(comparison, warnings);
   // What all files warn of is said once.
   const auto in_all_files = [&](const std::string& warning) {
