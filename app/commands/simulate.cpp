@@ -1,7 +1,5 @@
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,6 +8,7 @@
 #include <sstream>
 #include <streambuf>
 
+#include "app/commands/campaign_summary.hpp"
 #include "app/commands/commands.hpp"
 #include "app/interruption.hpp"
 #include "app/option_flags.hpp"
@@ -22,12 +21,8 @@
 #include "core/output_file.hpp"
 #include "core/parallel.hpp"
 #include "core/printable.hpp"
-#include "core/text_file.hpp"
-#include "core/text_table.hpp"
 #include "report/maps/plan_map.hpp"
-#include "study/block_stiffness.hpp"
 #include "study/campaign_runner.hpp"
-#include "study/comparison.hpp"
 
 namespace clast {
 
@@ -70,146 +65,6 @@ std::filesystem::path output_of(const SimulateArgs& args, const Shard& shard) {
   const std::string part = "." + std::to_string(shard.index) + "of" + std::to_string(shard.count);
   output.replace_filename(output.stem().string() + part + output.extension().string());
   return output;
-}
-
-nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
-  nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
-  for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
-  nlohmann::ordered_json stiffness = nlohmann::ordered_json::array();
-  for (const BlockStiffness& block : stiffness_by_block(prepared.header.blocks, prepared.runs)) {
-    nlohmann::ordered_json row = {{"block", block.block}};
-    for (const StiffnessValue& value : block.values) {
-      row[value.name] = {value.range.low, value.range.high};
-    }
-    stiffness.push_back(row);
-  }
-  return {{"runs", prepared.runs.size()},
-          {"blocks", blocks},
-          {"release_points", prepared.header.release_points.size()},
-          {"stiffness", stiffness},
-          {"warnings", prepared.header.warnings}};
-}
-
-/// "4 release points, 64 orientations", for each release set, and how often the ground is drawn.
-std::string releases_text(const PreparedCampaign& prepared) {
-  std::string text;
-  for (const ReleasePlan& release : prepared.campaign.releases) {
-    text += (text.empty() ? "" : "; ") +
-            (release.name.empty() ? "" : printable(release.name) + ": ") +
-            counted(release.points.size(), "release point") + ", " +
-            counted(release.orientations.size(), "orientation");
-  }
-  const std::uint32_t members = prepared.campaign.ensemble.members;
-  if (members > 1) text += "; ground parameters drawn " + std::to_string(members) + " times";
-  return text;
-}
-
-/// More blocks than this are not printed one by one.
-constexpr std::size_t kMostPrinted = 20;
-
-/// Stiffness and time step of the runs of each block, and over all blocks where there are many.
-TextTable stiffness_table(const PreparedCampaign& prepared) {
-  const std::vector<BlockStiffness> blocks =
-      stiffness_by_block(prepared.header.blocks, prepared.runs);
-  TextTable table{{"block"}, {}};
-  for (const StiffnessValue& value : blocks.front().values) {
-    table.headings.push_back(value.heading);
-  }
-  const auto add = [&](const BlockStiffness& block) {
-    std::vector<std::string> row = stiffness_cells(block);
-    row.insert(row.begin(), block.block);
-    table.rows.push_back(row);
-  };
-  for (std::size_t i = 0; i < std::min(blocks.size(), kMostPrinted); ++i) add(blocks[i]);
-  if (blocks.size() > kMostPrinted) add(over_all(blocks));
-  return table;
-}
-
-void print_plan(const PreparedCampaign& prepared) {
-  std::cout << counted(prepared.runs.size(), "run") << ": "
-            << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
-            << stiffness_table(prepared).text();
-  for (const std::string& warning : prepared.header.warnings) {
-    std::cout << "warning: " << shown(warning) << "\n";
-  }
-}
-
-constexpr std::array<StopReason, 4> kReasons = {StopReason::kRest, StopReason::kLeftTerrain,
-                                                StopReason::kMaxTime, StopReason::kError};
-
-/// What came out, over all runs.
-struct Outcome {
-  std::array<std::size_t, 4> reasons = {};
-  std::size_t below_ground = 0;
-  double largest_energy_error = 0.0;
-  std::size_t reassigned = 0;  ///< runs above `kNotableReassigned`
-  double largest_reassigned = 0.0;
-  std::string first_error;
-
-  std::size_t errors() const { return reasons.back(); }  ///< `kReasons` ends with them
-};
-
-Outcome outcome_of(const CampaignResults& results) {
-  Outcome outcome;
-  for (const RunRecord& run : results.runs) {
-    const auto reason = std::find(kReasons.begin(), kReasons.end(), run.result.stop_reason);
-    ++outcome.reasons[static_cast<std::size_t>(reason - kReasons.begin())];
-    if (run.result.below_ground) ++outcome.below_ground;
-    outcome.largest_energy_error = std::max(outcome.largest_energy_error, run.result.energy.error);
-    const double reassigned = reassigned_share(run.result.energy).value_or(0.0);
-    if (reassigned > kNotableReassigned) ++outcome.reassigned;
-    outcome.largest_reassigned = std::max(outcome.largest_reassigned, reassigned);
-    if (run.result.stop_reason == StopReason::kError && outcome.first_error.empty()) {
-      outcome.first_error = "run " + std::to_string(run.run) + ": " + run.result.message;
-    }
-  }
-  return outcome;
-}
-
-void print_outcome(const CampaignResults& results) {
-  const Outcome outcome = outcome_of(results);
-  TextTable table{{"stop reason", "runs"}, {}};
-  for (std::size_t i = 0; i < kReasons.size(); ++i) {
-    table.rows.push_back({name_of(kReasons[i]), std::to_string(outcome.reasons[i])});
-  }
-  std::cout << table.text() << outcome.below_ground << " runs ended below ground, "
-            << results.crossings.size() << " barrier crossings, largest energy error "
-            << rounded(outcome.largest_energy_error, 2) << "\n";
-  if (outcome.reassigned > 0) {
-    std::cout
-        << "warning: " << counted(outcome.reassigned, "run")
-        << " lose or gain more than 10 % of the energy they dissipate where contacts change, at "
-           "most "
-        << rounded(100.0 * outcome.largest_reassigned, 2)
-        << " %; clast compare says which and what to try\n";
-  }
-}
-
-/// All runs are kept, but a campaign with failed ones has failed.
-/// @throws SimulationError  any run ended with an error
-void check_outcome(const CampaignResults& results, const std::filesystem::path& file) {
-  const Outcome outcome = outcome_of(results);
-  if (outcome.errors() == 0) return;
-  throw SimulationError(
-      std::to_string(outcome.errors()) + " of " + counted(results.runs.size(), "run") +
-      " ended with an error, the first: " + outcome.first_error + ". All runs are in " +
-      file.string() +
-      "; clast compare lists the failed ones and leaves them out of its statistics. Try a "
-      "smaller "
-      "[contact] time_step_s, or stiffness = \"auto\", and look at the ground at the place named");
-}
-
-nlohmann::ordered_json outcome_json(const CampaignResults& results) {
-  const Outcome outcome = outcome_of(results);
-  nlohmann::ordered_json reasons;
-  for (std::size_t i = 0; i < kReasons.size(); ++i) {
-    reasons[name_of(kReasons[i])] = outcome.reasons[i];
-  }
-  return {{"stop_reasons", reasons},
-          {"below_ground", outcome.below_ground},
-          {"crossings", results.crossings.size()},
-          {"largest_energy_error", outcome.largest_energy_error},
-          {"largest_reassigned_share", outcome.largest_reassigned}};
 }
 
 /// @param done  what became of the file

@@ -16,8 +16,8 @@ std::string packed(const StoredRun& run);
 /// @throws InputError  not the bytes of a run
 StoredRun unpacked(const std::string& bytes);
 
-/// What tells the campaign of stored results from this one: campaign file, inputs, version or
-/// number of runs. Empty: nothing.
+/// How the campaign of stored results differs from this one: campaign file, inputs, version or
+/// number of runs. Empty: not at all.
 std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now);
 
 class ResultsJournal {
