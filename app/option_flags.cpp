@@ -22,6 +22,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"core", "--core"},
     {"density", "--density"},
     {"find_ground = false", "--ground none"},
+    {"format", "--format"},
     {"group_by", "--by"},
     {"jobs", "--jobs"},
     {"marker_side", "--marker-size"},
@@ -40,10 +41,12 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"schemes", "--scheme"},
     {"seconds", "--colmap-minutes"},
     {"shard", "--shard"},
+    {"segments", "--segments"},
     {"split", "--split"},
     {"units", "--units"},
     {"up", "--up"},
     {"vertices", "--vertices"},
+    {"what", "--what"},
 };
 
 }  // namespace

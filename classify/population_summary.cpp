@@ -10,8 +10,6 @@
 namespace clast {
 namespace {
 
-std::string percent(double share) { return with_decimals(100.0 * share, 1) + " %"; }
-
 void check_has_blocks(const Population& population) {
   if (population.blocks.empty()) {
     throw InputError("population " + population.name +

@@ -4,9 +4,20 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <cstdlib>
 
 namespace clast {
+
+namespace {
+
+std::string in_format(double value, std::chars_format format, int precision) {
+  // Sign, point, "0.000" and exponent beside the digits; a double has no more than 767 of them.
+  std::array<char, 1200> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
+  return {text.data(), end.ptr};
+}
+
+}  // namespace
 
 std::optional<double> number_in(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -18,28 +29,27 @@ std::optional<double> number_in(std::string_view text) {
 }
 
 std::string with_digits(double value, int digits) {
-  // Sign, point, "0.000" and exponent beside the digits; a double has no more than 767 of them.
-  std::array<char, 800> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                 std::chars_format::general, digits);
-  return {text.data(), end.ptr};
+  return in_format(value, std::chars_format::general, digits);
 }
 
 std::string rounded(double value, int digits) {
-  char text[64];
-  const double size = std::abs(value);
-  if (size != 0.0 && (size < 1e-4 || size >= 1e7)) {
-    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-    return text;
-  }
-  const int before = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
-  return with_decimals(value, std::max(0, digits - before));
+  if (value == 0.0 || !std::isfinite(value)) return with_digits(value, digits);
+  const std::string scientific = in_format(value, std::chars_format::scientific, digits - 1);
+  // Read from the rounded number: 9.996 has two digits before the point once it is 10.0.
+  const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
+  if (exponent >= 7 || exponent < -4) return scientific;
+  return with_decimals(value, std::max(0, digits - 1 - exponent));
 }
 
 std::string with_decimals(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  std::string text = in_format(value, std::chars_format::fixed, decimals);
+  // "-0.0" is a rounding residue, not a sign anyone asked for.
+  if (text.front() == '-' && text.find_first_not_of("-0.") == text.npos) text.erase(0, 1);
   return text;
+}
+
+std::string percent(double share, int decimals) {
+  return with_decimals(100.0 * share, decimals) + " %";
 }
 
 std::string counted(std::size_t count, const std::string& noun) {
@@ -53,6 +63,11 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
 std::string place(const Vec3& point) {
   const auto text = [](double value) { return with_digits(value, 9); };
   return "(" + text(point.x()) + ", " + text(point.y()) + ", " + text(point.z()) + ")";
+}
+
+std::string place_on_map(const Vec3& point) {
+  return "x " + with_decimals(point.x(), 3) + ", y " + with_decimals(point.y(), 3) + ", z " +
+         with_decimals(point.z(), 3);
 }
 
 }  // namespace clast

@@ -15,10 +15,13 @@ std::optional<double> number_in(std::string_view text);
 /// `value` with so many significant digits and no zeros at the end, as for messages: "0.0254".
 std::string with_digits(double value, int digits);
 
-/// `value` with so many significant digits, without an exponent where it stays readable.
+/// `value` with so many significant digits, zeros at the end kept; with an exponent only from 1e7
+/// and below 1e-4.
 std::string rounded(double value, int digits = 4);
-/// With so many digits after the point.
+/// With so many digits after the point; never "-0.0".
 std::string with_decimals(double value, int decimals);
+/// 0.0312 to "3.1 %".
+std::string percent(double share, int decimals = 1);
 
 /// "1 point", "2 points".
 std::string counted(std::size_t count, const std::string& noun);
@@ -28,5 +31,7 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
 /// "(x, y, z), nine significant digits each: to the centimetre on a map, which is enough to find
 /// the place in a viewer.
 std::string place(const Vec3& point);
+/// "x 652013.250, y 5203000.000, z 1824.310": to the millimetre, in map coordinates.
+std::string place_on_map(const Vec3& point);
 
 }  // namespace clast

@@ -246,6 +246,14 @@ const Block& BlockLibrary::block(const std::string& id) const {
 
 Block& BlockLibrary::block(const std::string& id) { return blocks_[found(blocks_, id)]; }
 
+std::vector<const Block*> BlockLibrary::chosen(const std::vector<std::string>& ids) const {
+  std::vector<const Block*> chosen;
+  for (const std::string& id : ids) chosen.push_back(&block(id));
+  if (!ids.empty()) return chosen;
+  for (const Block& block : blocks_) chosen.push_back(&block);
+  return chosen;
+}
+
 namespace {
 
 /// A library with bounds that no body has could not be read again.

@@ -31,6 +31,9 @@ class BlockLibrary {
   /// @throws InputError  no such id; the message lists those there are
   const Block& block(const std::string& id) const;
   Block& block(const std::string& id);
+  /// The blocks of these ids, in the order given; all where none is.
+  /// @throws InputError  as `block`
+  std::vector<const Block*> chosen(const std::vector<std::string>& ids) const;
   /// Text that is not UTF-8 is taken for Windows-1252 and converted.
   /// @throws InputError  the id is there already and `replace` is false, or `check_block_id` throws
   void add(Block block, bool replace = false);

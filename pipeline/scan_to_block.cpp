@@ -5,6 +5,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/up_axis.hpp"
 #include "core/utf8.hpp"
 #include "library/unseen_range.hpp"
 #include "massprops/solid.hpp"
@@ -123,8 +124,9 @@ std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const s
                                       const ScanToBlockOptions& options,
                                       const ScanCallbacks& callbacks) {
   callbacks.begin("reading " + id);
-  BlockSource source{as_utf8(path.string()), scan_digest(path),
-                     scale_text(options) + " up=" + options.scan.up, ""};
+  const std::string up = up_axis(options.scan.up, path);
+  BlockSource source{as_utf8(path.string()), scan_digest(path), scale_text(options) + " up=" + up,
+                     ""};
   ReadScan read = read_any_scan(path, options, source, callbacks);
   FieldScan& found = read.found;
   if (options.scale_points) note_far_scale(found, *options.scale_points);
@@ -144,7 +146,8 @@ std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const s
     if (callbacks.made) {
       callbacks.made(blocks.back(), {.raw = &found.raw,
                                      .found = &found.blocks[i],
-                                     .photos = read.photos ? &*read.photos : nullptr});
+                                     .photos = read.photos ? &*read.photos : nullptr,
+                                     .up = up});
     }
     found.blocks[i] = {};  // memory is bounded by one block's needs
   }

@@ -61,6 +61,7 @@ struct BlockOrigin {
   const TriangleMesh* raw = nullptr;
   const FieldBlock* found = nullptr;  ///< the closed scan, in the frame of the block; null as `raw`
   const PhotoScan* photos = nullptr;  ///< of a folder of photographs, else null
+  std::string up = "z";               ///< axis of the file that points up
 };
 
 /// What follows a scan on its way; each may be empty.

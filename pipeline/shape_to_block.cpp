@@ -7,6 +7,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/up_axis.hpp"
 #include "core/utf8.hpp"
 #include "pipeline/detail/crossing_warning.hpp"
 #include "pipeline/detail/scan_scale.hpp"
@@ -82,7 +83,7 @@ Block block_from_skeleton(const ShpShape& shape, double radius, const std::strin
   body.radius = radius;
   for (Vec3& vertex : body.vertices) {
     vertex *= options.scan.unit;
-    if (options.scan.up == "y") vertex = Vec3(vertex.x(), -vertex.z(), vertex.y());
+    if (options.scan.up == "y") vertex = turned_z_up(vertex);
   }
   const bool capsule = body.vertices.size() == 2 && body.edges.size() == 1;
   if (body.vertices.size() != 1 && !capsule) {
@@ -111,8 +112,9 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
     taken.block.core = true;
     taken.block.radius = radius_of(shape, options);
     taken.scan.repair.invent = false;
-    BlockSource source{as_utf8(path.string()), sha256_of_file(path),
-                       scale_text(options) + " up=" + options.scan.up + " shape=" + shape.name, ""};
+    BlockSource source{
+        as_utf8(path.string()), sha256_of_file(path),
+        scale_text(options) + " up=" + up_axis(options.scan.up, path) + " shape=" + shape.name, ""};
     Block block;
     if (shape.body.faces.empty()) {
       block = block_from_skeleton(shape, *taken.block.radius, id, std::move(source), taken);

@@ -40,8 +40,10 @@ std::vector<FieldBlock> field_blocks(const std::vector<Vec3>& points, const std:
   return reconstruct_detail::cloud_blocks(points, name, options);
 }
 
-FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options) {
-  options.check();
+FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& as_given) {
+  as_given.check();
+  FieldScanOptions options = as_given;
+  options.scan = options_for(path, as_given.scan);
   FieldScan scan;
   CloudSummary summary;
   if (is_cloud(path)) {

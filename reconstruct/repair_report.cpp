@@ -13,10 +13,10 @@ namespace {
 /// A share of the surface below which it isn't worth a word.
 constexpr double kWorthNoting = 1e-3;
 
-std::string percent(double share) { return with_digits(100.0 * share, 3) + " %"; }
+std::string in_percent(double share) { return with_digits(100.0 * share, 3) + " %"; }
 
 std::string change(double relative) {
-  return std::abs(relative) < 1e-5 ? "less than 0.001 %" : percent(relative);
+  return std::abs(relative) < 1e-5 ? "less than 0.001 %" : in_percent(relative);
 }
 
 class Sentences {
@@ -39,7 +39,7 @@ class Sentences {
       notes.push_back(
           "the surface could not be freed of its crossings and was wrapped anew: hollows narrower "
           "than a sixtieth of its diagonal are bridged, and the " +
-          percent(*report_.wrap_bias) + " of volume that added is scaled away");
+          in_percent(*report_.wrap_bias) + " of volume that added is scaled away");
     }
     return notes;
   }
@@ -53,13 +53,14 @@ class Sentences {
 
   static std::string worth_of(const Defect& defect) {
     if (defect.area_share < kWorthNoting) return "";
-    return ", " + percent(defect.area_share) + " of the surface";
+    return ", " + in_percent(defect.area_share) + " of the surface";
   }
 
   static std::string of(const DoubledSurface& copy) {
-    std::string text = copy.closed ? "a second copy of the block's whole surface, "
-                                   : "a second copy of " + percent(std::min(1.0, copy.area_share)) +
-                                         " of the block's surface, ";
+    std::string text = copy.closed
+                           ? "a second copy of the block's whole surface, "
+                           : "a second copy of " + in_percent(std::min(1.0, copy.area_share)) +
+                                 " of the block's surface, ";
     text += with_digits(100.0 * copy.scale, 4) + " % of its size, " + metres(copy.distance) +
             " away from it and on average " + metres(std::abs(copy.offset)) +
             (copy.offset < 0.0 ? " inside" : " outside") +
@@ -173,12 +174,13 @@ class Sentences {
         open = "; the volume may be up to " + with_digits(report_.volume_below, 2) +
                " m3 smaller or " + with_digits(report_.volume_above, 2) + " m3 larger";
       }
-      notes.push_back(percent(report_.invented_share) +
+      notes.push_back(in_percent(report_.invented_share) +
                       " of the surface is invented: no scan saw what fills the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {
       if (hole.area_share <= kLargeHole) continue;
-      notes.push_back("the filling at " + place(hole.centre) + " is " + percent(hole.area_share) +
+      notes.push_back("the filling at " + place(hole.centre) + " is " +
+                      in_percent(hole.area_share) +
                       " of the surface: a guess that volume and axes depend on; scan that side, "
                       "or check the volume by weighing (`mass` with `density`)");
     }

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/up_axis.hpp"
 #include "mesh/mesh_io.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
 
@@ -14,15 +15,20 @@ void ScanOptions::check() const {
     throw InputError("unit = " + with_digits(unit, 6) +
                      ": metres per unit of the file must be positive, for example 0.001 for mm");
   }
-  if (up != "y" && up != "z") throw InputError("up = \"" + up + "\": must be \"y\" or \"z\"");
+  up_axis(up, {});
   repair.check();
+}
+
+ScanOptions options_for(const std::filesystem::path& file, ScanOptions options) {
+  options.up = up_axis(options.up, file);
+  return options;
 }
 
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
   options.check();
   const TriangleMesh raw = read_mesh(path);
   const std::string note = reconstruct_detail::digits_note(raw, path, options.unit);
-  Scan scan = clean_scan(raw, path.string(), options);
+  Scan scan = clean_scan(raw, path.string(), options_for(path, options));
   if (!note.empty()) scan.notes.push_back(note);
   return scan;
 }
@@ -33,11 +39,11 @@ Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOpti
   TriangleMesh mesh = raw;
   for (Vec3& vertex : mesh.vertices) {
     vertex *= options.unit;
-    if (y_up) vertex = Vec3(vertex.x(), -vertex.z(), vertex.y());
+    if (y_up) vertex = turned_z_up(vertex);
   }
   RepairOptions repair = options.repair;
   repair.reported_place = [&](const Vec3& there) -> Vec3 {
-    return (y_up ? Vec3(there.x(), there.z(), -there.y()) : there) / options.unit;
+    return (y_up ? turned_y_up(there) : there) / options.unit;
   };
   try {
     RepairedMesh result = repair_mesh(mesh, repair);

@@ -12,8 +12,9 @@ namespace clast {
 
 /// How a scan file is read.
 struct ScanOptions {
-  double unit = 1.0;     ///< metres per unit of the file
-  std::string up = "z";  ///< axis of the file that points up: "y" or "z"
+  double unit = 1.0;  ///< metres per unit of the file
+  /// Axis of the file that points up: "y", "z", or "auto", y of glTF files and z of all others.
+  std::string up = "auto";
   RepairOptions repair = {};
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -26,6 +27,9 @@ void visit_fields(const ScanOptions& options, Visit&& visit) {
   visit("up", up);
   visit("repair", repair);
 }
+
+/// The options with the `up` that "auto" stands for in this file. Without a file it stands for z.
+ScanOptions options_for(const std::filesystem::path& file, ScanOptions options);
 
 /// A scan that became a closed mesh, and what was done to it.
 struct Scan {

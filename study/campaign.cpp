@@ -5,6 +5,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "core/up_axis.hpp"
 #include "study/barrier_line.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
@@ -70,7 +71,7 @@ void read_terrain_table(const TomlTable& top, Campaign& campaign) {
                        "), or one zone raster or GeoJSON file, or rules by slope and height");
     }
   }
-  campaign.terrain.up = choice(table, "up", {"z", "y"}).value_or("z");
+  campaign.terrain.up = choice(table, "up", {"z", "y", "auto"}).value_or("auto");
   read_terrain_checks(table, campaign);
   campaign.terrain_radius = table.number("radius_m", kGroundRadius).value_or(0.0);
 }
@@ -209,7 +210,8 @@ Campaign read_campaign(const fs::path& file) {
   campaign.ground = read_ground(top);
   campaign.groups = read_block_groups(top, campaign);
   campaign.ensemble = read_ensemble(top, campaign);
-  campaign.releases = read_releases(top, campaign.terrain.up == "y");
+  const std::string up = up_axis(campaign.terrain.up, campaign.terrain.surface.front());
+  campaign.releases = read_releases(top, up == "y");
   read_contact(top, campaign);
   campaign.barriers = read_barriers(top);
   read_run(top, campaign);

@@ -20,10 +20,6 @@ namespace clast {
 using namespace study_detail;
 namespace {
 
-std::string place(const Vec3& map) {
-  return "(" + metres(map.x()) + ", " + metres(map.y()) + ", " + metres(map.z()) + ")";
-}
-
 BlockSummary summary_of(const CampaignBlock& chosen, const Block& block, const RigidBody& body,
                         const std::vector<BlockGroup>& groups) {
   const double scale = chosen.scale;
@@ -54,14 +50,16 @@ std::vector<Vec3> local_points(const Campaign& campaign, const ReleasePlan& rele
     if (!surface.covers(point.x(), point.y())) {
       const Vec3 low = frame.map(surface.extent().low);
       const Vec3 high = frame.map(surface.extent().high);
+      const auto range = [&](int axis) {
+        return with_decimals(low[axis], 3) + " to " + with_decimals(high[axis], 3);
+      };
       const bool inside =
           map.x() > low.x() && map.x() < high.x() && map.y() > low.y() && map.y() < high.y();
       throw InputError(campaign.file.string() + ": " + set_name(release) + "release point " +
-                       std::to_string(i + 1) + " at x " + metres(map.x()) + ", y " +
-                       metres(map.y()) +
+                       std::to_string(i + 1) + " at x " + with_decimals(map.x(), 3) + ", y " +
+                       with_decimals(map.y(), 3) +
                        (inside ? " is over a hole in the terrain" : " is off the terrain") +
-                       ", which lies in x " + metres(low.x()) + " to " + metres(high.x()) + ", y " +
-                       metres(low.y()) + " to " + metres(high.y()) +
+                       ", which lies in x " + range(0) + ", y " + range(1) +
                        " m on the map, z up; check the point, the map frame and \"up\"");
     }
     points.push_back(point);
@@ -112,9 +110,9 @@ void check_clear_of_ground(const PreparedCampaign& prepared, const GroundOverlap
   throw SimulationError(
       "run " + std::to_string(run.run) + ", block " + prepared.header.blocks[run.block].id + ", " +
       set_name(release) + "release point " + std::to_string(point_of_set + 1) + ", orientation " +
-      std::to_string(run.orientation + 1) + ": starts " + metres(*depth) +
+      std::to_string(run.orientation + 1) + ": starts " + with_decimals(*depth, 3) +
       " m inside the ground, with its centre at " +
-      place(prepared.header.frame.map(run.start.position)) +
+      place_on_map(prepared.header.frame.map(run.start.position)) +
       (release.drop_height ? "; raise " + table + " height_m"
                            : "; raise the release point or use " + table + " height_m"));
 }

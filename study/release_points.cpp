@@ -51,8 +51,6 @@ std::vector<Quat> read_orientations(const std::filesystem::path& file) {
   return orientations;
 }
 
-Vec3 turned_z_up(const Vec3& point) { return {point.x(), -point.z(), point.y()}; }
-
 Quat turned_z_up(const Quat& orientation) {
   const double half = std::sqrt(0.5);
   return (Quat(half, half, 0.0, 0.0) * orientation).normalized();

@@ -20,9 +20,7 @@ std::vector<Vec3> read_points(const std::filesystem::path& file);
 /// @throws InputError  as `read_points`, or a norm further from 1
 std::vector<Quat> read_orientations(const std::filesystem::path& file);
 
-/// Turns y up to z up: (x, y, z) -> (x, -z, y), a quarter turn about x.
-Vec3 turned_z_up(const Vec3& point);
-/// The same for rotations world_from_source whose world has y up.
+/// A rotation world_from_source whose world has y up, in one with z up (`core/up_axis.hpp`).
 Quat turned_z_up(const Quat& orientation);
 
 /// `count` points at equal distances along a polyline, both ends included; the middle for one.

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/nice_number.hpp"
+#include "core/number_text.hpp"
 #include "terrain/detail/map_lines.hpp"
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/relief.hpp"
@@ -68,9 +69,9 @@ void check_near(const Vec2& mark, const Window& ground, const std::string& what)
       (mark.array() < ground.high.array() + reach).all()) {
     return;
   }
-  throw InputError(what + " at " + terrain_detail::place({mark.x(), mark.y(), 0.0}) +
+  throw InputError(what + " at " + place_on_map({mark.x(), mark.y(), 0.0}) +
                    " is far off the ground, which begins at " +
-                   terrain_detail::place({ground.low.x(), ground.low.y(), 0.0}) +
+                   place_on_map({ground.low.x(), ground.low.y(), 0.0}) +
                    "; bring both into one map system");
 }
 

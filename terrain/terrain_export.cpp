@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
+#include "core/up_axis.hpp"
 #include "mesh/mesh_io.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/raw_surface.hpp"
@@ -49,8 +50,8 @@ terrain_detail::HeightGrid sampled(const Terrain& terrain, double cell,
 }  // namespace
 
 void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
-                    const std::string& up, double cell, const OutputRules& rules) {
-  if (up != "z" && up != "y") throw InputError("up = \"" + up + "\"; must be \"z\" or \"y\"");
+                    const std::string& up_of_user, double cell, const OutputRules& rules) {
+  const std::string up = up_axis(up_of_user, path);
   const std::string extension = extension_of(path);
   if (extension == ".tif" || extension == ".tiff") {
     if (up == "y") throw InputError(path.string() + ": rasters are z up; leave out up = \"y\"");
@@ -64,14 +65,13 @@ void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
   TriangleMesh mesh = terrain.surface;
   for (Vec3& vertex : mesh.vertices) {
     if (!floats) vertex = terrain.frame.map(vertex);
-    if (up == "y") vertex = terrain_detail::turned_y_up(vertex);
+    if (up == "y") vertex = turned_y_up(vertex);
   }
   const auto origin_text = [&](const Vec3& subtracted) -> std::string {
-    const Vec3 origin =
-        terrain.frame.origin + (up == "y" ? terrain_detail::turned_z_up(subtracted) : subtracted);
+    const Vec3 origin = terrain.frame.origin + (up == "y" ? turned_z_up(subtracted) : subtracted);
     if (!floats || origin.isZero(0.0)) return "";
     std::string text = "map coordinates (z up) = coordinates here (" + up + " up) + origin, m\n";
-    text += kOriginLine + terrain_detail::place(origin) + "\n";
+    text += kOriginLine + place_on_map(origin) + "\n";
     if (!terrain.frame.crs.empty()) text += "map system " + terrain.frame.crs + "\n";
     return text;
   };

@@ -21,7 +21,8 @@ Terrain read_terrain_file(const std::filesystem::path& path);
 /// .stl and .glb, which hold floats, in map coordinates less the local origin, with a file
 /// "<path>.origin.txt" that says so when that is not zero; .tif, the highest surface at the centres
 /// of square cells as GeoTIFF with the coordinate system.
-/// @param up    "z", or "y" to turn (x, y, z) to (x, z, -y); rasters are z up
+/// @param up    "z"; "y" to turn (x, y, z) to (x, z, -y); or "auto", y in .glb, as its standard has
+///              it, and z in all others; rasters are z up
 /// @param cell  of .tif, m
 /// @throws InputError  unknown extension or axis, a cell that is not positive or far too small, or
 ///                     as `OutputFile`

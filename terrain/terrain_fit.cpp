@@ -63,13 +63,12 @@ void check_over_ground(const Terrain& terrain, std::span<const Vec3> places,
     const Vec3 low = terrain.frame.map(box.low), high = terrain.frame.map(box.high);
     const bool in_box = (at.array() >= box.low.head<2>().array()).all() &&
                         (at.array() <= box.high.head<2>().array()).all();
-    throw InputError(name + ": release point " + std::to_string(i + 1) + " at " +
-                     terrain_detail::place(places[i]) +
-                     (in_box ? " is over a hole or beside the ground" : " is off the ground") +
-                     ", which lies in x " + with_digits(low.x(), 9) + " to " +
-                     with_digits(high.x(), 9) + ", y " + with_digits(low.y(), 9) + " to " +
-                     with_digits(high.y(), 9) +
-                     " (map, z up); move the point, or check its map system and up axis");
+    throw InputError(
+        name + ": release point " + std::to_string(i + 1) + " at " + place_on_map(places[i]) +
+        (in_box ? " is over a hole or beside the ground" : " is off the ground") +
+        ", which lies in x " + with_digits(low.x(), 9) + " to " + with_digits(high.x(), 9) +
+        ", y " + with_digits(low.y(), 9) + " to " + with_digits(high.y(), 9) +
+        " (map, z up); move the point, or check its map system and up axis");
   }
 }
 
@@ -91,7 +90,7 @@ std::optional<std::string> border_warning(const Terrain& terrain, std::span<cons
   return std::to_string(near) + " of " + std::to_string(places.size()) +
          " release points are nearer than " + with_digits(distance, 4) +
          " m to the border of the ground, the nearest, " + with_digits(nearest, 3) + " m, at " +
-         terrain_detail::place(nearest_at) + "; blocks may leave the survey there, extend it";
+         place_on_map(nearest_at) + "; blocks may leave the survey there, extend it";
 }
 
 std::optional<std::string> cell_size_warning(const Terrain& terrain, double smallest,

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/number_text.hpp"
+#include "core/up_axis.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "terrain/detail/breaklines.hpp"
@@ -197,7 +198,7 @@ void TerrainOptions::check() const {
     throw InputError("surface: " + std::to_string(surface.size()) +
                      " files; 65,535 at most, join some");
   }
-  if (up != "z" && up != "y") throw InputError("up = \"" + up + "\"; must be \"z\" or \"y\"");
+  up_axis(up, {});
   const auto check_range = [](const char* field, const std::optional<double>& value,
                               const NumberRange& range) {
     if (!value || range.holds(*value)) return;

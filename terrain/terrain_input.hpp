@@ -20,7 +20,9 @@ struct TerrainOptions {
   /// "zones.asc:1=blue,2=gray". Or rules, of which the first that holds decides: "rock=slope>60",
   /// "scree=height<1450&slope>=30", "soil=else". Empty: one zone, "ground".
   std::vector<std::string> zones = {};
-  std::string up = "z";  ///< of meshes and clouds: "z" or "y"; "y" turns (x, y, z) to (x, -z, y)
+  /// Of meshes and clouds: "z"; "y", which turns (x, y, z) to (x, -z, y); or "auto", y of glTF
+  /// files and z of all others.
+  std::string up = "auto";
   /// Cell size, m: of the grid that clouds are binned to (default: about four points per cell), of
   /// a raster that is to be made coarser, and of the grid that a mesh without walls and overhangs
   /// is to be made into.

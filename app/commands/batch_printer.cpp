@@ -46,9 +46,9 @@ void BatchPrinter::made(const Block& block, const BlockOrigin& origin) {
                   .options = options_.scan.scan,
                   .scale = scale_in_words(options_.scan),
                   .density_given = options_.scan.block.density_given};
+  shown.options.up = origin.up;
   if (origin.photos != nullptr) {
-    const PhotoEvidence evidence =
-        photo_evidence(*origin.photos, *origin.found, options_.scan.scan.up);
+    const PhotoEvidence evidence = photo_evidence(*origin.photos, *origin.found, origin.up);
     shown.sections.push_back(photo_section(*origin.photos, evidence, origin.found->scan.mesh));
     shown.scale = "by " + origin.photos->scale_source;
     prepared.photos = photo_json(*origin.photos, evidence);

@@ -117,9 +117,10 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
       ->type_name("F")
       ->capture_default_str();
   command
-      .add_option("--up", args.batch.scan.scan.up,
-                  "Axis of the scans that points up: y or z; without it z, or away from the "
-                  "ground where a scan holds ground")
+      .add_option(
+          "--up", args.batch.scan.scan.up,
+          "Axis of the scans that points up: y or z; without it y of glb and gltf files and "
+          "z of all others, or away from the ground where a scan holds ground")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
   command

@@ -31,11 +31,7 @@ void print_details(const Block& block) {
 
 void show(const ShowArgs& args) {
   const BlockLibrary library = BlockLibrary::read(args.library);
-  std::vector<const Block*> blocks;
-  for (const std::string& id : args.ids) blocks.push_back(&library.block(id));
-  if (args.ids.empty()) {
-    for (const Block& block : library.blocks()) blocks.push_back(&block);
-  }
+  const std::vector<const Block*> blocks = library.chosen(args.ids);
   if (args.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Block* block : blocks) all.push_back(block_json(*block));

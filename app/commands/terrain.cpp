@@ -16,6 +16,7 @@
 #include "core/printable.hpp"
 #include "core/text_file.hpp"
 #include "core/text_table.hpp"
+#include "core/up_axis.hpp"
 #include "library/block_ranges.hpp"
 #include "mesh/mesh_io.hpp"
 #include "study/release_points.hpp"
@@ -34,7 +35,7 @@ struct TerrainArgs {
   std::string zones;
   std::string output = "terrain.h5";
   std::string exported;
-  std::string export_up = "z";
+  std::string export_up = "auto";
   double export_cell = 0.5;
   std::string breaklines;
   std::string picture;
@@ -134,7 +135,7 @@ std::vector<Vec3> release_points(const TerrainArgs& args) {
   std::vector<Vec3> points;
   if (args.releases.empty()) return points;
   points = read_points(args.releases);
-  if (args.options.up == "y") {
+  if (up_axis(args.options.up, args.inputs.front()) == "y") {
     for (Vec3& point : points) point = turned_z_up(point);
   }
   return points;
@@ -370,8 +371,11 @@ void add_terrain(CLI::App& app) {
           "rock=slope>60,scree=height<1450,soil=else "
           "(degrees, m; the first that holds); default: one zone, ground")
       ->type_name("LIST|FILE");
-  command->add_option("--up", args->options.up, "Axis of the inputs that points up: y or z")
-      ->check(CLI::IsMember({"y", "z"}))
+  command
+      ->add_option("--up", args->options.up,
+                   "Axis of the inputs that points up: y, z, or auto: y of glb and gltf files, "
+                   "as their standard has it, z of all others")
+      ->check(CLI::IsMember({"auto", "y", "z"}))
       ->type_name("AXIS")
       ->capture_default_str();
   add_grid_options(*command, args->options, args->breaklines);
@@ -382,8 +386,10 @@ void add_terrain(CLI::App& app) {
           ->add_option("--export", args->exported,
                        "Also write the surface for viewing: stl, ply, obj, vtp, glb or tif")
           ->type_name("FILE");
-  command->add_option("--export-up", args->export_up, "Up axis of the export: z or y")
-      ->check(CLI::IsMember({"y", "z"}))
+  command
+      ->add_option("--export-up", args->export_up,
+                   "Up axis of the export: y, z, or auto: y in glb, z in all others")
+      ->check(CLI::IsMember({"auto", "y", "z"}))
       ->needs(exported)
       ->type_name("AXIS")
       ->capture_default_str();

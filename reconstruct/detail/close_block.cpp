@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/up_axis.hpp"
 #include "mesh/triangle_neighbours.hpp"
 #include "reconstruct/detail/holes.hpp"
 #include "reconstruct/detail/stated_bounds.hpp"
@@ -28,13 +29,13 @@ double degrees_between(const Vec3& a, const Vec3& b) {
 /// From the file's units and axes.
 Vec3 in_metres(Vec3 point, const ScanOptions& options) {
   point *= options.unit;
-  return options.up == "y" ? Vec3(point.x(), -point.z(), point.y()) : point;
+  return options.up == "y" ? turned_z_up(point) : point;
 }
 
 /// From metres, upright.
 TriangleMesh in_file_units(TriangleMesh mesh, const ScanOptions& options) {
   for (Vec3& v : mesh.vertices) {
-    v = (options.up == "y" ? Vec3(v.x(), v.z(), -v.y()) : v) / options.unit;
+    v = (options.up == "y" ? turned_y_up(v) : v) / options.unit;
   }
   return mesh;
 }

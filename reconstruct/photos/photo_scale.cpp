@@ -22,7 +22,7 @@ const FoundMarker& marker_of(const std::vector<FoundMarker>& markers, int id) {
                    ". A marker must be seen whole, sharp and with a white margin in 3 photos");
 }
 
-std::string percent(double share) { return with_digits(100.0 * share, 2) + " %"; }
+std::string in_percent(double share) { return with_digits(100.0 * share, 2) + " %"; }
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -135,7 +135,7 @@ PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const Sca
       values += (values.empty() ? "" : ", ") + measure.name + ": " +
                 with_digits(measure.factor, 6) + " m per unit";
     }
-    throw InputError("the sizes contradict each other by more than " + percent(most) + " (" +
+    throw InputError("the sizes contradict each other by more than " + in_percent(most) + " (" +
                      values + "); measure the markers again, or give the distances you trust");
   }
   scale.metres_per_unit = mean_factor(scale.measures, all);
@@ -148,9 +148,9 @@ PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const Sca
       squares += std::pow(measure.factor / scale.metres_per_unit - 1.0, 2);
       continue;
     }
-    scale.notes.push_back(measure.name + " disagrees by " + percent(std::abs(measure.left_out)) +
-                          " with the other " + std::to_string(used) + " (limit " + percent(most) +
-                          "): wrong size or a bent board? Left out");
+    scale.notes.push_back(measure.name + " disagrees by " + in_percent(std::abs(measure.left_out)) +
+                          " with the other " + std::to_string(used) + " (limit " +
+                          in_percent(most) + "): wrong size or a bent board? Left out");
   }
   if (used > 1) scale.spread = std::sqrt(squares / static_cast<double>(used - 1));
   if (used == 1) {
@@ -164,7 +164,7 @@ PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const Sca
         scale.metres_per_unit * sides / static_cast<double>(markers.size()) / *side - 1.0;
     if (std::abs(*scale.side_check) > most) {
       scale.notes.push_back("by the distances between markers, their sides are " +
-                            percent(std::abs(*scale.side_check)) +
+                            in_percent(std::abs(*scale.side_check)) +
                             (*scale.side_check > 0.0 ? " longer" : " shorter") +
                             " than given: check both");
     }

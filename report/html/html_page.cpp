@@ -1,27 +1,12 @@
 #include "report/html/html_page.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 
 #include "report/html/assets.hpp"
 
 namespace clast::report_detail {
 namespace {
-
-std::string number_text(double value, std::chars_format format, int precision) {
-  if (!std::isfinite(value)) return "-";
-  std::array<char, 400> text;  // the largest double has 309 digits before the point
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
-  std::string result(text.data(), end.ptr);
-  // "-0.0" is a rounding residue, not a sign anyone asked for.
-  if (result.find_first_not_of("-0.") == std::string::npos && result.front() == '-') {
-    result.erase(0, 1);
-  }
-  return result;
-}
 
 /// Escaped text with what stands between backticks, the field of an option, as code.
 std::string with_code(std::string_view text) {
@@ -93,20 +78,12 @@ std::string link_to(std::string_view path) {
 }
 
 std::string fixed(double value, int decimals) {
-  return number_text(value, std::chars_format::fixed, decimals);
+  return std::isfinite(value) ? with_decimals(value, decimals) : "-";
 }
 
 std::string significant(double value, int digits) {
-  if (!std::isfinite(value)) return "-";
-  if (value == 0.0) return "0";
-  const std::string scientific = number_text(value, std::chars_format::scientific, digits - 1);
-  // Read from the rounded number: 9.996 has two digits before the point once it is 10.0.
-  const int exponent = std::atoi(scientific.c_str() + scientific.find('e') + 1);
-  if (exponent >= 7 || exponent < -4) return scientific;
-  return number_text(value, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
+  return std::isfinite(value) ? rounded(value, digits) : "-";
 }
-
-std::string percent(double share) { return fixed(100.0 * share, 1) + " %"; }
 
 HtmlTable::HtmlTable(std::vector<std::string> heads, std::size_t text_columns)
     : heads_(std::move(heads)), text_columns_(text_columns) {}

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/number_text.hpp"
+
 namespace clast::report_detail {
 
 /// Text for element content and quoted attributes: & < > " ' escaped, control characters dropped.
@@ -22,8 +24,6 @@ std::string link_to(std::string_view path);
 std::string fixed(double value, int decimals);
 /// A number with so many significant digits, with an exponent only when very large or small.
 std::string significant(double value, int digits = 3);
-/// 0.0312 to "3.1 %".
-std::string percent(double share);
 
 /// A table; all but the first `text_columns` columns are numbers. Rows are sorted by a click on a
 /// column's head.

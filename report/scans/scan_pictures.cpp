@@ -7,6 +7,7 @@
 
 #include "core/nice_number.hpp"
 #include "core/number_text.hpp"
+#include "core/up_axis.hpp"
 #include "mesh/half_edges.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "mesh/weld.hpp"
@@ -226,7 +227,7 @@ std::string before_and_after(const TriangleMesh& raw, const ScanOptions& options
                              bool metric) {
   const auto to_block = [&](Vec3 p) -> Vec3 {
     p *= options.unit;
-    if (options.up == "y") p = Vec3(p.x(), -p.z(), p.y());
+    if (options.up == "y") p = turned_z_up(p);
     return block.block_from_file * p;
   };
   TriangleMesh read = raw;

@@ -10,7 +10,7 @@
 namespace clast {
 namespace {
 
-std::string percent(double share) { return with_decimals(100.0 * share, 1); }
+std::string percentage(double share) { return with_decimals(100.0 * share, 1); }
 
 std::string shares_text(const SchemeShares& scheme, bool weighed) {
   TextTable table{{scheme.scheme, "blocks", "share %", "95 % from", "to"}, {}};
@@ -20,11 +20,11 @@ std::string shares_text(const SchemeShares& scheme, bool weighed) {
     }
   }
   for (const ClassShare& share : scheme.shares) {
-    table.rows.push_back({share.name, std::to_string(share.count), percent(share.share),
-                          percent(share.low), percent(share.high)});
+    table.rows.push_back({share.name, std::to_string(share.count), percentage(share.share),
+                          percentage(share.low), percentage(share.high)});
     if (!weighed) continue;
-    for (const std::string& cell : {rounded(share.mass), percent(share.mass_share),
-                                    percent(share.mass_low), percent(share.mass_high)}) {
+    for (const std::string& cell : {rounded(share.mass), percentage(share.mass_share),
+                                    percentage(share.mass_low), percentage(share.mass_high)}) {
       table.rows.back().push_back(cell);
     }
   }
@@ -91,7 +91,7 @@ std::string summary_text(const PopulationSummary& summary) {
   for (const SizeShape& relation : summary.size_and_shape) {
     text += size_shape_words(relation, summary.size.measure) + "\n";
   }
-  return text + "C40 (S/L at most 0.4): " + percent(summary.c40) + " %\n";
+  return text + "C40 (S/L at most 0.4): " + percentage(summary.c40) + " %\n";
 }
 
 std::string comparison_text(const PopulationComparison& comparison) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -164,12 +163,6 @@ void tell_of_barriers(const PreparedCampaign& prepared, std::vector<std::string>
 
 }  // namespace
 
-std::string metres(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3f", value);
-  return text;
-}
-
 std::string set_name(const ReleasePlan& release) {
   return release.name.empty() ? "" : "release set " + release.name + ", ";
 }
@@ -204,7 +197,7 @@ void check_falls(const PreparedCampaign& prepared) {
     const double speed = std::sqrt(2.0 * prepared.campaign.gravity * height);
     if (!(speed > kMostSpeed)) continue;
     throw InputError(prepared.campaign.file.string() + ": release point " +
-                     std::to_string(run.point + 1) + " is " + metres(height) +
+                     std::to_string(run.point + 1) + " is " + with_decimals(height, 3) +
                      " m above the lowest ground, where its blocks could arrive with " +
                      with_digits(speed, 4) +
                      " m/s; at most 1000 m/s make sense: check heights, units "

@@ -7,8 +7,6 @@
 
 namespace clast::study_detail {
 
-/// "0.250": a length in metres, as campaign messages write it.
-std::string metres(double value);
 /// "release set cliff, " where there are several, else "".
 std::string set_name(const ReleasePlan& release);
 

@@ -81,7 +81,8 @@ void add_breaklines(RawSurface& surface, std::span<const MapLine> lines, double 
       const Foot other = foot_on(segments[s], at);
       if (other.distance <= kOnLine && std::abs(other.point.z() - foot->point.z()) > kSameHeight) {
         throw InputError(lines[segments[s].line].name + ": breaklines meet at " +
-                         place(foot->point) + " and at z " + with_digits(other.point.z(), 9) +
+                         place_on_map(foot->point) + " and at z " +
+                         with_digits(other.point.z(), 9) +
                          "; give them one height there, or move one of them");
       }
     }

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/up_axis.hpp"
 #include "mesh/point_cloud.hpp"
 #include "terrain/detail/gdal_raster.hpp"
 #include "terrain/detail/grid_holes.hpp"
@@ -218,7 +219,7 @@ void drop_outliers(CellHeights& stored, const Cells& cells, double distance, con
   notes.push_back(path.string() + ": " + std::to_string(low) + " points more than " +
                   with_digits(distance, 6) + " m below and " + std::to_string(high) +
                   " above the ground around were left out, the farthest, by " +
-                  with_digits(farthest, 4) + " m, near " + place(farthest_at));
+                  with_digits(farthest, 4) + " m, near " + place_on_map(farthest_at));
 }
 
 std::string cell_value(const TerrainOptions& options) {
@@ -237,7 +238,7 @@ void note_fill(const HolesFilled& filled, double widest, CloudGrid& result, cons
     result.notes.push_back(path.string() + ": " + std::to_string(filled.left) +
                            " holes wider than " + with_digits(widest, 6) +
                            " m were left open, the widest, " + with_digits(filled.widest_left, 4) +
-                           " m, around " + place(filled.left_at));
+                           " m, around " + place_on_map(filled.left_at));
   }
 }
 

@@ -249,7 +249,7 @@ void close_cracks(RawSurface& surface, double width, TerrainReport& report) {
   report.notes.push_back("cracks were closed: " + std::to_string(closed.joined) +
                          " border vertices joined to others, " + std::to_string(closed.divided) +
                          " made corners of the triangle beside them; the widest, " +
-                         with_digits(closed.widest, 3) + " m, at " + place(closed.at));
+                         with_digits(closed.widest, 3) + " m, at " + place_on_map(closed.at));
 }
 
 void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
@@ -301,7 +301,7 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
       " components with gaps or steps between them: " + std::to_string(apart) +
       " border vertices are near another component but apart from it, the nearest "
       "by " +
-      with_digits(narrowest, 3) + " m, at " + place(at) +
+      with_digits(narrowest, 3) + " m, at " + place_on_map(at) +
       "; a block that gets there leaves the terrain. Join the tiles, or give a "
       "crack as wide as the gap");
 }

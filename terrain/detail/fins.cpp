@@ -69,7 +69,7 @@ bool drop_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainRepo
   report.notes.push_back(std::to_string(fins) + " fins of " + with_digits(dropped_area, 3) +
                          " m2 in all, which hung on an edge of the ground, were dropped, the "
                          "first at " +
-                         place(first_at));
+                         place_on_map(first_at));
   return true;
 }
 

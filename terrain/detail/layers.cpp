@@ -97,13 +97,13 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
   const double all = std::accumulate(area.begin(), area.end(), 0.0);
   if (folded > kFoldedShare * all) {
     throw GeometryError("the ground lies double over " + with_digits(folded, 4) +
-                        " m2, the first at " + place(folded_at) +
+                        " m2, the first at " + place_on_map(folded_at) +
                         ": two surfaces face up over each other with no overhang between, or lie "
                         "on each other; remove one of the tiles, or the part of it that overlaps");
   }
   if (folded > 0.0) {
     report.notes.push_back("the ground folds over itself on " + with_digits(folded, 3) +
-                           " m2, the first at " + place(folded_at));
+                           " m2, the first at " + place_on_map(folded_at));
   }
   const auto components_dropped =
       static_cast<std::size_t>(std::count(dropped.begin(), dropped.end(), true));
@@ -112,9 +112,10 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
   report.dropped_pieces += components_dropped;
   report.boundary_edges = triangle_neighbours(mesh).border_edges;
   report.components -= components_dropped;
-  report.notes.push_back(
-      std::to_string(components_dropped) + " small components of " + with_digits(dropped_area, 3) +
-      " m2 in plan that lie over other ground were dropped, the first at " + place(dropped_at));
+  report.notes.push_back(std::to_string(components_dropped) + " small components of " +
+                         with_digits(dropped_area, 3) +
+                         " m2 in plan that lie over other ground were dropped, the first at " +
+                         place_on_map(dropped_at));
 }
 
 }  // namespace clast::terrain_detail

@@ -1,9 +1,7 @@
 #include "terrain/detail/raw_surface.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/error.hpp"
 #include "mesh/sub_mesh.hpp"
@@ -59,13 +57,6 @@ void keep_triangles(RawSurface& surface, const std::vector<bool>& keep) {
   }
   surface.source.resize(kept);
   surface.mesh = with_triangles(surface.mesh, keep);
-}
-
-std::string place(const Vec3& point) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "x %.3f, y %.3f, z %.3f", point.x(), point.y(),
-                point.z());
-  return text.data();
 }
 
 }  // namespace clast::terrain_detail

@@ -40,11 +40,4 @@ struct HeightGrid {
 /// @throws InputError  no such four cells; the message is about `path`
 TriangleMesh grid_surface(const HeightGrid& grid, const std::filesystem::path& path);
 
-/// (x, y, z) of a file whose y points up, turned z up.
-inline Vec3 turned_z_up(const Vec3& p) { return {p.x(), -p.z(), p.y()}; }
-inline Vec3 turned_y_up(const Vec3& p) { return {p.x(), p.z(), -p.y()}; }
-
-/// "x 652013.25, y 5203000.00" for messages; `point` on the map.
-std::string place(const Vec3& point);
-
 }  // namespace clast::terrain_detail

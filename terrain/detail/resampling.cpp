@@ -32,7 +32,7 @@ void check_one_height(const TriangleMesh& mesh, double cell, const std::filesyst
   if (count == 0) return;
   throw GeometryError(path.string() + ": " + std::to_string(count) + " of " +
                       std::to_string(mesh.triangles.size()) +
-                      " triangles stand upright or overhang, the first at " + place(first) +
+                      " triangles stand upright or overhang, the first at " + place_on_map(first) +
                       "; a grid has one height over every place, so that it can't hold them. Leave "
                       "out resolution, or simplify the mesh with a tolerance, which keeps them");
 }
@@ -129,7 +129,7 @@ void note_change(const TriangleMesh& mesh, const TriangleMesh& grid, double cell
                      with_digits(plan_area(grid), 6) + " of " + with_digits(plan_area(mesh), 6) +
                      " m2 in plan; vertices of the mesh are up to " + with_digits(largest, 3) +
                      " m above or below it";
-  if (largest > 0.0) note += ", as at " + place(largest_at);
+  if (largest > 0.0) note += ", as at " + place_on_map(largest_at);
   report.notes.push_back(note);
 }
 

@@ -333,7 +333,7 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
                      " m: " + std::to_string(result.mesh.triangles.size()) + " of " +
                      std::to_string(mesh.triangles.size()) + " triangles; nowhere more than " +
                      with_digits(growing.largest(), 4) + " m above or below what was there";
-  if (growing.largest() > 0.0) note += ", as at " + place(growing.largest_at());
+  if (growing.largest() > 0.0) note += ", as at " + place_on_map(growing.largest_at());
   report.notes.push_back(note);
   surface = std::move(result);
 }

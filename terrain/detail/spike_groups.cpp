@@ -278,7 +278,7 @@ void level_spike_groups(TriangleMesh& mesh, double steepness, double width, Terr
   report.notes.push_back(std::to_string(levelled.count) +
                          " vertices far above or below the ground, in groups or on a border, were "
                          "brought to the plane of the ground around, the farthest, by " +
-                         with_digits(levelled.farthest, 3) + " m, at " + place(levelled.at));
+                         with_digits(levelled.farthest, 3) + " m, at " + place_on_map(levelled.at));
 }
 
 }  // namespace clast::terrain_detail

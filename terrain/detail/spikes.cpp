@@ -170,13 +170,14 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
                            (spikes.left == 1 ? " vertex stands" : " vertices stand") +
                            " far above or below the ground around, but not alone, as on crests and "
                            "walls, kept as measured; the first at " +
-                           place(spikes.left_at));
+                           place_on_map(spikes.left_at));
   }
   if (spikes.levelled == 0) return;
   report.notes.push_back(std::to_string(spikes.levelled) +
                          " single vertices far above or below all their neighbours were brought "
                          "to the plane through these, the farthest, by " +
-                         with_digits(spikes.farthest, 3) + " m, at " + place(spikes.farthest_at));
+                         with_digits(spikes.farthest, 3) + " m, at " +
+                         place_on_map(spikes.farthest_at));
 }
 
 void note_slivers(const RawSurface& surface, TerrainReport& report) {
@@ -198,7 +199,7 @@ void note_slivers(const RawSurface& surface, TerrainReport& report) {
   if (report.slivers == 0) return;
   report.notes.push_back(std::to_string(report.slivers) +
                          " slivers, triangles less than 1 mm high, were kept; the lowest, " +
-                         with_digits(lowest, 2) + " m, at " + place(lowest_at));
+                         with_digits(lowest, 2) + " m, at " + place_on_map(lowest_at));
 }
 
 void smooth(TriangleMesh& mesh, int rounds, TerrainReport& report) {
@@ -225,7 +226,7 @@ void smooth(TriangleMesh& mesh, int rounds, TerrainReport& report) {
     largest_at = mesh.vertices[v];
   }
   report.notes.push_back("smoothed " + std::to_string(rounds) + " times; the largest change, " +
-                         with_digits(largest, 3) + " m, is at " + place(largest_at));
+                         with_digits(largest, 3) + " m, is at " + place_on_map(largest_at));
 }
 
 }  // namespace clast::terrain_detail

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
+#include "core/up_axis.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/point_cloud.hpp"
 #include "terrain/detail/cloud_input.hpp"
@@ -43,12 +44,12 @@ RawSurface read_meshes(const TerrainOptions& options) {
   RawSurface surface;
   for (std::size_t i = 0; i < options.surface.size(); ++i) {
     TriangleMesh mesh = read_mesh(options.surface[i]);
+    if (up_axis(options.up, options.surface[i]) == "y") {
+      for (Vec3& vertex : mesh.vertices) vertex = turned_z_up(vertex);
+    }
     surface.source.insert(surface.source.end(), mesh.triangles.size(),
                           static_cast<std::uint16_t>(i));
     surface.mesh = merged(std::move(surface.mesh), mesh);
-  }
-  if (options.up == "y") {
-    for (Vec3& vertex : surface.mesh.vertices) vertex = turned_z_up(vertex);
   }
   return surface;
 }
@@ -79,10 +80,10 @@ void check_heights(const HeightGrid& grid, const fs::path& path) {
     }
     const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
     const std::string number = with_digits(height, 9);
-    throw InputError(path.string() + ": the height at " + place({centre.x(), centre.y(), height}) +
-                     " m is none on earth. If " + number +
-                     " stands for no data, say so first: gdal_translate -a_nodata " + number + " " +
-                     path.filename().string() + " ground.tif");
+    throw InputError(path.string() + ": the height at " +
+                     place_on_map({centre.x(), centre.y(), height}) + " m is none on earth. If " +
+                     number + " stands for no data, say so first: gdal_translate -a_nodata " +
+                     number + " " + path.filename().string() + " ground.tif");
   }
 }
 

@@ -199,11 +199,11 @@ void fill_surface_holes(RawSurface& surface, double widest, double slit, Terrain
   if (report.filled_holes > 0) {
     report.notes.push_back(std::to_string(report.filled_holes) +
                            " holes were filled, the widest, " + with_digits(widest_filled, 3) +
-                           " m, around " + place(filled_at));
+                           " m, around " + place_on_map(filled_at));
   }
   if (report.open_holes > 0) {
     report.notes.push_back(std::to_string(report.open_holes) + " holes stay open, the widest, " +
-                           with_digits(widest_open, 3) + " m, around " + place(open_at) +
+                           with_digits(widest_open, 3) + " m, around " + place_on_map(open_at) +
                            "; a block that gets there leaves the terrain; fill = " +
                            with_digits(widest_open * 1.01, 3) + " m fills them");
   }

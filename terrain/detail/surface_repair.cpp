@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_neighbours.hpp"
@@ -37,7 +38,7 @@ std::vector<bool> copies_of_triangles(const RawSurface& surface,
     const std::uint16_t file = surface.source[one], other = surface.source[two];
     if (zone_of_file[file] != zone_of_file[other] && !is_degenerate(mesh, mesh.triangles[one])) {
       throw GeometryError(files[file] + " and " + files[other] + " both hold the triangle at " +
-                          place(centroid(mesh, mesh.triangles[one])) +
+                          place_on_map(centroid(mesh, mesh.triangles[one])) +
                           " under different zones; cut it out of one of them");
     }
   }
@@ -92,7 +93,7 @@ void drop_useless_triangles(RawSurface& surface, const std::vector<std::string>&
   const auto note = [&](std::size_t dropped, const std::string& what, const Vec3& at) {
     if (dropped == 0) return;
     report.notes.push_back(std::to_string(dropped) + what + " were dropped, the first at " +
-                           place(at));
+                           place_on_map(at));
   };
   note(report.dropped_degenerate, " triangles without an area", degenerate_at);
   note(report.dropped_duplicates, " copies of triangles", copy_at);
@@ -109,12 +110,12 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
     const auto& [low, high] = links.first_non_manifold;
     throw GeometryError("the ground has " + std::to_string(links.non_manifold_edges) +
                         " edges where more than two triangles meet, the first at " +
-                        place((mesh.vertices[low] + mesh.vertices[high]) / 2.0) +
+                        place_on_map((mesh.vertices[low] + mesh.vertices[high]) / 2.0) +
                         "; surfaces overlap or cross there, remove one of them");
   }
   const RelativeFacing facing = relative_facing(mesh, links);
   if (facing.conflict) {
-    throw GeometryError("the ground at " + place(mesh.vertices[*facing.conflict]) +
+    throw GeometryError("the ground at " + place_on_map(mesh.vertices[*facing.conflict]) +
                         " is twisted into itself and has no upper side; cut it there");
   }
   report.components += facing.components.size();
@@ -124,7 +125,7 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
     if (!up) {
       report.notes.push_back("a component of " + std::to_string(component.size()) +
                              " triangles at " +
-                             place(centroid(mesh, mesh.triangles[component.front()])) +
+                             place_on_map(centroid(mesh, mesh.triangles[component.front()])) +
                              " stands upright and touches no other ground; which side is rock was "
                              "taken as in the file");
     } else if (!*up) {
@@ -140,7 +141,7 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
   if (report.turned_triangles > 0) {
     report.notes.push_back(std::to_string(report.turned_triangles) +
                            " triangles faced into the ground and were turned, the first at " +
-                           place(first_turned));
+                           place_on_map(first_turned));
   }
 }
 

@@ -102,7 +102,8 @@ void check_overlaps(const std::vector<ReadPolygon>& polygons, const std::filesys
       common->Centroid(&inside);
       throw InputError(path.string() + ": zones \"" + one.zone + "\" and \"" + two.zone +
                        "\" overlap on " + with_digits(area, 4) + " m2 around " +
-                       place({inside.getX(), inside.getY(), 0.0}) + "; cut one of the polygons");
+                       place_on_map({inside.getX(), inside.getY(), 0.0}) +
+                       "; cut one of the polygons");
     }
   }
 }

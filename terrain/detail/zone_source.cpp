@@ -53,13 +53,13 @@ std::map<long, std::uint32_t> classes_of(const HeightGrid& grid, const ZoneFile&
     const Vec2 centre = grid.centre(i % grid.columns, i / grid.columns);
     if (value != std::round(value) || std::abs(value) > 1e9) {
       throw InputError(source.path.string() + ": " + with_digits(value, 6) + " at " +
-                       place({centre.x(), centre.y(), 0.0}) +
+                       place_on_map({centre.x(), centre.y(), 0.0}) +
                        "; a zone raster holds whole class numbers");
     }
     const auto [entry, is_new] = label_of.emplace(static_cast<long>(value), 0);
     if (!is_new || source.names.empty() || source.names.contains(entry->first)) continue;
     throw InputError(source.path.string() + ": class " + std::to_string(entry->first) + " at " +
-                     place({centre.x(), centre.y(), 0.0}) + " has no name; add " +
+                     place_on_map({centre.x(), centre.y(), 0.0}) + " has no name; add " +
                      std::to_string(entry->first) + "=NAME to the zones");
   }
   for (auto& [number, label] : label_of) {
@@ -208,7 +208,7 @@ void refuse_bare(const Bare& bare, const Terrain& terrain, const std::string& wh
   throw GeometryError(who + ": leaves " + std::to_string(bare.triangles) + " of " +
                       std::to_string(terrain.surface.triangles.size()) + " triangles (" +
                       with_digits(bare.area, 6) + " m2 in plan) without a zone, the first at " +
-                      place(bare.at) + "; " + advice);
+                      place_on_map(bare.at) + "; " + advice);
 }
 
 /// Numbers for the labels that are used, in their order.

@@ -45,7 +45,27 @@ TEST(NumberText, SeventeenDigitsComeBackAsTheSameNumber) {
   }
 }
 
+TEST(NumberText, RoundedNumbersKeepTheirZeros) {
+  EXPECT_EQ(rounded(2.0, 3), "2.00");
+  EXPECT_EQ(rounded(9.996, 3), "10.0");
+  EXPECT_EQ(rounded(123456.0, 3), "123456");
+  EXPECT_EQ(rounded(9999999.6, 3), "1.00e+07");
+  EXPECT_EQ(rounded(0.00012345, 3), "0.000123");
+  EXPECT_EQ(rounded(0.000012345, 3), "1.23e-05");
+  EXPECT_EQ(rounded(0.0, 3), "0");
+  EXPECT_EQ(rounded(std::numeric_limits<double>::infinity(), 3), "inf");
+}
+
+TEST(NumberText, DecimalsHaveNoMinusBeforeZero) {
+  EXPECT_EQ(with_decimals(-0.04, 1), "0.0");
+  EXPECT_EQ(with_decimals(-0.06, 1), "-0.1");
+  EXPECT_EQ(with_decimals(1e300, 1).size(), 303u);
+  EXPECT_EQ(percent(0.0312), "3.1 %");
+  EXPECT_EQ(percent(0.0312, 0), "3 %");
+}
+
 TEST(NumberText, PlacesAreToTheCentimetreOnAMap) {
+  EXPECT_EQ(place_on_map({652013.25, 5203000.0, 0.0}), "x 652013.250, y 5203000.000, z 0.000");
   EXPECT_EQ(place({0.5, -1.0, 0.0}), "(0.5, -1, 0)");
   EXPECT_EQ(place({888600.125, 6671300.254, 200.0}), "(888600.125, 6671300.25, 200)");
 }

@@ -64,6 +64,20 @@ TEST(Scan, UnitAndUpAxisAreApplied) {
   EXPECT_NEAR(enclosed_volume(scan.mesh), 6.0, 1e-14);
 }
 
+TEST(Scan, GltfFilesAreYUpUnlessSaidOtherwise) {
+  const ScratchFolder folder;
+  write_mesh(folder / "b.glb", box_mesh({1.0, 2.0, 3.0}));
+  write_mesh(folder / "b.obj", box_mesh({1.0, 2.0, 3.0}));
+  const auto height = [&](const std::string& name, const ScanOptions& options) {
+    const Bounds box = bounds(read_scan(folder / name, options).mesh);
+    return box.high.z() - box.low.z();
+  };
+  EXPECT_EQ(height("b.glb", {}), 2.0);
+  EXPECT_EQ(height("b.glb", {.up = "y"}), 2.0);
+  EXPECT_EQ(height("b.glb", {.up = "z"}), 3.0);
+  EXPECT_EQ(height("b.obj", {}), 3.0);
+}
+
 TEST(Scan, InwardAndMixedWindingTurnOutward) {
   const TriangleMesh rock = random_rock(2);
   EXPECT_NEAR(enclosed_volume(clean_scan(inverted(rock), "B017").mesh), enclosed_volume(rock),

@@ -224,7 +224,8 @@ TEST_F(CampaignRun, StartInsideTheGroundIsRefused) {
   const std::string touching = refusal(with("[-12, 3, 9.5]", "[-12, 3, 7.4]"));
   EXPECT_TRUE(contains(touching, "run 3, block cube, release point 2, orientation 1: starts 0."))
       << touching;
-  EXPECT_TRUE(contains(touching, "m inside the ground, with its centre at (-12.000, 3.000, 7.400)"))
+  EXPECT_TRUE(
+      contains(touching, "m inside the ground, with its centre at x -12.000, y 3.000, z 7.400"))
       << touching;
   const std::string buried = refusal(with("[-12, 3, 9.5]", "[-12, 3, 2]"));
   EXPECT_TRUE(contains(buried, "run 3, block cube, release point 2, orientation 1: starts 5."))

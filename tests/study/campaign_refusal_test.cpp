@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:25: [release] angular_velocity_rad_s = [0, 9000, 9000]: must be "
                 "10000 in size at most; check the units"},
         Refused{"up = \"y\"", "up = \"x\"",
-                "campaign.toml:8: [terrain] up = \"x\": must be \"z\" or \"y\""},
+                "campaign.toml:8: [terrain] up = \"x\": must be \"z\", \"y\" or \"auto\""},
         Refused{"weights = \"overlap\"", "weights = \"equal\"",
                 "campaign.toml:30: [contact] weights = \"equal\": must be \"patch\", \"overlap\", "
                 "\"count\" or \"none\""},

@@ -83,7 +83,7 @@ orientations = "grid-45"
   EXPECT_TRUE(campaign.blocks.filter.ids.empty());
   EXPECT_TRUE(campaign.blocks.filter.scheme.empty());
   EXPECT_TRUE(campaign.terrain.zones.empty());
-  EXPECT_EQ(campaign.terrain.up, "z");
+  EXPECT_EQ(campaign.terrain.up, "auto");
   EXPECT_EQ(campaign.terrain_radius, 0.0);
   EXPECT_TRUE(campaign.releases[0].in_principal_frame);
   EXPECT_EQ(campaign.releases[0].orientations.size(), 64u);

@@ -160,6 +160,23 @@ TEST_F(TerrainFile, MeshExportsAreOnTheMap) {
   EXPECT_EQ(back.surface.vertices, terrain.surface.vertices);
 }
 
+// glTF 2.0 has y up: viewers show the ground level, and it comes back as it was.
+TEST_F(TerrainFile, GlbExportsAreYUpAndReadSo) {
+  Terrain terrain = sample();
+  terrain.frame.origin = Vec3::Zero();
+  export_terrain(folder_ / "t.glb", terrain, "auto");
+  const TriangleMesh mesh = read_mesh(folder_ / "t.glb");
+  const Terrain back = read_terrain({.surface = {folder_ / "t.glb"}});
+  ASSERT_EQ(mesh.vertices.size(), terrain.surface.vertices.size());
+  ASSERT_EQ(back.surface.vertices.size(), terrain.surface.vertices.size());
+  const Vec3 map_origin = back.frame.origin;
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vec3& z_up = terrain.surface.vertices[i];
+    EXPECT_LT((mesh.vertices[i] - Vec3(z_up.x(), z_up.z(), -z_up.y())).norm(), 1e-5);
+    EXPECT_LT((back.surface.vertices[i] + map_origin - z_up).norm(), 1e-5);
+  }
+}
+
 TEST_F(TerrainFile, FloatExportsAreNearTheOriginAndSayWhere) {
   const Terrain terrain = sample();
   export_terrain(folder_ / "t.stl", terrain, "z");
