@@ -31,6 +31,7 @@ void read_ground_sets(const CheckedGroup& reader, CampaignResults& results) {
   const auto groups = reader.group.read<std::string>("group");
   const std::size_t zones = results.zone_names.size();
   const auto members = reader.column<std::uint32_t>("member", groups.size());
+  reader.check_below("member", members, groups.size());
   const auto restitution = reader.column<double>("energy_restitution", groups.size() * zones);
   const auto friction = reader.column<double>("friction", groups.size() * zones);
   const auto rolling = reader.column<double>("rolling_friction", groups.size() * zones);

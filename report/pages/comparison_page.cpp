@@ -20,9 +20,9 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
                                 class_section(comparison) + map_section(comparison) +
                                 scene_section(comparison) + runout_section(comparison) +
                                 slope_section(comparison, bins) + differences_section(comparison) +
-                                barrier_section(comparison) + block_section(comparison) +
-                                quality_section(comparison) + provenance_section(comparison) +
-                                charts_script());
+                                ensemble_section(comparison) + barrier_section(comparison) +
+                                block_section(comparison) + quality_section(comparison) +
+                                provenance_section(comparison) + charts_script());
 }
 
 }  // namespace clast::report_detail

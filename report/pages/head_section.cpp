@@ -6,6 +6,7 @@
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
 #include "study/block_stiffness.hpp"
+#include "study/ensemble_effects.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -56,14 +57,17 @@ std::string head_section(const Comparison& comparison) {
   html += fact("Results", per_file(comparison, [](const CampaignResults& results) {
                  return results.file.filename().string();
                }));
-  html +=
-      fact("Released", per_file(comparison, [&](const CampaignResults& results) {
-             const std::size_t points = results.release_points.size();
-             const std::size_t sets = results.blocks.size() * points;
-             return many(results.blocks.size(), "block", "blocks") + " \xC3\x97 " +
-                    many(points, "point", "points") + " \xC3\x97 " +
-                    many(sets > 0 ? results.planned_runs / sets : 0, "orientation", "orientations");
-           }));
+  html += fact(
+      "Released", per_file(comparison, [&](const CampaignResults& results) {
+        const std::size_t points = results.release_points.size();
+        const std::size_t members = ensemble_members(results);
+        const std::size_t sets = results.blocks.size() * points * members;
+        return many(results.blocks.size(), "block", "blocks") + " \xC3\x97 " +
+               many(points, "point", "points") + " \xC3\x97 " +
+               many(sets > 0 ? results.planned_runs / sets : 0, "orientation", "orientations") +
+               (members > 1 ? " \xC3\x97 " + many(members, "draw", "draws") + " of the ground"
+                            : "");
+      }));
   html += fact("Contact law", "energy restitution, weights " +
                                   per_file(comparison, [](const CampaignResults& results) {
                                     return name_of(results.weights);

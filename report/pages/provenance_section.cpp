@@ -1,8 +1,13 @@
 #include "report/pages/report_sections.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "core/version.hpp"
 #include "report/html/html_page.hpp"
 #include "study/block_stiffness.hpp"
+#include "study/ensemble_effects.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -29,6 +34,41 @@ std::string stiffness_table(const CampaignResults& results) {
          " blocks</summary>" + table.html() + "</details>\n";
 }
 
+/// The ground parameters that runs had: of every zone, and of block groups where theirs differ.
+/// Where members of an ensemble differ, the range drawn.
+std::string ground_table(const CampaignResults& results) {
+  std::map<std::string, std::vector<const GroundSet*>> sets_of;  // by block group
+  for (const GroundSet& set : results.ground_sets) sets_of[set.group].push_back(&set);
+  const GroundSet central{"", 0, results.ground};
+  if (sets_of[""].empty()) sets_of[""] = {&central};
+  std::vector<std::string> heads = {"ground zone", "e_n\xC2\xB2", "friction \xC2\xB5",
+                                    "rolling friction \xC2\xB5_R"};
+  HtmlTable table(heads, 1);
+  for (std::size_t zone = 0; zone < results.zone_names.size(); ++zone) {
+    std::vector<std::string> usual;
+    for (const auto& [group, sets] : sets_of) {
+      std::vector<std::string> cells;
+      for (const GroundField& field : ground_fields()) {
+        double low = INFINITY, high = -INFINITY;
+        for (const GroundSet* set : sets) {
+          low = std::min(low, set->zones[zone].*field.value);
+          high = std::max(high, set->zones[zone].*field.value);
+        }
+        cells.push_back(significant(low) + (low < high ? " to " + significant(high) : ""));
+      }
+      if (group.empty()) usual = cells;
+      if (!group.empty() && cells == usual) continue;
+      cells.insert(cells.begin(),
+                   results.zone_names[zone] + (group.empty() ? "" : ", group " + group));
+      table.row(cells);
+    }
+  }
+  const std::uint32_t members = ensemble_members(results);
+  return table.html() + (members > 1 ? paragraph("Ranges are of the " + std::to_string(members) +
+                                                 " draws; each draw is in ground_sets.csv.")
+                                     : "");
+}
+
 }  // namespace
 
 std::string provenance_section(const Comparison& comparison) {
@@ -42,15 +82,7 @@ std::string provenance_section(const Comparison& comparison) {
                       std::to_string(results.planned_runs) + " planned runs, clast " +
                       results.program_version + ".");
     html += stiffness_table(results);
-    HtmlTable zones(
-        {"ground zone", "e_n\xC2\xB2", "friction \xC2\xB5", "rolling friction \xC2\xB5_R"}, 1);
-    for (std::size_t zone = 0; zone < results.ground.size(); ++zone) {
-      const GroundParameters& ground = results.ground[zone];
-      zones.row({zone < results.zone_names.size() ? results.zone_names[zone] : std::to_string(zone),
-                 significant(ground.energy_restitution), significant(ground.friction),
-                 significant(ground.rolling_friction)});
-    }
-    html += zones.html();
+    html += ground_table(results);
     html += "<p>Campaign SHA-256 <code>" + escaped(results.campaign_sha256) +
             "</code></p>\n<ul class=\"note\">\n";
     for (const std::string& input : results.inputs) {

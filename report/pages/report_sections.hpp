@@ -22,6 +22,8 @@ std::string runout_section(const Comparison& comparison);
 std::string slope_section(const Comparison& comparison, const std::vector<ProfileBin>& bins);
 /// How large and how sure the differences between classes are, and how measured stops compare.
 std::string differences_section(const Comparison& comparison);
+/// What drawn ground parameters do to runout and barriers; empty without ensembles.
+std::string ensemble_section(const Comparison& comparison);
 /// A table and exceedance curves for every barrier.
 std::string barrier_section(const Comparison& comparison);
 /// Energy balance, penetration, and every run that did not come to rest.

@@ -3,6 +3,7 @@
 /// runs.csv. A test compares them with docs/formats.md.
 #include <vector>
 
+#include "study/ensemble_effects.hpp"
 #include "study/profiles.hpp"
 #include "study/run_columns.hpp"
 
@@ -29,6 +30,7 @@ const TableColumns<BarrierGroup>& barrier_columns();
 const TableColumns<ComparisonRow<CrossingRow>>& crossing_columns();
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns();
 const TableColumns<ComparisonRow<Difference>>& difference_columns();
+const TableColumns<ComparisonRow<ParameterEffect>>& ensemble_columns();
 const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns();
 const TableColumns<ComparisonRow<RunImpact>>& impact_columns();
 const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns();

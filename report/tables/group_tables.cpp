@@ -166,6 +166,35 @@ const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns
   return columns;
 }
 
+const TableColumns<ComparisonRow<ParameterEffect>>& report_detail::ensemble_columns() {
+  using Row = ComparisonRow<ParameterEffect>;
+  using Effect = ParameterEffect;
+  const char *drawn = "drawn values", *outcome_unit = "m or share", *over = "over members";
+  static const TableColumns<Row> columns = {
+      {"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
+      {"block_group", "", "whose runs are meant; empty: of blocks in no group", &Effect::group},
+      {"zone", "", "name of the ground zone", &Effect::zone},
+      {"parameter", "", "`energy_restitution`, `friction` or `rolling_friction`",
+       &Effect::parameter},
+      {"members", "", "members of the ensemble that have the outcome", &Effect::members},
+      {"drawn_low", "", drawn, &Effect::low},
+      {"drawn_median", "", drawn, &Effect::median},
+      {"drawn_high", "", drawn, &Effect::high},
+      {"outcome", "", "`mean runout` of runs at rest, or `past NAME`, the share past a barrier",
+       &Effect::outcome},
+      {"outcome_p5", outcome_unit, over, &Effect::outcome_p5},
+      {"outcome_median", outcome_unit, over, &Effect::outcome_median},
+      {"outcome_p95", outcome_unit, over, &Effect::outcome_p95},
+      {"rank_correlation", "", "Spearman's, of drawn value and outcome",
+       [](const Row& row) { return row->correlation ? row->correlation->statistic : NAN; }},
+      {"p_value", "", "of the rank correlation, two-sided",
+       [](const Row& row) { return row->correlation ? row->correlation->p_value : NAN; }},
+      {"first_order", "",
+       "share of the outcome's variance that goes with the parameter alone; from 40 members on",
+       [](const Row& row) { return row->first_order.value_or(NAN); }}};
+  return columns;
+}
+
 const TableColumns<ComparisonRow<MeasuredGroup>>& report_detail::measured_columns() {
   using Row = ComparisonRow<MeasuredGroup>;
   using Measured = MeasuredGroup;
@@ -281,6 +310,10 @@ std::string measured_csv(const Comparison& comparison) {
 
 std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
   return csv_of(profile_columns(), rows_of(comparison, bins));
+}
+
+std::string ensemble_csv(const Comparison& comparison) {
+  return csv_of(ensemble_columns(), rows_of(comparison, ensemble_effects(comparison)));
 }
 
 std::string ground_sets_csv(const Comparison& comparison) {

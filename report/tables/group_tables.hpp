@@ -14,6 +14,8 @@ std::string deposits_csv(const Comparison& comparison);
 std::string differences_csv(const Comparison& comparison);
 /// A row for each group that has measured stops; the header alone without measured stops.
 std::string measured_csv(const Comparison& comparison);
+/// A row for each drawn ground parameter and outcome; the header alone without ensembles.
+std::string ensemble_csv(const Comparison& comparison);
 /// @param bins  `profiles` of the comparison
 std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins);
 /// The ground parameters of every ground set, by zone.

@@ -214,9 +214,9 @@ TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, (std::vector<std::string>{"barriers.csv", "crossings.csv", "deposits.csv",
-                                             "differences.csv", "ground_sets.csv", "impacts.csv",
-                                             "profiles.csv", "provenance.json", "report.html",
-                                             "runs.csv", "stops.gpkg"}));
+                                             "differences.csv", "ensemble.csv", "ground_sets.csv",
+                                             "impacts.csv", "profiles.csv", "provenance.json",
+                                             "report.html", "runs.csv", "stops.gpkg"}));
   EXPECT_TRUE(contains(read_text_file(folder / "out" / "provenance.json"), std::string(64, 'c')));
 }
 

@@ -72,6 +72,22 @@ TEST(HtmlReport, SaysWhatWasRun) {
   }
 }
 
+// Three draws of the ground are not three times as many orientations, and no run had their middle.
+TEST(HtmlReport, AnEnsembleIsNeitherMoreOrientationsNorFixedParameters) {
+  CampaignResults results = hand_made_results();
+  results.planned_runs = 6;
+  for (std::uint32_t member = 0; member < 3; ++member) {
+    results.ground_sets.push_back(
+        {"", member, {{0.01, 0.5 + 0.1 * member, 0.35}, {0.01, 0.3, 0.0}}});
+    results.runs[member].ground_set = member;
+    results.runs[member + 3].ground_set = member;
+  }
+  const std::string html = report_of(compared(std::move(results)));
+  EXPECT_TRUE(contains(html, "1 orientation \xC3\x97 3 draws of the ground"));
+  EXPECT_TRUE(contains(html, "0.500 to 0.700"));
+  EXPECT_TRUE(contains(html, "Over 3 draws of the ground the mean runout is"));
+}
+
 TEST(HtmlReport, RefersToNothingOutsideItself) {
   // What plotly.js says of itself in comments is not looked at: another one stands in for it.
   const ScratchFolder folder;

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "report/html/html_page.hpp"
+#include "report/pages/report_groups.hpp"
+#include "report/pages/report_sections.hpp"
+#include "study/ensemble_effects.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+constexpr double kSignificant = 0.05;
+
+bool is_share(const ParameterEffect& effect) { return effect.outcome != "mean runout"; }
+
+std::string outcome_text(const ParameterEffect& effect, double value) {
+  return is_share(effect) ? percent(value) : significant(value) + " m";
+}
+
+std::string runs_of(const Comparison& comparison, const ParameterEffect& effect) {
+  std::string text;
+  if (several_files(comparison)) text = "file " + std::to_string(effect.file + 1) + ": ";
+  if (!effect.group.empty()) text += "group " + effect.group + ": ";
+  return text;
+}
+
+std::string in_words(std::string parameter) {
+  std::replace(parameter.begin(), parameter.end(), '_', ' ');
+  return parameter;
+}
+
+/// A sentence for one outcome of the runs of one group: its band, and what moves it most.
+std::string sentence(const Comparison& comparison, const std::vector<ParameterEffect>& effects) {
+  const ParameterEffect& any = effects.front();
+  std::string text =
+      runs_of(comparison, any) + "over " + std::to_string(any.members) +
+      " draws of the ground the " + (is_share(any) ? "share of runs " + any.outcome : any.outcome) +
+      " is " + outcome_text(any, any.outcome_median) + " (" + outcome_text(any, any.outcome_p5) +
+      " to " + outcome_text(any, any.outcome_p95) + " in nine of ten)";
+  const auto size = [](const ParameterEffect& effect) {
+    return effect.correlation ? std::abs(effect.correlation->statistic) : 0.0;
+  };
+  const auto most = std::max_element(
+      effects.begin(), effects.end(),
+      [&](const ParameterEffect& a, const ParameterEffect& b) { return size(a) < size(b); });
+  if (!most->correlation || most->correlation->p_value > kSignificant) {
+    text += "; no single parameter is seen to move it";
+  } else {
+    text += std::string("; it ") + (most->correlation->statistic > 0.0 ? "grows" : "falls") +
+            " most clearly with the " + in_words(most->parameter) + " of " + most->zone +
+            " (rank correlation " + fixed(most->correlation->statistic, 2) + ")";
+  }
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
+}  // namespace
+
+std::string ensemble_section(const Comparison& comparison) {
+  const std::vector<ParameterEffect> effects = ensemble_effects(comparison);
+  if (effects.empty()) return "";
+  HtmlTable table({"outcome", "zone", "parameter", "drawn from", "to", "rank correlation", "p",
+                   "share of variance"},
+                  3);
+  std::string sentences;
+  for (std::size_t i = 0; i < effects.size();) {
+    std::vector<ParameterEffect> same;
+    for (; i < effects.size(); ++i) {
+      const ParameterEffect& effect = effects[i];
+      if (!same.empty() && (effect.file != same[0].file || effect.group != same[0].group ||
+                            effect.outcome != same[0].outcome)) {
+        break;
+      }
+      same.push_back(effect);
+      const std::optional<TestResult>& correlation = effect.correlation;
+      table.row({runs_of(comparison, effect) + effect.outcome, effect.zone,
+                 in_words(effect.parameter), significant(effect.low), significant(effect.high),
+                 correlation ? fixed(correlation->statistic, 2) : "-",
+                 correlation ? significant(correlation->p_value, 2) : "-",
+                 effect.first_order ? percent(*effect.first_order) : "-"});
+    }
+    sentences += paragraph(sentence(comparison, same));
+  }
+  return section(
+      "Uncertain ground",
+      sentences + table.html() +
+          paragraph("Every run was simulated on each draw of the ground, so draws differ "
+                    "in nothing else. The share of variance is what one parameter "
+                    "explains alone, from 40 draws on. All figures are in "
+                    "ensemble.csv."));
+}
+
+}  // namespace clast::report_detail
