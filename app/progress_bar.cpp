@@ -43,7 +43,8 @@ ProgressBar::ProgressBar(std::string what, std::size_t total)
       terminal_(::isatty(STDERR_FILENO) == 1),
       begin_(std::chrono::steady_clock::now()) {}
 
-void ProgressBar::update(std::size_t done, const std::string& note) {
+void ProgressBar::update(std::size_t done, const std::string& note, bool takes_long) {
+  end_long_step();
   if (!started_) {
     started_ = true;
     // A resumed job does not start at zero: what was there took no time now.
@@ -51,10 +52,19 @@ void ProgressBar::update(std::size_t done, const std::string& note) {
     tenths_ = total_ ? 10 * first_ / total_ : 0;
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  if (elapsed.count() < kQuiet || total_ == 0) return;
+  if (total_ > 0 && (elapsed.count() >= kQuiet || takes_long)) show(done, note, elapsed.count());
+  if (takes_long) {
+    long_step_ = note;
+    long_begin_ = std::chrono::steady_clock::now();
+    if (!terminal_) std::fprintf(stderr, "%s ... ", note.c_str());
+  }
+  std::fflush(stderr);
+}
+
+void ProgressBar::show(std::size_t done, const std::string& note, double elapsed) {
   std::string left;
   if (done > first_ && done < total_) {
-    const double each = elapsed.count() / static_cast<double>(done - first_);
+    const double each = elapsed / static_cast<double>(done - first_);
     left = ", " + rate_text(each) + ", " +
            duration_text(each * static_cast<double>(total_ - done)) + " left";
   }
@@ -71,10 +81,23 @@ void ProgressBar::update(std::size_t done, const std::string& note) {
     tenths_ = 10 * done / total_;
     std::fprintf(stderr, "%s\n", count.c_str());
   }
-  std::fflush(stderr);
+}
+
+void ProgressBar::end_long_step() {
+  if (long_step_.empty()) return;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - long_begin_;
+  const std::string time = duration_text(took.count());
+  if (terminal_) {
+    std::fprintf(stderr, "\r\033[K%s ... %s\n", long_step_.c_str(), time.c_str());
+    visible_ = false;
+  } else {
+    std::fprintf(stderr, "%s\n", time.c_str());
+  }
+  long_step_.clear();
 }
 
 void ProgressBar::clear() {
+  end_long_step();
   if (!visible_) return;
   std::fprintf(stderr, "\r\033[K");
   std::fflush(stderr);

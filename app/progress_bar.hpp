@@ -19,12 +19,16 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// @param note  what is being done just now, shown on a terminal
-  void update(std::size_t done, const std::string& note = "");
-  /// Removes the bar from the terminal, so that a line can be printed in its place.
+  /// @param note        what is being done just now, shown on a terminal
+  /// @param takes_long  gives it a line of its own, with the time that it took in the end
+  void update(std::size_t done, const std::string& note = "", bool takes_long = false);
+  /// Removes the bar from the terminal and ends a line begun, so that another can be printed.
   void clear();
 
  private:
+  void show(std::size_t done, const std::string& note, double elapsed);
+  void end_long_step();
+
   std::string what_;
   std::size_t total_;
   std::size_t first_ = 0;  ///< done when the clock started
@@ -33,6 +37,8 @@ class ProgressBar {
   bool terminal_;
   bool visible_ = false;
   std::chrono::steady_clock::time_point begin_;
+  std::string long_step_;  ///< that is under way; else empty
+  std::chrono::steady_clock::time_point long_begin_;
 };
 
 }  // namespace clast

@@ -9,9 +9,10 @@ namespace clast {
 
 /// How far a job is.
 struct ProgressStep {
-  std::size_t done = 0;   ///< of `total` runs, scans, ...
-  std::size_t total = 0;  ///< 0: not known
-  std::string what = {};  ///< that is being done now, such as "fitting B017"
+  std::size_t done = 0;     ///< of `total` runs, scans, ...
+  std::size_t total = 0;    ///< 0: not known
+  std::string what = {};    ///< that is being done now, such as "fitting B017"
+  bool takes_long = false;  ///< minutes, as COLMAP does: worth a line of its own
 };
 
 /// Called by a job now and then, from one thread at a time. What it throws ends the job; whatever

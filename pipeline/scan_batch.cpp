@@ -19,7 +19,6 @@ namespace clast {
 
 namespace {
 
-constexpr std::size_t kStages = 3;  ///< of a scan: reading, simplifying, fitting
 /// A batch that is killed loses little; a write for every block would copy the library each time.
 constexpr std::chrono::seconds kBetweenWrites{60};
 
@@ -98,7 +97,7 @@ class Batch {
 
   std::vector<Block> make_blocks(const ScanFile& scan, Outcome& outcome) {
     const ScanCallbacks callbacks = {
-        .progress = [&](const ProgressStep& step) { report(step.what); },
+        .progress = [&](const ProgressStep& step) { report(step); },
         .made = [&](const Block& block,
                     const BlockOrigin& origin) { observer_.made(block, origin); },
         .lost = [&](const std::string&,
@@ -128,15 +127,16 @@ class Batch {
     }
   }
 
-  void report(const std::string& what) {
+  void report(ProgressStep step) {
     const std::lock_guard lock(mutex_);
-    const std::size_t total = kStages * scans_.size();
-    if (progress_) progress_({std::min(steps_++, total), total, what});
+    step.done = taken_;
+    step.total = scans_.size();
+    if (progress_) progress_(step);
   }
 
   void take(const ScanFile& scan, const Outcome& outcome) {
     const std::lock_guard lock(mutex_);
-    steps_ = std::max(steps_, kStages * ++taken_);
+    ++taken_;
     for (const Block& block : outcome.blocks) add(scan, block);
     for (const std::string& failure : outcome.failures) fail(scan, failure);
     if (outcome.blocks.empty() && outcome.failures.empty()) keep(scan);
@@ -227,7 +227,7 @@ class Batch {
   BlockLibrary library_;  ///< as last read or written, plus what was made since
   std::vector<Unsaved> unsaved_;
   std::mutex mutex_;  ///< of all below, the library and the progress
-  std::size_t steps_ = 0, taken_ = 0;
+  std::size_t taken_ = 0;
   BatchResult result_;
   std::set<std::string> scans_failed_;  ///< their ids
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();

@@ -75,6 +75,7 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
     callbacks.begin("fitting " + id);
     block = search.lightest(options.block, options.radius_given);
   }
+  if (!block.source.unscaled) check_mass(block, options);
   // Simplifying leaves no crossings, but a mesh that is taken as it is may have them.
   const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
   if (as_it_is && !options.block.convex) warn_of_crossings(block, scan.mesh);

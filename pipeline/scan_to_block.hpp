@@ -71,8 +71,8 @@ struct ScanCallbacks {
   /// With it one bad block of a split scan does not cost the others.
   std::function<void(const std::string& id, const std::string& reason)> lost = {};
 
-  void begin(const std::string& what) const {
-    if (progress) progress({.what = what});
+  void begin(const std::string& what, bool takes_long = false) const {
+    if (progress) progress({.what = what, .takes_long = takes_long});
   }
 };
 

@@ -126,6 +126,7 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
       block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
     }
     check_size(bounds(block.surface), id, options);
+    check_mass(block, options);
     block.warnings.insert(block.warnings.begin(), shape.notes.begin(), shape.notes.end());
     compare_with_file(block, shape, options.scan.unit);
     if (callbacks.made) callbacks.made(block, {});

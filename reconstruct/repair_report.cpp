@@ -174,7 +174,7 @@ class Sentences {
         open = "; the volume may be up to " + with_digits(report_.volume_below, 2) +
                " m3 smaller or " + with_digits(report_.volume_above, 2) + " m3 larger";
       }
-      notes.push_back(in_percent(report_.invented_share) +
+      notes.push_back(with_digits(100.0 * report_.invented_share, 2) + " %" +
                       " of the surface is invented: no scan saw what fills the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {

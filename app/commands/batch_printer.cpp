@@ -34,7 +34,7 @@ std::string scale_in_words(const ScanToBlockOptions& options) {
 
 BatchPrinter::BatchPrinter(std::size_t scans, const BatchOptions& options,
                            const std::string& report, bool json)
-    : options_(options), scans_(scans), json_(json), bar_("steps", 3 * scans) {
+    : options_(options), scans_(scans), json_(json), bar_("scans", scans) {
   if (!report.empty()) report_.emplace(report, options.replace || options.resume);
 }
 

@@ -30,7 +30,10 @@ class BatchPrinter : public BatchObserver {
   void failed(const ScanFile& scan, const std::string& reason) override;
   void noted(const std::string& text) override;
 
-  void show(const ProgressStep& step) { bar_.update(step.done, step.what); }
+  /// Of scans side by side no step has a line of its own.
+  void show(const ProgressStep& step) {
+    bar_.update(step.done, step.what, step.takes_long && options_.jobs == 1);
+  }
   /// The summary, on stdout and among the pages.
   /// @throws InputError  a scan gave no block; of a single scan its own reason
   void finish(const BatchResult& result);

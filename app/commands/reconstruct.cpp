@@ -133,7 +133,7 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
                    "Make a block of everything that stands on the ground of a scan, as ID_1, ID_2 "
                    "... in order of x, and not only of what stands near its middle");
   command.add_flag("--any-size", args.batch.scan.any_size,
-                   "Take blocks over 50 m or under 1 mm too");
+                   "Take blocks over 20 m, over 10,000 t or under 1 mm too");
 }
 
 /// What blocks are made of the scans.

@@ -5,13 +5,11 @@
 #include "core/error.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
+#include "library/block_ranges.hpp"
 
 namespace clast::pipeline_detail {
 
 namespace {
-
-constexpr double kLargestBlock = 50.0;   ///< m; longer than any block that was ever scanned whole
-constexpr double kSmallestBlock = 1e-3;  ///< m; below it lies sand
 
 /// A point that lies off the scan by more than this share of its diagonal is probably of another.
 constexpr double kOffScan = 0.25;
@@ -20,7 +18,7 @@ constexpr double kOffScan = 0.25;
 std::string likely_unit(double raw) {
   for (const char* name : {"m", "mm", "cm", "ft", "in", "km"}) {
     const double length = raw * length_unit(name);
-    if (length >= 0.05 && length <= 20.0) {
+    if (length >= 0.05 && length <= kLongestUsual) {
       return std::string("; it is probably in ") + name + ": try `units` " + name +
              ", which makes it " + rounded(length, 3) + " m";
     }
@@ -32,7 +30,7 @@ std::string likely_unit(double raw) {
 
 void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options) {
   const double length = (box.high - box.low).maxCoeff();
-  if (options.any_size || (length <= kLargestBlock && length >= kSmallestBlock)) return;
+  if (options.any_size || (length <= kLongestUsual && length >= kShortestUsual)) return;
   const std::string size = "block " + id + " would be " + rounded(length, 3) + " m long, ";
   const std::string anyway = "; `any_size` takes it as it is";
   if (options.scale_points) {
@@ -41,6 +39,14 @@ void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptio
   }
   throw InputError(size + "read with `units` " + options.units +
                    likely_unit(length * options.scale_factor / options.scan.unit) + anyway);
+}
+
+void check_mass(const Block& block, const ScanToBlockOptions& options) {
+  if (options.any_size || block.mass.mass <= kHeaviestUsual) return;
+  throw InputError("block " + block.id + " would be " + with_digits(block.mass.mass / 1000.0, 4) +
+                   " t heavy; usually blocks are no heavier than " +
+                   with_digits(kHeaviestUsual / 1000.0, 5) +
+                   " t: check scale and density; `any_size` takes it as it is");
 }
 
 std::string scale_text(const ScanToBlockOptions& options) {

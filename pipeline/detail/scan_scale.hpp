@@ -7,10 +7,14 @@
 
 namespace clast::pipeline_detail {
 
-/// Refuses a size that no rock block has (over 50 m or under 1 mm), which is a wrong unit most of
+/// Refuses a size that no rock block has (over 20 m or under 1 mm), which is a wrong unit most of
 /// the time. `box` is in metres.
 /// @throws InputError  naming the unit that is probably meant
 void check_size(const Bounds& box, const std::string& id, const ScanToBlockOptions& options);
+
+/// Refuses a mass over 10,000 t, which is a wrong unit or density most of the time.
+/// @throws InputError  with the block's id
+void check_mass(const Block& block, const ScanToBlockOptions& options);
 
 /// How a scan got its size, as "key=value" for the record.
 std::string scale_text(const ScanToBlockOptions& options);

@@ -98,11 +98,11 @@ class ColmapJob {
     if (!options_.masks.empty()) {
       words.insert(words.end(), {"--ImageReader.mask_path", plain_masks(files).string()});
     }
-    step("finding features in " + std::to_string(files.size()) + " photos", "feature_extractor",
-         words);
+    step("COLMAP: finding features in " + std::to_string(files.size()) + " photos",
+         "feature_extractor", words);
   }
   void match(bool exhaustive, std::size_t count) {
-    const std::string told = "matching " + std::to_string(count) + " photos";
+    const std::string told = "COLMAP: matching " + std::to_string(count) + " photos";
     const std::vector<std::string> plain = {"--SiftMatching.use_gpu", "0"};
     if (exhaustive) return step(told, "exhaustive_matcher", plain);
     std::vector<std::string> words = plain;
@@ -112,7 +112,7 @@ class ColmapJob {
   /// Groups of photos that hang together, the largest first.
   std::vector<PhotoModel> place(std::size_t count) {
     const bool placed =
-        try_step("placing " + std::to_string(count) + " cameras", "mapper",
+        try_step("COLMAP: placing " + std::to_string(count) + " cameras", "mapper",
                  {"--image_path", photos_.string(), "--output_path", (work_ / "sparse").string(),
                   "--Mapper.ba_refine_principal_point", "0"});
     std::vector<PhotoModel> groups;

@@ -14,8 +14,8 @@ constexpr double kSignificant = 0.05;
 
 bool is_share(const ParameterEffect& effect) { return effect.outcome != "mean runout"; }
 
-std::string outcome_text(const ParameterEffect& effect, double value) {
-  return is_share(effect) ? percent(value) : significant(value) + " m";
+std::string number(const ParameterEffect& effect, double value) {
+  return is_share(effect) ? fixed(100.0 * value, 1) : significant(value);
 }
 
 std::string runs_of(const Comparison& comparison, const ParameterEffect& effect) {
@@ -33,11 +33,12 @@ std::string in_words(std::string parameter) {
 /// A sentence for one outcome of the runs of one group: its band, and what moves it most.
 std::string sentence(const Comparison& comparison, const std::vector<ParameterEffect>& effects) {
   const ParameterEffect& any = effects.front();
-  std::string text =
-      runs_of(comparison, any) + "over " + std::to_string(any.members) +
-      " draws of the ground the " + (is_share(any) ? "share of runs " + any.outcome : any.outcome) +
-      " is " + outcome_text(any, any.outcome_median) + " (" + outcome_text(any, any.outcome_p5) +
-      " to " + outcome_text(any, any.outcome_p95) + " in nine of ten)";
+  const std::string unit = is_share(any) ? " %" : " m";
+  std::string text = runs_of(comparison, any) + "over " + std::to_string(any.members) +
+                     " draws of the ground the " +
+                     (is_share(any) ? "share of runs " + any.outcome : any.outcome) + " is " +
+                     number(any, any.outcome_median) + unit + " (" + number(any, any.outcome_p5) +
+                     " to " + number(any, any.outcome_p95) + unit + " in nine draws of ten)";
   const auto size = [](const ParameterEffect& effect) {
     return effect.correlation ? std::abs(effect.correlation->statistic) : 0.0;
   };

@@ -5,15 +5,14 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "library/block_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "terrain/terrain_fit.hpp"
 
 namespace clast::study_detail {
 namespace {
 
-constexpr double kLongestBlock = 20.0;  // m
-constexpr double kHeaviestBlock = 1e7;  // kg
-constexpr double kLargestShare = 0.1;   ///< of the terrain that a block may be long
+constexpr double kLargestShare = 0.1;  ///< of the terrain that a block may be long
 
 // Quaternions closer than this are one rotation.
 constexpr double kSameRotation = 1e-9;
@@ -173,10 +172,10 @@ void check_sizes(const PreparedCampaign& prepared) {
   const double extent = (ground.high - ground.low).head<2>().maxCoeff();
   for (const BlockSummary& block : prepared.header.blocks) {
     std::string why;
-    if (block.axes.L > kLongestBlock) {
-      why = "blocks are no longer than " + with_digits(kLongestBlock, 3) + " m";
-    } else if (block.mass > kHeaviestBlock) {
-      why = "blocks are no heavier than " + with_digits(kHeaviestBlock / 1000.0, 5) + " t";
+    if (block.axes.L > kLongestUsual) {
+      why = "blocks are no longer than " + with_digits(kLongestUsual, 3) + " m";
+    } else if (block.mass > kHeaviestUsual) {
+      why = "blocks are no heavier than " + with_digits(kHeaviestUsual / 1000.0, 5) + " t";
     } else if (block.axes.L > kLargestShare * extent) {
       why = "a block is no longer than a tenth of the terrain, which is " + with_digits(extent, 4) +
             " m across";

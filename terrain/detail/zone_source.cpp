@@ -34,6 +34,14 @@ void add_share(Shares& shares, std::uint32_t label, double area) {
   shares.emplace_back(label, area);
 }
 
+/// The place of a name among the labels, where it is put if it is new.
+std::uint32_t label_of_name(std::vector<std::string>& labels, const std::string& name) {
+  const auto known = std::find(labels.begin(), labels.end(), name);
+  const auto label = static_cast<std::uint32_t>(known - labels.begin());
+  if (known == labels.end()) labels.push_back(name);
+  return label;
+}
+
 /// What lies over the plan, as an index into `labels`.
 struct ZoneMap {
   std::vector<std::string> labels;
@@ -63,11 +71,8 @@ std::map<long, std::uint32_t> classes_of(const HeightGrid& grid, const ZoneFile&
                      std::to_string(entry->first) + "=NAME to the zones");
   }
   for (auto& [number, label] : label_of) {
-    const std::string name =
-        source.names.empty() ? std::to_string(number) : source.names.at(number);
-    const auto known = std::find(map.labels.begin(), map.labels.end(), name);
-    label = static_cast<std::uint32_t>(known - map.labels.begin());
-    if (known == map.labels.end()) map.labels.push_back(name);
+    label = label_of_name(map.labels,
+                          source.names.empty() ? std::to_string(number) : source.names.at(number));
   }
   return label_of;
 }
@@ -136,9 +141,7 @@ ZoneMap polygon_zones(const ZoneFile& source, const std::string& crs) {
   std::vector<std::uint32_t> label_of;
   std::vector<PlanBox> sides;
   for (const ZonePolygon& polygon : polygons) {
-    const auto known = std::find(map.labels.begin(), map.labels.end(), polygon.zone);
-    label_of.push_back(static_cast<std::uint32_t>(known - map.labels.begin()));
-    if (known == map.labels.end()) map.labels.push_back(polygon.zone);
+    label_of.push_back(label_of_name(map.labels, polygon.zone));
     map.extent.include(polygon.low);
     map.extent.include(polygon.high);
     for (const std::vector<Vec2>& ring : polygon.rings) {
@@ -300,9 +303,7 @@ void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
   std::vector<std::string> labels;
   std::vector<std::uint32_t> label_of;
   for (const ZoneRule& rule : rules) {
-    const auto known = std::find(labels.begin(), labels.end(), rule.zone);
-    label_of.push_back(static_cast<std::uint32_t>(known - labels.begin()));
-    if (known == labels.end()) labels.push_back(rule.zone);
+    label_of.push_back(label_of_name(labels, rule.zone));
   }
   const TriangleMesh& mesh = terrain.surface;
   std::vector<std::uint32_t> label(mesh.triangles.size(), kNone);

@@ -119,6 +119,19 @@ TEST_F(Scans, ALengthThatWasMeasuredSetsTheScale) {
       "its metres; --any-size takes it as it is");
 }
 
+TEST_F(Scans, BlocksBeyondTheUsualSizesAreTakenOnRequestOnly) {
+  write_obj(folder / "long.obj", cuboid(21, 1, 1));
+  write_obj(folder / "heavy.obj", cuboid(18, 17, 16));
+  expect_refused(folder, {"reconstruct", "long.obj", "-o", "n.h5"}, 1,
+                 "block long would be 21.0 m long, read with --units m");
+  expect_refused(folder, {"reconstruct", "heavy.obj", "-o", "n.h5", "--density", "2500"}, 1,
+                 "t heavy; usually blocks are no heavier than 10000 t");
+  EXPECT_EQ(
+      run_clast({"reconstruct", "long.obj", "heavy.obj", "-o", "n.h5", "--any-size"}, folder.path())
+          .exit_code,
+      0);
+}
+
 TEST_F(Scans, AnOutputThatCantBeWrittenIsRefused) {
   write_obj(folder / "cube.obj", cuboid(1, 0.9, 0.8));
   fs::create_directory(folder / "folder.h5");

@@ -126,7 +126,8 @@ TEST_F(Batches, WhatWasDoneIsKeptWhenABatchIsCancelled) {
     scans.push_back({scan(std::string(id) + ".obj", cuboid(1, 0.9, 0.8)), id, {}});
   }
   const Progress cancel = [](const ProgressStep& step) {
-    EXPECT_EQ(step.total, 9u);
+    EXPECT_EQ(step.total, 3u);
+    EXPECT_EQ(step.done, step.what.back() == 'a' ? 0u : step.what.back() == 'b' ? 1u : 2u);
     if (step.what == "reading c") throw Cancelled();
   };
   EXPECT_THROW(run(scans, cancel), Cancelled);
