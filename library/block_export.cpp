@@ -161,12 +161,12 @@ std::vector<std::filesystem::path> export_blocks(
   options.check();
   if (blocks.empty()) throw InputError("there is no block to export");
   check_places(blocks, folder, options);
-  const auto tell = [&](const std::string& text) {
+  const auto report = [&](const std::string& text) {
     if (note) note(text);
   };
   std::vector<std::filesystem::path> written;
   for (const Block* block : blocks) {
-    for (const std::string& text : notes_on(*block, options)) tell(text);
+    for (const std::string& text : notes_on(*block, options)) report(text);
     std::vector<NamedMesh> meshes;
     if (options.formats != std::vector<std::string>{"shp"}) meshes = meshes_of(*block, options);
     for (const std::string& format : options.formats) {
@@ -182,9 +182,9 @@ std::vector<std::filesystem::path> export_blocks(
                                        {.rules = rules_of(file, options, true)});
         written.push_back(file);
         if (origin.isZero(0.0)) continue;
-        tell(file.string() + ": its floats can't hold coordinates this far out, so " +
-             place(origin) + " was subtracted (see " + file.filename().string() +
-             ".origin.txt); obj, ply and vtp keep them");
+        report(file.string() + ": its floats can't hold coordinates this far out, so " +
+               place(origin) + " was subtracted (see " + file.filename().string() +
+               ".origin.txt); obj, ply and vtp keep them");
       }
     }
   }

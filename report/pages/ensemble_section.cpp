@@ -45,7 +45,9 @@ std::string sentence(const Comparison& comparison, const std::vector<ParameterEf
   const auto most = std::max_element(
       effects.begin(), effects.end(),
       [&](const ParameterEffect& a, const ParameterEffect& b) { return size(a) < size(b); });
-  if (!most->correlation || most->correlation->p_value > kSignificant) {
+  // Of several parameters one is likelier to seem to move it by chance (Bonferroni).
+  const double limit = kSignificant / static_cast<double>(effects.size());
+  if (!most->correlation || most->correlation->p_value > limit) {
     text += "; no single parameter is seen to move it";
   } else {
     text += std::string("; it ") + (most->correlation->statistic > 0.0 ? "grows" : "falls") +

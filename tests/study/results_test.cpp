@@ -103,7 +103,7 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.shapes[1].radius, 0.05);
   ASSERT_EQ(results.ground_sets.size(), 2u);
   EXPECT_EQ(results.ground_sets[1].group, "hard");
-  EXPECT_EQ(results.ground_sets[1].member, 3u);
+  EXPECT_EQ(results.ground_sets[1].member, 1u);
   EXPECT_EQ(results.ground_sets[1].zones[0].friction, 0.6);
   EXPECT_EQ(results.ground_sets[1].zones[1].rolling_friction, 0.1);
   EXPECT_EQ(results.ground_sets[0].zones[1].energy_restitution, 0.04);
