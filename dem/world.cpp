@@ -18,6 +18,8 @@ using namespace dem_detail;
 
 namespace {
 
+/// A block whose mean place stays may rock with so many times the energy below which it rests.
+constexpr double kRocking = 10.0;
 /// Bodies that a thread takes at a time.
 constexpr std::size_t kBodiesAtATime = 16;
 constexpr std::uint32_t kTerrain = ContactPair::kTerrain;
@@ -65,6 +67,12 @@ struct World::Impl {
   void end_moves(double dt);
   void prepare();
   void remove_bodies_off_terrain();
+  /// Wakes what a body in motion touches, and all that is asleep around it.
+  void wake_touched();
+  void wake(std::uint32_t body);
+  /// Puts bodies to sleep that stay where they are, as do all that touch them.
+  void let_sleep();
+  void put_to_sleep(std::uint32_t body);
   void advance(double dt);
   /// What Verlet steps lose when they begin with the present loads, J.
   double first_kicks() const;
@@ -87,6 +95,7 @@ struct World::Impl {
                      rules(zones, terrain ? std::span<const std::uint16_t>(terrain->impl().zones)
                                           : std::span<const std::uint16_t>())};
   std::size_t prepared = 0;  ///< bodies that are part of the motion already
+  std::size_t sleeping = 0;  ///< bodies
 
   double time = 0.0;
   double initial = 0.0;     ///< energy that bodies brought, J
@@ -98,7 +107,7 @@ void World::Impl::begin_moves(double dt) {
   const Vec3 gravity(0.0, 0.0, -settings.gravity);
   team.run(bodies.size(), kBodiesAtATime, [&](std::size_t i) {
     WorldBody& body = bodies[i];
-    if (!body.still()) {
+    if (!body.idle()) {
       body.motion = body.moving.begin_step(dt, body.force, body.torque, gravity);
     }
   });
@@ -108,6 +117,7 @@ void World::Impl::end_moves(double dt) {
   const Vec3 gravity(0.0, 0.0, -settings.gravity);
   team.run(bodies.size(), kBodiesAtATime, [&](std::size_t i) {
     WorldBody& body = bodies[i];
+    if (body.asleep) return;
     body.force = body.torque = Vec3::Zero();
     body.corrected = 0.0;
     std::uint64_t touching = 0, as_block = 0;
@@ -131,17 +141,25 @@ void World::Impl::end_moves(double dt) {
     }
     const double specific = body.moving.kinetic_energy() / body.shape->body.mass;
     body.resting = touching > 0 && specific < settings.rest_energy ? body.resting + dt : 0.0;
+    if (touching > 0 && specific < kRocking * settings.rest_energy) {
+      body.watch.add(body.moving.state(), dt, settings.sleep_duration,
+                     settings.sleep_drift * body.shape->body.size(), body.shape->radius);
+    } else {
+      body.watch.reset();
+    }
     body.pair_steps += as_block;
     const Vec3& place = body.moving.state().position;
     body.off_terrain = terrain && !terrain->covers(place.x(), place.y());
   });
-  for (const WorldBody& body : bodies) reassigned -= body.corrected;
+  for (const WorldBody& body : bodies) {
+    if (!body.asleep) reassigned -= body.corrected;
+  }
 }
 
 double World::Impl::first_kicks() const {
   double sum = 0.0;
   for (const WorldBody& body : bodies) {
-    if (body.still()) continue;
+    if (body.idle()) continue;
     sum += body.moving.first_kick(settings.stiffness.time_step, body.force, body.torque,
                                   {0.0, 0.0, -settings.gravity});
   }
@@ -159,6 +177,7 @@ void World::Impl::prepare() {
   reassigned -= brought;
   initial -= brought;
   refuse_deep_starts();
+  wake_touched();
   reassigned -= first_kicks();
   end_moves(0.0);
   reassigned += first_kicks();
@@ -185,11 +204,69 @@ void World::Impl::refuse_deep_starts() const {
 void World::Impl::remove_bodies_off_terrain() {
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     WorldBody& body = bodies[i];
-    if (body.still() || !body.off_terrain) continue;
+    if (body.idle() || !body.off_terrain) continue;
     pairs.end_contacts_of(i, bodies);
     body.left = true;
     body.motion = body.without_motion();
   }
+}
+
+void World::Impl::wake_touched() {
+  if (sleeping == 0) return;
+  for (const ContactPair& pair : pairs.all()) {
+    if (pair.reference == kTerrain || !pair.contacts->touching()) continue;
+    const WorldBody &block = bodies[pair.block], &other = bodies[pair.reference];
+    const auto moves = [](const WorldBody& body) { return !body.idle() && !body.watch.stays(); };
+    if (block.asleep && moves(other)) wake(pair.block);
+    if (other.asleep && moves(block)) wake(pair.reference);
+  }
+}
+
+void World::Impl::wake(std::uint32_t body) {
+  std::vector<std::uint32_t> waking = {body};
+  while (!waking.empty()) {
+    const std::uint32_t one = waking.back();
+    waking.pop_back();
+    WorldBody& woken = bodies[one];
+    if (!woken.asleep) continue;
+    woken.asleep = false;
+    woken.resting = 0.0;
+    woken.watch.reset();
+    --sleeping;
+    for (const std::uint32_t e : pairs.of(one)) {
+      const ContactPair& pair = pairs.all()[e];
+      if (pair.reference == kTerrain || !pair.contacts->touching()) continue;
+      waking.push_back(pair.block == one ? pair.reference : pair.block);
+    }
+  }
+}
+
+void World::Impl::let_sleep() {
+  if (!(settings.sleep_drift > 0.0)) return;
+  const auto quiet = [&](const WorldBody& body) { return body.idle() || body.watch.stays(); };
+  const auto among_quiet = [&](std::uint32_t body) {
+    const std::span<const std::uint32_t> around = pairs.of(body);
+    return std::all_of(around.begin(), around.end(), [&](std::uint32_t e) {
+      const ContactPair& pair = pairs.all()[e];
+      if (pair.reference == kTerrain || !pair.contacts->touching()) return true;
+      return quiet(bodies[pair.block == body ? pair.reference : pair.block]);
+    });
+  };
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies[i].idle() && bodies[i].watch.stays() && among_quiet(i)) put_to_sleep(i);
+  }
+}
+
+void World::Impl::put_to_sleep(std::uint32_t body) {
+  WorldBody& tired = bodies[body];
+  reassigned += tired.moving.kinetic_energy();  // what motion was left
+  RigidState state = tired.moving.state();
+  state.velocity = state.angular_velocity = Vec3::Zero();
+  tired.moving.place(state);
+  tired.motion = tired.moving.motion();
+  tired.asleep = true;
+  ++sleeping;
+  for (const std::uint32_t e : pairs.of(body)) pairs.all()[e].contacts->drop_event();
 }
 
 double World::Impl::energy_now() const {
@@ -206,16 +283,18 @@ void World::Impl::advance(double dt) {
   begin_moves(dt);
   pairs.refresh(bodies);
   pairs.update(bodies, dt, team);
+  wake_touched();
   end_moves(dt);
   time += dt;
   ++steps;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies[i].moving.finite()) {
+    if (!bodies[i].idle() && !bodies[i].moving.finite()) {
       throw SimulationError("the motion of " + name_of_body(i) + " is not finite any more at " +
                             with_digits(time, 6) + " s; a shorter time step may help");
     }
   }
   remove_bodies_off_terrain();
+  let_sleep();
 }
 
 void WorldSettings::check() const {
@@ -226,9 +305,13 @@ void WorldSettings::check() const {
   same.rest_duration = rest_duration;
   same.check();
   between_bodies.check("between bodies");
-  if (!(start_overlap >= 0.0)) {
-    throw InputError("start_overlap = " + with_digits(start_overlap, 6) + "; must be 0 or more");
-  }
+  const auto require = [](bool fine, const char* name, double value, const char* range) {
+    if (fine) return;
+    throw InputError(std::string(name) + " = " + with_digits(value, 6) + "; must be " + range);
+  };
+  require(sleep_drift >= 0.0, "sleep_drift", sleep_drift, "0 or more");
+  require(sleep_duration > 0.0, "sleep_duration", sleep_duration, "more than 0");
+  require(start_overlap >= 0.0, "start_overlap", start_overlap, "0 or more");
 }
 
 World::World(std::vector<RigidBody> shapes, const WorldSettings& settings)
@@ -280,7 +363,7 @@ void World::step() { impl_->advance(impl_->settings.stiffness.time_step); }
 
 StopReason World::run_until(double time) {
   const auto over = [&](const WorldBody& body) {
-    return body.still() || body.resting >= impl_->settings.rest_duration;
+    return body.idle() || body.resting >= impl_->settings.rest_duration;
   };
   while (!std::all_of(impl_->bodies.begin(), impl_->bodies.end(), over)) {
     const double left = time - impl_->time;
@@ -300,8 +383,9 @@ const RigidState& World::state(std::size_t body) const {
 bool World::fixed(std::size_t body) const { return impl_->bodies.at(body).fixed; }
 bool World::resting(std::size_t body) const {
   const WorldBody& asked = impl_->bodies.at(body);
-  return asked.fixed || asked.resting >= impl_->settings.rest_duration;
+  return asked.fixed || asked.asleep || asked.resting >= impl_->settings.rest_duration;
 }
+bool World::asleep(std::size_t body) const { return impl_->bodies.at(body).asleep; }
 bool World::left_terrain(std::size_t body) const { return impl_->bodies.at(body).left; }
 Vec3 World::contact_force(std::size_t body) const { return impl_->bodies.at(body).force; }
 
@@ -353,10 +437,12 @@ WorldStatistics World::statistics() const {
   WorldStatistics statistics;
   statistics.steps = impl_->steps;
   statistics.broad_phases = impl_->pairs.broad_phases();
+  statistics.sleeping_bodies = impl_->sleeping;
   for (const WorldBody& body : impl_->bodies) statistics.pair_steps += body.pair_steps;
   for (const ContactPair& pair : impl_->pairs.all()) {
     ++statistics.near_pairs;
     if (pair.contacts->near()) ++statistics.searched_pairs;
+    if (ContactPairs::active(pair, impl_->bodies)) ++statistics.active_pairs;
     if (pair.contacts->touching()) ++statistics.touching_pairs;
     statistics.contact_points += pair.contacts->contact_count();
     statistics.max_overlap = std::max(statistics.max_overlap, pair.contacts->max_overlap());

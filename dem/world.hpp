@@ -19,8 +19,15 @@ struct WorldSettings {
   double gravity = 9.81;            ///< m/s^2, along -z
   double rest_energy = 2e-4;        ///< J/kg: v^2/2 + w.J.w/(2 m) below this ...
   double rest_duration = 0.5;       ///< ... for so long, s, with a contact throughout, is rest
-  double start_overlap = 1e-3;      ///< largest overlap that a body may start with, share of its S
-  unsigned threads = 1;             ///< 0: one per core; changes no bit of the result
+  /// A body stays where it is when it was in contact and had less than ten times `rest_energy` for
+  /// twice `sleep_duration`, s, and its mean places in the first and the second half differ by no
+  /// more than this share of S. It falls asleep when all that touches it stays too: it is at rest
+  /// then, costs nothing and keeps its place until a body that does not stay touches it, or another
+  /// one asleep that it touches. 0: none ever sleeps.
+  double sleep_drift = 1e-3;
+  double sleep_duration = 0.5;
+  double start_overlap = 1e-3;  ///< largest overlap that a body may start with, share of its S
+  unsigned threads = 1;         ///< 0: one per core; changes no bit of the result
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -33,8 +40,10 @@ struct WorldStatistics {
   std::size_t near_pairs = 0;  ///< now, of the broad phase: bounding spheres overlap or soon might
   std::size_t searched_pairs = 0;  ///< now, of the narrow phase: near enough to search for contacts
   std::size_t touching_pairs = 0;  ///< now
-  std::size_t contact_points = 0;  ///< now
-  double max_overlap = 0.0;        ///< now, m
+  std::size_t active_pairs = 0;    ///< now, near pairs with a body that is not asleep
+  std::size_t sleeping_bodies = 0;  ///< now
+  std::size_t contact_points = 0;   ///< now
+  double max_overlap = 0.0;         ///< now, m
 };
 
 /// Bodies in motion. Every body has a shape out of a common list, a state, and may be fixed: then
@@ -71,6 +80,8 @@ class World {
   bool fixed(std::size_t body) const;
   /// At rest as `rest_energy` and `rest_duration` define it. A fixed body is.
   bool resting(std::size_t body) const;
+  /// Left out of the motion until something touches it (`WorldSettings::sleep_drift`).
+  bool asleep(std::size_t body) const;
   /// Its centre passed the border of the terrain: it stays there, out of the run.
   bool left_terrain(std::size_t body) const;
   /// Force of all contacts on the body, N, world axes.

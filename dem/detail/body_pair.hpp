@@ -32,6 +32,10 @@ class BodyPair {
   /// Ends all contacts, as when a body is removed; what they stored goes to the ledger.
   void end_contacts(const BodyMotion& reference, const BodyMotion& block);
 
+  /// Forgets the event of the last step, which was applied then: the loads without it hold while
+  /// neither of the two moves.
+  void drop_event() { load_.event.reset(); }
+
   const ContactLoad& load() const { return load_; }
   bool touching() const { return near_ && !near_->forces.empty(); }
   bool near() const { return near_.has_value(); }

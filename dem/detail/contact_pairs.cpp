@@ -93,6 +93,7 @@ void ContactPairs::refresh(std::span<const WorldBody> bodies) {
 void ContactPairs::update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team) {
   team.run(pairs_.size(), kPairsAtATime, [&](std::size_t e) {
     const ContactPair& pair = pairs_[e];
+    if (!active(pair, bodies)) return;
     pair.contacts->update(motion_of(pair.reference, bodies), motion_of(pair.block, bodies),
                           duration);
   });

@@ -47,7 +47,7 @@ class ContactPairs {
   /// Runs the broad phase where that is due, and ends pairs that are no longer near.
   void refresh(std::span<const WorldBody> bodies);
   /// Runs the narrow phase and the contact law of all pairs at the places that the bodies have
-  /// moved to in a step of `duration`.
+  /// moved to in a step of `duration`, but for those of which neither moves: their loads stay.
   void update(std::span<const WorldBody> bodies, double duration, ThreadTeam& team);
   /// The same, without a step, for pairs with a new body.
   /// @param known  bodies from this number on are new
@@ -63,6 +63,11 @@ class ContactPairs {
   /// What contacts dissipated or reassigned, also those that have ended, J.
   EnergyLedger losses() const;
   double stored_energy() const;  ///< J
+  /// Has the pair a body that takes part in the motion?
+  static bool active(const ContactPair& pair, std::span<const WorldBody> bodies) {
+    return !bodies[pair.block].idle() ||
+           (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].idle());
+  }
   std::uint64_t broad_phases() const { return broad_phases_; }
 
  private:

@@ -4,6 +4,7 @@
 
 #include "dem/detail/block_surface.hpp"
 #include "dem/detail/moving_body.hpp"
+#include "dem/detail/sleep_watch.hpp"
 
 namespace clast::dem_detail {
 
@@ -28,6 +29,8 @@ struct WorldBody {
     return still;
   }
   bool still() const { return fixed || left; }
+  /// Does nothing in a step, now.
+  bool idle() const { return still() || asleep; }
   /// Kinetic and potential, J.
   double energy(double gravity) const {
     return moving.kinetic_energy() + shape->body.mass * gravity * moving.state().position.z();
@@ -43,6 +46,8 @@ struct WorldBody {
   Vec3 torque = Vec3::Zero();
   double corrected = 0.0;        ///< energy that events inside the last step added, J
   double resting = 0.0;          ///< s
+  bool asleep = false;           ///< at rest, and so is all that touches it: no part of the step
+  SleepWatch watch;              ///< while it is slow enough to rest
   std::uint64_t pair_steps = 0;  ///< touching pairs in which it is the block, summed over steps
 };
 
