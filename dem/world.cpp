@@ -10,6 +10,7 @@
 #include "core/parallel.hpp"
 #include "dem/detail/contact_pairs.hpp"
 #include "dem/detail/rotation.hpp"
+#include "dem/detail/sleeping.hpp"
 #include "dem/detail/terrain_impl.hpp"
 
 namespace clast {
@@ -67,12 +68,6 @@ struct World::Impl {
   void end_moves(double dt);
   void prepare();
   void remove_bodies_off_terrain();
-  /// Wakes what a body in motion touches, and all that is asleep around it.
-  void wake_touched();
-  void wake(std::uint32_t body);
-  /// Puts bodies to sleep that stay where they are, as do all that touch them.
-  void let_sleep();
-  void put_to_sleep(std::uint32_t body);
   void advance(double dt);
   /// What Verlet steps lose when they begin with the present loads, J.
   double first_kicks() const;
@@ -95,7 +90,7 @@ struct World::Impl {
                      rules(zones, terrain ? std::span<const std::uint16_t>(terrain->impl().zones)
                                           : std::span<const std::uint16_t>())};
   std::size_t prepared = 0;  ///< bodies that are part of the motion already
-  std::size_t sleeping = 0;  ///< bodies
+  Sleeping sleeping;
 
   double time = 0.0;
   double initial = 0.0;     ///< energy that bodies brought, J
@@ -177,7 +172,7 @@ void World::Impl::prepare() {
   reassigned -= brought;
   initial -= brought;
   refuse_deep_starts();
-  wake_touched();
+  sleeping.wake_touched(bodies, pairs);
   reassigned -= first_kicks();
   end_moves(0.0);
   reassigned += first_kicks();
@@ -211,64 +206,6 @@ void World::Impl::remove_bodies_off_terrain() {
   }
 }
 
-void World::Impl::wake_touched() {
-  if (sleeping == 0) return;
-  for (const ContactPair& pair : pairs.all()) {
-    if (pair.reference == kTerrain || !pair.contacts->touching()) continue;
-    const WorldBody &block = bodies[pair.block], &other = bodies[pair.reference];
-    const auto moves = [](const WorldBody& body) { return !body.idle() && !body.watch.stays(); };
-    if (block.asleep && moves(other)) wake(pair.block);
-    if (other.asleep && moves(block)) wake(pair.reference);
-  }
-}
-
-void World::Impl::wake(std::uint32_t body) {
-  std::vector<std::uint32_t> waking = {body};
-  while (!waking.empty()) {
-    const std::uint32_t one = waking.back();
-    waking.pop_back();
-    WorldBody& woken = bodies[one];
-    if (!woken.asleep) continue;
-    woken.asleep = false;
-    woken.resting = 0.0;
-    woken.watch.reset();
-    --sleeping;
-    for (const std::uint32_t e : pairs.of(one)) {
-      const ContactPair& pair = pairs.all()[e];
-      if (pair.reference == kTerrain || !pair.contacts->touching()) continue;
-      waking.push_back(pair.block == one ? pair.reference : pair.block);
-    }
-  }
-}
-
-void World::Impl::let_sleep() {
-  if (!(settings.sleep_drift > 0.0)) return;
-  const auto quiet = [&](const WorldBody& body) { return body.idle() || body.watch.stays(); };
-  const auto among_quiet = [&](std::uint32_t body) {
-    const std::span<const std::uint32_t> around = pairs.of(body);
-    return std::all_of(around.begin(), around.end(), [&](std::uint32_t e) {
-      const ContactPair& pair = pairs.all()[e];
-      if (pair.reference == kTerrain || !pair.contacts->touching()) return true;
-      return quiet(bodies[pair.block == body ? pair.reference : pair.block]);
-    });
-  };
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies[i].idle() && bodies[i].watch.stays() && among_quiet(i)) put_to_sleep(i);
-  }
-}
-
-void World::Impl::put_to_sleep(std::uint32_t body) {
-  WorldBody& tired = bodies[body];
-  reassigned += tired.moving.kinetic_energy();  // what motion was left
-  RigidState state = tired.moving.state();
-  state.velocity = state.angular_velocity = Vec3::Zero();
-  tired.moving.place(state);
-  tired.motion = tired.moving.motion();
-  tired.asleep = true;
-  ++sleeping;
-  for (const std::uint32_t e : pairs.of(body)) pairs.all()[e].contacts->drop_event();
-}
-
 double World::Impl::energy_now() const {
   double sum = 0.0;
   for (const WorldBody& body : bodies) {
@@ -283,7 +220,7 @@ void World::Impl::advance(double dt) {
   begin_moves(dt);
   pairs.refresh(bodies);
   pairs.update(bodies, dt, team);
-  wake_touched();
+  sleeping.wake_touched(bodies, pairs);
   end_moves(dt);
   time += dt;
   ++steps;
@@ -294,7 +231,7 @@ void World::Impl::advance(double dt) {
     }
   }
   remove_bodies_off_terrain();
-  let_sleep();
+  if (settings.sleep_drift > 0.0) reassigned += sleeping.let_sleep(bodies, pairs);
 }
 
 void WorldSettings::check() const {
@@ -437,7 +374,7 @@ WorldStatistics World::statistics() const {
   WorldStatistics statistics;
   statistics.steps = impl_->steps;
   statistics.broad_phases = impl_->pairs.broad_phases();
-  statistics.sleeping_bodies = impl_->sleeping;
+  statistics.sleeping_bodies = impl_->sleeping.count();
   for (const WorldBody& body : impl_->bodies) statistics.pair_steps += body.pair_steps;
   for (const ContactPair& pair : impl_->pairs.all()) {
     ++statistics.near_pairs;

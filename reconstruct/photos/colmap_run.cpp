@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kFewestPhotos = 3;
 constexpr std::size_t kToldLines = 3;
-/// A second group of this many photos is told: it is a ring or a side of its own.
+/// A second group of this many photos is reported: it is a ring or a side of its own.
 constexpr std::size_t kFewestOfGroup = 3;
 const char* const kAdvice = "take one every 10-15 degrees";
 
@@ -102,12 +102,12 @@ class ColmapJob {
          "feature_extractor", words);
   }
   void match(bool exhaustive, std::size_t count) {
-    const std::string told = "COLMAP: matching " + std::to_string(count) + " photos";
+    const std::string what = "COLMAP: matching " + std::to_string(count) + " photos";
     const std::vector<std::string> plain = {"--SiftMatching.use_gpu", "0"};
-    if (exhaustive) return step(told, "exhaustive_matcher", plain);
+    if (exhaustive) return step(what, "exhaustive_matcher", plain);
     std::vector<std::string> words = plain;
     words.insert(words.end(), {"--SequentialMatching.overlap", "12"});
-    step(told, "sequential_matcher", words);
+    step(what, "sequential_matcher", words);
   }
   /// Groups of photos that hang together, the largest first.
   std::vector<PhotoModel> place(std::size_t count) {
@@ -169,9 +169,9 @@ class ColmapJob {
     all.insert(all.end(), arguments.begin(), arguments.end());
     return all;
   }
-  bool try_step(const std::string& told, const std::string& command,
+  bool try_step(const std::string& what, const std::string& command,
                 const std::vector<std::string>& arguments) {
-    if (stage_) stage_(told);
+    if (stage_) stage_(what);
     const photos_detail::ChildEnd end =
         photos_detail::run_child(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
                                  work_ / (command + ".log"), options_.seconds);
@@ -183,9 +183,9 @@ class ColmapJob {
     }
     return end.exit_code == 0;
   }
-  void step(const std::string& told, const std::string& command,
+  void step(const std::string& what, const std::string& command,
             const std::vector<std::string>& arguments) {
-    if (!try_step(told, command, arguments)) fail(command);
+    if (!try_step(what, command, arguments)) fail(command);
   }
   [[noreturn]] void fail(const std::string& command) const {
     throw InputError("colmap " + command +

@@ -1,0 +1,28 @@
+#pragma once
+/// Which bodies of a world sleep, and what wakes them (docs/theory.md, Sleep).
+#include <cstdint>
+#include <span>
+
+#include "dem/detail/contact_pairs.hpp"
+
+namespace clast::dem_detail {
+
+/// Puts bodies to sleep and wakes them. What it changes is theirs: `WorldBody::asleep`, what was
+/// left of their motion, and their watch.
+class Sleeping {
+ public:
+  std::size_t count() const { return count_; }
+
+  /// Wakes what a body in motion touches, and all that is asleep around it.
+  void wake_touched(std::span<WorldBody> bodies, const ContactPairs& pairs);
+  /// Puts bodies to sleep that stay where they are, as do all that touch them.
+  /// @return  the kinetic energy that this takes from them, J
+  double let_sleep(std::span<WorldBody> bodies, const ContactPairs& pairs);
+
+ private:
+  void wake(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairs& pairs);
+
+  std::size_t count_ = 0;
+};
+
+}  // namespace clast::dem_detail
