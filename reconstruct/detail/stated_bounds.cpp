@@ -14,8 +14,9 @@ namespace {
 
 /// A place farther off the surface as read than this share of its diagonal was not scanned.
 constexpr double kOnSurface = 1e-3;
-/// A place between points that is farther from the nearest than so many spacings was not scanned.
-constexpr double kGap = 2.0;
+/// A place between points that is farther from the nearest than so many spacings was not scanned:
+/// the narrow end that a cloud has no points of may be closed by a few triangles hardly larger.
+constexpr double kGap = 1.5;
 /// A volume has no lower bound below this share of the best one.
 constexpr double kLeastLeft = 0.01;
 /// Bounds closer to the volume, and to all sides, than these shares are not stated.
