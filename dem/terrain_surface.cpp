@@ -58,22 +58,33 @@ double TerrainSurface::radius() const { return impl_->surface.radius; }
 std::uint16_t TerrainSurface::zone_count() const { return impl_->zone_count; }
 const Bounds& TerrainSurface::extent() const { return impl_->surface.extent; }
 
-std::optional<double> TerrainSurface::height(double x, double y, double z_near) const {
-  std::optional<double> best;
-  const PlanGrid::Range home = impl_->surface.grid.range(x, x, y, y);
+std::optional<TerrainSurface::Impl::Spot> TerrainSurface::Impl::spot(double x, double y,
+                                                                      double z_near) const {
+  std::optional<Spot> best;
+  const PlanGrid::Range home = surface.grid.range(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {
     for (int column = home.first_column; column <= home.last_column; ++column) {
-      for (const std::uint32_t f : impl_->surface.grid.cell(column, row).faces) {
-        const SurfaceFace& face = impl_->surface.features.faces[f];
+      for (const std::uint32_t f : surface.grid.cell(column, row).faces) {
+        const SurfaceFace& face = surface.features.faces[f];
         if (face.normal.z() <= 0.0) continue;
-        const std::optional<double> z = height_on_face(impl_->surface.features, face, x, y);
+        const std::optional<double> z = height_on_face(surface.features, face, x, y);
         if (!z) continue;
-        const double skin = *z + impl_->surface.radius / face.normal.z();
-        if (!best || std::abs(skin - z_near) < std::abs(*best - z_near)) best = skin;
+        const double skin = *z + surface.radius / face.normal.z();
+        if (!best || std::abs(skin - z_near) < std::abs(best->height - z_near)) best = {skin, f};
       }
     }
   }
   return best;
+}
+
+std::optional<double> TerrainSurface::height(double x, double y, double z_near) const {
+  const std::optional<Impl::Spot> spot = impl_->spot(x, y, z_near);
+  return spot ? std::optional(spot->height) : std::nullopt;
+}
+
+std::optional<std::uint16_t> TerrainSurface::zone(double x, double y, double z_near) const {
+  const std::optional<Impl::Spot> spot = impl_->spot(x, y, z_near);
+  return spot ? std::optional(impl_->zones[spot->face]) : std::nullopt;
 }
 
 bool TerrainSurface::covers(double x, double y) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -67,6 +68,8 @@ struct World::Impl {
   void begin_moves(double dt);
   void end_moves(double dt);
   void prepare();
+  void show_moves(double dt) const;
+  Touch touch(std::size_t body) const;
   void remove_bodies_off_terrain();
   void advance(double dt);
   /// What Verlet steps lose when they begin with the present loads, J.
@@ -91,6 +94,8 @@ struct World::Impl {
                                           : std::span<const std::uint16_t>())};
   std::size_t prepared = 0;  ///< bodies that are part of the motion already
   Sleeping sleeping;
+  BodyObserver observer;
+  std::vector<std::optional<RigidState>> began;  ///< of bodies that move in the step, if observed
 
   double time = 0.0;
   double initial = 0.0;     ///< energy that bodies brought, J
@@ -217,6 +222,12 @@ double World::Impl::energy_now() const {
 
 void World::Impl::advance(double dt) {
   prepare();
+  if (observer) {
+    began.assign(bodies.size(), std::nullopt);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (!bodies[i].idle()) began[i] = bodies[i].moving.state();
+    }
+  }
   begin_moves(dt);
   pairs.refresh(bodies);
   pairs.update(bodies, dt, team);
@@ -230,8 +241,43 @@ void World::Impl::advance(double dt) {
                             with_digits(time, 6) + " s; a shorter time step may help");
     }
   }
+  if (observer) show_moves(dt);
   remove_bodies_off_terrain();
   if (settings.sleep_drift > 0.0) reassigned += sleeping.let_sleep(bodies, pairs);
+}
+
+void World::Impl::show_moves(double dt) const {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!began[i]) continue;
+    observer(i, {.begin_time = time - dt,
+                 .end_time = time,
+                 .begin = *began[i],
+                 .end = bodies[i].moving.state(),
+                 .flight = false,
+                 .touch = touch(i)});
+  }
+}
+
+Touch World::Impl::touch(std::size_t body) const {
+  Touch sum;
+  bool on_ground = false;
+  for (const std::uint32_t e : pairs.of(body)) {
+    const ContactPair& pair = pairs.all()[e];
+    const std::optional<ContactForces::Deepest> deepest = pair.contacts->deepest();
+    if (!deepest) continue;
+    sum.points += deepest->points;
+    if (pair.reference == kTerrain) {
+      on_ground = true;
+      sum.zone = deepest->zone;
+    }
+    if (deepest->overlap <= sum.overlap) continue;
+    sum.overlap = deepest->overlap;
+    sum.place = deepest->place;
+  }
+  if (sum.points > 0 && !on_ground && terrain) {
+    sum.zone = terrain->zone(sum.place.x(), sum.place.y(), sum.place.z()).value_or(0);
+  }
+  return sum;
 }
 
 void WorldSettings::check() const {
@@ -261,6 +307,8 @@ World::World(std::vector<RigidBody> shapes, const WorldSettings& settings,
 
 World::~World() = default;
 World::World(World&&) noexcept = default;
+
+void World::observe(BodyObserver observer) { impl_->observer = std::move(observer); }
 
 std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fixed) {
   const std::string name = name_of_body(body_count());
@@ -325,6 +373,22 @@ bool World::resting(std::size_t body) const {
 bool World::asleep(std::size_t body) const { return impl_->bodies.at(body).asleep; }
 bool World::left_terrain(std::size_t body) const { return impl_->bodies.at(body).left; }
 Vec3 World::contact_force(std::size_t body) const { return impl_->bodies.at(body).force; }
+
+Touch World::touch(std::size_t body) const {
+  return body < impl_->prepared ? impl_->touch(body) : Touch();
+}
+
+std::vector<std::size_t> World::touched_bodies(std::size_t body) const {
+  std::vector<std::size_t> touched;
+  if (body >= impl_->prepared) return touched;
+  for (const std::uint32_t e : impl_->pairs.of(body)) {
+    const ContactPair& pair = impl_->pairs.all()[e];
+    if (pair.reference == kTerrain || !pair.contacts->touching()) continue;
+    touched.push_back(pair.block == body ? pair.reference : pair.block);
+  }
+  std::sort(touched.begin(), touched.end());
+  return touched;
+}
 
 double World::overlap(std::size_t body, std::size_t other) const {
   for (const ContactPair& pair : impl_->pairs.all()) {

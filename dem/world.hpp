@@ -2,6 +2,7 @@
 /// Many blocks on one terrain, or without one, that hit each other.
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -46,6 +47,9 @@ struct WorldStatistics {
   double max_overlap = 0.0;         ///< now, m
 };
 
+/// Sees how a body moved in a step.
+using BodyObserver = std::function<void(std::size_t body, const MotionStep&)>;
+
 /// Bodies in motion. Every body has a shape out of a common list, a state, and may be fixed: then
 /// nothing moves it. Bodies and terrain touch by the same contact search and the same law.
 ///
@@ -61,6 +65,10 @@ class World {
         std::vector<GroundParameters> zones);
   ~World();
   World(World&&) noexcept;
+
+  /// Has every step seen from now on, for each body that takes part in it, in their order. Times
+  /// are the world's, and no step is a `flight`.
+  void observe(BodyObserver observer);
 
   /// Numbers bodies from 0 in the order they come.
   /// @throws SimulationError  no such shape, a state that is not finite, or a start off the terrain
@@ -86,6 +94,11 @@ class World {
   bool left_terrain(std::size_t body) const;
   /// Force of all contacts on the body, N, world axes.
   Vec3 contact_force(std::size_t body) const;
+  /// All contacts of the body now. Their zone is that of the ground it touches; where it touches
+  /// only bodies, of the ground below the deepest contact, 0 without any.
+  Touch touch(std::size_t body) const;
+  /// Bodies that it touches now, ascending.
+  std::vector<std::size_t> touched_bodies(std::size_t body) const;
   /// Largest overlap of the two bodies now, m; 0 when they don't touch.
   double overlap(std::size_t body, std::size_t other) const;
 

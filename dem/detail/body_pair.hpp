@@ -42,6 +42,10 @@ class BodyPair {
   std::size_t contact_count() const { return touching() ? near_->points.size() : 0; }
   double stored_energy() const { return near_ ? near_->forces.stored_energy() : 0.0; }
   double max_overlap() const { return near_ ? near_->forces.max_overlap() : 0.0; }
+  /// The contact with the largest overlap; none without contacts.
+  std::optional<ContactForces::Deepest> deepest() const {
+    return near_ ? near_->forces.deepest() : std::nullopt;
+  }
   const EnergyLedger& ledger() const { return ledger_; }
 
  private:

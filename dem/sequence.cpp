@@ -1,0 +1,159 @@
+#include "dem/sequence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+
+namespace clast {
+
+namespace {
+
+class Sequence {
+ public:
+  Sequence(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
+           std::span<const RigidBody> shapes, std::span<const SequenceBlock> blocks,
+           const WorldSettings& settings, double max_time, const SequenceObserver& observe)
+      : terrain_(terrain),
+        shapes_(shapes),
+        blocks_(blocks),
+        gravity_(settings.gravity),
+        max_time_(max_time),
+        observe_(observe),
+        world_({shapes.begin(), shapes.end()}, settings, terrain, {zones.begin(), zones.end()}) {
+    world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
+  }
+
+  std::vector<SequenceResult> run() {
+    for (std::size_t block = 0; block < blocks_.size(); ++block) release(block);
+    for (std::size_t block = 0; block < blocks_.size(); ++block) finish(block);
+    return std::move(results_);
+  }
+
+ private:
+  /// What is known of a block while the sequence goes on.
+  struct Watched {
+    bool touching = false;
+    std::set<std::size_t> hit;   ///< blocks it touched during its own release
+    Vec3 first_rest = Vec3::Zero();  ///< its place at the end of its own release
+  };
+
+  const RigidBody& body_of(std::size_t block) const { return shapes_[blocks_[block].shape]; }
+
+  /// The lowest height from `start` on at which the bounding sphere of the block is clear of those of
+  /// all others.
+  double clear_height(const RigidBody& body, const Vec3& start) const {
+    const double radius = body.bounding_radius();
+    double height = start.z();
+    for (bool raised = true; raised;) {
+      raised = false;
+      for (std::size_t other = 0; other < world_.body_count(); ++other) {
+        if (world_.left_terrain(other)) continue;
+        const Vec3& place = world_.state(other).position;
+        const double apart = radius + body_of(other).bounding_radius();
+        const double squared = apart * apart - (place - start).head<2>().squaredNorm();
+        if (squared <= 0.0 || std::abs(height - place.z()) >= std::sqrt(squared)) continue;
+        const double clear = place.z() + std::sqrt(squared);
+        raised |= clear > height;
+        height = std::max(height, clear);
+      }
+    }
+    return height;
+  }
+
+  void release(std::size_t block) {
+    SequenceResult& result = results_.emplace_back();
+    watched_.emplace_back();
+    RigidState start = blocks_[block].start;
+    const double height = clear_height(body_of(block), start.position);
+    result.raised = height - start.position.z();
+    start.position.z() = height;
+    result.released_at = world_.time();
+    const EnergyLedger before = world_.energy();
+    world_.add_body(blocks_[block].shape, start);
+    world_.run_until(result.released_at + max_time_);
+    result.release.duration = world_.time() - result.released_at;
+    result.release.energy = of_release(before, world_.energy());
+    result.blocks_hit = static_cast<std::uint32_t>(watched_[block].hit.size());
+    watched_[block].first_rest = world_.state(block).position;
+  }
+
+  /// What happened to the energy of all blocks between two balances.
+  EnergyLedger of_release(const EnergyLedger& before, const EnergyLedger& after) const {
+    EnergyLedger part;
+    part.initial = before.final + (after.initial - before.initial);
+    part.normal = after.normal - before.normal;
+    part.friction = after.friction - before.friction;
+    part.rolling = after.rolling - before.rolling;
+    part.reassigned = after.reassigned - before.reassigned;
+    double potential = 0.0;
+    for (std::size_t i = 0; i < world_.body_count(); ++i) {
+      potential += body_of(i).mass * gravity_ * world_.state(i).position.z();
+    }
+    part.close(after.final, part.initial - potential);
+    return part;
+  }
+
+  void see(std::size_t block, const MotionStep& step) {
+    ReleaseResult& result = results_[block].release;
+    Watched& watched = watched_[block];
+    result.path_length += (step.end.position - step.begin.position).norm();
+    result.max_speed =
+        std::max({result.max_speed, step.begin.velocity.norm(), step.end.velocity.norm()});
+    result.max_penetration = std::max(result.max_penetration, step.touch.overlap);
+    const bool touching = step.touch.points > 0;
+    if (touching) ++result.contact_steps;
+    if (touching && !watched.touching) ++result.impacts;
+    watched.touching = touching;
+    if (block + 1 == results_.size()) {
+      for (const std::size_t other : world_.touched_bodies(block)) watched.hit.insert(other);
+    }
+    if (!observe_) return;
+    MotionStep since_release = step;
+    since_release.begin_time -= results_[block].released_at;
+    since_release.end_time -= results_[block].released_at;
+    observe_(block, since_release);
+  }
+
+  void finish(std::size_t block) {
+    SequenceResult& result = results_[block];
+    ReleaseResult& release = result.release;
+    release.final_state = world_.state(block);
+    release.settled_penetration = world_.touch(block).overlap;
+    release.stop_reason = world_.left_terrain(block) ? StopReason::kLeftTerrain
+                          : world_.resting(block)    ? StopReason::kRest
+                                                     : StopReason::kMaxTime;
+    const Vec3& place = release.final_state.position;
+    const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
+    release.below_ground = ground && place.z() < *ground;
+    result.moved_later = (place - watched_[block].first_rest).norm();
+  }
+
+  const TerrainSurface& terrain_;
+  std::span<const RigidBody> shapes_;
+  std::span<const SequenceBlock> blocks_;
+  double gravity_;
+  double max_time_;
+  const SequenceObserver& observe_;
+  World world_;
+  std::vector<SequenceResult> results_;
+  std::vector<Watched> watched_;
+};
+
+}  // namespace
+
+std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
+                                              std::span<const GroundParameters> zones,
+                                              std::span<const RigidBody> shapes,
+                                              std::span<const SequenceBlock> blocks,
+                                              const WorldSettings& settings, double max_time,
+                                              const SequenceObserver& observe) {
+  if (!(max_time > 0.0)) {
+    throw InputError("max_time = " + with_digits(max_time, 6) + "; must be above 0");
+  }
+  return Sequence(terrain, zones, shapes, blocks, settings, max_time, observe).run();
+}
+
+}  // namespace clast

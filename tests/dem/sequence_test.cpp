@@ -1,0 +1,132 @@
+// Blocks released one after the other that stay.
+#include "dem/sequence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/test_worlds.hpp"
+
+namespace clast {
+namespace {
+
+const std::vector<GroundParameters> kGround = {{0.05, 0.7, 0.3}};
+
+WorldSettings settings_for(const std::vector<RigidBody>& shapes, double speed = 6.0) {
+  WorldSettings settings;
+  settings.stiffness = choose_stiffness(shapes, kGround, speed, 9.81).stiffness;
+  settings.between_bodies = kGround[0];
+  return settings;
+}
+
+std::vector<SequenceResult> sequence(const TerrainSurface& terrain,
+                                     const std::vector<RigidBody>& shapes,
+                                     const std::vector<SequenceBlock>& blocks,
+                                     double max_time = 20.0, const SequenceObserver& observe = {}) {
+  return simulate_sequence(terrain, kGround, shapes, blocks, settings_for(shapes), max_time,
+                           observe);
+}
+
+TEST(Sequence, OfOneBlockIsItsRelease) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {box(50.0, {0.4, 0.3, 0.2}, 0.01)};
+  RigidState start = at({0.3, 0.2, 0.6}, {1.5, 0.0, 0.0});
+  start.angular_velocity = {0.0, 2.0, 0.0};
+  const WorldSettings world = settings_for(shapes);
+  ReleaseSettings alone;
+  alone.stiffness = world.stiffness;
+  alone.stiffness.longest_step = 0.0;
+  const ReleaseResult expected = simulate_release(terrain, kGround, shapes[0], start, alone);
+  const ReleaseResult found = sequence(terrain, shapes, {{0, start}})[0].release;
+  ASSERT_EQ(found.stop_reason, StopReason::kRest);
+  EXPECT_LT((found.final_state.position - expected.final_state.position).norm(), 0.01);
+  EXPECT_NEAR(found.path_length, expected.path_length, 0.03);
+  EXPECT_NEAR(found.max_speed, expected.max_speed, 0.01);
+  EXPECT_NEAR(found.energy.initial, expected.energy.initial, 1e-6);
+  EXPECT_LT(found.energy.error, 1e-3);
+  EXPECT_FALSE(found.below_ground);
+}
+
+TEST(Sequence, BlocksReleasedAtOnePlacePileUp) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {box(60.0, {0.4, 0.4, 0.3})};
+  const SequenceBlock block{0, at({0.1, 0.1, 0.16})};
+  const auto results = sequence(terrain, shapes, {block, block, block});
+  // Each contact yields in proportion to the blocks that it carries.
+  const double depth = choose_stiffness(shapes, kGround, 6.0, 9.81).settled_depth;
+  double height = -0.15;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ReleaseResult& release = results[i].release;
+    height += 0.3 - depth * static_cast<double>(3 - i);
+    EXPECT_EQ(release.stop_reason, StopReason::kRest);
+    EXPECT_NEAR(release.final_state.position.z(), height, 0.1 * depth);
+    EXPECT_EQ(results[i].blocks_hit, i == 0 ? 0u : 1u);
+    EXPECT_LT(release.energy.error, 1e-3);
+  }
+  EXPECT_NEAR(results[0].moved_later, 2.0 * depth, 0.1 * depth);
+  EXPECT_EQ(results[0].raised, 0.0);
+  // Clear of the sphere around the block that lies there.
+  const double diameter = 2.0 * shapes[0].bounding_radius();
+  EXPECT_NEAR(results[1].raised, 0.15 - depth + diameter - 0.16, 0.1 * depth);
+  EXPECT_GT(results[2].released_at, results[1].released_at);
+}
+
+// A ball that rolls down a channel on its own is stopped by a box that lies in its way.
+TEST(Sequence, ABlockThatStaysStopsTheNext) {
+  TriangleMesh channel = plane_mesh(8.0, 32);
+  for (Vec3& p : channel.vertices) p.z() = 0.5 * std::abs(p.y()) - 0.5 * p.x();
+  const TerrainSurface terrain = ground(channel);
+  const std::vector<RigidBody> shapes = {ball(40.0, 0.2), box(900.0, {0.9, 0.9, 0.6})};
+  const SequenceBlock rolling{0, at({-4.0, 0.0, 2.3})}, lying{1, at({0.0, 0.0, 0.8})};
+  const auto alone = sequence(terrain, shapes, {rolling});
+  EXPECT_EQ(alone[0].release.stop_reason, StopReason::kLeftTerrain);
+  const auto both = sequence(terrain, shapes, {lying, rolling});
+  EXPECT_EQ(both[0].release.stop_reason, StopReason::kRest);
+  EXPECT_EQ(both[1].release.stop_reason, StopReason::kRest);
+  EXPECT_LT(both[1].release.final_state.position.x(), both[0].release.final_state.position.x());
+  EXPECT_EQ(both[1].blocks_hit, 1u);
+}
+
+TEST(Sequence, ABlockThatIsHitLaterEndsWhereItWasMovedTo) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {box(20.0, {0.3, 0.3, 0.2}), ball(60.0, 0.2)};
+  const SequenceBlock lying{0, at({0.0, 0.0, 0.11})},
+      thrown{1, at({-1.5, 0.0, 0.25}, {6.0, 0.0, 0.0})};
+  std::vector<double> times;
+  const auto results =
+      sequence(terrain, shapes, {lying, thrown}, 20.0, [&](std::size_t block, const MotionStep& s) {
+        if (block == 0) times.push_back(s.end_time);
+      });
+  EXPECT_GT(results[0].moved_later, 0.3);
+  EXPECT_NEAR(results[0].release.final_state.position.x(), results[0].moved_later, 0.1);
+  EXPECT_EQ(results[0].blocks_hit, 0u);  // it was hit, after its own release
+  EXPECT_EQ(results[1].blocks_hit, 1u);
+  // What is seen of it goes on, by the clock of its own release.
+  EXPECT_GT(times.back(), results[1].released_at);
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+}
+
+TEST(Sequence, GoesOnWhenABlockDoesNotStopInTime) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {ball(10.0, 0.2)};
+  const auto results = sequence(terrain, shapes,
+                                {{0, at({0.0, 0.0, 3.0})}, {0, at({2.0, 0.0, 3.0})}}, 0.3);
+  EXPECT_NEAR(results[0].release.duration, 0.3, 1e-9);
+  EXPECT_NEAR(results[1].released_at, 0.3, 1e-9);
+  EXPECT_EQ(results[0].release.stop_reason, StopReason::kMaxTime);
+}
+
+TEST(Sequence, RefusesWhatIsNoSequence) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {ball(10.0, 0.2)};
+  EXPECT_TRUE(contains(refusal([&] { sequence(terrain, shapes, {{0, at({0, 0, 1})}}, 0.0); }),
+                       "max_time = 0"));
+  EXPECT_TRUE(contains(
+      refusal<SimulationError>([&] { sequence(terrain, shapes, {{0, at({50, 0, 1})}}); }),
+      "body 0"));
+}
+
+}  // namespace
+}  // namespace clast
