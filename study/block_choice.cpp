@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
+#include "study/detail/named_seed.hpp"
 
 namespace clast {
 namespace {
@@ -104,15 +105,20 @@ std::vector<CampaignBlock> drawn_from(const Campaign& campaign, const std::vecto
     pools.push_back(std::move(pool));
     shares.push_back(share);
   }
-  Random random(draw.seed);
   std::vector<CampaignBlock> drawn;
   const std::vector<std::size_t> counts = quotas(shares, draw.count);
-  for (std::size_t pool = 0; pool < pools.size(); ++pool) {
-    for (std::size_t i = 0; i < counts[pool]; ++i) {
-      const std::size_t block = pools[pool][random.below(pools[pool].size())];
-      const double mass = blocks[block].mass.mass;
-      const double scale = draw.mass ? std::cbrt(draw.mass->draw(random) / mass) : 1.0;
-      drawn.push_back({blocks[block].id + "#" + std::to_string(drawn.size() + 1), block, scale, 0});
+  const std::uint32_t draws = campaign.stay ? campaign.stay->realisations : 1;
+  for (std::uint32_t k = 0; k < draws; ++k) {
+    Random random(k == 0 ? draw.seed
+                         : study_detail::named_seed(draw.seed, "realisation " + std::to_string(k)));
+    for (std::size_t pool = 0; pool < pools.size(); ++pool) {
+      for (std::size_t i = 0; i < counts[pool]; ++i) {
+        const std::size_t block = pools[pool][random.below(pools[pool].size())];
+        const double mass = blocks[block].mass.mass;
+        const double scale = draw.mass ? std::cbrt(draw.mass->draw(random) / mass) : 1.0;
+        drawn.push_back(
+            {blocks[block].id + "#" + std::to_string(drawn.size() + 1), block, scale, 0});
+      }
     }
   }
   return drawn;

@@ -19,6 +19,7 @@ struct CampaignBlock {
 
 struct BlockChoice {
   std::vector<Block> library;  ///< those that occur, unscaled
+  /// Where blocks stay, drawn ones are those of all realisations, one after the other.
   std::vector<CampaignBlock> blocks;
 };
 

@@ -81,7 +81,7 @@ void read_contact(const TomlTable& top, Campaign& campaign) {
   if (!node) return;
   const TomlTable table(*node, top.file(), "[contact]",
                         {"law", "weights", "stiffness", "stiffness_n_m", "tangential_stiffness_n_m",
-                         "rolling_stiffness_n_m_rad", "time_step_s"});
+                         "rolling_stiffness_n_m_rad", "time_step_s", "blocks"});
   const std::optional<std::string> law = choice(table, "law", contact_law_names());
   if (const auto weights = choice(table, "weights", {"patch", "overlap", "count", "none"})) {
     campaign.weights = contact_weights(*weights);
@@ -212,6 +212,7 @@ Campaign read_campaign(const fs::path& file) {
   campaign.ensemble = read_ensemble(top, campaign);
   const std::string up = up_axis(campaign.terrain.up, campaign.terrain.surface.front());
   campaign.releases = read_releases(top, up == "y");
+  campaign.stay = read_stay_plan(top, campaign);
   read_contact(top, campaign);
   campaign.barriers = read_barriers(top);
   read_run(top, campaign);

@@ -30,7 +30,8 @@ struct BlockScale {
   double value = 0.0;  ///< kg or m^3; equal mass: the mean mass of the selected blocks
 };
 
-/// Blocks drawn from those selected: so many of each class, each scaled to a drawn mass.
+/// Blocks drawn from those selected: so many of each class, each scaled to a drawn mass; where
+/// blocks stay, anew for each realisation.
 struct BlockDraw {
   std::size_t count = 0;
   std::uint64_t seed = 1;
@@ -86,6 +87,14 @@ struct ReleasePlan {
   std::vector<std::filesystem::path> files;  ///< point and orientation files that were read
 };
 
+/// Blocks that stay where they stop: in each realisation they are released one after the other,
+/// each when those before it have come to rest.
+struct StayPlan {
+  std::uint32_t realisations = 1;
+  bool random_order = true;         ///< of the blocks, drawn for each realisation; else as selected
+  GroundParameters between_blocks;  ///< what two blocks do to each other
+};
+
 /// A campaign, read and checked. Paths are resolved against the campaign file's folder, with
 /// ${CLAST_DATA} replaced by the environment variable of that name (default ../shared/data).
 struct Campaign {
@@ -101,6 +110,7 @@ struct Campaign {
   std::vector<BlockGroup> groups;             ///< a block is in one at most
   Ensemble ensemble;
   std::vector<ReleasePlan> releases;  ///< one at least; names differ
+  std::optional<StayPlan> stay;       ///< none: every run has the terrain to itself
   ContactWeights weights = ContactWeights::kPatch;
   StiffnessOptions stiffness;     ///< with the contact law; all else empty: auto
   std::vector<Barrier> barriers;  ///< in map coordinates

@@ -4,12 +4,14 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <exception>
 #include <mutex>
 #include <thread>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "study/detail/realisation.hpp"
 #include "study/detail/results_journal.hpp"
 
 namespace clast {
@@ -17,114 +19,62 @@ namespace clast {
 using namespace study_detail;
 namespace {
 
-// Collects what the stored results need of a motion, as it goes by.
-class RunObserver {
- public:
-  RunObserver(const PreparedCampaign& prepared, const RunRecord& run)
-      : impacts(prepared.bodies[run.block], run.run),
-        prepared_(prepared),
-        body_(prepared.bodies[run.block]),
-        run_(run.run) {}
-
-  void see(const MotionStep& step) {
-    const double gravity = prepared_.campaign.gravity;
-    const double interval = prepared_.campaign.trajectory_interval;
-    if (interval > 0.0) {
-      // Counted, not added up, so that frames of all runs fall on the same times.
-      for (double time;
-           (time = static_cast<double>(trajectory.time.size()) * interval) <= step.end_time;) {
-        trajectory.time.push_back(time);
-        trajectory.states.push_back(
-            time >= step.end_time
-                ? step.end
-                : state_at(body_, step, std::max(time, step.begin_time), gravity));
-      }
-    }
-    for (std::uint32_t i = 0; i < prepared_.header.barriers.size(); ++i) {
-      for (Crossing& crossing :
-           find_crossings(prepared_.header.barriers[i], body_, step, *prepared_.surface, gravity)) {
-        crossing.run = run_;
-        crossing.barrier = i;
-        crossings.push_back(crossing);
-      }
-    }
-    impacts.see(step);
-    last = step.end;
-    last_time = step.end_time;
-  }
-
-  Trajectory trajectory;
-  std::vector<Crossing> crossings;
-  ImpactObserver impacts;
-  std::optional<RigidState> last;  ///< end of the last step seen
-  double last_time = 0.0;
-
- private:
-  const PreparedCampaign& prepared_;
-  const RigidBody& body_;
-  std::uint32_t run_;
-};
-
 // Thrown by a probe that is long enough; no error of the run.
 struct ProbeOver {};
-
-/// @param after_step  called with the simulated time after every step and flight
-StoredRun run_one(const PreparedCampaign& prepared, const RunRecord& planned,
-                  const std::function<void(double)>& after_step = {}) {
-  StoredRun output;
-  output.record = planned;
-  RunObserver observer(prepared, planned);
-  ReleaseResult& result = output.record.result;
-  try {
-    result =
-        simulate_release(*prepared.surface, prepared.header.ground_sets[planned.ground_set].zones,
-                         prepared.bodies[planned.block], planned.start,
-                         release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
-                           observer.see(step);
-                           if (after_step) after_step(step.end_time);
-                         });
-  } catch (const std::exception& error) {  // one bad run never costs the campaign
-    result = {};
-    result.stop_reason = StopReason::kError;
-    result.message = error.what();
-    result.duration = observer.last_time;
-    result.final_state = observer.last.value_or(planned.start);
-  }
-  observer.impacts.finish();
-  output.record.contacts = observer.impacts.statistics;
-  output.impacts = std::move(observer.impacts.impacts);
-  output.crossings = std::move(observer.crossings);
-  std::stable_sort(output.crossings.begin(), output.crossings.end(),
-                   [](const Crossing& a, const Crossing& b) { return a.time < b.time; });
-  output.trajectory = std::move(observer.trajectory);
-  if (prepared.campaign.trajectory_interval > 0.0 &&
-      (output.trajectory.time.empty() || output.trajectory.time.back() < result.duration)) {
-    output.trajectory.time.push_back(result.duration);
-    output.trajectory.states.push_back(result.final_state);
-  }
-  return output;
-}
 
 // Keeps finished runs, one at a time, and reports progress.
 class Collector {
  public:
   Collector(ResultsWriter& writer, std::size_t planned, const RunOptions& options)
-      : writer_(writer), done_(writer.stored_runs().size()), planned_(planned), options_(options) {}
+      : writer_(writer),
+        before_(writer.stored_runs()),
+        done_(before_.size()),
+        planned_(planned),
+        options_(options) {}
 
-  void add(const StoredRun& run) {
+  /// Of runs that are computed together, some may have been kept before an interruption.
+  void add(const std::vector<StoredRun>& runs) {
     const std::lock_guard lock(one_at_a_time_);
-    writer_.add(run);
-    ++done_;
+    for (const StoredRun& run : runs) {
+      if (std::binary_search(before_.begin(), before_.end(), run.record.run)) continue;
+      writer_.add(run);
+      ++done_;
+    }
     if (options_.progress) options_.progress({.done = done_, .total = planned_});
   }
 
  private:
   ResultsWriter& writer_;
+  std::vector<std::uint32_t> before_;  ///< runs that were there already
   std::size_t done_;
   std::size_t planned_;
   const RunOptions& options_;
   std::mutex one_at_a_time_;
 };
+
+// What processes send each other of runs that were computed together.
+std::string packed_together(const std::vector<StoredRun>& runs) {
+  std::string bytes;
+  for (const StoredRun& run : runs) {
+    const std::string one = packed(run);
+    const std::uint64_t length = one.size();
+    bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes += one;
+  }
+  return bytes;
+}
+
+std::vector<StoredRun> unpacked_together(const std::string& bytes) {
+  std::vector<StoredRun> runs;
+  for (std::size_t at = 0; at < bytes.size();) {
+    std::uint64_t length = 0;
+    std::memcpy(&length, bytes.data() + at, sizeof length);
+    at += sizeof length;
+    runs.push_back(unpacked(bytes.substr(at, length)));
+    at += length;
+  }
+  return runs;
+}
 
 // The processes that do not lead: runs as they are handed out, until there are none.
 void follow(const PreparedCampaign& prepared, unsigned threads, ProcessTeam& team) {
@@ -138,7 +88,7 @@ void follow(const PreparedCampaign& prepared, unsigned threads, ProcessTeam& tea
         next = team.exchange(done);
       }
       if (!next) return;
-      done = packed(run_one(prepared, prepared.runs[*next]));
+      done = packed_together(runs_from(prepared, static_cast<std::uint32_t>(*next)));
     }
   });
 }
@@ -172,7 +122,7 @@ std::exception_ptr lead(const PreparedCampaign& prepared, const std::vector<std:
   for (unsigned i = 0; i < threads; ++i) {
     workers.emplace_back([&] {
       while (const std::optional<std::size_t> run = take()) {
-        guarded([&] { collector.add(run_one(prepared, prepared.runs[*run])); });
+        guarded([&] { collector.add(runs_from(prepared, static_cast<std::uint32_t>(*run))); });
       }
     });
   }
@@ -182,7 +132,7 @@ std::exception_ptr lead(const PreparedCampaign& prepared, const std::vector<std:
       std::this_thread::sleep_for(kLookAround);
       continue;
     }
-    if (!delivery->done.empty()) guarded([&] { collector.add(unpacked(delivery->done)); });
+    if (!delivery->done.empty()) guarded([&] { collector.add(unpacked_together(delivery->done)); });
     const std::optional<std::size_t> run = take();
     team.answer(delivery->from, run);
     if (!run) --waiting;
@@ -191,21 +141,23 @@ std::exception_ptr lead(const PreparedCampaign& prepared, const std::vector<std:
   return failure;
 }
 
-// Runs of the shard that are not stored yet.
+// The first runs of those that are computed together, of the shard, and not all stored yet.
 std::vector<std::uint32_t> open_runs(const PreparedCampaign& prepared, const Shard& shard,
                                      const std::filesystem::path& target,
                                      const std::vector<std::uint32_t>& stored) {
+  const std::uint32_t together = prepared.header.runs_together();
   for (const std::uint32_t run : stored) {
-    if (shard.has(run)) continue;
+    if (shard.has(run / together)) continue;
     throw InputError(partial_results(target).string() + ": was begun with other runs than shard " +
                      std::to_string(shard.index) + " of " + std::to_string(shard.count) +
                      " has; give the shard it was begun with, or delete it");
   }
   std::vector<std::uint32_t> open;
-  for (const RunRecord& run : prepared.runs) {
-    if (shard.has(run.run) && !std::binary_search(stored.begin(), stored.end(), run.run)) {
-      open.push_back(run.run);
-    }
+  for (std::uint32_t first = 0; first < prepared.runs.size(); first += together) {
+    if (!shard.has(first / together)) continue;
+    const auto begin = std::lower_bound(stored.begin(), stored.end(), first);
+    const auto end = std::lower_bound(begin, stored.end(), first + together);
+    if (end - begin < static_cast<std::ptrdiff_t>(together)) open.push_back(first);
   }
   return open;
 }
@@ -227,7 +179,8 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   constexpr double kGoldenRatio = 0.61803398874989485;
   // A run that takes this many times the budget is not waited for.
   constexpr double kLongestProbe = 5.0;
-  const double count = static_cast<double>(prepared.runs.size());
+  const std::uint32_t together = prepared.header.runs_together();
+  const double longest_run = together * prepared.campaign.max_time;  // s, simulated
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -248,8 +201,9 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   try {
     while (probe.runs < prepared.runs.size() && (probe.runs == 0 || whole < budget)) {
       const double share = std::fmod(0.5 + static_cast<double>(probe.runs) * kGoldenRatio, 1.0);
-      run_one(prepared, prepared.runs[static_cast<std::size_t>(share * count)], in_time);
-      ++probe.runs;
+      const auto items = static_cast<double>(prepared.runs.size() / together);
+      runs_from(prepared, together * static_cast<std::uint32_t>(share * items), in_time);
+      probe.runs += together;
       whole = spent();
       halfway = -1.0;
     }
@@ -258,11 +212,17 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
     probe.cut_short = true;
     const double taken = spent() - whole;
     const double pace = (taken - halfway_spent) / std::max(reached - halfway, 1e-12);
-    whole += taken + pace * (prepared.campaign.max_time - reached);
-    ++probe.runs;
+    whole += taken + pace * (longest_run - reached);
+    probe.runs += together;
   }
   if (probe.runs > 0) probe.each = whole / static_cast<double>(probe.runs);
   return probe;
+}
+
+std::size_t Shard::runs_of(const PreparedCampaign& prepared) const {
+  const std::uint32_t together = prepared.header.runs_together();
+  const std::size_t items = prepared.runs.size() / together;
+  return (items / count + (items % count >= index ? 1 : 0)) * together;
 }
 
 void Shard::check() const {
@@ -275,7 +235,7 @@ void Shard::check() const {
 void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,
                   const RunOptions& options) {
   options.shard.check();
-  const std::size_t runs = options.shard.runs_of(prepared.runs.size());
+  const std::size_t runs = options.shard.runs_of(prepared);
   if (options.resume && !options.replace && !std::filesystem::exists(partial_results(target)) &&
       is_finished(target, prepared.header, runs)) {
     return;
@@ -297,9 +257,9 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   };
   if (!team) {
     open_results();
-    Collector collector(*writer, open.size() + writer->stored_runs().size(), options);
+    Collector collector(*writer, runs, options);
     parallel_for(open.size(), threads,
-                 [&](std::size_t i) { collector.add(run_one(prepared, prepared.runs[open[i]])); });
+                 [&](std::size_t i) { collector.add(runs_from(prepared, open[i])); });
     writer->finish();
     return;
   }
@@ -307,7 +267,7 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   team->begin();
   std::exception_ptr failure;
   if (team->leads()) {
-    Collector collector(*writer, open.size() + writer->stored_runs().size(), options);
+    Collector collector(*writer, runs, options);
     failure = lead(prepared, open, threads, *team, collector);
   } else {
     follow(prepared, threads, *team);

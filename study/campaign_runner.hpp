@@ -20,7 +20,7 @@ struct PreparedCampaign {
   std::vector<RigidBody> bodies;          ///< of `choice.blocks`, scaled
   std::optional<TerrainSurface> surface;  ///< of `header.terrain`; always there
   /// Planned runs in order: blocks, release sets, their points, their orientations, members of the
-  /// ensemble (fastest).
+  /// ensemble (fastest); where blocks stay: realisations, blocks in the order of their release.
   std::vector<RunRecord> runs;  ///< with their stiffness; `result` still empty
 };
 
@@ -36,17 +36,16 @@ ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run)
 /// @throws SimulationError  a start inside the ground: block, point, orientation and depth
 PreparedCampaign prepare_campaign(const Campaign& campaign);
 
-/// Every n-th run of a campaign, so that n jobs that know nothing of each other do it all:
-/// `merge_results` joins what they wrote.
+/// Every n-th run of a campaign, or realisation where blocks stay, so that n jobs that know nothing
+/// of each other do it all: `merge_results` joins what they wrote.
 struct Shard {
   std::uint32_t index = 1;  ///< from 1
   std::uint32_t count = 1;
 
-  bool has(std::uint32_t run) const { return run % count == index - 1; }
-  /// How many of runs 0 to `planned` - 1 it has.
-  std::size_t runs_of(std::size_t planned) const {
-    return planned / count + (planned % count >= index ? 1 : 0);
-  }
+  /// @param item  number of a run, or of a realisation
+  bool has(std::uint32_t item) const { return item % count == index - 1; }
+  /// How many runs of the campaign it has.
+  std::size_t runs_of(const PreparedCampaign& prepared) const;
   void check() const;  ///< throws InputError naming both
 };
 

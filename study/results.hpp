@@ -51,6 +51,21 @@ struct BlockSummary {
   const std::string& library_block() const { return library_id.empty() ? id : library_id; }
 };
 
+/// What else is kept of a run whose block stayed among others.
+struct StayRecord {
+  std::uint32_t run = 0;
+  double released_at = 0.0;      ///< since the first block of the realisation was released, s
+  double raised = 0.0;           ///< above the start that was planned, m
+  double moved_later = 0.0;      ///< by later blocks, from where it had stopped, m
+  std::uint32_t blocks_hit = 0;  ///< other blocks that it touched during its own release
+};
+
+/// Realisations of blocks that stay: runs are in order of realisations, then of release.
+struct StaySummary {
+  std::uint32_t blocks_each = 1;  ///< in each realisation
+  GroundParameters between_blocks;
+};
+
 /// Ground parameters that some of the runs have: of one block group in one member of the ensemble.
 struct GroundSet {
   std::string group;         ///< empty: blocks in no group
@@ -69,6 +84,7 @@ struct StoredRun {
   RunRecord record;
   std::vector<Crossing> crossings;
   std::vector<Impact> impacts;
+  std::vector<StayRecord> stays;  ///< one where blocks stay, else none
   Trajectory trajectory;
 };
 
@@ -94,10 +110,15 @@ struct CampaignResults {
   MapFrame frame;
   std::optional<Vec2> downslope;  ///< as asked for
   Terrain terrain;                ///< the surface that was used, for maps
+  std::optional<StaySummary> stay;  ///< none: every run had the terrain to itself
   std::uint32_t planned_runs = 0;
   std::vector<RunRecord> runs;      ///< in run order
   std::vector<Crossing> crossings;  ///< in run order, then time
   std::vector<Impact> impacts;      ///< in run order, then time
+  std::vector<StayRecord> stays;    ///< in run order
+
+  /// Runs that are computed together: those of a realisation, or one.
+  std::uint32_t runs_together() const { return stay ? stay->blocks_each : 1; }
 };
 
 /// @throws InputError  missing, not clast results, damaged, or of a newer schema

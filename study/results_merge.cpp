@@ -23,6 +23,7 @@ struct Place {
   std::size_t row = 0;             ///< into the part's runs
   std::size_t first_crossing = 0;  ///< into the part's crossings
   std::size_t first_impact = 0;    ///< into the part's impacts
+  std::size_t first_stay = 0;      ///< into the part's stays
 };
 
 void check_same_campaign(const CampaignResults& first, const CampaignResults& other) {
@@ -56,12 +57,13 @@ std::vector<Place> places_of(const std::vector<Part>& parts) {
   std::vector<Place> places;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const CampaignResults& results = parts[part].results;
-    std::size_t crossing = 0, impact = 0;
+    std::size_t crossing = 0, impact = 0, stay = 0;
     for (std::size_t row = 0; row < results.runs.size(); ++row) {
       const std::uint32_t run = results.runs[row].run;
-      places.push_back({run, part, row, crossing, impact});
+      places.push_back({run, part, row, crossing, impact, stay});
       crossing += events_of(results.crossings, run, crossing).size();
       impact += events_of(results.impacts, run, impact).size();
+      stay += events_of(results.stays, run, stay).size();
     }
   }
   std::sort(places.begin(), places.end(),
@@ -83,7 +85,8 @@ void check_complete(const std::vector<Part>& parts, const std::vector<Place>& pl
   throw InputError(std::to_string(first.planned_runs - places.size()) + " of " +
                    std::to_string(first.planned_runs) + " runs are in no part, run " +
                    std::to_string(missing) + " first; of n shards it belongs to number (" +
-                   std::to_string(missing) + " mod n) + 1. Run the missing shard, then join");
+                   std::to_string(missing / first.runs_together()) +
+                   " mod n) + 1. Run the missing shard, then join");
 }
 
 }  // namespace
@@ -106,6 +109,8 @@ void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
     run.crossings.assign(crossings.begin(), crossings.end());
     const auto impacts = events_of(part.results.impacts, place.run, place.first_impact);
     run.impacts.assign(impacts.begin(), impacts.end());
+    const auto stays = events_of(part.results.stays, place.run, place.first_stay);
+    run.stays.assign(stays.begin(), stays.end());
     if (part.trajectories.frames(place.run) > 0) run.trajectory = part.trajectories.read(place.run);
     return run;
   });

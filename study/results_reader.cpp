@@ -241,6 +241,21 @@ void check_events(const CheckedGroup& reader, const std::vector<Event>& events,
   }
 }
 
+/// Added to schema 4 later; absent where every run had the terrain to itself.
+void read_stays(const CheckedGroup& reader, CampaignResults& results) {
+  const auto each = reader.group.attribute<std::int64_t>("blocks_each");
+  if (each < 1 || results.planned_runs % each != 0) {
+    reader.damaged("@blocks_each", "is " + std::to_string(each) + " of " +
+                                       std::to_string(results.planned_runs) + " runs");
+  }
+  results.stay = {static_cast<std::uint32_t>(each),
+                  {reader.group.attribute<double>("energy_restitution"),
+                   reader.group.attribute<double>("friction"),
+                   reader.group.attribute<double>("rolling_friction")}};
+  read_rows(reader, results.stays);
+  check_events(reader, results.stays, results);
+}
+
 }  // namespace
 
 CampaignResults read_results(const fs::path& path) {
@@ -297,6 +312,7 @@ CampaignResults read_results(const fs::path& path) {
   read_rows(impacts, results.impacts);
   check_below(impacts, "zone", results.impacts, &Impact::zone, results.zone_names.size());
   check_events(impacts, results.impacts, results);
+  if (root.group.has("stays")) read_stays(root.into("stays"), results);
   return results;
 }
 

@@ -42,4 +42,9 @@ const TableColumns<Impact>& stored_impact_columns() {
   return columns;
 }
 
+const TableColumns<StayRecord>& stored_stay_columns() {
+  static const TableColumns<StayRecord> columns = stored_columns<StayRecord>();
+  return columns;
+}
+
 }  // namespace clast

@@ -9,5 +9,6 @@ namespace clast {
 const TableColumns<RunRecord>& stored_run_columns();
 const TableColumns<Crossing>& stored_crossing_columns();
 const TableColumns<Impact>& stored_impact_columns();
+const TableColumns<StayRecord>& stored_stay_columns();
 
 }  // namespace clast

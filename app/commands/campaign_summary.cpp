@@ -19,6 +19,10 @@ namespace {
 /// "4 release points, 64 orientations", for each release set, and how often the ground is drawn.
 std::string releases_text(const PreparedCampaign& prepared) {
   std::string text;
+  if (const std::optional<StaySummary>& stay = prepared.header.stay) {
+    text = counted(prepared.campaign.stay->realisations, "realisation") + " of " +
+           counted(stay->blocks_each, "block") + " that stay";
+  }
   for (const ReleasePlan& release : prepared.campaign.releases) {
     text += (text.empty() ? "" : "; ") +
             (release.name.empty() ? "" : printable(release.name) + ": ") +

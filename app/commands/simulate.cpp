@@ -110,7 +110,7 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
   const OutputRules rules = check_output(map, {.kind = kind_by_name(map)});
   const TimeProbe probe = probe_time(prepared, kProbeTime);
   const unsigned threads = thread_count(args.threads);
-  const std::size_t runs = shard.runs_of(prepared.runs.size());
+  const std::size_t runs = shard.runs_of(prepared);
   const double expected = probe.each * static_cast<double>(runs) / threads;
   write_output(map, plan_map(prepared.header), rules);
   if (args.json) {
@@ -149,7 +149,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& sha
     if (team.leads()) check_results_place(output, !keep);
     plan.emplace(prepare_campaign(read_campaign(args.campaign)));
     if (args.resume && !args.replace && !begun) {
-      finished = is_finished(output, plan->header, shard.runs_of(plan->runs.size()));
+      finished = is_finished(output, plan->header, shard.runs_of(*plan));
     }
     if (team.leads() && !args.dry_run && !args.resume && begun) {
       if (std::filesystem::exists(FileLock::lock_file(output))) {
@@ -176,7 +176,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& sha
                                   (args.shard.empty() ? "" : " --shard " + args.shard) +
                                   " --resume";
   std::cout.flush();
-  ProgressBar bar("runs", shard.runs_of(prepared.runs.size()));
+  ProgressBar bar("runs", shard.runs_of(prepared));
   const InterruptionWatch watch;
   RunOptions options;
   options.threads = args.threads;
@@ -231,8 +231,8 @@ void add_simulate(CLI::App& app) {
   command->add_flag("--replace", args->replace, "Replace the results that FILE holds");
   command
       ->add_option("--shard", args->shard,
-                   "Do every n-th run only, from the i-th on, and write FILE with .IofN before its "
-                   "extension")
+                   "Do every n-th run only (realisation, where blocks stay), from the i-th on, and "
+                   "write FILE with .IofN before its extension")
       ->type_name("I/N");
   CLI::Option* merge =
       command

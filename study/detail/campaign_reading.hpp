@@ -54,5 +54,7 @@ std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& 
 /// @param campaign  with its ground and groups
 Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
 std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up);
+/// @param campaign  with its blocks, groups and releases
+std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign);
 
 }  // namespace clast::study_detail

@@ -14,6 +14,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+const std::vector<std::string> kKeys = {"name",         "points",
+                                        "orientations", "frame",
+                                        "height_m",     "velocity_m_s",
+                                        "seed",         "angular_velocity_rad_s",
+                                        "sequence",     "realisations",
+                                        "order"};
+
 std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, ReleasePlan& plan) {
   const std::string expected =
       "a point file, a list [[x, y, z], ...], { line = [...], count = N } or { polygon = [...], "
@@ -151,9 +158,7 @@ std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
   }
   std::vector<ReleasePlan> releases;
   for (const TomlNode* node : nodes) {
-    const TomlTable table(*node, top.file(), "[release]",
-                          {"name", "points", "orientations", "frame", "height_m", "velocity_m_s",
-                           "angular_velocity_rad_s", "seed"});
+    const TomlTable table(*node, top.file(), "[release]", kKeys);
     if (nodes.size() > 1) table.required("name", "a text in quotes, since there are several");
     releases.push_back(read_release(table, y_up));
     for (std::size_t i = 0; i + 1 < releases.size(); ++i) {
@@ -163,6 +168,58 @@ std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
     }
   }
   return releases;
+}
+
+std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign) {
+  const std::vector<const TomlNode*> nodes = tables_of(top, "release");
+  const TomlTable table(*nodes.front(), top.file(), "[release]", kKeys);
+  const bool stay = choice(table, "sequence", {"single", "stay"}) == "stay";
+  const TomlNode* contact = top.find("contact");
+  const TomlNode* between = contact ? contact->find("blocks") : nullptr;
+  if (!stay) {
+    for (const char* key : {"realisations", "order"}) {
+      if (const TomlNode* node = table.find(key)) {
+        table.refuse(key, *node, "is for blocks that stay; add sequence = \"stay\"");
+      }
+    }
+    if (between) {
+      throw InputError(top.file() + ": [contact.blocks] is for blocks that stay; add sequence = "
+                                    "\"stay\" to [release], or leave it out");
+    }
+    return std::nullopt;
+  }
+  const TomlNode& sequence = *table.find("sequence");
+  if (nodes.size() > 1) {
+    table.refuse("sequence", sequence,
+                 "blocks that stay come from one [release]; put all points into one");
+  }
+  if (!campaign.groups.empty()) {
+    table.refuse("sequence", sequence,
+                 "blocks that stay share one ground; leave the block groups out");
+  }
+  if (!between) {
+    throw InputError(top.file() +
+                     ": blocks that stay hit each other; add [contact.blocks] with "
+                     "energy_restitution, friction and rolling_friction");
+  }
+  StayPlan plan;
+  plan.realisations =
+      static_cast<std::uint32_t>(table.count("realisations", 1, kMostPerSet).value_or(1));
+  const std::optional<std::string> order = choice(table, "order", {"random", "listed"});
+  plan.random_order = order != "listed";
+  if (!plan.random_order && campaign.blocks.draw) {
+    table.refuse("order", *table.find("order"),
+                 "drawn blocks are in no order; leave it out, or select blocks by their ids");
+  }
+  const TomlTable parameters(*between, top.file(), "[contact.blocks]",
+                             {"energy_restitution", "friction", "rolling_friction"});
+  const auto number = [&](const char* key, const NumberRange& range) {
+    parameters.required(key, range.words());
+    return *parameters.number(key, range);
+  };
+  plan.between_blocks = {number("energy_restitution", kEnergyRestitution),
+                         number("friction", kFriction), number("rolling_friction", kFriction)};
+  return plan;
 }
 
 }  // namespace clast::study_detail

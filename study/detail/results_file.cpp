@@ -149,6 +149,14 @@ void write_rows(Hdf5Group group, const std::vector<Row>& rows) {
   });
 }
 
+void write_stays(Hdf5Group group, const StaySummary& stay, const std::vector<StayRecord>& rows) {
+  group.set_attribute<std::int64_t>("blocks_each", stay.blocks_each);
+  group.set_attribute<double>("energy_restitution", stay.between_blocks.energy_restitution);
+  group.set_attribute<double>("friction", stay.between_blocks.friction);
+  group.set_attribute<double>("rolling_friction", stay.between_blocks.rolling_friction);
+  write_rows(group, rows);
+}
+
 void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& trajectory) {
   if (trajectory.time.empty()) return;
   std::vector<double> rows = trajectory.time;
@@ -181,16 +189,19 @@ void write_results_file(const fs::path& target, const CampaignResults& header, s
     std::vector<RunRecord> records;
     std::vector<Crossing> crossings;
     std::vector<Impact> impacts;
+    std::vector<StayRecord> stays;
     for (std::size_t i = 0; i < count; ++i) {
       const StoredRun stored = run(i);
       records.push_back(stored.record);
       crossings.insert(crossings.end(), stored.crossings.begin(), stored.crossings.end());
       impacts.insert(impacts.end(), stored.impacts.begin(), stored.impacts.end());
+      stays.insert(stays.end(), stored.stays.begin(), stored.stays.end());
       write_trajectory(trajectories, stored.record.run, stored.trajectory);
     }
     write_rows(root.create_group("runs"), records);
     write_rows(root.create_group("crossings"), crossings);
     write_rows(root.create_group("impacts"), impacts);
+    if (header.stay) write_stays(root.create_group("stays"), *header.stay, stays);
     file.flush();
   }
   output.commit();

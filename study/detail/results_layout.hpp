@@ -214,6 +214,19 @@ void visit_columns(std::type_identity<Impact>, const Visit& visit) {
   visit("depth_m", "m", "largest overlap in between", &Impact::depth);
 }
 
+template <class Visit>
+void visit_columns(std::type_identity<StayRecord>, const Visit& visit) {
+  visit("run", "", "number of the run", &StayRecord::run);
+  visit("released_at_s", "s", "since the first release of its realisation",
+        &StayRecord::released_at);
+  visit("raised_m", "m", "by which it started higher than planned, above blocks that lay there",
+        &StayRecord::raised);
+  visit("moved_later_m", "m", "by later blocks, from where it had stopped",
+        &StayRecord::moved_later);
+  visit("blocks_hit", "", "other blocks that it touched during its own release",
+        &StayRecord::blocks_hit);
+}
+
 /// Rows of a trajectory dataset: time, then the state.
 inline std::size_t trajectory_rows() {
   std::size_t rows = 1;

@@ -31,6 +31,43 @@ struct Worst {
   }
 };
 
+/// Blocks that may touch each other share one stiffness: that of the most demanding start, ground
+/// and contact between blocks of their realisation.
+std::vector<std::string> settle_together(PreparedCampaign& prepared,
+                                         const std::vector<ContactBody>& bodies,
+                                         const std::vector<ContactGround>& grounds) {
+  const Campaign& campaign = prepared.campaign;
+  const std::size_t each = prepared.header.stay->blocks_each;
+  const ContactGround between =
+      contact_ground(std::span(&campaign.stay->between_blocks, 1), campaign.stiffness.law);
+  const double lowest = prepared.surface->extent().low.z();
+  std::vector<std::string> warnings;
+  for (std::size_t first = 0; first < prepared.runs.size(); first += each) {
+    const std::span runs(&prepared.runs[first], each);
+    Worst worst;
+    worst.include(0.0, between);
+    std::vector<ContactBody> together;
+    for (const RunRecord& run : runs) {
+      worst.include(fastest_speed(run, prepared.bodies[run.block], lowest, campaign.gravity),
+                    grounds[run.ground_set]);
+      together.push_back(bodies[run.block]);
+    }
+    const StiffnessChoice choice = choose_stiffness(together, worst.ground, worst.fastest,
+                                                    campaign.gravity, campaign.stiffness);
+    for (RunRecord& run : runs) {
+      run.stiffness = choice.stiffness;
+      run.rest_depth = choice.settled_depth;
+      run.impact_depth = choice.impact_depth;
+      release_settings(campaign, run).check();
+    }
+    if (!warnings.empty()) continue;
+    for (const std::string& warning : choice.warnings) {
+      warnings.push_back("realisation " + std::to_string(first / each + 1) + ": " + warning);
+    }
+  }
+  return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
@@ -43,6 +80,7 @@ std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
   }
   std::vector<ContactBody> bodies;
   for (const RigidBody& body : prepared.bodies) bodies.push_back(contact_body(body));
+  if (prepared.header.stay) return settle_together(prepared, bodies, grounds);
   const auto choose = [&](std::size_t block, const ContactGround& ground, double fastest) {
     try {
       return choose_stiffness(std::span(&bodies[block], 1), ground, fastest, gravity, options);

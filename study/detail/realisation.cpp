@@ -1,0 +1,194 @@
+#include "study/detail/realisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "dem/sequence.hpp"
+
+namespace clast::study_detail {
+
+namespace {
+
+// Collects what the stored results need of a motion, as it goes by.
+class RunObserver {
+ public:
+  RunObserver(const PreparedCampaign& prepared, const RunRecord& run)
+      : impacts(prepared.bodies[run.block], run.run),
+        prepared_(prepared),
+        planned_(run),
+        body_(prepared.bodies[run.block]) {}
+
+  void see(const MotionStep& step) {
+    const double gravity = prepared_.campaign.gravity;
+    const double interval = prepared_.campaign.trajectory_interval;
+    if (interval > 0.0) add_frames(step, interval, gravity);
+    for (std::uint32_t i = 0; i < prepared_.header.barriers.size(); ++i) {
+      for (Crossing& crossing :
+           find_crossings(prepared_.header.barriers[i], body_, step, *prepared_.surface, gravity)) {
+        crossing.run = planned_.run;
+        crossing.barrier = i;
+        crossings.push_back(crossing);
+      }
+    }
+    impacts.see(step);
+    last = step.end;
+    last_time = step.end_time;
+  }
+
+  /// What is stored, with the state at the end where no frame falls on it.
+  StoredRun stored(const ReleaseResult& result) {
+    StoredRun run;
+    run.record = planned_;
+    run.record.result = result;
+    impacts.finish();
+    run.record.contacts = impacts.statistics;
+    run.impacts = std::move(impacts.impacts);
+    run.crossings = std::move(crossings);
+    std::stable_sort(run.crossings.begin(), run.crossings.end(),
+                     [](const Crossing& a, const Crossing& b) { return a.time < b.time; });
+    run.trajectory = std::move(trajectory);
+    const double end = std::max(result.duration, last_time);
+    if (prepared_.campaign.trajectory_interval > 0.0 &&
+        (run.trajectory.time.empty() || run.trajectory.time.back() < end)) {
+      run.trajectory.time.push_back(end);
+      run.trajectory.states.push_back(result.final_state);
+    }
+    return run;
+  }
+
+  Trajectory trajectory;
+  std::vector<Crossing> crossings;
+  ImpactObserver impacts;
+  std::optional<RigidState> last;  ///< end of the last step seen
+  double last_time = 0.0;
+
+ private:
+  /// Frames are counted, not added up, so that those of all runs fall on the same times.
+  void add_frames(const MotionStep& step, double interval, double gravity) {
+    const auto add = [&](double time, const RigidState& state) {
+      trajectory.time.push_back(time);
+      trajectory.states.push_back(state);
+    };
+    // A block that was at rest among others: none until it moves again.
+    if (last && step.begin_time > last_time + interval) {
+      next_frame_ = static_cast<std::uint64_t>(std::ceil(step.begin_time / interval));
+      add(step.begin_time, step.begin);
+      if (static_cast<double>(next_frame_) * interval <= step.begin_time) ++next_frame_;
+    }
+    for (double time; (time = static_cast<double>(next_frame_) * interval) <= step.end_time;
+         ++next_frame_) {
+      add(time, time >= step.end_time
+                    ? step.end
+                    : state_at(body_, step, std::max(time, step.begin_time), gravity));
+    }
+  }
+
+  const PreparedCampaign& prepared_;
+  const RunRecord& planned_;
+  const RigidBody& body_;
+  std::uint64_t next_frame_ = 0;
+};
+
+/// What is kept of a run that failed.
+ReleaseResult failed(const RunObserver& observer, const RunRecord& run, const char* message) {
+  ReleaseResult result;
+  result.stop_reason = StopReason::kError;
+  result.message = message;
+  result.duration = observer.last_time;
+  result.final_state = observer.last.value_or(run.start);
+  return result;
+}
+
+StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
+                     const std::function<void(double)>& after_step) {
+  RunObserver observer(prepared, planned);
+  try {
+    return observer.stored(
+        simulate_release(*prepared.surface, prepared.header.ground_sets[planned.ground_set].zones,
+                         prepared.bodies[planned.block], planned.start,
+                         release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
+                           observer.see(step);
+                           if (after_step) after_step(step.end_time);
+                         }));
+  } catch (const std::exception& error) {  // one bad run never costs the campaign
+    return observer.stored(failed(observer, planned, error.what()));
+  }
+}
+
+WorldSettings world_settings(const PreparedCampaign& prepared, const RunRecord& run) {
+  const Campaign& campaign = prepared.campaign;
+  WorldSettings settings;
+  settings.stiffness = run.stiffness;
+  settings.law = campaign.stiffness.law;
+  settings.weights = campaign.weights;
+  settings.between_bodies = campaign.stay->between_blocks;
+  settings.gravity = campaign.gravity;
+  settings.rest_energy = campaign.rest_energy;
+  settings.rest_duration = campaign.rest_duration;
+  return settings;
+}
+
+std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
+                                   std::span<const RunRecord> planned,
+                                   const std::function<void(double)>& after_step) {
+  std::vector<RigidBody> shapes;
+  std::vector<SequenceBlock> blocks;
+  std::vector<std::unique_ptr<RunObserver>> observers;
+  for (const RunRecord& run : planned) {
+    blocks.push_back({shapes.size(), run.start});
+    shapes.push_back(prepared.bodies[run.block]);
+    observers.push_back(std::make_unique<RunObserver>(prepared, run));
+  }
+  std::vector<SequenceResult> results;
+  std::string message;
+  std::size_t newest = 0;
+  double begun = 0.0, now = 0.0;  // when the newest block was released, and now, s
+  try {
+    results = simulate_sequence(
+        *prepared.surface, prepared.header.ground_sets[planned.front().ground_set].zones, shapes,
+        blocks, world_settings(prepared, planned.front()), prepared.campaign.max_time,
+        [&](std::size_t block, const MotionStep& step) {
+          observers[block]->see(step);
+          if (block > newest) {
+            newest = block;
+            begun = now;
+          }
+          if (block < newest) return;
+          now = begun + step.end_time;
+          if (after_step) after_step(now);
+        });
+  } catch (const std::exception& error) {
+    message = "the realisation failed (its blocks are bodies, from 0, in the order of release): " +
+              std::string(error.what());
+  }
+  std::vector<StoredRun> runs;
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    if (results.empty()) {
+      runs.push_back(observers[i]->stored(failed(*observers[i], planned[i], message.c_str())));
+      continue;
+    }
+    const SequenceResult& result = results[i];
+    runs.push_back(observers[i]->stored(result.release));
+    runs.back().record.start.position.z() += result.raised;
+    runs.back().stays.push_back({planned[i].run, result.released_at, result.raised,
+                                 result.moved_later, result.blocks_hit});
+  }
+  return runs;
+}
+
+}  // namespace
+
+std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
+                                 const std::function<void(double)>& after_step) {
+  if (!prepared.header.stay) return {single_run(prepared, prepared.runs[first], after_step)};
+  const std::uint32_t each = prepared.header.stay->blocks_each;
+  return realisation(prepared, std::span(&prepared.runs[first], each), after_step);
+}
+
+}  // namespace clast::study_detail

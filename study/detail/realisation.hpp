@@ -1,0 +1,18 @@
+#pragma once
+/// Runs of a campaign that are computed together.
+#include <functional>
+#include <vector>
+
+#include "study/campaign_runner.hpp"
+
+namespace clast::study_detail {
+
+/// Runs one run, or all of a realisation of blocks that stay. What fails is stored with stop reason
+/// `error` and its message, a realisation as a whole.
+/// @param first       number of the first of these runs
+/// @param after_step  called with the simulated time since the first release, after every step and
+///                    flight; what it throws ends the run
+std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
+                                 const std::function<void(double)>& after_step = {});
+
+}  // namespace clast::study_detail

@@ -1,0 +1,271 @@
+#include "study/detail/run_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/random.hpp"
+#include "dem/ground_overlap.hpp"
+#include "study/detail/campaign_checks.hpp"
+#include "study/detail/named_seed.hpp"
+#include "study/release_points.hpp"
+
+namespace clast::study_detail {
+
+namespace {
+
+// Points in the local frame, each over the terrain.
+std::vector<Vec3> local_points(const Campaign& campaign, const ReleasePlan& release,
+                               const TerrainSurface& surface, const MapFrame& frame) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < release.points.size(); ++i) {
+    Vec3 map = release.points[i];
+    // A plan position has no height of its own, and 0 can be far from the local origin.
+    if (release.drop_height) map.z() = frame.origin.z();
+    const Vec3 point = frame.local(map);
+    if (!surface.covers(point.x(), point.y())) {
+      const Vec3 low = frame.map(surface.extent().low);
+      const Vec3 high = frame.map(surface.extent().high);
+      const auto range = [&](int axis) {
+        return with_decimals(low[axis], 3) + " to " + with_decimals(high[axis], 3);
+      };
+      const bool inside =
+          map.x() > low.x() && map.x() < high.x() && map.y() > low.y() && map.y() < high.y();
+      throw InputError(campaign.file.string() + ": " + set_name(release) + "release point " +
+                       std::to_string(i + 1) + " at x " + with_decimals(map.x(), 3) + ", y " +
+                       with_decimals(map.y(), 3) +
+                       (inside ? " is over a hole in the terrain" : " is off the terrain") +
+                       ", which lies in x " + range(0) + ", y " + range(1) +
+                       " m on the map, z up; check the point, the map frame and \"up\"");
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+// Lifts a block so that its lowest skin point is `drop_height` above the uppermost ground. Lowest
+// is meant over the ground, of the points straight under core vertices: on a slope the point of
+// smallest z is often not the first to touch, and for a level edge it is not even unique.
+void place_above_ground(const TerrainSurface& surface, const RigidBody& body, double drop_height,
+                        RigidState& state) {
+  const double sky = surface.extent().high.z() + surface.radius() + 1.0;
+  const Pose world_from_body = state.world_from_body();
+  double clearance = std::numeric_limits<double>::infinity();
+  for (const Vec3& vertex : body.shape.vertices) {
+    const Vec3 point = world_from_body * vertex;
+    // At the rim of the terrain a vertex can be beside it.
+    if (const std::optional<double> ground = surface.height(point.x(), point.y(), sky)) {
+      clearance = std::min(clearance, point.z() - body.shape.radius - *ground);
+    }
+  }
+  if (std::isfinite(clearance)) state.position.z() += drop_height - clearance;
+}
+
+// How deep a block is in the ground, m; none when it is clear of it.
+std::optional<double> depth_in_ground(const GroundOverlap& ground_overlap,
+                                      const TerrainSurface& surface, const RigidBody& body,
+                                      const RigidState& state) {
+  const double overlap = ground_overlap.deepest(state);
+  // What the dynamics will refuse.
+  if (overlap > ReleaseSettings{}.start_overlap * body.smallest_side) return overlap;
+  // A block that is buried whole touches no face of the ground.
+  const Vec3& centre = state.position;
+  const double abyss = surface.extent().low.z() - 1.0;
+  const std::optional<double> ground = surface.height(centre.x(), centre.y(), abyss);
+  if (ground && centre.z() < *ground) return *ground - lowest_point(body, state);
+  return std::nullopt;
+}
+
+void check_clear_of_ground(const PreparedCampaign& prepared, const GroundOverlap& ground_overlap,
+                           const ReleasePlan& release, std::size_t point_of_set,
+                           const RunRecord& run) {
+  const std::optional<double> depth =
+      depth_in_ground(ground_overlap, *prepared.surface, prepared.bodies[run.block], run.start);
+  if (!depth) return;
+  const std::string table = release.name.empty() ? "[release]" : "[[release]] " + release.name;
+  throw SimulationError(
+      "run " + std::to_string(run.run) + ", block " + prepared.header.blocks[run.block].id + ", " +
+      set_name(release) + "release point " + std::to_string(point_of_set + 1) + ", orientation " +
+      std::to_string(run.orientation + 1) + ": starts " + with_decimals(*depth, 3) +
+      " m inside the ground, with its centre at " +
+      place_on_map(prepared.header.frame.map(run.start.position)) +
+      (release.drop_height ? "; raise " + table + " height_m"
+                           : "; raise the release point or use " + table + " height_m"));
+}
+
+// Random orientations of one block at one point of a set, or in one realisation. Their seed is made from names, not from
+// places in the campaign, so that they do not depend on what else runs.
+std::vector<Quat> fresh_orientations(const ReleasePlan& release, const std::string& block,
+                                     const std::string& where, std::size_t count) {
+  std::uint64_t seed = release.orientation_seed;
+  for (const std::string& name : {release.name, block, where}) seed = named_seed(seed, name);
+  return random_orientations(count, seed);
+}
+
+/// Makes the runs of a campaign one by one.
+class Planner {
+ public:
+  explicit Planner(PreparedCampaign& prepared)
+      : prepared_(prepared), ground_overlaps_(prepared.bodies.size()) {
+    for (const ReleasePlan& release : prepared.campaign.releases) {
+      points_.push_back(
+          local_points(prepared.campaign, release, *prepared.surface, prepared.header.frame));
+    }
+  }
+
+  const std::vector<std::vector<Vec3>>& points() const { return points_; }
+
+  /// The release sets of a block, in order.
+  void plan_block(std::uint32_t block) {
+    const Campaign& campaign = prepared_.campaign;
+    const CampaignBlock& chosen = prepared_.choice.blocks[block];
+    const std::uint32_t members = campaign.ensemble.members;
+    std::uint32_t point = 0;
+    for (std::size_t set = 0; set < campaign.releases.size(); ++set) {
+      const ReleasePlan& release = campaign.releases[set];
+      for (std::size_t of_set = 0; of_set < points_[set].size(); ++of_set, ++point) {
+        const std::vector<Quat> orientations =
+            release.fresh_orientations
+                ? fresh_orientations(release, chosen.id, std::to_string(of_set),
+                                     release.orientations.size())
+                : release.orientations;
+        for (std::uint32_t turn = 0; turn < orientations.size(); ++turn) {
+          RunRecord run = start_of(block, set, of_set, orientations[turn]);
+          run.point = point;
+          run.orientation = turn;
+          check_clear(set, of_set, run);
+          for (std::uint32_t member = 0; member < members; ++member) {
+            run.ground_set = static_cast<std::uint32_t>(chosen.group) * members + member;
+            add(run);
+          }
+        }
+      }
+    }
+  }
+
+  /// The blocks of a realisation in the order of their release; points and orientations are drawn.
+  void plan_realisation(std::uint32_t realisation) {
+    const Campaign& campaign = prepared_.campaign;
+    const ReleasePlan& release = campaign.releases.front();
+    const std::string name = "realisation " + std::to_string(realisation);
+    Random random(named_seed(release.seed, name));
+    for (const std::uint32_t block : order_of(realisation, random)) {
+      const std::uint64_t point = random.below(points_.front().size());
+      const std::uint64_t turn = random.below(release.orientations.size());
+      const Quat orientation =
+          release.fresh_orientations
+              ? fresh_orientations(release, prepared_.choice.blocks[block].id, name, 1).front()
+              : release.orientations[turn];
+      RunRecord run = start_of(block, 0, point, orientation);
+      run.point = static_cast<std::uint32_t>(point);
+      run.orientation = release.fresh_orientations ? 0 : static_cast<std::uint32_t>(turn);
+      run.ground_set = realisation % campaign.ensemble.members;
+      check_clear(0, point, run);
+      add(run);
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> order_of(std::uint32_t realisation, Random& random) const {
+    const std::uint32_t each = prepared_.header.stay->blocks_each;
+    std::vector<std::uint32_t> order(each);
+    std::iota(order.begin(), order.end(), prepared_.campaign.blocks.draw ? realisation * each : 0);
+    if (!prepared_.campaign.stay->random_order) return order;
+    for (std::size_t left = order.size(); left > 1; --left) {
+      std::swap(order[left - 1], order[random.below(left)]);
+    }
+    return order;
+  }
+
+  RunRecord start_of(std::uint32_t block, std::size_t set, std::size_t of_set,
+                     const Quat& orientation) const {
+    const ReleasePlan& release = prepared_.campaign.releases[set];
+    const Block& source = prepared_.choice.library[prepared_.choice.blocks[block].library];
+    RunRecord run;
+    run.block = block;
+    run.start.position = points_[set][of_set];
+    run.start.orientation =
+        release.in_principal_frame
+            ? orientation
+            : (orientation * source.source_from_body().rotation).normalized();
+    run.start.velocity = release.velocity;
+    run.start.angular_velocity = release.angular_velocity;
+    if (release.drop_height) {
+      place_above_ground(*prepared_.surface, prepared_.bodies[block], *release.drop_height,
+                         run.start);
+    }
+    return run;
+  }
+
+  void check_clear(std::size_t set, std::size_t of_set, RunRecord& run) {
+    std::optional<GroundOverlap>& overlap = ground_overlaps_[run.block];
+    if (!overlap) overlap.emplace(*prepared_.surface, prepared_.bodies[run.block]);
+    run.run = static_cast<std::uint32_t>(prepared_.runs.size());
+    check_clear_of_ground(prepared_, *overlap, prepared_.campaign.releases[set], of_set, run);
+  }
+
+  void add(RunRecord run) {
+    run.run = static_cast<std::uint32_t>(prepared_.runs.size());
+    prepared_.runs.push_back(run);
+  }
+
+  PreparedCampaign& prepared_;
+  std::vector<std::vector<Vec3>> points_;                      ///< of each release set, local frame
+  std::vector<std::optional<GroundOverlap>> ground_overlaps_;  ///< of blocks, as they are needed
+};
+
+/// Run numbers have eight digits in the results.
+void check_count(const Campaign& campaign, std::size_t blocks) {
+  constexpr double kMostRuns = 99'999'999.0;
+  double count = static_cast<double>(blocks);
+  if (campaign.stay) {
+    if (!campaign.blocks.draw) count *= campaign.stay->realisations;
+  } else {
+    double per_block = 0.0;
+    for (const ReleasePlan& release : campaign.releases) {
+      per_block += static_cast<double>(release.points.size()) *
+                   static_cast<double>(release.orientations.size());
+    }
+    count *= per_block * campaign.ensemble.members;
+  }
+  if (count <= kMostRuns) return;
+  throw InputError(campaign.file.string() + ": asks for " +
+                   std::to_string(static_cast<std::uint64_t>(count)) +
+                   " runs; split it into campaigns of at most 99999999");
+}
+
+}  // namespace
+
+void plan_runs(PreparedCampaign& prepared) {
+  const Campaign& campaign = prepared.campaign;
+  CampaignResults& header = prepared.header;
+  check_count(campaign, prepared.bodies.size());
+  Planner planner(prepared);
+  if (campaign.stay) {
+    const std::size_t each = campaign.blocks.draw ? campaign.blocks.draw->count
+                                                  : prepared.bodies.size();
+    header.stay = {static_cast<std::uint32_t>(each), campaign.stay->between_blocks};
+    for (std::uint32_t i = 0; i < campaign.stay->realisations; ++i) planner.plan_realisation(i);
+  } else {
+    for (std::uint32_t i = 0; i < prepared.bodies.size(); ++i) planner.plan_block(i);
+  }
+  header.planned_runs = static_cast<std::uint32_t>(prepared.runs.size());
+  for (std::size_t set = 0; set < campaign.releases.size(); ++set) {
+    header.release_sets.push_back(campaign.releases[set].name);
+    for (const Vec3& point : planner.points()[set]) {
+      header.set_of_point.push_back(static_cast<std::uint32_t>(set));
+      header.release_points.push_back(point);
+    }
+  }
+  // Where the first run of each point starts; a point that no run was drawn for stays as it is.
+  for (auto run = prepared.runs.rbegin(); run != prepared.runs.rend(); ++run) {
+    header.release_points[run->point] = run->start.position;
+  }
+}
+
+}  // namespace clast::study_detail
