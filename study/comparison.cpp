@@ -274,6 +274,10 @@ bool BarrierLine::counted(const Crossing& crossing) const {
   return counts == Counts::kEither || direction(crossing) == counted_direction();
 }
 
+std::uint32_t cluster_of(const CampaignResults& results, const RunRecord& run) {
+  return results.stay ? run.run / results.stay->blocks_each : run.point;
+}
+
 const std::string& release_set_of(const CampaignResults& results, std::uint32_t point) {
   static const std::string none;
   if (point >= results.set_of_point.size()) return none;

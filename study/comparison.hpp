@@ -100,6 +100,10 @@ struct DepositGroup {
   Vec3 mean_stop = Vec3::Zero();  ///< map, m
 };
 
+/// Runs with the same number depend on each other: those of a realisation, where blocks stay, else
+/// those from one release point, which share its ground.
+std::uint32_t cluster_of(const CampaignResults& results, const RunRecord& run);
+
 /// Name of the release set of a point; empty where there is one set.
 const std::string& release_set_of(const CampaignResults& results, std::uint32_t point);
 

@@ -61,16 +61,19 @@ std::vector<Quantity> quantities(const Comparison& comparison) {
   return all;
 }
 
-// Release points, numbered over all files.
+// Clusters of runs, numbered over all files.
 class Clusters {
  public:
+  explicit Clusters(const Comparison& comparison) : comparison_(comparison) {}
+
   std::uint32_t of(const RunRow& row) {
-    const std::pair key(row.file, row.record->point);
+    const std::pair key(row.file, cluster_of(comparison_.results[row.file], *row.record));
     return numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size())).first->second;
   }
   std::size_t count() const { return numbers_.size(); }
 
  private:
+  const Comparison& comparison_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
 };
 
@@ -98,7 +101,7 @@ bool are_points_alone(const ClusteredValues& a, const ClusteredValues& b) {
 
 std::optional<Difference> difference_of(const Comparison& comparison, std::size_t first,
                                         std::size_t second, const Quantity& quantity) {
-  Clusters clusters;
+  Clusters clusters(comparison);
   const ClusteredValues a = values_of(comparison, comparison.groups[first], quantity, clusters);
   const ClusteredValues b = values_of(comparison, comparison.groups[second], quantity, clusters);
   if (a.values.size() < kFewest || b.values.size() < kFewest) return std::nullopt;

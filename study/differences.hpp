@@ -18,7 +18,8 @@ struct Difference {
   std::string quantity;        ///< "runout_m", "EC11 speed_m_s"
   std::size_t first_runs = 0;  ///< with the quantity
   std::size_t second_runs = 0;
-  std::size_t points = 0;  ///< release points that either has, the clusters of interval and test
+  std::size_t points = 0;  ///< clusters of interval and test that either has: release points,
+                           ///< or realisations where blocks stay
   /// Runs are drawn by themselves: there is one release point, or one of its own for each group.
   bool by_runs = false;
   double first_mean = 0.0;

@@ -110,15 +110,15 @@ struct BootstrapIntervals {
   Interval ks_distance;
 };
 
-/// Measured stops are drawn one by one, simulated ones by whole release points, since runs of one
-/// point share its ground; by runs where there is one point only.
+/// Measured stops are drawn one by one, simulated ones by whole clusters (`cluster_of`); by runs
+/// where there is one cluster only.
 BootstrapIntervals bootstrapped(const std::vector<double>& seen,
-                                const std::map<std::uint64_t, std::vector<double>>& by_point) {
+                                const std::map<std::uint64_t, std::vector<double>>& by_cluster) {
   constexpr std::uint64_t kSeed = 20220310;  // any is good; a fixed one gives the same interval
   constexpr std::size_t kDraws = 1000, kMostDrawn = 20'000'000;
   std::vector<std::vector<double>> clusters;
   std::size_t runs = 0;
-  for (const auto& [point, values] : by_point) {
+  for (const auto& [cluster, values] : by_cluster) {
     clusters.push_back(values);
     runs += values.size();
   }
@@ -189,7 +189,7 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     const Group& group = comparison.groups[g];
     if (group.file) continue;
     std::vector<double> seen, lateral, simulated;
-    std::map<std::uint64_t, std::vector<double>> by_point;
+    std::map<std::uint64_t, std::vector<double>> by_cluster;
     for (const MeasuredStop& stop : measured.stops) {
       if (!belongs(stop, group)) continue;
       seen.push_back(stop.runout);
@@ -199,11 +199,12 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
       const RunRow& run = comparison.rows[row];
       if (run.record->result.stop_reason != StopReason::kRest) continue;
       simulated.push_back(run.runout);
-      by_point[std::uint64_t{run.file} << 32 | run.record->point].push_back(run.runout);
+      by_cluster[std::uint64_t{run.file} << 32 |
+                 cluster_of(comparison.results[run.file], *run.record)].push_back(run.runout);
     }
     if (seen.empty() || simulated.empty()) continue;
     const TestResult test = *two_sample_ks(seen, simulated);
-    const BootstrapIntervals intervals = bootstrapped(seen, by_point);
+    const BootstrapIntervals intervals = bootstrapped(seen, by_cluster);
     measured.groups.push_back(
         {g, seen.size(), simulated.size(), summarise(seen), summarise(lateral), quartiles_of(seen),
          summarise(simulated).mean, quartiles_of(simulated), intervals.median_difference,

@@ -153,7 +153,9 @@ TEST(Results, CampaignWithoutBarriersDownslopeAndTrajectoriesIsStored) {
   header.downslope.reset();
   header.warnings.clear();
   ResultsWriter writer = ResultsWriter::create(folder / "r.h5", header);
-  writer.add({sample_run(0).record, {}, {}, {}});
+  StoredRun run;
+  run.record = sample_run(0).record;
+  writer.add(run);
   writer.finish();
   const CampaignResults results = read_results(folder / "r.h5");
   EXPECT_TRUE(results.barriers.empty());

@@ -1,0 +1,195 @@
+// Campaigns whose blocks stay where they stop.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "study/comparison.hpp"
+#include "tests/study/campaign_run.hpp"
+#include "tests/study/results_equal.hpp"
+
+namespace clast {
+namespace {
+
+class StayCampaign : public CampaignRun {
+ protected:
+  /// Three realisations of both boxes, dropped at one place of the flat.
+  static std::string text(const std::string& blocks = "") {
+    std::string text = replaced_once(
+        campaign_text(), "points = [[-12, -3, 9.5], [-12, 3, 9.5]]",
+        "points = [[10, 0], [10, 0.3]]\nheight_m = 0.4\nsequence = \"stay\"\nrealisations = 3");
+    text = replaced_once(text, "\"turns.txt\"", "{ random = 4, fresh = true }");
+    text = replaced_once(text, "[terrain]", blocks + "[terrain]");
+    return text +
+           "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.2\n";
+  }
+  static std::string changed(const std::string& from, const std::string& to) {
+    return replaced_once(text(), from, to);
+  }
+  static CampaignResults run(const std::string& file, const RunOptions& options = {},
+                             const std::string& of = text()) {
+    run_campaign(prepared(of), *folder_ / file, options);
+    return read_results(*folder_ / file);
+  }
+  static void expect_same(const CampaignResults& a, const CampaignResults& b) {
+    ASSERT_EQ(a.runs.size(), b.runs.size());
+    for (std::size_t i = 0; i < a.runs.size(); ++i) {
+      expect_equal(a.runs[i].result.final_state, b.runs[i].result.final_state);
+      EXPECT_EQ(a.runs[i].result.path_length, b.runs[i].result.path_length);
+    }
+    ASSERT_EQ(a.stays.size(), b.stays.size());
+    for (std::size_t i = 0; i < a.stays.size(); ++i) {
+      EXPECT_EQ(a.stays[i].run, b.stays[i].run);
+      EXPECT_EQ(a.stays[i].released_at, b.stays[i].released_at);
+      EXPECT_EQ(a.stays[i].moved_later, b.stays[i].moved_later);
+      EXPECT_EQ(a.stays[i].blocks_hit, b.stays[i].blocks_hit);
+    }
+  }
+};
+
+TEST_F(StayCampaign, ReleasesEachBlockOfEachRealisationOntoThoseBeforeIt) {
+  const CampaignResults results = run("stay.h5");
+  ASSERT_EQ(results.runs.size(), 6u);
+  ASSERT_EQ(results.stays.size(), 6u);
+  EXPECT_EQ(results.stay->blocks_each, 2u);
+  EXPECT_EQ(results.stay->between_blocks.friction, 0.5);
+  for (std::size_t first = 0; first < 6; first += 2) {
+    const RunRecord &one = results.runs[first], &other = results.runs[first + 1];
+    EXPECT_NE(one.block, other.block);
+    EXPECT_EQ(one.stiffness.normal, other.stiffness.normal);
+    EXPECT_EQ(one.result.stop_reason, StopReason::kRest);
+    EXPECT_EQ(other.result.stop_reason, StopReason::kRest);
+    EXPECT_EQ(results.stays[first].released_at, 0.0);
+    EXPECT_EQ(results.stays[first].raised, 0.0);
+    EXPECT_EQ(results.stays[first + 1].released_at, one.result.duration);
+    EXPECT_GT(results.stays[first + 1].raised, 0.1);  // above the one that lies there
+    EXPECT_EQ(results.stays[first + 1].blocks_hit, 1u);
+    EXPECT_LT(other.result.energy.error, 1e-2);
+  }
+  // Not three times the same.
+  std::set<double> ends;
+  for (const RunRecord& record : results.runs) ends.insert(record.result.final_state.position.x());
+  EXPECT_EQ(ends.size(), 6u);
+}
+
+TEST_F(StayCampaign, IsTheSameOnThreadsInShardsAndAfterAnInterruption) {
+  const CampaignResults whole = run("whole.h5", {.threads = 1});
+  expect_same(whole, run("threads.h5", {.threads = 3}));
+  const PreparedCampaign plan = prepared(text());
+  std::vector<std::filesystem::path> parts;
+  for (std::uint32_t i = 1; i <= 2; ++i) {
+    parts.push_back(*folder_ / ("part" + std::to_string(i) + ".h5"));
+    run_campaign(plan, parts.back(), {.shard = {i, 2}});
+  }
+  EXPECT_EQ(read_results(parts[0]).runs.size(), 4u);  // whole realisations
+  merge_results(parts, *folder_ / "merged.h5");
+  expect_same(whole, read_results(*folder_ / "merged.h5"));
+  const auto quit = [](const ProgressStep& step) {
+    if (step.done >= 2) throw SimulationError("stopped");
+  };
+  EXPECT_THROW(run_campaign(plan, *folder_ / "cut.h5", {.threads = 1, .progress = quit}),
+               SimulationError);
+  run_campaign(plan, *folder_ / "cut.h5", {.threads = 2, .resume = true});
+  expect_same(whole, read_results(*folder_ / "cut.h5"));
+}
+
+TEST_F(StayCampaign, GoesOnInTheMiddleOfARealisation) {
+  const CampaignResults whole = run("all.h5");
+  const PreparedCampaign plan = prepared(text());
+  {
+    ResultsWriter writer = ResultsWriter::create(*folder_ / "half.h5", plan.header, 6);
+    StoredRun first;
+    first.record = whole.runs[0];
+    first.stays = {whole.stays[0]};
+    writer.add(first);
+  }
+  run_campaign(plan, *folder_ / "half.h5", {.resume = true});
+  expect_same(whole, read_results(*folder_ / "half.h5"));
+}
+
+TEST_F(StayCampaign, ReleasesInTheListedOrderOrInADrawnOne) {
+  const auto orders = [](const PreparedCampaign& plan) {
+    std::set<std::vector<std::uint32_t>> found;
+    for (std::size_t i = 0; i < plan.runs.size(); i += 2) {
+      found.insert({plan.runs[i].block, plan.runs[i + 1].block});
+    }
+    return found;
+  };
+  const std::string many = changed("realisations = 3", "realisations = 20");
+  EXPECT_EQ(orders(prepared(many)).size(), 2u);
+  const auto listed = orders(
+      prepared(replaced_once(many, "realisations = 20", "realisations = 20\norder = \"listed\"")));
+  EXPECT_EQ(listed, (std::set<std::vector<std::uint32_t>>{{0, 1}}));
+  // More realisations leave the first ones as they are.
+  const PreparedCampaign few = prepared(text()), more = prepared(many);
+  for (std::size_t i = 0; i < few.runs.size(); ++i) {
+    EXPECT_EQ(few.runs[i].block, more.runs[i].block);
+    EXPECT_EQ(few.runs[i].start.position, more.runs[i].start.position);
+  }
+}
+
+TEST_F(StayCampaign, DrawsBlocksAnewForEachRealisation) {
+  const std::string draw =
+      "draw = { count = 3, shares = { compact = 0.34, elongated = 0.66 }, mass_kg = { uniform = "
+      "[200, 400] } }\n";
+  const PreparedCampaign plan = prepared(text(draw));
+  ASSERT_EQ(plan.runs.size(), 9u);
+  EXPECT_EQ(plan.header.stay->blocks_each, 3u);
+  std::set<double> masses;
+  for (std::size_t first = 0; first < 9; first += 3) {
+    std::map<std::string, int> classes;
+    for (std::size_t i = first; i < first + 3; ++i) {
+      const BlockSummary& block = plan.header.blocks[plan.runs[i].block];
+      ++classes[block.garcia];
+      masses.insert(block.mass);
+    }
+    EXPECT_EQ(classes["compact"], 1);
+    EXPECT_EQ(classes["elongated"], 2);
+  }
+  EXPECT_EQ(masses.size(), 9u);
+}
+
+TEST_F(StayCampaign, ShareTheGroundOfAMemberOfTheEnsemble) {
+  const std::string uncertain =
+      replaced_once(changed("friction = 0.6", "friction = { uniform = [0.5, 0.7] }"), "[run]",
+                    "[ensemble]\nmembers = 2\n[run]");
+  const PreparedCampaign plan = prepared(uncertain);
+  std::vector<std::uint32_t> sets;
+  for (const RunRecord& run : plan.runs) sets.push_back(run.ground_set);
+  EXPECT_EQ(sets, (std::vector<std::uint32_t>{0, 0, 1, 1, 0, 0}));
+}
+
+TEST_F(StayCampaign, RunsOfARealisationAreOneClusterOfTheTests) {
+  std::vector<CampaignResults> results;
+  results.push_back(run("compared.h5", {}, changed("realisations = 3", "realisations = 6")));
+  const Comparison comparison = compare(std::move(results));
+  ASSERT_FALSE(comparison.differences.empty());
+  for (const Difference& difference : comparison.differences) EXPECT_EQ(difference.points, 6u);
+}
+
+TEST_F(StayCampaign, RefusesWhatDoesNotFit) {
+  const auto refused = [](const std::string& text, const std::string& part) {
+    EXPECT_TRUE(contains(clast::refusal([&] { campaign(text); }), part));
+  };
+  refused(changed("sequence = \"stay\"\n", ""),
+          "[release] realisations = 3: is for blocks that stay; add sequence = \"stay\"");
+  refused(changed("\"stay\"", "\"stays\""), "sequence = \"stays\": must be \"single\" or \"stay\"");
+  refused(changed("realisations = 3", "realisations = 0"), "realisations = 0: must be from 1");
+  refused(changed("[contact.blocks]\nenergy_restitution = 0.1\n", "[contact.blocks]\n"),
+          "[contact.blocks]: energy_restitution is missing");
+  refused(replaced_once(campaign_text(), "[run]",
+                        "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\n"
+                        "rolling_friction = 0.2\n[run]"),
+          "[contact.blocks] is for blocks that stay");
+  std::string without = text();
+  refused(without.substr(0, without.find("[contact.blocks]")), "add [contact.blocks]");
+  refused(replaced_once(text("draw = { count = 3 }\n"), "realisations = 3",
+                        "realisations = 3\norder = \"listed\""),
+          "drawn blocks are in no order");
+  refused(text() + "[[block_group]]\nname = \"g\"\nselect = [\"cube\"]\nground.flat = { friction "
+                   "= 0.5 }\n",
+          "leave the block groups out");
+}
+
+}  // namespace
+}  // namespace clast
