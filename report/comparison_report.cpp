@@ -21,7 +21,7 @@ FolderKind comparison_folder() {
     static const std::set<std::string> kFiles = {
         "runs.csv",        "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
         "ground_sets.csv", "profiles.csv", "measured.csv",  "stops.gpkg",   "differences.csv",
-        "provenance.json", "report.html",  "ensemble.csv"};
+        "provenance.json", "report.html",  "ensemble.csv", "stays.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
@@ -48,6 +48,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("impacts.csv", impacts_csv(comparison));
   write("ground_sets.csv", ground_sets_csv(comparison));
   write("ensemble.csv", ensemble_csv(comparison));
+  write("stays.csv", stays_csv(comparison));
   write("differences.csv", differences_csv(comparison));
   const std::vector<ProfileBin> bins = profiles(comparison);
   write("profiles.csv", profiles_csv(comparison, bins));

@@ -51,6 +51,12 @@ void repair_tiles(RawSurface& raw, const std::vector<std::uint16_t>& zone_of_fil
   drop_unused_vertices(raw.mesh);
   terrain_detail::orient_upwards(raw, report);
   terrain_detail::drop_double_ground(raw, options.crack, report);
+  if (raw.mesh.triangles.empty()) {
+    throw GeometryError(files.front() + (files.size() > 1 ? " and the other surfaces" : "") +
+                        ": none of " + std::to_string(report.triangles_read) +
+                        " triangles is left as ground; all have no area, or lie twice at one "
+                        "place; export the surface again");
+  }
   terrain_detail::fill_surface_holes(raw, options.fill.value_or(kMeshHole * median_edge(raw.mesh)),
                                      options.crack, report);
   terrain_detail::note_gaps(raw, median_edge(raw.mesh), report);

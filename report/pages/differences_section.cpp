@@ -1,5 +1,7 @@
 #include <map>
 
+#include <algorithm>
+
 #include "core/number_text.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_sections.hpp"
@@ -69,7 +71,14 @@ std::string differences_section(const Comparison& comparison) {
     if (first.kind == GroupKind::kGarcia) sentences += paragraph(in_words(one, comparison));
   }
   std::string html;
+  const bool stay = std::any_of(comparison.results.begin(), comparison.results.end(),
+                                [](const CampaignResults& results) { return results.stay; });
   if (!sentences.empty()) {
+    if (stay) {
+      html += paragraph(
+          "Blocks that stay in each other's way depend on each other: in what follows a realisation "
+          "counts as one release point.");
+    }
     html += paragraph(
         "Intervals are from drawing whole release points, effect sizes from all pairs of runs, and "
         "p from Kolmogorov's and Smirnov's distance after Holm's correction for all tests of the "

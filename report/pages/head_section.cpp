@@ -60,6 +60,13 @@ std::string head_section(const Comparison& comparison) {
   html += fact(
       "Released", per_file(comparison, [&](const CampaignResults& results) {
         const std::size_t points = results.release_points.size();
+        if (results.stay) {
+          return many(results.planned_runs / results.stay->blocks_each, "realisation",
+                      "realisations") +
+                 " of " + many(results.stay->blocks_each, "block", "blocks") +
+                 ", released one after the other from " + many(points, "point", "points") +
+                 " and left where they stop";
+        }
         const std::size_t members = ensemble_members(results);
         const std::size_t sets = results.blocks.size() * points * members;
         return many(results.blocks.size(), "block", "blocks") + " \xC3\x97 " +

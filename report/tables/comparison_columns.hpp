@@ -26,6 +26,12 @@ struct RunImpact {
   const Impact& impact;
 };
 
+/// A run whose block stayed among others.
+struct RunStay {
+  const RunRow& run;
+  const StayRecord& stay;
+};
+
 const TableColumns<BarrierGroup>& barrier_columns();
 const TableColumns<ComparisonRow<CrossingRow>>& crossing_columns();
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns();
@@ -35,6 +41,7 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns();
 const TableColumns<ComparisonRow<RunImpact>>& impact_columns();
 const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns();
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns();
+const TableColumns<ComparisonRow<RunStay>>& stay_columns();
 
 /// The rows of a list in a comparison.
 template <class Item>

@@ -143,7 +143,7 @@ const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns
        &Difference::quantity},
       {"first_runs", "", "number of values of each group", &Difference::first_runs},
       {"second_runs", "", "number of values of each group", &Difference::second_runs},
-      {"release_points", "", "number of clusters for interval and test", &Difference::points},
+      {"release_points", "", "number of clusters for interval and test; realisations where blocks stay", &Difference::points},
       {"first_mean", unit, "mean of each group", &Difference::first_mean},
       {"second_mean", unit, "mean of each group", &Difference::second_mean},
       {"difference", unit, "first minus second",

@@ -16,6 +16,25 @@ TableColumns<Row> of_run(const std::vector<std::string>& names, const Run& run) 
   });
 }
 
+/// Events of all files, each with its run.
+template <class Joined, class Event>
+std::vector<Joined> with_runs(const Comparison& comparison,
+                              std::vector<Event> CampaignResults::*events) {
+  std::vector<Joined> joined;
+  for (std::size_t i = 0, file = 0; file < comparison.results.size(); ++file) {
+    for (const Event& event : comparison.results[file].*events) {
+      // Events and rows are in order of file and run.
+      while (i < comparison.rows.size() &&
+             (comparison.rows[i].file != file || comparison.rows[i].record->run < event.run)) {
+        ++i;
+      }
+      if (i == comparison.rows.size()) break;
+      joined.push_back({comparison.rows[i], event});
+    }
+  }
+  return joined;
+}
+
 }  // namespace
 
 const TableColumns<ComparisonRow<CrossingRow>>& report_detail::crossing_columns() {
@@ -96,6 +115,26 @@ const TableColumns<ComparisonRow<RunImpact>>& report_detail::impact_columns() {
   return columns;
 }
 
+const TableColumns<ComparisonRow<RunStay>>& report_detail::stay_columns() {
+  using Row = ComparisonRow<RunStay>;
+  const auto run = [](const Row& row) -> const RunRow& { return row->run; };
+  const auto each = [](const Row& row) -> std::uint64_t {
+    return row.comparison.results[row->run.file].runs_together();
+  };
+  static const auto columns = joined<Row>(
+      {of_run<Row>({"run", "block", "class", "shape"}, run),
+       {{"realisation", "", "from 1",
+         [=](const Row& row) { return row->stay.run / each(row) + 1; }},
+        {"order", "", "of its release in the realisation, from 1",
+         [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
+       columns_of_part<Row>(
+           chosen(stored_stay_columns(),
+                  {"released_at_s", "raised_m", "moved_later_m", "blocks_hit"}),
+           [](const Row& row) -> const StayRecord& { return row->stay; }),
+       of_run<Row>({"file"}, run)});
+  return columns;
+}
+
 std::string runs_csv(const Comparison& comparison) {
   return csv_of(run_columns(), rows_of(comparison, comparison.rows));
 }
@@ -105,19 +144,13 @@ std::string crossings_csv(const Comparison& comparison) {
 }
 
 std::string impacts_csv(const Comparison& comparison) {
-  std::vector<RunImpact> impacts;
-  for (std::size_t i = 0, file = 0; file < comparison.results.size(); ++file) {
-    for (const Impact& impact : comparison.results[file].impacts) {
-      // Impacts and rows are in order of file and run.
-      while (i < comparison.rows.size() &&
-             (comparison.rows[i].file != file || comparison.rows[i].record->run < impact.run)) {
-        ++i;
-      }
-      if (i == comparison.rows.size()) break;
-      impacts.push_back({comparison.rows[i], impact});
-    }
-  }
-  return csv_of(impact_columns(), rows_of(comparison, impacts));
+  return csv_of(impact_columns(),
+                rows_of(comparison, with_runs<RunImpact>(comparison, &CampaignResults::impacts)));
+}
+
+std::string stays_csv(const Comparison& comparison) {
+  return csv_of(stay_columns(),
+                rows_of(comparison, with_runs<RunStay>(comparison, &CampaignResults::stays)));
 }
 
 }  // namespace clast

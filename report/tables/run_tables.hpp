@@ -10,5 +10,6 @@ namespace clast {
 std::string runs_csv(const Comparison& comparison);
 std::string crossings_csv(const Comparison& comparison);
 std::string impacts_csv(const Comparison& comparison);
+std::string stays_csv(const Comparison& comparison);
 
 }  // namespace clast

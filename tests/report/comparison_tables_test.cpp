@@ -216,7 +216,8 @@ TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
   EXPECT_EQ(names, (std::vector<std::string>{"barriers.csv", "crossings.csv", "deposits.csv",
                                              "differences.csv", "ensemble.csv", "ground_sets.csv",
                                              "impacts.csv", "profiles.csv", "provenance.json",
-                                             "report.html", "runs.csv", "stops.gpkg"}));
+                                             "report.html", "runs.csv", "stays.csv",
+                                             "stops.gpkg"}));
   EXPECT_TRUE(contains(read_text_file(folder / "out" / "provenance.json"), std::string(64, 'c')));
 }
 

@@ -89,6 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Csv, TableColumnsOf,
                                          Table{"impacts.csv", lines_of(impact_columns())},
                                          Table{"ground_sets.csv", lines_of(ground_set_columns())},
                                          Table{"ensemble.csv", lines_of(ensemble_columns())},
+                                         Table{"stays.csv", lines_of(stay_columns())},
                                          Table{"differences.csv", lines_of(difference_columns())},
                                          Table{"profiles.csv", lines_of(profile_columns())},
                                          Table{"measured.csv", lines_of(measured_columns())},
@@ -111,7 +112,8 @@ TEST_P(ResultsColumnsOf, AreThoseOfTheDocument) {
 INSTANTIATE_TEST_SUITE_P(Hdf5, ResultsColumnsOf,
                          testing::Values(Table{"runs", datasets_of<RunRecord>("runs")},
                                          Table{"impacts", datasets_of<Impact>("impacts")},
-                                         Table{"crossings", datasets_of<Crossing>("crossings")}));
+                                         Table{"crossings", datasets_of<Crossing>("crossings")},
+                                         Table{"stays", datasets_of<StayRecord>("stays")}));
 
 }  // namespace
 }  // namespace clast
