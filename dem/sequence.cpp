@@ -36,14 +36,14 @@ class Sequence {
   /// What is known of a block while the sequence goes on.
   struct Watched {
     bool touching = false;
-    std::set<std::size_t> hit;   ///< blocks it touched during its own release
+    std::set<std::size_t> hit;       ///< blocks it touched during its own release
     Vec3 first_rest = Vec3::Zero();  ///< its place at the end of its own release
   };
 
   const RigidBody& body_of(std::size_t block) const { return shapes_[blocks_[block].shape]; }
 
-  /// The lowest height from `start` on at which the bounding sphere of the block is clear of those of
-  /// all others.
+  /// The lowest height from `start` on at which the bounding sphere of the block is clear of those
+  /// of all others.
   double clear_height(const RigidBody& body, const Vec3& start) const {
     const double radius = body.bounding_radius();
     double height = start.z();

@@ -23,11 +23,11 @@ struct SequenceResult {
   /// of it, since later blocks may move this one.
   ReleaseResult release;
   double released_at = 0.0;  ///< since the first block was released, s
-  /// How much higher than asked for it was released, m: its bounding sphere is clear of the bounding
-  /// spheres of all blocks that lie there.
+  /// How much higher than asked for it was released, m: its bounding sphere is clear of the
+  /// bounding spheres of all blocks that lie there.
   double raised = 0.0;
-  double moved_later = 0.0;       ///< from the end of its own release to its last place, m
-  std::uint32_t blocks_hit = 0;   ///< other blocks that it touched during its own release
+  double moved_later = 0.0;      ///< from the end of its own release to its last place, m
+  std::uint32_t blocks_hit = 0;  ///< other blocks that it touched during its own release
 };
 
 /// Sees how a block moved in a step, in the order of time. Times count from its own release, and

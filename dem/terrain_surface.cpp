@@ -59,7 +59,7 @@ std::uint16_t TerrainSurface::zone_count() const { return impl_->zone_count; }
 const Bounds& TerrainSurface::extent() const { return impl_->surface.extent; }
 
 std::optional<TerrainSurface::Impl::Spot> TerrainSurface::Impl::spot(double x, double y,
-                                                                      double z_near) const {
+                                                                     double z_near) const {
   std::optional<Spot> best;
   const PlanGrid::Range home = surface.grid.range(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {

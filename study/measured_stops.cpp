@@ -200,7 +200,8 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
       if (run.record->result.stop_reason != StopReason::kRest) continue;
       simulated.push_back(run.runout);
       by_cluster[std::uint64_t{run.file} << 32 |
-                 cluster_of(comparison.results[run.file], *run.record)].push_back(run.runout);
+                 cluster_of(comparison.results[run.file], *run.record)]
+          .push_back(run.runout);
     }
     if (seen.empty() || simulated.empty()) continue;
     const TestResult test = *two_sample_ks(seen, simulated);

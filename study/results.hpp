@@ -108,8 +108,8 @@ struct CampaignResults {
   ContactWeights weights = ContactWeights::kPatch;
   std::vector<std::string> warnings;
   MapFrame frame;
-  std::optional<Vec2> downslope;  ///< as asked for
-  Terrain terrain;                ///< the surface that was used, for maps
+  std::optional<Vec2> downslope;    ///< as asked for
+  Terrain terrain;                  ///< the surface that was used, for maps
   std::optional<StaySummary> stay;  ///< none: every run had the terrain to itself
   std::uint32_t planned_runs = 0;
   std::vector<RunRecord> runs;      ///< in run order

@@ -48,7 +48,7 @@ void check_zone_name(const std::string& name) {
   if (!name.empty() && !bad) return;
   throw InputError("zone \"" + printable(name) +
                    "\": a zone name must be one line without \"=\" or control characters; rename "
-                   "it in the file it comes from");
+                   "it");
 }
 
 std::optional<ZoneFile> zone_file(const std::vector<std::string>& zones) {

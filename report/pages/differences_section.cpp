@@ -76,7 +76,8 @@ std::string differences_section(const Comparison& comparison) {
   if (!sentences.empty()) {
     if (stay) {
       html += paragraph(
-          "Blocks that stay in each other's way depend on each other: in what follows a realisation "
+          "Blocks that stay in each other's way depend on each other: in what follows a "
+          "realisation "
           "counts as one release point.");
     }
     html += paragraph(

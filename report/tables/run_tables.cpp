@@ -127,10 +127,9 @@ const TableColumns<ComparisonRow<RunStay>>& report_detail::stay_columns() {
          [=](const Row& row) { return row->stay.run / each(row) + 1; }},
         {"order", "", "of its release in the realisation, from 1",
          [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
-       columns_of_part<Row>(
-           chosen(stored_stay_columns(),
-                  {"released_at_s", "raised_m", "moved_later_m", "blocks_hit"}),
-           [](const Row& row) -> const StayRecord& { return row->stay; }),
+       columns_of_part<Row>(chosen(stored_stay_columns(),
+                                   {"released_at_s", "raised_m", "moved_later_m", "blocks_hit"}),
+                            [](const Row& row) -> const StayRecord& { return row->stay; }),
        of_run<Row>({"file"}, run)});
   return columns;
 }

@@ -14,12 +14,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> kKeys = {"name",         "points",
-                                        "orientations", "frame",
-                                        "height_m",     "velocity_m_s",
-                                        "seed",         "angular_velocity_rad_s",
-                                        "sequence",     "realisations",
-                                        "order"};
+const std::vector<std::string> kKeys = {
+    "name",     "points",       "orientations", "frame",
+    "height_m", "velocity_m_s", "seed",         "angular_velocity_rad_s",
+    "sequence", "realisations", "order"};
 
 std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, ReleasePlan& plan) {
   const std::string expected =
@@ -183,8 +181,9 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
       }
     }
     if (between) {
-      throw InputError(top.file() + ": [contact.blocks] is for blocks that stay; add sequence = "
-                                    "\"stay\" to [release], or leave it out");
+      throw InputError(top.file() +
+                       ": [contact.blocks] is for blocks that stay; add sequence = "
+                       "\"stay\" to [release], or leave it out");
     }
     return std::nullopt;
   }

@@ -176,8 +176,8 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
     const SequenceResult& result = results[i];
     runs.push_back(observers[i]->stored(result.release));
     runs.back().record.start.position.z() += result.raised;
-    runs.back().stays.push_back({planned[i].run, result.released_at, result.raised,
-                                 result.moved_later, result.blocks_hit});
+    runs.back().stays.push_back(
+        {planned[i].run, result.released_at, result.raised, result.moved_later, result.blocks_hit});
   }
   return runs;
 }

@@ -98,8 +98,8 @@ void check_clear_of_ground(const PreparedCampaign& prepared, const GroundOverlap
                            : "; raise the release point or use " + table + " height_m"));
 }
 
-// Random orientations of one block at one point of a set, or in one realisation. Their seed is made from names, not from
-// places in the campaign, so that they do not depend on what else runs.
+// Random orientations of one block at one point of a set, or in one realisation. Their seed is made
+// from names, not from places in the campaign, so that they do not depend on what else runs.
 std::vector<Quat> fresh_orientations(const ReleasePlan& release, const std::string& block,
                                      const std::string& where, std::size_t count) {
   std::uint64_t seed = release.orientation_seed;
@@ -189,10 +189,9 @@ class Planner {
     RunRecord run;
     run.block = block;
     run.start.position = points_[set][of_set];
-    run.start.orientation =
-        release.in_principal_frame
-            ? orientation
-            : (orientation * source.source_from_body().rotation).normalized();
+    run.start.orientation = release.in_principal_frame
+                                ? orientation
+                                : (orientation * source.source_from_body().rotation).normalized();
     run.start.velocity = release.velocity;
     run.start.angular_velocity = release.angular_velocity;
     if (release.drop_height) {
@@ -247,8 +246,8 @@ void plan_runs(PreparedCampaign& prepared) {
   check_count(campaign, prepared.bodies.size());
   Planner planner(prepared);
   if (campaign.stay) {
-    const std::size_t each = campaign.blocks.draw ? campaign.blocks.draw->count
-                                                  : prepared.bodies.size();
+    const std::size_t each =
+        campaign.blocks.draw ? campaign.blocks.draw->count : prepared.bodies.size();
     header.stay = {static_cast<std::uint32_t>(each), campaign.stay->between_blocks};
     for (std::uint32_t i = 0; i < campaign.stay->realisations; ++i) planner.plan_realisation(i);
   } else {

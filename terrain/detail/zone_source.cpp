@@ -215,14 +215,19 @@ void refuse_bare(const Bare& bare, const Terrain& terrain, const std::string& wh
 }
 
 /// Numbers for the labels that are used, in their order.
+/// @param who  gave the labels, for messages
 void number_zones(Terrain& terrain, const std::vector<std::string>& labels,
-                  const std::vector<std::uint32_t>& label) {
+                  const std::vector<std::uint32_t>& label, const std::string& who) {
   std::vector<bool> used(labels.size(), false);
   for (const std::uint32_t l : label) used[l] = true;
   std::vector<std::uint16_t> number(labels.size(), 0);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!used[i]) continue;
-    check_zone_name(labels[i]);
+    try {
+      check_zone_name(labels[i]);
+    } catch (const InputError& error) {
+      throw InputError(who + ": " + error.what());
+    }
     number[i] = static_cast<std::uint16_t>(terrain.zone_names.size());
     terrain.zone_names.push_back(labels[i]);
   }
@@ -295,7 +300,7 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
     terrain.report.notes.push_back(source.path.string() + ": " + with_digits(bare.partial, 3) +
                                    " m2 beside the zones took the zone of the triangle's rest");
   }
-  number_zones(terrain, map.labels, label);
+  number_zones(terrain, map.labels, label, source.path.string());
 }
 
 void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
@@ -320,7 +325,7 @@ void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
     bare.area += std::abs(area.z()) / 2.0;
   }
   refuse_bare(bare, terrain, "the zone rules", "end them with NAME=else");
-  number_zones(terrain, labels, label);
+  number_zones(terrain, labels, label, "the zone rules");
 }
 
 }  // namespace clast::terrain_detail

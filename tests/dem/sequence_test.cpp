@@ -111,8 +111,8 @@ TEST(Sequence, ABlockThatIsHitLaterEndsWhereItWasMovedTo) {
 TEST(Sequence, GoesOnWhenABlockDoesNotStopInTime) {
   const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
   const std::vector<RigidBody> shapes = {ball(10.0, 0.2)};
-  const auto results = sequence(terrain, shapes,
-                                {{0, at({0.0, 0.0, 3.0})}, {0, at({2.0, 0.0, 3.0})}}, 0.3);
+  const auto results =
+      sequence(terrain, shapes, {{0, at({0.0, 0.0, 3.0})}, {0, at({2.0, 0.0, 3.0})}}, 0.3);
   EXPECT_NEAR(results[0].release.duration, 0.3, 1e-9);
   EXPECT_NEAR(results[1].released_at, 0.3, 1e-9);
   EXPECT_EQ(results[0].release.stop_reason, StopReason::kMaxTime);
@@ -121,11 +121,14 @@ TEST(Sequence, GoesOnWhenABlockDoesNotStopInTime) {
 TEST(Sequence, RefusesWhatIsNoSequence) {
   const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
   const std::vector<RigidBody> shapes = {ball(10.0, 0.2)};
-  EXPECT_TRUE(contains(refusal([&] { sequence(terrain, shapes, {{0, at({0, 0, 1})}}, 0.0); }),
+  EXPECT_TRUE(contains(refusal([&] {
+                         sequence(terrain, shapes, {{0, at({0, 0, 1})}}, 0.0);
+                       }),
                        "max_time = 0"));
-  EXPECT_TRUE(contains(
-      refusal<SimulationError>([&] { sequence(terrain, shapes, {{0, at({50, 0, 1})}}); }),
-      "body 0"));
+  EXPECT_TRUE(contains(refusal<SimulationError>([&] {
+                         sequence(terrain, shapes, {{0, at({50, 0, 1})}});
+                       }),
+                       "body 0"));
 }
 
 }  // namespace

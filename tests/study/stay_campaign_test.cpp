@@ -186,8 +186,9 @@ TEST_F(StayCampaign, RefusesWhatDoesNotFit) {
   refused(replaced_once(text("draw = { count = 3 }\n"), "realisations = 3",
                         "realisations = 3\norder = \"listed\""),
           "drawn blocks are in no order");
-  refused(text() + "[[block_group]]\nname = \"g\"\nselect = [\"cube\"]\nground.flat = { friction "
-                   "= 0.5 }\n",
+  refused(text() +
+              "[[block_group]]\nname = \"g\"\nselect = [\"cube\"]\nground.flat = { friction "
+              "= 0.5 }\n",
           "leave the block groups out");
 }
 
