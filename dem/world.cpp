@@ -68,7 +68,7 @@ struct World::Impl {
   void begin_moves(double dt);
   void end_moves(double dt);
   void prepare();
-  void show_moves(double dt) const;
+  void show_moves(double begin) const;
   Touch touch(std::size_t body) const;
   void remove_bodies_off_terrain();
   void advance(double dt);
@@ -233,6 +233,7 @@ void World::Impl::advance(double dt) {
   pairs.update(bodies, dt, team);
   sleeping.wake_touched(bodies, pairs);
   end_moves(dt);
+  const double begin = time;
   time += dt;
   ++steps;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -241,15 +242,15 @@ void World::Impl::advance(double dt) {
                             with_digits(time, 6) + " s; a shorter time step may help");
     }
   }
-  if (observer) show_moves(dt);
+  if (observer) show_moves(begin);
   remove_bodies_off_terrain();
   if (settings.sleep_drift > 0.0) reassigned += sleeping.let_sleep(bodies, pairs);
 }
 
-void World::Impl::show_moves(double dt) const {
+void World::Impl::show_moves(double begin) const {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!began[i]) continue;
-    observer(i, {.begin_time = time - dt,
+    observer(i, {.begin_time = begin,
                  .end_time = time,
                  .begin = *began[i],
                  .end = bodies[i].moving.state(),

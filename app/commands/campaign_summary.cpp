@@ -100,11 +100,16 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
     }
     stiffness.push_back(row);
   }
-  return {{"runs", prepared.runs.size()},
-          {"blocks", blocks},
-          {"release_points", prepared.header.release_points.size()},
-          {"stiffness", stiffness},
-          {"warnings", prepared.header.warnings}};
+  nlohmann::ordered_json plan = {{"runs", prepared.runs.size()},
+                                 {"blocks", blocks},
+                                 {"release_points", prepared.header.release_points.size()},
+                                 {"stiffness", stiffness},
+                                 {"warnings", prepared.header.warnings}};
+  if (const std::optional<StaySummary>& stay = prepared.header.stay) {
+    plan["realisations"] = prepared.campaign.stay->realisations;
+    plan["blocks_per_realisation"] = stay->blocks_each;
+  }
+  return plan;
 }
 
 void print_plan(const PreparedCampaign& prepared) {
