@@ -98,6 +98,17 @@ void swap_sides(RepairReport& report) {
   }
 }
 
+/// Closes what is no unseen side. Of a cloud, holes are where points are missing: only the mouth of
+/// a pocket is small.
+std::vector<FilledHole> close_small_holes(OpenBlock& open, const std::string& name) {
+  if (open.margin != nullptr) return close_by_fans(open.surface, kFanEdges);
+  try {
+    return fill_holes(open.surface, false);
+  } catch (const GeometryError& error) {
+    throw GeometryError(name + ": " + error.what());
+  }
+}
+
 /// What was scanned, where the surface has other parts too; null where it has not.
 std::unique_ptr<const ScannedSurface> scanned_part(const OpenBlock& open) {
   if (open.margin != nullptr) {
@@ -159,10 +170,7 @@ Underside moved(Underside side, double unit, const Move& move) {
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& field) {
   const ScanOptions& options = field.scan;
   if (turn_outward(open.surface)) swap_sides(open.repaired);
-  // Of a cloud, holes are where points are missing: only the mouth of a pocket is small.
-  const std::vector<FilledHole> filled = open.margin != nullptr
-                                             ? close_by_fans(open.surface, kFanEdges)
-                                             : fill_holes(open.surface, false);
+  const std::vector<FilledHole> filled = close_small_holes(open, name);
   open.repaired =
       with_fillings(std::move(open.repaired), filled, surface_area(open.surface), options.unit);
   const std::unique_ptr<const ScannedSurface> scanned = scanned_part(open);

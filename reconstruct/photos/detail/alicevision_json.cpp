@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <map>
 
 #include "reconstruct/photos/detail/json_model.hpp"
@@ -10,19 +11,18 @@ namespace {
 using nlohmann::json;
 
 /// Version of the file's layout as one number: 1.2.5 is 10205.
-int version_of(const json& root) {
+std::int64_t version_of(const json& root) {
   if (!root.contains("version")) return 10000;
-  int number = 0;
-  for (int i = 0; i < 3; ++i) {
-    number = 100 * number +
-             static_cast<int>(json_number(root.at("version").at(static_cast<std::size_t>(i))));
+  std::int64_t number = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    number = 100 * number + json_count(root.at("version").at(i));
   }
   return number;
 }
 
-Lens lens_of(const json& intrinsic, int version) {
-  Lens lens{.width = static_cast<int>(json_number(intrinsic.at("width"))),
-            .height = static_cast<int>(json_number(intrinsic.at("height")))};
+Lens lens_of(const json& intrinsic, std::int64_t version) {
+  Lens lens{.width = json_count(intrinsic.at("width")),
+            .height = json_count(intrinsic.at("height"))};
   if (version < 10200) {
     lens.fx = lens.fy = json_number(intrinsic.at("pxFocalLength"));
   } else if (version < 10202) {
@@ -74,7 +74,7 @@ Lens lens_of(const json& intrinsic, int version) {
 PhotoModel model_of(const json& root) {
   PhotoModel model;
   model.source = "AliceVision";
-  const int version = version_of(root);
+  const std::int64_t version = version_of(root);
   std::map<std::string, std::size_t> lens_of_id;
   for (const json& intrinsic : root.at("intrinsics")) {
     lens_of_id[json_id(intrinsic.at("intrinsicId"))] = model.lenses.size();

@@ -16,6 +16,15 @@ double json_number(const nlohmann::json& value) {
   return *number;
 }
 
+int json_count(const nlohmann::json& value) {
+  constexpr double kMost = 1e6;
+  const double number = json_number(value);
+  if (!(number >= 0.0 && number <= kMost)) {
+    throw InputError(value.dump() + " is no whole number from 0 to 1000000");
+  }
+  return static_cast<int>(number);
+}
+
 Vec3 json_vector(const nlohmann::json& value) {
   return {json_number(value.at(0)), json_number(value.at(1)), json_number(value.at(2))};
 }

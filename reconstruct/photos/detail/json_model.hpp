@@ -14,6 +14,9 @@ nlohmann::json json_of(const std::filesystem::path& file);
 
 /// A number that may be written as a text, as AliceVision does.
 double json_number(const nlohmann::json& value);
+/// A whole number from 0 to a million: a size in pixels, a part of a version.
+/// @throws InputError  any other number
+int json_count(const nlohmann::json& value);
 
 /// Three numbers.
 Vec3 json_vector(const nlohmann::json& value);

@@ -18,8 +18,8 @@ const json& member(const json& object, const char* name) {
 const json& data_of(const json& item) { return item.at("value").at("ptr_wrapper").at("data"); }
 
 Lens lens_of(const json& data) {
-  Lens lens{.width = static_cast<int>(json_number(member(data, "width"))),
-            .height = static_cast<int>(json_number(member(data, "height")))};
+  Lens lens{.width = json_count(member(data, "width")),
+            .height = json_count(member(data, "height"))};
   lens.fx = lens.fy = json_number(member(data, "focal_length"));
   lens.cx = json_number(member(data, "principal_point").at(0));
   lens.cy = json_number(member(data, "principal_point").at(1));
