@@ -1,4 +1,5 @@
 #include "core/toml_reader.hpp"
+#include "core/listed.hpp"
 
 #include <toml++/toml.h>
 
@@ -126,9 +127,7 @@ std::string suggestion(const std::string& key, const std::vector<std::string>& k
   if (best && smallest <= std::max<std::size_t>(2, key.size() / 3)) {
     return "did you mean " + *best + "?";
   }
-  std::string list;
-  for (const std::string& candidate : known) list += (list.empty() ? "" : ", ") + candidate;
-  return "known here are " + list;
+  return "known here are " + listed(known);
 }
 // Names end in tables, file names and on the terminal, where a line end or a NUL breaks what is
 // around it.

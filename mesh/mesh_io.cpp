@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "mesh/detail/mesh_readers.hpp"
@@ -15,12 +16,6 @@ namespace {
 
 /// As `kind_of_file` has it.
 constexpr const char* kOriginKind = "origin of coordinates";
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
 
 bool contains_advice(const std::string& reason) {
   return reason.find("export it") != std::string::npos;

@@ -5,6 +5,7 @@
 
 #include "core/disjoint_sets.hpp"
 #include "core/error.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "mesh/half_edges.hpp"
 
@@ -111,10 +112,7 @@ std::string MeshReport::summary() const {
     defects.push_back(counted(degenerate_triangles, "degenerate triangle", "degenerate triangles"));
   }
   if (components > 1) defects.push_back(std::to_string(components) + " components");
-  if (defects.empty()) return "closed";
-  std::string text;
-  for (const std::string& defect : defects) text += (text.empty() ? "" : ", ") + defect;
-  return text;
+  return defects.empty() ? "closed" : listed(defects);
 }
 
 MeshReport inspect(const TriangleMesh& mesh) {

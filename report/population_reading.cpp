@@ -11,6 +11,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/length_unit.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
 #include "library/block_library.hpp"
@@ -112,10 +113,8 @@ void note_same_files(ReportedPopulation& reported) {
   for (const InputFile& input : reported.inputs) {
     std::vector<std::string>& same = names[input.sha256];
     if (same.size() < 2) continue;
-    std::string all;
-    for (const std::string& name : same) all += (all.empty() ? "" : ", ") + name;
     const std::string times = std::to_string(same.size()) + " times";
-    add_note(reported, "the same file was given " + times + " (" + all +
+    add_note(reported, "the same file was given " + times + " (" + listed(same) +
                            "): its blocks are counted " + times);
     same.clear();  // noted once
   }

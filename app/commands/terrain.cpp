@@ -11,6 +11,7 @@
 #include "core/csv_text.hpp"
 #include "core/error.hpp"
 #include "core/file_kind.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/printable.hpp"
@@ -196,9 +197,7 @@ void check_outputs(const TerrainArgs& args) {
     if (file.empty()) return;
     const std::string extension = extension_of(file);
     if (std::find(known.begin(), known.end(), extension) != known.end()) return;
-    std::string names;
-    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-    throw InputError(option + " " + file + ": its name must end in " + names);
+    throw InputError(option + " " + file + ": its name must end in " + listed(known));
   };
   check_extension("--output", args.output, {".h5", ".hdf5"});
   check_extension("--export", args.exported,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "report/html/html_page.hpp"
 #include "report/scans/scan_pictures.hpp"
@@ -33,12 +34,6 @@ constexpr std::array<ViewColour, 5> kViewColours = {{{0, {213, 94, 0}, "none"},
                                                      {10, {34, 70, 148}, "10 or more"}}};
 
 std::string degrees(double angle) { return fixed(angle * 180.0 / kPi, 0) + "\xC2\xB0"; }
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 /// From metres about the middle of the block to the page.
 struct Plan {

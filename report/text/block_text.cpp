@@ -1,6 +1,7 @@
 #include "report/text/block_text.hpp"
 
 #include "classify/schemes.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "library/block_measures.hpp"
 #include "library/unscaled.hpp"
@@ -15,12 +16,6 @@ std::string length_unit_of(const Block& block) { return is_unscaled(block) ? "u"
 
 std::string vector_text(const Vec3& v) {
   return rounded(v[0], 6) + "  " + rounded(v[1], 6) + "  " + rounded(v[2], 6);
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 /// What the unseen side leaves open, as names with values.

@@ -4,18 +4,13 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "core/listed.hpp"
 #include "study/detail/named_seed.hpp"
 
 namespace clast::study_detail {
 namespace {
 
 using Values = std::map<std::string, GroundParameters>;  ///< by zone
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
 
 void check_zones(const Campaign& campaign, const std::vector<std::string>& zones) {
   std::vector<std::string> tables;
