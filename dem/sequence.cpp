@@ -15,14 +15,14 @@ class Sequence {
  public:
   Sequence(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
            std::span<const RigidBody> shapes, std::span<const SequenceBlock> blocks,
-           const WorldSettings& settings, double max_time, const SequenceObserver& observe)
+           const SequenceSettings& settings, const SequenceObserver& observe)
       : terrain_(terrain),
         shapes_(shapes),
         blocks_(blocks),
-        gravity_(settings.gravity),
-        max_time_(max_time),
+        settings_(settings),
         observe_(observe),
-        world_({shapes.begin(), shapes.end()}, settings, terrain, {zones.begin(), zones.end()}) {
+        world_({shapes.begin(), shapes.end()}, settings.world, terrain,
+               {zones.begin(), zones.end()}) {
     world_.observe([this](std::size_t block, const MotionStep& step) { see(block, step); });
   }
 
@@ -50,7 +50,7 @@ class Sequence {
     for (bool raised = true; raised;) {
       raised = false;
       for (std::size_t other = 0; other < world_.body_count(); ++other) {
-        if (world_.left_terrain(other)) continue;
+        if (world_.gone(other)) continue;
         const Vec3& place = world_.state(other).position;
         const double apart = radius + body_of(other).bounding_radius();
         const double squared = apart * apart - (place - start).head<2>().squaredNorm();
@@ -73,11 +73,36 @@ class Sequence {
     result.released_at = world_.time();
     const EnergyLedger before = world_.energy();
     world_.add_body(blocks_[block].shape, start);
-    world_.run_until(result.released_at + max_time_);
+    const double latest = result.released_at + settings_.max_time;
+    do {
+      world_.run_until(latest);
+    } while (clear_zones());
     result.release.duration = world_.time() - result.released_at;
     result.release.energy = of_release(before, world_.energy());
     result.blocks_hit = static_cast<std::uint32_t>(watched_[block].hit.size());
     watched_[block].first_rest = world_.state(block).position;
+  }
+
+  /// Removes the blocks that rest where blocks are cleared away.
+  /// @return  were there any?
+  bool clear_zones() {
+    bool any = false;
+    for (std::size_t block = 0; block < world_.body_count(); ++block) {
+      if (world_.gone(block) || !world_.resting(block) || !lies_in_cleared_zone(block)) continue;
+      results_[block].release.settled_penetration = world_.touch(block).overlap;
+      results_[block].removed_at = world_.time();
+      world_.remove_body(block);
+      any = true;
+    }
+    return any;
+  }
+
+  bool lies_in_cleared_zone(std::size_t block) const {
+    const std::vector<std::uint16_t>& cleared = settings_.cleared_zones;
+    if (cleared.empty()) return false;
+    const Vec3& place = world_.state(block).position;
+    const std::optional<std::uint16_t> zone = terrain_.zone(place.x(), place.y(), place.z());
+    return zone && std::find(cleared.begin(), cleared.end(), *zone) != cleared.end();
   }
 
   /// What happened to the energy of all blocks between two balances.
@@ -90,7 +115,7 @@ class Sequence {
     part.reassigned = after.reassigned - before.reassigned;
     double potential = 0.0;
     for (std::size_t i = 0; i < world_.body_count(); ++i) {
-      potential += body_of(i).mass * gravity_ * world_.state(i).position.z();
+      potential += body_of(i).mass * settings_.world.gravity * world_.state(i).position.z();
     }
     part.close(after.final, part.initial - potential);
     return part;
@@ -121,10 +146,10 @@ class Sequence {
     SequenceResult& result = results_[block];
     ReleaseResult& release = result.release;
     release.final_state = world_.state(block);
-    release.settled_penetration = world_.touch(block).overlap;
-    release.stop_reason = world_.left_terrain(block) ? StopReason::kLeftTerrain
-                          : world_.resting(block)    ? StopReason::kRest
-                                                     : StopReason::kMaxTime;
+    if (!result.removed_at) release.settled_penetration = world_.touch(block).overlap;
+    release.stop_reason = world_.left_terrain(block)                   ? StopReason::kLeftTerrain
+                          : result.removed_at || world_.resting(block) ? StopReason::kRest
+                                                                       : StopReason::kMaxTime;
     const Vec3& place = release.final_state.position;
     const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
     release.below_ground = ground && place.z() < *ground;
@@ -134,8 +159,7 @@ class Sequence {
   const TerrainSurface& terrain_;
   std::span<const RigidBody> shapes_;
   std::span<const SequenceBlock> blocks_;
-  double gravity_;
-  double max_time_;
+  const SequenceSettings& settings_;
   const SequenceObserver& observe_;
   World world_;
   std::vector<SequenceResult> results_;
@@ -144,16 +168,21 @@ class Sequence {
 
 }  // namespace
 
+void SequenceSettings::check() const {
+  world.check();
+  if (!(max_time > 0.0)) {
+    throw InputError("max_time = " + with_digits(max_time, 6) + "; must be above 0");
+  }
+}
+
 std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const GroundParameters> zones,
                                               std::span<const RigidBody> shapes,
                                               std::span<const SequenceBlock> blocks,
-                                              const WorldSettings& settings, double max_time,
+                                              const SequenceSettings& settings,
                                               const SequenceObserver& observe) {
-  if (!(max_time > 0.0)) {
-    throw InputError("max_time = " + with_digits(max_time, 6) + "; must be above 0");
-  }
-  return Sequence(terrain, zones, shapes, blocks, settings, max_time, observe).run();
+  settings.check();
+  return Sequence(terrain, zones, shapes, blocks, settings, observe).run();
 }
 
 }  // namespace clast

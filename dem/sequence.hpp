@@ -3,6 +3,7 @@
 /// before it have come to rest, and may hit them, move them, or be stopped by them.
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,18 +17,30 @@ struct SequenceBlock {
   RigidState start;
 };
 
+struct SequenceSettings {
+  WorldSettings world;
+  /// Of each release, s: then the next block follows though some still move.
+  double max_time = 0.0;
+  /// Ground zones that are cleared whenever all blocks rest: a block whose centre lies in one of
+  /// them is removed before the next one is released, and what it held may move on.
+  std::vector<std::uint16_t> cleared_zones;
+
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
 /// What became of a block of a sequence.
 struct SequenceResult {
   /// `duration` and `energy` are of its own release: until all blocks rested, and of all of them.
   /// `stop_reason` and `final_state` are of the end of the sequence, all else is summed up over all
-  /// of it, since later blocks may move this one.
+  /// of it, since later blocks may move this one. Of a block that was removed, the end is then.
   ReleaseResult release;
   double released_at = 0.0;  ///< since the first block was released, s
   /// How much higher than asked for it was released, m: its bounding sphere is clear of the
   /// bounding spheres of all blocks that lie there.
   double raised = 0.0;
-  double moved_later = 0.0;      ///< from the end of its own release to its last place, m
-  std::uint32_t blocks_hit = 0;  ///< other blocks that it touched during its own release
+  double moved_later = 0.0;          ///< from the end of its own release to its last place, m
+  std::optional<double> removed_at;  ///< since the first block was released, s; none: it stayed
+  std::uint32_t blocks_hit = 0;      ///< other blocks that it touched during its own release
 };
 
 /// Sees how a block moved in a step, in the order of time. Times count from its own release, and
@@ -36,9 +49,8 @@ using SequenceObserver = std::function<void(std::size_t block, const MotionStep&
 
 /// Releases all blocks, in their order.
 ///
-/// @param shapes    that the blocks have
-/// @param zones     parameters of each ground zone of the terrain, by zone number
-/// @param max_time  of each release, s: then the next block follows though some still move
+/// @param shapes  that the blocks have
+/// @param zones   parameters of each ground zone of the terrain, by zone number
 /// @throws InputError       settings out of range
 /// @throws SimulationError  a start off the terrain or inside the ground, or a motion that is not
 ///                          finite any more: with the number of the block, from 0
@@ -46,7 +58,7 @@ std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const GroundParameters> zones,
                                               std::span<const RigidBody> shapes,
                                               std::span<const SequenceBlock> blocks,
-                                              const WorldSettings& settings, double max_time,
+                                              const SequenceSettings& settings,
                                               const SequenceObserver& observe = {});
 
 }  // namespace clast

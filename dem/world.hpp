@@ -73,13 +73,17 @@ class World {
   /// Numbers bodies from 0 in the order they come.
   /// @throws SimulationError  no such shape, a state that is not finite, or a start off the terrain
   std::size_t add_body(std::size_t shape, const RigidState& state, bool fixed = false);
+  /// Takes a body away, fixed or not. It keeps its number and the state it had, with that state's
+  /// energy; what it touched is woken.
+  /// @throws SimulationError  no such body
+  void remove_body(std::size_t body);
 
   /// One step of `stiffness.time_step`, or less.
   /// @throws SimulationError  a body starts inside another or inside the ground deeper than
   ///                          allowed, or its motion is not finite any more; names the body
   void step();
-  /// Steps until every body rests or has left the terrain (kRest; kLeftTerrain when all that could
-  /// move have left), or `time` is reached (kMaxTime).
+  /// Steps until every body rests or is gone (kRest; kLeftTerrain when all that could move are
+  /// gone), or `time` is reached (kMaxTime).
   StopReason run_until(double time);
 
   double time() const;  ///< s
@@ -90,7 +94,9 @@ class World {
   bool resting(std::size_t body) const;
   /// Left out of the motion until something touches it (`WorldSettings::sleep_drift`).
   bool asleep(std::size_t body) const;
-  /// Its centre passed the border of the terrain: it stays there, out of the run.
+  /// Out of the motion: it left the terrain, or was removed.
+  bool gone(std::size_t body) const;
+  /// Its centre passed the border of the terrain: it stays there, gone.
   bool left_terrain(std::size_t body) const;
   /// Force of all contacts on the body, N, world axes.
   Vec3 contact_force(std::size_t body) const;

@@ -91,8 +91,9 @@ struct ReleasePlan {
 /// each when those before it have come to rest.
 struct StayPlan {
   std::uint32_t realisations = 1;
-  bool random_order = true;         ///< of the blocks, drawn for each realisation; else as selected
-  GroundParameters between_blocks;  ///< what two blocks do to each other
+  bool random_order = true;  ///< of the blocks, drawn for each realisation; else as selected
+  std::vector<std::string> cleared_zones;  ///< blocks that come to rest there are removed
+  GroundParameters between_blocks;         ///< what two blocks do to each other
 };
 
 /// A campaign, read and checked. Paths are resolved against the campaign file's folder, with

@@ -2,6 +2,7 @@
 /// The HDF5 file of a campaign's results. Schema: docs/formats.md.
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,8 @@ struct StayRecord {
   double raised = 0.0;           ///< above the start that was planned, m
   double moved_later = 0.0;      ///< by later blocks, from where it had stopped, m
   std::uint32_t blocks_hit = 0;  ///< other blocks that it touched during its own release
+  /// When it was removed out of a cleared zone, as `released_at`; NaN: it stayed.
+  double removed_at = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Realisations of blocks that stay: runs are in order of realisations, then of release.

@@ -252,7 +252,10 @@ void read_stays(const CheckedGroup& reader, CampaignResults& results) {
                   {reader.group.attribute<double>("energy_restitution"),
                    reader.group.attribute<double>("friction"),
                    reader.group.attribute<double>("rolling_friction")}};
-  read_rows(reader, results.stays);
+  // Removal came later still: without it all stayed.
+  std::map<std::string, double> absent;
+  if (!reader.group.has("removed_at_s")) absent["removed_at_s"] = std::nan("");
+  read_rows(reader, results.stays, absent);
   check_events(reader, results.stays, results);
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/option_flags.hpp"
 #include "core/error.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/text_table.hpp"
@@ -22,6 +23,8 @@ std::string releases_text(const PreparedCampaign& prepared) {
   if (const std::optional<StaySummary>& stay = prepared.header.stay) {
     text = counted(prepared.campaign.stay->realisations, "realisation") + " of " +
            counted(stay->blocks_each, "block") + " that stay";
+    const std::vector<std::string>& cleared = prepared.campaign.stay->cleared_zones;
+    if (!cleared.empty()) text += ", but are removed from " + printable(listed(cleared));
   }
   for (const ReleasePlan& release : prepared.campaign.releases) {
     text += (text.empty() ? "" : "; ") +

@@ -47,7 +47,7 @@ ContactPair ContactPairs::contact_pair(std::uint32_t first, std::uint32_t second
 std::vector<BroadPhase::Pair> ContactPairs::pairs_to_keep(std::span<const WorldBody> bodies) const {
   std::vector<BroadPhase::Pair> wanted;
   for (const BroadPhase::Pair& pair : broad_phase_.pairs()) {
-    if (!bodies[pair[0]].left && !bodies[pair[1]].left) wanted.push_back(pair);
+    if (!bodies[pair[0]].gone && !bodies[pair[1]].gone) wanted.push_back(pair);
   }
   if (terrain_) {
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {

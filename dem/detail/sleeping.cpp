@@ -54,6 +54,15 @@ void Sleeping::wake_touched(std::span<WorldBody> bodies, const ContactPairs& pai
   }
 }
 
+void Sleeping::wake_around(std::uint32_t body, std::span<WorldBody> bodies,
+                           const ContactPairs& pairs) {
+  wake(body, bodies, pairs);
+  for (const std::uint32_t e : pairs.of(body)) {
+    const ContactPair& pair = pairs.all()[e];
+    if (bodies_touch(pair)) wake(other_of(pair, body), bodies, pairs);
+  }
+}
+
 void Sleeping::wake(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairs& pairs) {
   std::vector<std::uint32_t> waking = {body};
   while (!waking.empty()) {

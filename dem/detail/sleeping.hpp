@@ -15,6 +15,8 @@ class Sleeping {
 
   /// Wakes what a body in motion touches, and all that is asleep around it.
   void wake_touched(std::span<WorldBody> bodies, const ContactPairs& pairs);
+  /// Wakes a body that is about to go, and what it touches, with all that is asleep around them.
+  void wake_around(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairs& pairs);
   /// Puts bodies to sleep that stay where they are, as do all that touch them.
   /// @return  the kinetic energy that this takes from them, J
   double let_sleep(std::span<WorldBody> bodies, const ContactPairs& pairs);

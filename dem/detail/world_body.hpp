@@ -28,7 +28,7 @@ struct WorldBody {
     still.world_from_body = moving.state().world_from_body();
     return still;
   }
-  bool still() const { return fixed || left; }
+  bool still() const { return fixed || gone; }
   /// Does nothing in a step, now.
   bool idle() const { return still() || asleep; }
   /// Kinetic and potential, J.
@@ -39,7 +39,7 @@ struct WorldBody {
   const Shape* shape;
   MovingBody moving;
   bool fixed;
-  bool left = false;
+  bool gone = false;         ///< left the terrain or was removed: it stays where it was then
   bool off_terrain = false;  ///< found in the last step: about to leave
   BodyMotion motion;         ///< over the last step
   Vec3 force = Vec3::Zero();

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/up_axis.hpp"
 #include "study/detail/campaign_ranges.hpp"
@@ -17,7 +18,7 @@ namespace {
 const std::vector<std::string> kKeys = {
     "name",     "points",       "orientations", "frame",
     "height_m", "velocity_m_s", "seed",         "angular_velocity_rad_s",
-    "sequence", "realisations", "order"};
+    "sequence", "realisations", "order",        "remove"};
 
 std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, ReleasePlan& plan) {
   const std::string expected =
@@ -168,6 +169,29 @@ std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
   return releases;
 }
 
+namespace {
+
+/// Names of zones in `remove = { zone = ... }`; none without it.
+std::vector<std::string> read_cleared_zones(const TomlTable& table, const Campaign& campaign) {
+  const TomlNode* node = table.find("remove");
+  if (!node) return {};
+  if (node->kind != TomlNode::Kind::kTable) {
+    table.refuse("remove", *node, "must be { zone = \"NAME\" } or { zone = [\"NAME\", ...] }");
+  }
+  const TomlTable rule(*node, table.file(), "[release] remove", {"zone"});
+  const TomlNode& zone = rule.required("zone", "the name of a ground zone, or a list of names");
+  const std::vector<std::string> names = *rule.texts("zone");
+  for (const std::string& name : names) {
+    if (campaign.ground.contains(name)) continue;
+    std::vector<std::string> known;
+    for (const auto& [of_table, parameters] : campaign.ground) known.push_back(of_table);
+    rule.refuse("zone", zone, "\"" + name + "\" is no ground zone; zones are " + listed(known));
+  }
+  return names;
+}
+
+}  // namespace
+
 std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign) {
   const std::vector<const TomlNode*> nodes = tables_of(top, "release");
   const TomlTable table(*nodes.front(), top.file(), "[release]", kKeys);
@@ -175,7 +199,7 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
   const TomlNode* contact = top.find("contact");
   const TomlNode* between = contact ? contact->find("blocks") : nullptr;
   if (!stay) {
-    for (const char* key : {"realisations", "order"}) {
+    for (const char* key : {"realisations", "order", "remove"}) {
       if (const TomlNode* node = table.find(key)) {
         table.refuse(key, *node, "is for blocks that stay; add sequence = \"stay\"");
       }
@@ -210,6 +234,7 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
     table.refuse("order", *table.find("order"),
                  "drawn blocks are in no order; leave it out, or select blocks by their ids");
   }
+  plan.cleared_zones = read_cleared_zones(table, campaign);
   const TomlTable parameters(*between, top.file(), "[contact.blocks]",
                              {"energy_restitution", "friction", "rolling_friction"});
   const auto number = [&](const char* key, const NumberRange& range) {

@@ -120,9 +120,10 @@ StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
   }
 }
 
-WorldSettings world_settings(const PreparedCampaign& prepared, const RunRecord& run) {
+SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRecord& run) {
   const Campaign& campaign = prepared.campaign;
-  WorldSettings settings;
+  SequenceSettings sequence;
+  WorldSettings& settings = sequence.world;
   settings.stiffness = run.stiffness;
   settings.law = campaign.stiffness.law;
   settings.weights = campaign.weights;
@@ -130,7 +131,15 @@ WorldSettings world_settings(const PreparedCampaign& prepared, const RunRecord& 
   settings.gravity = campaign.gravity;
   settings.rest_energy = campaign.rest_energy;
   settings.rest_duration = campaign.rest_duration;
-  return settings;
+  sequence.max_time = campaign.max_time;
+  const std::vector<std::string>& cleared = campaign.stay->cleared_zones;
+  for (std::size_t zone = 0; zone < prepared.header.zone_names.size(); ++zone) {
+    if (std::find(cleared.begin(), cleared.end(), prepared.header.zone_names[zone]) !=
+        cleared.end()) {
+      sequence.cleared_zones.push_back(static_cast<std::uint16_t>(zone));
+    }
+  }
+  return sequence;
 }
 
 std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
@@ -149,19 +158,19 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
   std::size_t newest = 0;
   double begun = 0.0, now = 0.0;  // when the newest block was released, and now, s
   try {
-    results = simulate_sequence(
-        *prepared.surface, prepared.header.ground_sets[planned.front().ground_set].zones, shapes,
-        blocks, world_settings(prepared, planned.front()), prepared.campaign.max_time,
-        [&](std::size_t block, const MotionStep& step) {
-          observers[block]->see(step);
-          if (block > newest) {
-            newest = block;
-            begun = now;
-          }
-          if (block < newest) return;
-          now = begun + step.end_time;
-          if (after_step) after_step(now);
-        });
+    results = simulate_sequence(*prepared.surface,
+                                prepared.header.ground_sets[planned.front().ground_set].zones,
+                                shapes, blocks, sequence_settings(prepared, planned.front()),
+                                [&](std::size_t block, const MotionStep& step) {
+                                  observers[block]->see(step);
+                                  if (block > newest) {
+                                    newest = block;
+                                    begun = now;
+                                  }
+                                  if (block < newest) return;
+                                  now = begun + step.end_time;
+                                  if (after_step) after_step(now);
+                                });
   } catch (const std::exception& error) {
     message = "the realisation failed (its blocks are bodies, from 0, in the order of release): " +
               std::string(error.what());
@@ -175,8 +184,9 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
     const SequenceResult& result = results[i];
     runs.push_back(observers[i]->stored(result.release));
     runs.back().record.start.position.z() += result.raised;
-    runs.back().stays.push_back(
-        {planned[i].run, result.released_at, result.raised, result.moved_later, result.blocks_hit});
+    runs.back().stays.push_back({planned[i].run, result.released_at, result.raised,
+                                 result.moved_later, result.blocks_hit,
+                                 result.removed_at.value_or(std::nan(""))});
   }
   return runs;
 }

@@ -225,6 +225,8 @@ void visit_columns(std::type_identity<StayRecord>, const Visit& visit) {
         &StayRecord::moved_later);
   visit("blocks_hit", "", "other blocks that it touched during its own release",
         &StayRecord::blocks_hit);
+  visit("removed_at_s", "s", "when it was removed, likewise; NaN if it stayed",
+        &StayRecord::removed_at);
 }
 
 /// Rows of a trajectory dataset: time, then the state.

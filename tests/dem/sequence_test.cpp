@@ -14,10 +14,11 @@ namespace {
 
 const std::vector<GroundParameters> kGround = {{0.05, 0.7, 0.3}};
 
-WorldSettings settings_for(const std::vector<RigidBody>& shapes, double speed = 6.0) {
-  WorldSettings settings;
-  settings.stiffness = choose_stiffness(shapes, kGround, speed, 9.81).stiffness;
-  settings.between_bodies = kGround[0];
+SequenceSettings settings_for(const std::vector<RigidBody>& shapes, double max_time = 20.0) {
+  SequenceSettings settings;
+  settings.world.stiffness = choose_stiffness(shapes, kGround, 6.0, 9.81).stiffness;
+  settings.world.between_bodies = kGround[0];
+  settings.max_time = max_time;
   return settings;
 }
 
@@ -25,7 +26,7 @@ std::vector<SequenceResult> sequence(const TerrainSurface& terrain,
                                      const std::vector<RigidBody>& shapes,
                                      const std::vector<SequenceBlock>& blocks,
                                      double max_time = 20.0, const SequenceObserver& observe = {}) {
-  return simulate_sequence(terrain, kGround, shapes, blocks, settings_for(shapes), max_time,
+  return simulate_sequence(terrain, kGround, shapes, blocks, settings_for(shapes, max_time),
                            observe);
 }
 
@@ -34,9 +35,8 @@ TEST(Sequence, OfOneBlockIsItsRelease) {
   const std::vector<RigidBody> shapes = {box(50.0, {0.4, 0.3, 0.2}, 0.01)};
   RigidState start = at({0.3, 0.2, 0.6}, {1.5, 0.0, 0.0});
   start.angular_velocity = {0.0, 2.0, 0.0};
-  const WorldSettings world = settings_for(shapes);
   ReleaseSettings alone;
-  alone.stiffness = world.stiffness;
+  alone.stiffness = settings_for(shapes).world.stiffness;
   alone.stiffness.longest_step = 0.0;
   const ReleaseResult expected = simulate_release(terrain, kGround, shapes[0], start, alone);
   const ReleaseResult found = sequence(terrain, shapes, {{0, start}})[0].release;
@@ -116,6 +116,37 @@ TEST(Sequence, GoesOnWhenABlockDoesNotStopInTime) {
   EXPECT_NEAR(results[0].release.duration, 0.3, 1e-9);
   EXPECT_NEAR(results[1].released_at, 0.3, 1e-9);
   EXPECT_EQ(results[0].release.stop_reason, StopReason::kMaxTime);
+}
+
+// Two zones, west and east of x = 0, of which the east is cleared.
+TEST(Sequence, BlocksThatRestInAClearedZoneMakeRoomForTheNext) {
+  TriangleMesh plane = plane_mesh(10.0, 20);
+  std::vector<std::uint16_t> zones;
+  for (const auto& triangle : plane.triangles) {
+    double x = 0.0;
+    for (const std::uint32_t vertex : triangle) x += plane.vertices[vertex].x();
+    zones.push_back(x > 0.0 ? 1 : 0);
+  }
+  const TerrainSurface terrain(std::move(plane), std::move(zones));
+  const std::vector<GroundParameters> parameters = {kGround[0], kGround[0]};
+  const std::vector<RigidBody> shapes = {box(60.0, {0.4, 0.4, 0.3})};
+  SequenceSettings settings = settings_for(shapes);
+  settings.cleared_zones = {1};
+  const SequenceBlock east{0, at({0.6, 0.1, 0.2})}, west{0, at({-0.6, 0.1, 0.2})};
+  const std::vector<SequenceBlock> blocks = {east, west, east, west};
+  const auto results = simulate_sequence(terrain, parameters, shapes, blocks, settings);
+  for (const std::size_t block : {0u, 2u}) {
+    EXPECT_EQ(results[block].raised, 0.0);
+    ASSERT_TRUE(results[block].removed_at);
+    EXPECT_EQ(*results[block].removed_at, results[block + 1].released_at);
+    EXPECT_EQ(results[block].release.stop_reason, StopReason::kRest);
+    EXPECT_NEAR(results[block].release.final_state.position.x(), 0.6, 0.01);
+    EXPECT_GT(results[block].release.settled_penetration, 0.0);
+    EXPECT_EQ(results[block].moved_later, 0.0);
+  }
+  EXPECT_FALSE(results[1].removed_at || results[3].removed_at);
+  EXPECT_GT(results[3].raised, 0.1);
+  for (const SequenceResult& result : results) EXPECT_LT(result.release.energy.error, 1e-3);
 }
 
 TEST(Sequence, RefusesWhatIsNoSequence) {

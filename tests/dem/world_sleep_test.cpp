@@ -170,6 +170,40 @@ TEST(Sleep, DoesNotComeToWhatSlides) {
   EXPECT_GT(world.state(0).velocity.norm(), 2.0);
 }
 
+// What lay on a block that is taken away is in free fall from then on.
+TEST(Sleep, EndsForWhatARemovedBodyHeld) {
+  const TerrainSurface terrain = ground(plane_mesh(4.0, 8));
+  const std::vector<RigidBody> shapes = {box(60.0, {0.4, 0.4, 0.3})};
+  for (const bool held : {false, true}) {  // by the ground, or a fixed body in the air
+    World world(shapes, settings_for(shapes, 6.0), terrain, kGround);
+    world.add_body(0, at({0.1, 0.1, held ? 2.0 : 0.16}), held);
+    world.add_body(0, at({0.1, 0.1, held ? 2.31 : 0.47}));
+    world.add_body(0, at({-1.5, 0.1, 0.16}));
+    const std::size_t all = held ? 2 : 3;
+    while (world.statistics().sleeping_bodies < all && world.time() < 10.0) world.step();
+    ASSERT_EQ(world.statistics().sleeping_bodies, all);
+    const double height = world.state(1).position.z(), begin = world.time();
+    const Vec3 removed = world.state(0).position;
+    world.remove_body(0);
+    EXPECT_TRUE(world.gone(0));
+    EXPECT_FALSE(world.left_terrain(0));
+    EXPECT_FALSE(world.asleep(1));
+    EXPECT_TRUE(world.asleep(2));
+    EXPECT_TRUE(world.touched_bodies(1).empty());
+    EXPECT_EQ(world.contact_force(1).norm(), 0.0);
+    while (world.time() < begin + 0.2) world.step();
+    const double time = world.time() - begin;
+    EXPECT_NEAR(world.state(1).position.z(), height - 0.5 * 9.81 * time * time, 1e-6);
+    EXPECT_EQ(world.state(0).position, removed);
+    EXPECT_EQ(world.run_until(20.0), StopReason::kRest);
+    EXPECT_NEAR(world.state(1).position.z(), 0.15, 0.01);
+    EXPECT_LT(world.energy().error, 1e-3);
+    world.remove_body(0);  // it is gone already
+    EXPECT_TRUE(contains(refusal<SimulationError>([&] { world.remove_body(3); }),
+                         "no body 3 to remove, only 3 bodies"));
+  }
+}
+
 TEST(Sleep, LimitsThatMakeNoSenseAreRefused) {
   const std::vector<RigidBody> shapes = {ball(1.0, 0.1)};
   WorldSettings bad = stiff_world(shapes[0], 1e6);

@@ -1,6 +1,7 @@
 // Campaigns whose blocks stay where they stop.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -43,6 +44,7 @@ class StayCampaign : public CampaignRun {
       EXPECT_EQ(a.stays[i].released_at, b.stays[i].released_at);
       EXPECT_EQ(a.stays[i].moved_later, b.stays[i].moved_later);
       EXPECT_EQ(a.stays[i].blocks_hit, b.stays[i].blocks_hit);
+      EXPECT_EQ(std::isnan(a.stays[i].removed_at), std::isnan(b.stays[i].removed_at));
     }
   }
 };
@@ -64,6 +66,7 @@ TEST_F(StayCampaign, ReleasesEachBlockOfEachRealisationOntoThoseBeforeIt) {
     EXPECT_EQ(results.stays[first + 1].released_at, one.result.duration);
     EXPECT_GT(results.stays[first + 1].raised, 0.1);  // above the one that lies there
     EXPECT_EQ(results.stays[first + 1].blocks_hit, 1u);
+    EXPECT_TRUE(std::isnan(results.stays[first].removed_at));
     EXPECT_LT(other.result.energy.error, 1e-2);
   }
   // Not three times the same.
@@ -167,6 +170,25 @@ TEST_F(StayCampaign, RunsOfARealisationAreOneClusterOfTheTests) {
   for (const Difference& difference : comparison.differences) EXPECT_EQ(difference.points, 6u);
 }
 
+TEST_F(StayCampaign, ClearsAZoneAfterEachRelease) {
+  const std::string cleared =
+      changed("sequence = \"stay\"", "sequence = \"stay\"\nremove = { zone = \"flat\" }");
+  const CampaignResults results = run("cleared.h5", {}, cleared);
+  ASSERT_EQ(results.stays.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(results.runs[i].result.stop_reason, StopReason::kRest);
+    EXPECT_EQ(results.stays[i].raised, 0.0);
+    EXPECT_EQ(results.stays[i].blocks_hit, 0u);
+    EXPECT_EQ(results.stays[i].moved_later, 0.0);
+    EXPECT_EQ(results.stays[i].removed_at,
+              results.stays[i].released_at + results.runs[i].result.duration);
+  }
+  // A zone that no block rests in changes nothing.
+  const std::string elsewhere =
+      changed("sequence = \"stay\"", "sequence = \"stay\"\nremove = { zone = [\"slope\"] }");
+  expect_same(run("stay.h5", {.replace = true}), run("elsewhere.h5", {}, elsewhere));
+}
+
 TEST_F(StayCampaign, RefusesWhatDoesNotFit) {
   const auto refused = [](const std::string& text, const std::string& part) {
     EXPECT_TRUE(contains(clast::refusal([&] { campaign(text); }), part));
@@ -175,6 +197,15 @@ TEST_F(StayCampaign, RefusesWhatDoesNotFit) {
           "[release] realisations = 3: is for blocks that stay; add sequence = \"stay\"");
   refused(changed("\"stay\"", "\"stays\""), "sequence = \"stays\": must be \"single\" or \"stay\"");
   refused(changed("realisations = 3", "realisations = 0"), "realisations = 0: must be from 1");
+  const auto removes = [](const std::string& what) {
+    return changed("realisations = 3", "realisations = 3\nremove = " + what);
+  };
+  refused(removes("\"flat\""), "remove = \"flat\": must be { zone = \"NAME\" }");
+  refused(removes("{ zone = \"road\" }"),
+          "zone = \"road\": \"road\" is no ground zone; zones are flat, slope");
+  refused(removes("{ zones = \"flat\" }"), "unknown key");
+  refused(replaced_once(removes("{ zone = \"flat\" }"), "sequence = \"stay\"\n", ""),
+          "is for blocks that stay");
   refused(changed("[contact.blocks]\nenergy_restitution = 0.1\n", "[contact.blocks]\n"),
           "[contact.blocks]: energy_restitution is missing");
   refused(replaced_once(campaign_text(), "[run]",

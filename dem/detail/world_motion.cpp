@@ -1,0 +1,257 @@
+#include "dem/detail/world_motion.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+
+namespace clast::dem_detail {
+
+namespace {
+
+/// A block whose mean place stays may rock with so many times the energy below which it rests.
+constexpr double kRocking = 10.0;
+/// Bodies that a thread takes at a time.
+constexpr std::size_t kBodiesAtATime = 16;
+constexpr std::uint32_t kTerrain = ContactPair::kTerrain;
+
+/// Adds the events of one pair to those of one of its bodies.
+void add_event(std::optional<EventLoad>& sum, const EventLoad& event, bool is_block) {
+  if (!sum) sum.emplace();
+  sum->impulse += is_block ? event.impulse : Vec3(-event.impulse);
+  sum->angular_impulse += is_block ? event.angular_impulse : event.angular_impulse_on_other;
+  if (!is_block) return;  // only a block against a fixed body is shifted
+  sum->moment += event.moment;
+  sum->angular_moment += event.angular_moment;
+}
+
+}  // namespace
+
+std::string name_of_body(std::size_t body) { return "body " + std::to_string(body); }
+
+WorldMotion::WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& with,
+                         const TerrainSurface* on, std::vector<GroundParameters> ground_zones)
+    : settings_(with), terrain_(on), zones_(std::move(ground_zones)), team_(with.threads) {
+  settings_.check();
+  for (const GroundParameters& zone : zones_) zone.check("zone");
+  if (terrain_ && zones_.size() < terrain_->zone_count()) {
+    throw SimulationError("terrain has " + std::to_string(terrain_->zone_count()) +
+                          " ground zones but parameters are given for " +
+                          std::to_string(zones_.size()));
+  }
+  shapes_.reserve(of_shapes.size());
+  for (RigidBody& body : of_shapes) {
+    body.check("shape " + std::to_string(shapes_.size()));
+    shapes_.emplace_back(std::move(body));
+  }
+}
+
+void WorldMotion::add(std::size_t shape, const RigidState& start, bool fixed) {
+  const WorldBody& body = bodies_.emplace_back(shapes_[shape], start, fixed);
+  if (!fixed) initial_ += body.energy(settings_.gravity);
+}
+
+void WorldMotion::remove(std::size_t body) {
+  prepare();
+  if (bodies_[body].gone) return;
+  sleeping_.wake_around(static_cast<std::uint32_t>(body), bodies_, pairs_);
+  take_out(body);
+  pairs_.refresh(bodies_);
+  apply_loads_anew();
+}
+
+void WorldMotion::advance(double dt) {
+  prepare();
+  if (observer_) note_begins();
+  begin_moves(dt);
+  pairs_.refresh(bodies_);
+  pairs_.update(bodies_, dt, team_);
+  sleeping_.wake_touched(bodies_, pairs_);
+  end_moves(dt);
+  const double begin = time_;
+  time_ += dt;
+  ++steps_;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].idle() && !bodies_[i].moving.finite()) {
+      throw SimulationError("the motion of " + name_of_body(i) + " is not finite any more at " +
+                            with_digits(time_, 6) + " s; a shorter time step may help");
+    }
+  }
+  if (observer_) show_moves(begin);
+  remove_bodies_off_terrain();
+  if (settings_.sleep_drift > 0.0) reassigned_ += sleeping_.let_sleep(bodies_, pairs_);
+}
+
+void WorldMotion::prepare() {
+  if (prepared_ == bodies_.size()) return;
+  pairs_.set_slack(bodies_);
+  // Bodies that start in contact bring what is stored there.
+  const double before = losses().reassigned;
+  pairs_.refresh(bodies_);
+  pairs_.begin(bodies_, prepared_);
+  const double brought = losses().reassigned - before;
+  reassigned_ -= brought;
+  initial_ -= brought;
+  refuse_deep_starts();
+  sleeping_.wake_touched(bodies_, pairs_);
+  apply_loads_anew();
+  prepared_ = bodies_.size();
+}
+
+void WorldMotion::refuse_deep_starts() const {
+  for (const ContactPair& pair : pairs_.all()) {
+    if (pair.between(prepared_)) continue;
+    const Shape& block = *bodies_[pair.block].shape;
+    double size = block.body.size();
+    if (pair.reference != kTerrain) {
+      size = std::min(size, bodies_[pair.reference].shape->body.size());
+    }
+    const double overlap = pair.contacts->max_overlap();
+    if (overlap <= settings_.start_overlap * size) continue;
+    const std::string other =
+        pair.reference == kTerrain ? "the ground" : name_of_body(pair.reference);
+    throw SimulationError(name_of_body(pair.block) + " starts inside " + other + ", " +
+                          with_digits(overlap, 6) + " m deep; place it farther away");
+  }
+}
+
+/// Between two steps, when pairs came or went.
+void WorldMotion::apply_loads_anew() {
+  reassigned_ -= first_kicks();
+  end_moves(0.0);
+  reassigned_ += first_kicks();
+}
+
+double WorldMotion::first_kicks() const {
+  double sum = 0.0;
+  for (const WorldBody& body : bodies_) {
+    if (body.idle()) continue;
+    sum +=
+        body.moving.first_kick(settings_.stiffness.time_step, body.force, body.torque, gravity());
+  }
+  return sum;
+}
+
+void WorldMotion::begin_moves(double dt) {
+  team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
+    WorldBody& body = bodies_[i];
+    if (!body.idle()) {
+      body.motion = body.moving.begin_step(dt, body.force, body.torque, gravity());
+    }
+  });
+}
+
+void WorldMotion::end_moves(double dt) {
+  team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
+    WorldBody& body = bodies_[i];
+    if (body.asleep) return;
+    body.force = body.torque = Vec3::Zero();
+    body.corrected = 0.0;
+    std::uint64_t touching = 0, as_block = 0;
+    std::optional<EventLoad> events;
+    for (const std::uint32_t e : pairs_.of(i)) {
+      const ContactPair& pair = pairs_.all()[e];
+      const ContactLoad& load = pair.contacts->load();
+      const bool is_block = pair.block == i;
+      body.force += is_block ? load.force : Vec3(-load.force);
+      body.torque += is_block ? load.torque : load.torque_on_other;
+      if (load.event) add_event(events, *load.event, is_block);
+      if (!pair.contacts->touching()) continue;
+      ++touching;
+      if (is_block) ++as_block;
+    }
+    if (body.still()) return;
+    body.moving.end_step(dt, body.force, body.torque, gravity());
+    if (events && dt > 0.0) {  // else they were applied at the end of the step before
+      body.corrected = body.moving.correct(events->impulse, events->angular_impulse, events->moment,
+                                           events->angular_moment, gravity());
+    }
+    const double specific = body.moving.kinetic_energy() / body.shape->body.mass;
+    body.resting = touching > 0 && specific < settings_.rest_energy ? body.resting + dt : 0.0;
+    if (touching > 0 && specific < kRocking * settings_.rest_energy) {
+      body.watch.add(body.moving.state(), dt, settings_.sleep_duration,
+                     settings_.sleep_drift * body.shape->body.size(), body.shape->radius);
+    } else {
+      body.watch.reset();
+    }
+    body.pair_steps += as_block;
+    const Vec3& place = body.moving.state().position;
+    body.off_terrain = terrain_ && !terrain_->covers(place.x(), place.y());
+  });
+  for (const WorldBody& body : bodies_) {
+    if (!body.asleep) reassigned_ -= body.corrected;
+  }
+}
+
+void WorldMotion::remove_bodies_off_terrain() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].idle() && bodies_[i].off_terrain) take_out(i);
+  }
+}
+
+void WorldMotion::take_out(std::size_t body) {
+  pairs_.end_contacts_of(static_cast<std::uint32_t>(body), bodies_);
+  bodies_[body].gone = true;
+  bodies_[body].motion = bodies_[body].without_motion();
+}
+
+void WorldMotion::note_begins() {
+  began_.assign(bodies_.size(), std::nullopt);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].idle()) began_[i] = bodies_[i].moving.state();
+  }
+}
+
+void WorldMotion::show_moves(double begin) const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!began_[i]) continue;
+    observer_(i, {.begin_time = begin,
+                  .end_time = time_,
+                  .begin = *began_[i],
+                  .end = bodies_[i].moving.state(),
+                  .flight = false,
+                  .touch = touch(i)});
+  }
+}
+
+Touch WorldMotion::touch(std::size_t body) const {
+  Touch sum;
+  if (!prepared(body)) return sum;
+  bool on_ground = false;
+  for (const std::uint32_t e : pairs_.of(body)) {
+    const ContactPair& pair = pairs_.all()[e];
+    const std::optional<ContactForces::Deepest> deepest = pair.contacts->deepest();
+    if (!deepest) continue;
+    sum.points += deepest->points;
+    if (pair.reference == kTerrain) {
+      on_ground = true;
+      sum.zone = deepest->zone;
+    }
+    if (deepest->overlap <= sum.overlap) continue;
+    sum.overlap = deepest->overlap;
+    sum.place = deepest->place;
+  }
+  if (sum.points > 0 && !on_ground && terrain_) {
+    sum.zone = terrain_->zone(sum.place.x(), sum.place.y(), sum.place.z()).value_or(0);
+  }
+  return sum;
+}
+
+EnergyLedger WorldMotion::energy() const {
+  EnergyLedger ledger = losses();
+  ledger.initial = initial_;
+  double energy = pairs_.stored_energy();
+  // The potential counts from the heights at the end, so that the scale does not depend on the
+  // datum.
+  double datum = 0.0;
+  for (const WorldBody& body : bodies_) {
+    if (body.fixed) continue;
+    energy += body.energy(settings_.gravity);
+    datum += body.shape->body.mass * settings_.gravity * body.moving.state().position.z();
+  }
+  ledger.close(energy, ledger.initial - datum);
+  return ledger;
+}
+
+}  // namespace clast::dem_detail

@@ -1,0 +1,101 @@
+#pragma once
+/// How the bodies of a world move: a step of all of them, from the loads to the next ones.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "dem/detail/contact_pairs.hpp"
+#include "dem/detail/sleeping.hpp"
+#include "dem/detail/terrain_impl.hpp"
+#include "dem/world.hpp"
+
+namespace clast::dem_detail {
+
+/// Bodies with their contacts, which refer to members of each other: it stays where it is made.
+class WorldMotion {
+ public:
+  /// @param on  none, or it must outlive the motion
+  /// @throws InputError  settings out of range; SimulationError  a shape without mass, or a ground
+  ///                     zone without parameters
+  WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& with, const TerrainSurface* on,
+              std::vector<GroundParameters> ground_zones);
+  WorldMotion(const WorldMotion&) = delete;
+  WorldMotion& operator=(const WorldMotion&) = delete;
+
+  /// @param start  a unit quaternion, and on the terrain
+  void add(std::size_t shape, const RigidState& start, bool fixed);
+  /// Takes a body out of the motion, where it is; wakes what it touched.
+  void remove(std::size_t body);
+  /// A step of `dt`, s.
+  void advance(double dt);
+
+  /// All contacts of a body now, as `World::touch`.
+  Touch touch(std::size_t body) const;
+  /// Balance since the first body came.
+  EnergyLedger energy() const;
+
+  const WorldSettings& settings() const { return settings_; }
+  const TerrainSurface* terrain() const { return terrain_; }
+  std::span<const Shape> shapes() const { return shapes_; }
+  const std::vector<WorldBody>& bodies() const { return bodies_; }
+  const ContactPairs& pairs() const { return pairs_; }
+  /// Has the body contacts yet? From the first step after it came.
+  bool prepared(std::size_t body) const { return body < prepared_; }
+  std::size_t sleeping_count() const { return sleeping_.count(); }
+  double time() const { return time_; }  ///< s
+  std::uint64_t steps() const { return steps_; }
+  void observe(BodyObserver observer) { observer_ = std::move(observer); }
+
+ private:
+  BodyPair::Rules rules(std::span<const GroundParameters> of_zones,
+                        std::span<const std::uint16_t> zone_of_face) const {
+    return {of_zones, zone_of_face, settings_.stiffness, settings_.weights, settings_.law};
+  }
+  EnergyLedger losses() const {
+    EnergyLedger sum = pairs_.losses();
+    sum.reassigned += reassigned_;
+    return sum;
+  }
+  Vec3 gravity() const { return {0.0, 0.0, -settings_.gravity}; }
+
+  void prepare();
+  void refuse_deep_starts() const;
+  void apply_loads_anew();
+  /// What Verlet steps lose when they begin with the present loads, J.
+  double first_kicks() const;
+  void begin_moves(double dt);
+  void end_moves(double dt);
+  void remove_bodies_off_terrain();
+  void take_out(std::size_t body);
+  void note_begins();
+  void show_moves(double begin) const;
+
+  WorldSettings settings_;
+  const TerrainSurface* terrain_;
+  std::vector<GroundParameters> zones_;
+  std::vector<Shape> shapes_;
+  ThreadTeam team_;
+
+  std::vector<WorldBody> bodies_;
+  ContactPairs pairs_{
+      terrain_, rules(std::span(&settings_.between_bodies, 1), {}),
+      rules(zones_, terrain_ ? std::span<const std::uint16_t>(terrain_->impl().zones)
+                             : std::span<const std::uint16_t>())};
+  std::size_t prepared_ = 0;  ///< bodies that are part of the motion already
+  Sleeping sleeping_;
+  BodyObserver observer_;
+  std::vector<std::optional<RigidState>> began_;  ///< of bodies that move in the step, if observed
+
+  double time_ = 0.0;
+  double initial_ = 0.0;     ///< energy that bodies brought, J
+  double reassigned_ = 0.0;  ///< losses of no pair, J
+  std::uint64_t steps_ = 0;
+};
+
+/// "body 3", for messages.
+std::string name_of_body(std::size_t body);
+
+}  // namespace clast::dem_detail
