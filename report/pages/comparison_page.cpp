@@ -19,10 +19,11 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
   return report_page(title, script_element(assets::unpack_js) + head_section(comparison) +
                                 class_section(comparison) + map_section(comparison) +
                                 scene_section(comparison) + runout_section(comparison) +
-                                slope_section(comparison, bins) + differences_section(comparison) +
-                                ensemble_section(comparison) + barrier_section(comparison) +
-                                block_section(comparison) + quality_section(comparison) +
-                                provenance_section(comparison) + charts_script());
+                                stay_section(comparison) + slope_section(comparison, bins) +
+                                differences_section(comparison) + ensemble_section(comparison) +
+                                barrier_section(comparison) + block_section(comparison) +
+                                quality_section(comparison) + provenance_section(comparison) +
+                                charts_script());
 }
 
 }  // namespace clast::report_detail

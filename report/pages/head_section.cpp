@@ -1,5 +1,7 @@
 #include "report/pages/report_sections.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/version.hpp"
@@ -61,11 +63,18 @@ std::string head_section(const Comparison& comparison) {
       "Released", per_file(comparison, [&](const CampaignResults& results) {
         const std::size_t points = results.release_points.size();
         if (results.stay) {
+          const auto removed =
+              std::count_if(results.stays.begin(), results.stays.end(),
+                            [](const StayRecord& stay) { return std::isfinite(stay.removed_at); });
           return many(results.planned_runs / results.stay->blocks_each, "realisation",
                       "realisations") +
                  " of " + many(results.stay->blocks_each, "block", "blocks") +
                  ", released one after the other from " + many(points, "point", "points") +
-                 " and left where they stop";
+                 " and left where they stop" +
+                 (removed > 0
+                      ? ", but for " + many(static_cast<std::size_t>(removed),
+                                            "block that was removed", "blocks that were removed")
+                      : "");
         }
         const std::size_t members = ensemble_members(results);
         const std::size_t sets = results.blocks.size() * points * members;

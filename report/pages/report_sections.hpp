@@ -11,6 +11,8 @@ namespace clast::report_detail {
 std::string head_section(const Comparison& comparison);
 /// Classes side by side: the figures the study is about.
 std::string class_section(const Comparison& comparison);
+/// How blocks that stay were hit and moved on by later ones, by class; empty where none stayed.
+std::string stay_section(const Comparison& comparison);
 /// A row per block (and file) with its shape, its runs and how they ended.
 std::string block_section(const Comparison& comparison);
 /// More stops than this are drawn as a density on the map, not one by one.

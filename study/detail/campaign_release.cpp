@@ -182,6 +182,9 @@ std::vector<std::string> read_cleared_zones(const TomlTable& table, const Campai
   const TomlNode& zone = rule.required("zone", "the name of a ground zone, or a list of names");
   const std::vector<std::string> names = *rule.texts("zone");
   for (const std::string& name : names) {
+    if (std::count(names.begin(), names.end(), name) > 1) {
+      rule.refuse("zone", zone, "names \"" + name + "\" more than once");
+    }
     if (campaign.ground.contains(name)) continue;
     std::vector<std::string> known;
     for (const auto& [of_table, parameters] : campaign.ground) known.push_back(of_table);

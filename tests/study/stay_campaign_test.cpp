@@ -203,6 +203,7 @@ TEST_F(StayCampaign, RefusesWhatDoesNotFit) {
   refused(removes("\"flat\""), "remove = \"flat\": must be { zone = \"NAME\" }");
   refused(removes("{ zone = \"road\" }"),
           "zone = \"road\": \"road\" is no ground zone; zones are flat, slope");
+  refused(removes("{ zone = [\"flat\", \"flat\"] }"), "names \"flat\" more than once");
   refused(removes("{ zones = \"flat\" }"), "unknown key");
   refused(replaced_once(removes("{ zone = \"flat\" }"), "sequence = \"stay\"\n", ""),
           "is for blocks that stay");

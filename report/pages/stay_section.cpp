@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <cmath>
+
+#include "report/html/html_page.hpp"
+#include "report/pages/report_groups.hpp"
+#include "report/pages/report_sections.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+/// A block counts as moved on from this share of its S; less is how far its contacts yield.
+constexpr double kMovedShare = 0.1;
+
+/// What is kept of each row of the comparison; none where runs had the terrain to themselves.
+std::vector<const StayRecord*> stays_of_rows(const Comparison& comparison) {
+  std::vector<const StayRecord*> stays;
+  for (const RunRow& row : comparison.rows) {
+    const std::vector<StayRecord>& all = comparison.results[row.file].stays;
+    const auto found =
+        std::lower_bound(all.begin(), all.end(), row.record->run,
+                         [](const StayRecord& stay, std::uint32_t run) { return stay.run < run; });
+    stays.push_back(found != all.end() && found->run == row.record->run ? &*found : nullptr);
+  }
+  return stays;
+}
+
+std::string count_and_share(std::size_t count, std::size_t all) {
+  return std::to_string(count) + " (" +
+         percent(static_cast<double>(count) / static_cast<double>(all)) + ")";
+}
+
+/// The cells of a group without its name; empty where none of its blocks stayed among others.
+std::vector<std::string> cells_of(const Comparison& comparison, const Group& group,
+                                  const std::vector<const StayRecord*>& stays) {
+  std::size_t runs = 0, hitting = 0, removed = 0;
+  double hit = 0.0;
+  std::vector<double> moved;
+  for (const std::size_t row : group.rows) {
+    const StayRecord* stay = stays[row];
+    if (!stay) continue;
+    ++runs;
+    hitting += stay->blocks_hit > 0;
+    hit += stay->blocks_hit;
+    removed += std::isfinite(stay->removed_at);
+    if (stay->moved_later > kMovedShare * comparison.rows[row].block->axes.S) {
+      moved.push_back(stay->moved_later);
+    }
+  }
+  if (runs == 0) return {};
+  const Summary summary = summarise(moved);
+  return {std::to_string(runs),
+          count_and_share(hitting, runs),
+          fixed(hit / static_cast<double>(runs), 2),
+          count_and_share(moved.size(), runs),
+          measured(summary.median, summary, 2),
+          measured(summary.max, summary, 2),
+          count_and_share(removed, runs)};
+}
+
+}  // namespace
+
+std::string stay_section(const Comparison& comparison) {
+  const std::vector<const StayRecord*> stays = stays_of_rows(comparison);
+  HtmlTable table({"class", "runs", "hit others", "others hit, mean", "moved on later",
+                   "moved on, median, m", "moved on, max, m", "removed"},
+                  1);
+  bool any = false;
+  for (const GroupKind kind : {GroupKind::kGarcia, GroupKind::kSneedFolk, GroupKind::kAll}) {
+    for (const std::size_t g : groups_of(comparison, kind)) {
+      std::vector<std::string> cells = cells_of(comparison, comparison.groups[g], stays);
+      if (cells.empty()) continue;
+      any = true;
+      cells.insert(cells.begin(), short_name(comparison.groups[g]));
+      table.row(std::move(cells));
+    }
+  }
+  if (!any) return "";
+  return section(
+      "Blocks in each other's way",
+      paragraph("Blocks that a block touched during its own release, and how far later "
+                "blocks moved it from where it had stopped: it counts as moved on from a "
+                "tenth of its S. Stops are those at the end of the realisation, or where "
+                "a block lay when it was removed.") +
+          table.html());
+}
+
+}  // namespace clast::report_detail
