@@ -4,6 +4,7 @@
 #include "report/pages/report_sections.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/markup.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace clast {
 namespace {
