@@ -27,7 +27,10 @@ class Sequence {
   }
 
   std::vector<SequenceResult> run() {
-    for (std::size_t block = 0; block < blocks_.size(); ++block) release(block);
+    const std::size_t together = settings_.at_once ? blocks_.size() : 1;
+    for (std::size_t first = 0; first < blocks_.size(); first += together) {
+      release(first, first + together);
+    }
     for (std::size_t block = 0; block < blocks_.size(); ++block) finish(block);
     return std::move(results_);
   }
@@ -63,24 +66,36 @@ class Sequence {
     return height;
   }
 
-  void release(std::size_t block) {
+  /// Blocks from `first` to before `end`, until all that lie there rest.
+  void release(std::size_t first, std::size_t end) {
+    const EnergyLedger before = world_.energy();
+    released_at_ = world_.time();
+    for (std::size_t block = first; block < end; ++block) add(block);
+    newest_ = first;
+    do {
+      world_.run_until(released_at_ + settings_.max_time);
+    } while (clear_zones());
+    const EnergyLedger energy = of_release(before, world_.energy());
+    for (std::size_t block = first; block < end; ++block) {
+      SequenceResult& result = results_[block];
+      result.release.duration = world_.time() - released_at_;
+      result.release.energy = energy;
+      result.blocks_hit = static_cast<std::uint32_t>(watched_[block].hit.size());
+      watched_[block].first_rest = world_.state(block).position;
+    }
+  }
+
+  void add(std::size_t block) {
     SequenceResult& result = results_.emplace_back();
     watched_.emplace_back();
     RigidState start = blocks_[block].start;
-    const double height = clear_height(body_of(block), start.position);
-    result.raised = height - start.position.z();
-    start.position.z() = height;
-    result.released_at = world_.time();
-    const EnergyLedger before = world_.energy();
+    if (!settings_.at_once) {
+      const double height = clear_height(body_of(block), start.position);
+      result.raised = height - start.position.z();
+      start.position.z() = height;
+    }
+    result.released_at = released_at_;
     world_.add_body(blocks_[block].shape, start);
-    const double latest = result.released_at + settings_.max_time;
-    do {
-      world_.run_until(latest);
-    } while (clear_zones());
-    result.release.duration = world_.time() - result.released_at;
-    result.release.energy = of_release(before, world_.energy());
-    result.blocks_hit = static_cast<std::uint32_t>(watched_[block].hit.size());
-    watched_[block].first_rest = world_.state(block).position;
   }
 
   /// Removes the blocks that rest where blocks are cleared away.
@@ -132,7 +147,7 @@ class Sequence {
     if (touching) ++result.contact_steps;
     if (touching && !watched.touching) ++result.impacts;
     watched.touching = touching;
-    if (block + 1 == results_.size()) {
+    if (block >= newest_) {
       for (const std::size_t other : world_.touched_bodies(block)) watched.hit.insert(other);
     }
     if (!observe_) return;
@@ -164,6 +179,8 @@ class Sequence {
   World world_;
   std::vector<SequenceResult> results_;
   std::vector<Watched> watched_;
+  double released_at_ = 0.0;  ///< when the newest blocks were, s
+  std::size_t newest_ = 0;    ///< the first of them
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-/// Blocks released one after the other onto one terrain, where they stay: each is released when all
-/// before it have come to rest, and may hit them, move them, or be stopped by them.
+/// Blocks released onto one terrain, where they stay: one after the other, each when all before it
+/// have come to rest, or all at once. They may hit and move each other, or be stopped by others.
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -19,6 +19,8 @@ struct SequenceBlock {
 
 struct SequenceSettings {
   WorldSettings world;
+  /// All blocks are released together, each at its very start; else one after the other.
+  bool at_once = false;
   /// Of each release, s: then the next block follows though some still move.
   double max_time = 0.0;
   /// Ground zones that are cleared whenever all blocks rest: a block whose centre lies in one of
@@ -30,13 +32,14 @@ struct SequenceSettings {
 
 /// What became of a block of a sequence.
 struct SequenceResult {
-  /// `duration` and `energy` are of its own release: until all blocks rested, and of all of them.
+  /// `duration` and `energy` are of its own release, which blocks released at once share: until all
+  /// blocks rested, and of all of them.
   /// `stop_reason` and `final_state` are of the end of the sequence, all else is summed up over all
   /// of it, since later blocks may move this one. Of a block that was removed, the end is then.
   ReleaseResult release;
   double released_at = 0.0;  ///< since the first block was released, s
-  /// How much higher than asked for it was released, m: its bounding sphere is clear of the
-  /// bounding spheres of all blocks that lie there.
+  /// How much higher than asked for it was released, m: one after the other, its bounding sphere is
+  /// clear of the bounding spheres of all blocks that lie there.
   double raised = 0.0;
   double moved_later = 0.0;          ///< from the end of its own release to its last place, m
   std::optional<double> removed_at;  ///< since the first block was released, s; none: it stayed
@@ -47,13 +50,14 @@ struct SequenceResult {
 /// there is nothing to see while it sleeps.
 using SequenceObserver = std::function<void(std::size_t block, const MotionStep&)>;
 
-/// Releases all blocks, in their order.
+/// Releases all blocks, in their order or at once.
 ///
 /// @param shapes  that the blocks have
 /// @param zones   parameters of each ground zone of the terrain, by zone number
 /// @throws InputError       settings out of range
-/// @throws SimulationError  a start off the terrain or inside the ground, or a motion that is not
-///                          finite any more: with the number of the block, from 0
+/// @throws SimulationError  a start off the terrain, inside the ground or another block, or a
+/// motion
+///                          that is not finite any more: with the number of the block, from 0
 std::vector<SequenceResult> simulate_sequence(const TerrainSurface& terrain,
                                               std::span<const GroundParameters> zones,
                                               std::span<const RigidBody> shapes,

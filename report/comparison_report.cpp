@@ -11,6 +11,7 @@
 #include "report/tables/comparison_provenance.hpp"
 #include "report/tables/group_tables.hpp"
 #include "report/tables/run_tables.hpp"
+#include "study/path_rasters.hpp"
 
 namespace clast {
 
@@ -21,7 +22,7 @@ FolderKind comparison_folder() {
     static const std::set<std::string> kFiles = {
         "runs.csv",        "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
         "ground_sets.csv", "profiles.csv", "measured.csv",  "stops.gpkg",   "differences.csv",
-        "provenance.json", "report.html",  "ensemble.csv",  "stays.csv"};
+        "provenance.json", "report.html",  "ensemble.csv",  "stays.csv",    "realisations.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
@@ -49,6 +50,8 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("ground_sets.csv", ground_sets_csv(comparison));
   write("ensemble.csv", ensemble_csv(comparison));
   write("stays.csv", stays_csv(comparison));
+  const RealisationDeposits deposits = realisation_deposits(comparison);
+  write("realisations.csv", realisations_csv(deposits));
   write("differences.csv", differences_csv(comparison));
   const std::vector<ProfileBin> bins = profiles(comparison);
   write("profiles.csv", profiles_csv(comparison, bins));
@@ -56,10 +59,12 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("provenance.json", provenance_json(comparison));
   written.push_back(folder / "stops.gpkg");
   write_geopackage(written.back(), comparison);
-  const std::vector<std::filesystem::path> rasters = write_rasters(
-      folder / "rasters", path_rasters(comparison), comparison.results.front().frame.crs);
-  written.insert(written.end(), rasters.begin(), rasters.end());
-  write("report.html", comparison_page(comparison, bins));
+  for (const MapRasters& rasters : {path_rasters(comparison), deposits.rasters}) {
+    const std::vector<std::filesystem::path> files =
+        write_rasters(folder / "rasters", rasters, comparison.results.front().frame.crs);
+    written.insert(written.end(), files.begin(), files.end());
+  }
+  write("report.html", comparison_page(comparison, bins, deposits));
   return written;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "study/barrier_line.hpp"
+#include "study/plan_polygon.hpp"
 
 namespace clast {
 namespace {

@@ -71,19 +71,6 @@ bool inside_is_left(std::span<const Vec2> ring) {
   return twice_area > 0.0;
 }
 
-bool is_inside(std::span<const Vec2> ring, const Vec2& point) {
-  bool odd = false;
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-    const Vec2 &a = ring[i], &b = ring[i + 1];
-    const bool up = a.y() <= point.y() && b.y() > point.y();
-    const bool down = b.y() <= point.y() && a.y() > point.y();
-    if (!up && !down) continue;
-    const double left = cross(b - a, point - a);
-    if (up ? left > 0.0 : left < 0.0) odd = !odd;
-  }
-  return odd;
-}
-
 void check_barrier_line(std::span<const Vec2> line) {
   std::vector<Segment> segments;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) segments.push_back({line[i], line[i + 1]});

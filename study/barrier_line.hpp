@@ -12,10 +12,6 @@ bool is_ring(std::span<const Vec2> line);
 /// Whether a ring runs around its inside with it on the left (counter-clockwise).
 bool inside_is_left(std::span<const Vec2> ring);
 
-/// Whether a point lies in a ring that neither crosses nor touches itself. Points on its line
-/// belong to one side, always the same.
-bool is_inside(std::span<const Vec2> ring, const Vec2& point);
-
 /// Refuses a line at which a block could not be counted, since two of its segments meet beside the
 /// points that they share: it crosses, touches or retraces itself.
 /// @param line  map, m; two points at least, neighbours differ

@@ -203,7 +203,7 @@ Campaign read_campaign(const fs::path& file) {
   campaign.sha256 = sha256(campaign.text);
   const TomlNode root = parse_toml(campaign.text, file.string());
   const TomlTable top(root, file.string(), "",
-                      {"blocks", "block_group", "terrain", "ground", "ensemble", "release",
+                      {"blocks", "block_group", "terrain", "ground", "ensemble", "release", "mass",
                        "contact", "barrier", "run"});
   campaign.blocks = read_blocks(top);
   read_terrain_table(top, campaign);

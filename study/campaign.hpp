@@ -87,11 +87,18 @@ struct ReleasePlan {
   std::vector<std::filesystem::path> files;  ///< point and orientation files that were read
 };
 
+/// A rock mass whose blocks are released at once, out of a heap put together without overlap.
+struct MassPlan {
+  std::vector<Vec2> polygon;        ///< that the heap lies in, in map coordinates
+  std::optional<double> thickness;  ///< most height of the heap above the ground, m
+};
+
 /// Blocks that stay where they stop: in each realisation they are released one after the other,
-/// each when those before it have come to rest.
+/// each when those before it have come to rest, or as one mass.
 struct StayPlan {
   std::uint32_t realisations = 1;
-  bool random_order = true;  ///< of the blocks, drawn for each realisation; else as selected
+  std::optional<MassPlan> mass;  ///< none: one after the other
+  bool random_order = true;      ///< of the blocks, drawn for each realisation; else as selected
   std::vector<std::string> cleared_zones;  ///< blocks that come to rest there are removed
   GroundParameters between_blocks;         ///< what two blocks do to each other
 };
@@ -110,8 +117,9 @@ struct Campaign {
   std::map<std::string, GroundTable> ground;  ///< complete
   std::vector<BlockGroup> groups;             ///< a block is in one at most
   Ensemble ensemble;
-  std::vector<ReleasePlan> releases;  ///< one at least; names differ
-  std::optional<StayPlan> stay;       ///< none: every run has the terrain to itself
+  /// One at least; names differ. That of a mass has no points.
+  std::vector<ReleasePlan> releases;
+  std::optional<StayPlan> stay;  ///< none: every run has the terrain to itself
   ContactWeights weights = ContactWeights::kPatch;
   StiffnessOptions stiffness;     ///< with the contact law; all else empty: auto
   std::vector<Barrier> barriers;  ///< in map coordinates

@@ -180,7 +180,8 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   // A run that takes this many times the budget is not waited for.
   constexpr double kLongestProbe = 5.0;
   const std::uint32_t together = prepared.header.runs_together();
-  const double longest_run = together * prepared.campaign.max_time;  // s, simulated
+  const bool at_once = prepared.header.stay && prepared.header.stay->at_once;
+  const double longest_run = (at_once ? 1 : together) * prepared.campaign.max_time;  // s, simulated
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -12,6 +12,18 @@
 
 namespace clast {
 
+/// The heap that the blocks of a mass start in, of one realisation.
+struct MassStart {
+  double volume = 0.0;             ///< of the blocks, m^3
+  double mass = 0.0;               ///< kg
+  double area = 0.0;               ///< of the polygon, m^2
+  double mean_thickness = 0.0;     ///< above the ground, over the polygon, m
+  double largest_thickness = 0.0;  ///< m
+
+  /// Share of the space between ground and top of the heap that blocks fill.
+  double solid_fraction() const { return volume / (area * mean_thickness); }
+};
+
 /// A campaign with its inputs loaded and everything decided: what would run, and how.
 struct PreparedCampaign {
   Campaign campaign;
@@ -21,7 +33,8 @@ struct PreparedCampaign {
   std::optional<TerrainSurface> surface;  ///< of `header.terrain`; always there
   /// Planned runs in order: blocks, release sets, their points, their orientations, members of the
   /// ensemble (fastest); where blocks stay: realisations, blocks in the order of their release.
-  std::vector<RunRecord> runs;  ///< with their stiffness; `result` still empty
+  std::vector<RunRecord> runs;    ///< with their stiffness; `result` still empty
+  std::vector<MassStart> masses;  ///< of each realisation of a mass
 };
 
 /// A block as the dynamics sees it.

@@ -15,8 +15,6 @@ namespace {
 constexpr double kCells = 400.0;
 constexpr double kNarrowest = 0.5;  ///< m
 
-using Cell = std::pair<std::int64_t, std::int64_t>;  ///< row and column from the map's origin
-
 struct Largest {
   double energy = 0.0;
   double speed = 0.0;
@@ -70,7 +68,7 @@ class CellsOfRun {
     cross(sample, sample);
     before_ = sample;
   }
-  const std::map<Cell, Largest>& cells() const { return cells_; }
+  const std::map<MapCell, Largest>& cells() const { return cells_; }
 
  private:
   Vec2 place(const PathSample& sample) const { return sample.position.head<2>() + origin_; }
@@ -94,11 +92,11 @@ class CellsOfRun {
   Vec2 origin_;
   double size_;
   std::optional<PathSample> before_;
-  std::map<Cell, Largest> cells_;
+  std::map<MapCell, Largest> cells_;
 };
 
-std::map<Cell, Passed> passages(const Comparison& comparison, double size) {
-  std::map<Cell, Passed> cells;
+std::map<MapCell, Passed> passages(const Comparison& comparison, double size) {
+  std::map<MapCell, Passed> cells;
   for_each_trajectory(comparison, [&](std::size_t index, const Trajectory& trajectory,
                                       const TerrainSurface& ground) {
     const RunRow& row = comparison.rows[index];
@@ -117,34 +115,25 @@ std::map<Cell, Passed> passages(const Comparison& comparison, double size) {
 
 }  // namespace
 
-PathRasters path_rasters(const Comparison& comparison) {
-  PathRasters rasters;
+MapRasters path_rasters(const Comparison& comparison) {
+  MapRasters rasters;
   rasters.cell = cell_size(comparison);
-  const std::map<Cell, Passed> cells = passages(comparison, rasters.cell);
+  const std::map<MapCell, Passed> cells = passages(comparison, rasters.cell);
   if (cells.empty()) return rasters;
-  std::int64_t bottom = cells.begin()->first.first, top = cells.rbegin()->first.first;
-  std::int64_t left = cells.begin()->first.second, right = left;
-  for (const auto& [cell, passed] : cells) {
-    left = std::min(left, cell.second);
-    right = std::max(right, cell.second);
-  }
-  rasters.corner = rasters.cell * Vec2(static_cast<double>(left), static_cast<double>(bottom));
-  rasters.columns = static_cast<std::uint32_t>(right - left + 1);
-  rasters.rows = static_cast<std::uint32_t>(top - bottom + 1);
-  rasters.layers = {
-      {"Reach_probability", "share of runs started that pass the cell", {}},
-      {"Nr_passages", "runs that pass the cell", {}},
-      {"E_mean", "mean over runs of the largest kinetic energy in the cell, J", {}},
-      {"E_95", "95 % quantile of the same, J", {}},
-      {"E_max", "largest kinetic energy in the cell, J", {}},
-      {"Ph_95", "95 % quantile over runs of the largest height of the centre above ground, m", {}},
-      {"V_max", "largest speed of the centre in the cell, m/s", {}}};
-  const std::size_t size = std::size_t{rasters.columns} * rasters.rows;
-  for (RasterLayer& layer : rasters.layers) layer.value.assign(size, NAN);
+  std::vector<MapCell> covered;
+  for (const auto& [cell, passed] : cells) covered.push_back(cell);
+  rasters = rasters_over(
+      covered, rasters.cell,
+      {{"Reach_probability", "share of runs started that pass the cell", {}},
+       {"Nr_passages", "runs that pass the cell", {}},
+       {"E_mean", "mean over runs of the largest kinetic energy in the cell, J", {}},
+       {"E_95", "95 % quantile of the same, J", {}},
+       {"E_max", "largest kinetic energy in the cell, J", {}},
+       {"Ph_95", "95 % quantile over runs of the largest height of the centre above ground, m", {}},
+       {"V_max", "largest speed of the centre in the cell, m/s", {}}});
   const double started = static_cast<double>(comparison.rows.size());
   for (const auto& [cell, passed] : cells) {
-    const std::size_t at = static_cast<std::size_t>(top - cell.first) * rasters.columns +
-                           static_cast<std::size_t>(cell.second - left);
+    const std::size_t at = rasters.index(cell);
     const Summary energy = summarise(passed.energy);
     const double count = static_cast<double>(passed.energy.size());
     const double height = passed.height.empty() ? NAN : summarise(passed.height).p95;

@@ -9,6 +9,7 @@
 #include "core/number_text.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "study/detail/campaign_ranges.hpp"
+#include "study/plan_polygon.hpp"
 
 namespace clast {
 
@@ -76,31 +77,9 @@ std::vector<Vec3> points_on_line(std::span<const Vec3> line, std::size_t count) 
 
 std::vector<Vec3> points_in_polygon(std::span<const Vec2> polygon, std::size_t count,
                                     std::uint64_t seed) {
+  check_has_area(polygon);
   Bounds box;
-  double twice_area = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 a = polygon[i] - polygon[0];
-    const Vec2 b = polygon[(i + 1) % polygon.size()] - polygon[0];
-    twice_area += a.x() * b.y() - a.y() * b.x();
-    box.include({polygon[i].x(), polygon[i].y(), 0.0});
-  }
-  const Vec3 size = box.high - box.low;
-  // Random points would hardly ever fall into a polygon thinner than this.
-  if (!(std::abs(twice_area) > 2e-3 * size.x() * size.y())) {
-    throw InputError(
-        "the polygon has no area; give three or more corners that are not on one line");
-  }
-  const auto inside = [&](const Vec2& point) {
-    bool odd = false;
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-      const Vec2& a = polygon[i];
-      const Vec2& b = polygon[j];
-      if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-      const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-      if (point.x() < x) odd = !odd;
-    }
-    return odd;
-  };
+  for (const Vec2& corner : polygon) box.include({corner.x(), corner.y(), 0.0});
   Random random(seed);
   // A self-crossing polygon can have area by the formula and yet hold next to nothing; without a
   // bound it would keep the search going for ever.
@@ -112,7 +91,7 @@ std::vector<Vec3> points_in_polygon(std::span<const Vec2> polygon, std::size_t c
     }
     const double x = random.uniform(box.low.x(), box.high.x());
     const double y = random.uniform(box.low.y(), box.high.y());
-    if (inside({x, y})) points.emplace_back(x, y, 0.0);
+    if (is_inside(polygon, {x, y})) points.emplace_back(x, y, 0.0);
   }
   return points;
 }

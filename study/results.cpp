@@ -18,6 +18,13 @@ namespace clast {
 using namespace study_detail;
 namespace fs = std::filesystem;
 
+const StayRecord* CampaignResults::stay_of(std::uint32_t run) const {
+  const auto found = std::lower_bound(
+      stays.begin(), stays.end(), run,
+      [](const StayRecord& record, std::uint32_t other) { return record.run < other; });
+  return found != stays.end() && found->run == run ? &*found : nullptr;
+}
+
 fs::path partial_results(const fs::path& target) {
   fs::path part = target;
   part += ".part";

@@ -67,6 +67,7 @@ struct StayRecord {
 struct StaySummary {
   std::uint32_t blocks_each = 1;  ///< in each realisation
   GroundParameters between_blocks;
+  bool at_once = false;  ///< released together, as a mass; else one after the other
 };
 
 /// Ground parameters that some of the runs have: of one block group in one member of the ensemble.
@@ -122,6 +123,8 @@ struct CampaignResults {
 
   /// Runs that are computed together: those of a realisation, or one.
   std::uint32_t runs_together() const { return stay ? stay->blocks_each : 1; }
+  /// What is kept of a run whose block stayed among others; null: none.
+  const StayRecord* stay_of(std::uint32_t run) const;
 };
 
 /// @throws InputError  missing, not clast results, damaged, or of a newer schema

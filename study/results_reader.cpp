@@ -252,7 +252,10 @@ void read_stays(const CheckedGroup& reader, CampaignResults& results) {
                   {reader.group.attribute<double>("energy_restitution"),
                    reader.group.attribute<double>("friction"),
                    reader.group.attribute<double>("rolling_friction")}};
-  // Removal came later still: without it all stayed.
+  // Masses and removal came later still: without them, blocks came one by one, and all stayed.
+  if (reader.group.has_attribute("at_once")) {
+    results.stay->at_once = reader.group.attribute<std::int64_t>("at_once") != 0;
+  }
   std::map<std::string, double> absent;
   if (!reader.group.has("removed_at_s")) absent["removed_at_s"] = std::nan("");
   read_rows(reader, results.stays, absent);

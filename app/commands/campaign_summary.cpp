@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <iostream>
 
 #include "app/option_flags.hpp"
@@ -17,12 +19,20 @@ namespace clast {
 
 namespace {
 
+/// "; ground parameters drawn 20 times"; empty where they are not drawn.
+std::string ground_draws_text(const PreparedCampaign& prepared) {
+  const std::uint32_t members = prepared.campaign.ensemble.members;
+  return members > 1 ? "; ground parameters drawn " + std::to_string(members) + " times" : "";
+}
+
 /// "4 release points, 64 orientations", for each release set, and how often the ground is drawn.
 std::string releases_text(const PreparedCampaign& prepared) {
   std::string text;
   if (const std::optional<StaySummary>& stay = prepared.header.stay) {
     text = counted(prepared.campaign.stay->realisations, "realisation") + " of " +
-           counted(stay->blocks_each, "block") + " that stay";
+           counted(stay->blocks_each, "block") +
+           (stay->at_once ? " released at once" : " that stay");
+    if (stay->at_once) return text + ground_draws_text(prepared);
     const std::vector<std::string>& cleared = prepared.campaign.stay->cleared_zones;
     if (!cleared.empty()) text += ", but are removed from " + printable(listed(cleared));
   }
@@ -32,9 +42,26 @@ std::string releases_text(const PreparedCampaign& prepared) {
             counted(release.points.size(), "release point") + ", " +
             counted(release.orientations.size(), "orientation");
   }
-  const std::uint32_t members = prepared.campaign.ensemble.members;
-  if (members > 1) text += "; ground parameters drawn " + std::to_string(members) + " times";
-  return text;
+  return text + ground_draws_text(prepared);
+}
+
+/// The heaps that masses start in, from the least to the largest of the realisations.
+std::string masses_text(const PreparedCampaign& prepared) {
+  const auto range = [&](auto value) {
+    double low = INFINITY, high = -INFINITY;
+    for (const MassStart& mass : prepared.masses) {
+      low = std::min(low, std::invoke(value, mass));
+      high = std::max(high, std::invoke(value, mass));
+    }
+    const std::string from = with_digits(low, 3), to = with_digits(high, 3);
+    return from == to ? from : from + " to " + to;
+  };
+  return "each mass: " + range(&MassStart::volume) + " m3 of rock, " +
+         range([](const MassStart& mass) { return mass.mass / 1000.0; }) + " t, on " +
+         range(&MassStart::area) + " m2 in a heap " + range(&MassStart::mean_thickness) +
+         " m thick on average, " + range(&MassStart::largest_thickness) +
+         " m at most, of which blocks fill " +
+         range([](const MassStart& mass) { return 100.0 * mass.solid_fraction(); }) + " %\n";
 }
 
 /// More blocks than this are not printed one by one.
@@ -111,6 +138,14 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
   if (const std::optional<StaySummary>& stay = prepared.header.stay) {
     plan["realisations"] = prepared.campaign.stay->realisations;
     plan["blocks_per_realisation"] = stay->blocks_each;
+    for (const MassStart& mass : prepared.masses) {
+      plan["masses"].push_back({{"volume_m3", mass.volume},
+                                {"mass_kg", mass.mass},
+                                {"area_m2", mass.area},
+                                {"mean_thickness_m", mass.mean_thickness},
+                                {"largest_thickness_m", mass.largest_thickness},
+                                {"solid_fraction", mass.solid_fraction()}});
+    }
   }
   return plan;
 }
@@ -118,6 +153,7 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
 void print_plan(const PreparedCampaign& prepared) {
   std::cout << counted(prepared.runs.size(), "run") << ": "
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
+            << (prepared.masses.empty() ? "" : masses_text(prepared))
             << stiffness_table(prepared).text();
   for (const std::string& warning : prepared.header.warnings) {
     std::cout << "warning: " << shown(warning) << "\n";

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kNoData = -9999.0F;
 
-void write_layer(const std::filesystem::path& path, const PathRasters& rasters,
+void write_layer(const std::filesystem::path& path, const MapRasters& rasters,
                  const RasterLayer& layer, const OGRSpatialReference& crs) {
   OutputFile output(path);
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
@@ -48,7 +48,7 @@ void write_layer(const std::filesystem::path& path, const PathRasters& rasters,
 }  // namespace
 
 std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& folder,
-                                                 const PathRasters& rasters,
+                                                 const MapRasters& rasters,
                                                  const std::string& crs_name) {
   const QuietGdal quiet;
   CPLErrorReset();

@@ -1,10 +1,10 @@
 #pragma once
-/// Maps of passages for QGIS and its like.
+/// Raster maps for QGIS and its like.
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "study/path_rasters.hpp"
+#include "study/map_rasters.hpp"
 
 namespace clast::report_detail {
 
@@ -13,7 +13,6 @@ namespace clast::report_detail {
 /// @return the files; none without layers
 /// @throws InputError  GDAL can't write there
 std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& folder,
-                                                 const PathRasters& rasters,
-                                                 const std::string& crs);
+                                                 const MapRasters& rasters, const std::string& crs);
 
 }  // namespace clast::report_detail

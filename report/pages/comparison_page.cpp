@@ -9,7 +9,8 @@
 
 namespace clast::report_detail {
 
-std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
+std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins,
+                            const RealisationDeposits& deposits) {
   std::string title = "Rockfall report";
   const std::string file = comparison.results.front().file.stem().string();
   if (!file.empty()) title += ": " + file;
@@ -18,12 +19,12 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
   }
   return report_page(title, script_element(assets::unpack_js) + head_section(comparison) +
                                 class_section(comparison) + map_section(comparison) +
-                                scene_section(comparison) + runout_section(comparison) +
-                                stay_section(comparison) + slope_section(comparison, bins) +
-                                differences_section(comparison) + ensemble_section(comparison) +
-                                barrier_section(comparison) + block_section(comparison) +
-                                quality_section(comparison) + provenance_section(comparison) +
-                                charts_script());
+                                scene_section(comparison) + deposit_section(comparison, deposits) +
+                                runout_section(comparison) + stay_section(comparison) +
+                                slope_section(comparison, bins) + differences_section(comparison) +
+                                ensemble_section(comparison) + barrier_section(comparison) +
+                                block_section(comparison) + quality_section(comparison) +
+                                provenance_section(comparison) + charts_script());
 }
 
 }  // namespace clast::report_detail

@@ -3,10 +3,13 @@
 #include <string>
 
 #include "study/profiles.hpp"
+#include "study/realisation_deposits.hpp"
 
 namespace clast::report_detail {
 
-/// @param bins  `profiles` of the comparison
-std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins);
+/// @param bins      `profiles` of the comparison
+/// @param deposits  `realisation_deposits` of it
+std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins,
+                            const RealisationDeposits& deposits);
 
 }  // namespace clast::report_detail

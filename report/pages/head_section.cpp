@@ -69,7 +69,9 @@ std::string head_section(const Comparison& comparison) {
           return many(results.planned_runs / results.stay->blocks_each, "realisation",
                       "realisations") +
                  " of " + many(results.stay->blocks_each, "block", "blocks") +
-                 ", released one after the other from " + many(points, "point", "points") +
+                 (results.stay->at_once
+                      ? ", released at once as one mass"
+                      : ", released one after the other from " + many(points, "point", "points")) +
                  " and left where they stop" +
                  (removed > 0
                       ? ", but for " + many(static_cast<std::size_t>(removed),

@@ -4,6 +4,7 @@
 
 #include "study/comparison.hpp"
 #include "study/profiles.hpp"
+#include "study/realisation_deposits.hpp"
 
 namespace clast::report_detail {
 
@@ -11,7 +12,11 @@ namespace clast::report_detail {
 std::string head_section(const Comparison& comparison);
 /// Classes side by side: the figures the study is about.
 std::string class_section(const Comparison& comparison);
-/// How blocks that stay were hit and moved on by later ones, by class; empty where none stayed.
+/// Where the blocks of a realisation lie as a whole: how far the mass of them came, how large and
+/// thick the deposit is; empty where no block stayed.
+std::string deposit_section(const Comparison& comparison, const RealisationDeposits& deposits);
+/// How blocks that stay were hit and moved on by later ones, by class; empty where none was
+/// released after another.
 std::string stay_section(const Comparison& comparison);
 /// A row per block (and file) with its shape, its runs and how they ended.
 std::string block_section(const Comparison& comparison);

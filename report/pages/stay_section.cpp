@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "report/html/html_page.hpp"
@@ -11,15 +10,14 @@ namespace {
 /// A block counts as moved on from this share of its S; less is how far its contacts yield.
 constexpr double kMovedShare = 0.1;
 
-/// What is kept of each row of the comparison; none where runs had the terrain to themselves.
+/// What is kept of each row of the comparison; none where runs had the terrain to themselves, or
+/// all blocks came at once.
 std::vector<const StayRecord*> stays_of_rows(const Comparison& comparison) {
   std::vector<const StayRecord*> stays;
   for (const RunRow& row : comparison.rows) {
-    const std::vector<StayRecord>& all = comparison.results[row.file].stays;
-    const auto found =
-        std::lower_bound(all.begin(), all.end(), row.record->run,
-                         [](const StayRecord& stay, std::uint32_t run) { return stay.run < run; });
-    stays.push_back(found != all.end() && found->run == row.record->run ? &*found : nullptr);
+    const CampaignResults& results = comparison.results[row.file];
+    const bool one_by_one = results.stay && !results.stay->at_once;
+    stays.push_back(one_by_one ? results.stay_of(row.record->run) : nullptr);
   }
   return stays;
 }

@@ -5,6 +5,7 @@
 
 #include "study/ensemble_effects.hpp"
 #include "study/profiles.hpp"
+#include "study/realisation_deposits.hpp"
 #include "study/run_columns.hpp"
 
 namespace clast::report_detail {
@@ -41,6 +42,7 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns();
 const TableColumns<ComparisonRow<RunImpact>>& impact_columns();
 const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns();
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns();
+const TableColumns<RealisationDeposit>& realisation_columns();
 const TableColumns<ComparisonRow<RunStay>>& stay_columns();
 
 /// The rows of a list in a comparison.

@@ -5,6 +5,7 @@
 
 #include "study/comparison.hpp"
 #include "study/profiles.hpp"
+#include "study/realisation_deposits.hpp"
 
 namespace clast {
 
@@ -18,6 +19,9 @@ std::string measured_csv(const Comparison& comparison);
 std::string ensemble_csv(const Comparison& comparison);
 /// @param bins  `profiles` of the comparison
 std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins);
+/// A row for each realisation; the header alone where no block stayed.
+/// @param deposits  `realisation_deposits` of the comparison
+std::string realisations_csv(const RealisationDeposits& deposits);
 /// The ground parameters of every ground set, by zone.
 std::string ground_sets_csv(const Comparison& comparison);
 

@@ -20,6 +20,9 @@ inline constexpr NumberRange kLogSigma{1e-9, 5.0};
 // [release]
 inline constexpr NumberRange kDropHeight{1e-6, 1e4, "m", "on the ground"};
 
+// [mass]
+inline constexpr NumberRange kThickness{1e-3, 1e3, "m"};
+
 // [contact]
 inline constexpr NumberRange kStiffness{1e-3, 1e15, "N/m"};
 inline constexpr NumberRange kRollingStiffness{1e-9, 1e15, "N m/rad"};

@@ -53,6 +53,18 @@ std::map<std::string, GroundTable> read_ground(const TomlTable& top);
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);
 /// @param campaign  with its ground and groups
 Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
+/// Corners in the plan; heights are left out.
+/// @throws InputError  fewer than three, or no points
+std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
+                               const TomlNode& node);
+/// All that [release] may hold.
+inline const std::vector<std::string> kReleaseKeys = {
+    "name",     "points",       "orientations", "frame",
+    "height_m", "velocity_m_s", "seed",         "angular_velocity_rad_s",
+    "sequence", "realisations", "order",        "remove"};
+/// The seed of [mass], and that its orientations are random; none without [mass].
+std::optional<ReleasePlan> read_mass_release(const TomlTable& top);
+/// Of [release], or that of [mass].
 std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up);
 /// @param campaign  with its blocks, groups and releases
 std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign);

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/up_axis.hpp"
 #include "study/detail/campaign_ranges.hpp"
@@ -14,11 +13,6 @@ namespace clast::study_detail {
 namespace fs = std::filesystem;
 
 namespace {
-
-const std::vector<std::string> kKeys = {
-    "name",     "points",       "orientations", "frame",
-    "height_m", "velocity_m_s", "seed",         "angular_velocity_rad_s",
-    "sequence", "realisations", "order",        "remove"};
 
 std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, ReleasePlan& plan) {
   const std::string expected =
@@ -75,10 +69,7 @@ std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, Release
     return points_on_line(corners, count);
   }
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
-  std::vector<Vec2> corners;
-  for (const Vec3& point : points_of(rule, "polygon", *polygon, 3)) {
-    corners.push_back(point.head<2>());
-  }
+  const std::vector<Vec2> corners = read_polygon(rule, "polygon", *polygon);
   try {
     return points_in_polygon(corners, count, rule.count("seed", 0, INT64_MAX).value_or(plan.seed));
   } catch (const InputError& error) {
@@ -149,15 +140,17 @@ ReleasePlan read_release(const TomlTable& table, bool y_up) {
 }  // namespace
 
 std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
+  if (std::optional<ReleasePlan> mass = read_mass_release(top)) return {*std::move(mass)};
   const std::vector<const TomlNode*> nodes = tables_of(top, "release");
   if (nodes.empty()) {
     throw InputError(
         top.file() +
-        ": the table [release] is missing; add it with points = FILE or a list of them");
+        ": the table [release] is missing; add it with points = FILE or a list of them, or [mass] "
+        "with the polygon of a rock mass");
   }
   std::vector<ReleasePlan> releases;
   for (const TomlNode* node : nodes) {
-    const TomlTable table(*node, top.file(), "[release]", kKeys);
+    const TomlTable table(*node, top.file(), "[release]", kReleaseKeys);
     if (nodes.size() > 1) table.required("name", "a text in quotes, since there are several");
     releases.push_back(read_release(table, y_up));
     for (std::size_t i = 0; i + 1 < releases.size(); ++i) {
@@ -167,86 +160,6 @@ std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
     }
   }
   return releases;
-}
-
-namespace {
-
-/// Names of zones in `remove = { zone = ... }`; none without it.
-std::vector<std::string> read_cleared_zones(const TomlTable& table, const Campaign& campaign) {
-  const TomlNode* node = table.find("remove");
-  if (!node) return {};
-  if (node->kind != TomlNode::Kind::kTable) {
-    table.refuse("remove", *node, "must be { zone = \"NAME\" } or { zone = [\"NAME\", ...] }");
-  }
-  const TomlTable rule(*node, table.file(), "[release] remove", {"zone"});
-  const TomlNode& zone = rule.required("zone", "the name of a ground zone, or a list of names");
-  const std::vector<std::string> names = *rule.texts("zone");
-  for (const std::string& name : names) {
-    if (std::count(names.begin(), names.end(), name) > 1) {
-      rule.refuse("zone", zone, "names \"" + name + "\" more than once");
-    }
-    if (campaign.ground.contains(name)) continue;
-    std::vector<std::string> known;
-    for (const auto& [of_table, parameters] : campaign.ground) known.push_back(of_table);
-    rule.refuse("zone", zone, "\"" + name + "\" is no ground zone; zones are " + listed(known));
-  }
-  return names;
-}
-
-}  // namespace
-
-std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign) {
-  const std::vector<const TomlNode*> nodes = tables_of(top, "release");
-  const TomlTable table(*nodes.front(), top.file(), "[release]", kKeys);
-  const bool stay = choice(table, "sequence", {"single", "stay"}) == "stay";
-  const TomlNode* contact = top.find("contact");
-  const TomlNode* between = contact ? contact->find("blocks") : nullptr;
-  if (!stay) {
-    for (const char* key : {"realisations", "order", "remove"}) {
-      if (const TomlNode* node = table.find(key)) {
-        table.refuse(key, *node, "is for blocks that stay; add sequence = \"stay\"");
-      }
-    }
-    if (between) {
-      throw InputError(top.file() +
-                       ": [contact.blocks] is for blocks that stay; add sequence = "
-                       "\"stay\" to [release], or leave it out");
-    }
-    return std::nullopt;
-  }
-  const TomlNode& sequence = *table.find("sequence");
-  if (nodes.size() > 1) {
-    table.refuse("sequence", sequence,
-                 "blocks that stay come from one [release]; put all points into one");
-  }
-  if (!campaign.groups.empty()) {
-    table.refuse("sequence", sequence,
-                 "blocks that stay share one ground; leave the block groups out");
-  }
-  if (!between) {
-    throw InputError(top.file() +
-                     ": blocks that stay hit each other; add [contact.blocks] with "
-                     "energy_restitution, friction and rolling_friction");
-  }
-  StayPlan plan;
-  plan.realisations =
-      static_cast<std::uint32_t>(table.count("realisations", 1, kMostPerSet).value_or(1));
-  const std::optional<std::string> order = choice(table, "order", {"random", "listed"});
-  plan.random_order = order != "listed";
-  if (!plan.random_order && campaign.blocks.draw) {
-    table.refuse("order", *table.find("order"),
-                 "drawn blocks are in no order; leave it out, or select blocks by their ids");
-  }
-  plan.cleared_zones = read_cleared_zones(table, campaign);
-  const TomlTable parameters(*between, top.file(), "[contact.blocks]",
-                             {"energy_restitution", "friction", "rolling_friction"});
-  const auto number = [&](const char* key, const NumberRange& range) {
-    parameters.required(key, range.words());
-    return *parameters.number(key, range);
-  };
-  plan.between_blocks = {number("energy_restitution", kEnergyRestitution),
-                         number("friction", kFriction), number("rolling_friction", kFriction)};
-  return plan;
 }
 
 }  // namespace clast::study_detail

@@ -131,6 +131,7 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
   settings.gravity = campaign.gravity;
   settings.rest_energy = campaign.rest_energy;
   settings.rest_duration = campaign.rest_duration;
+  sequence.at_once = campaign.stay->mass.has_value();
   sequence.max_time = campaign.max_time;
   const std::vector<std::string>& cleared = campaign.stay->cleared_zones;
   for (std::size_t zone = 0; zone < prepared.header.zone_names.size(); ++zone) {
@@ -163,7 +164,7 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
                                 shapes, blocks, sequence_settings(prepared, planned.front()),
                                 [&](std::size_t block, const MotionStep& step) {
                                   observers[block]->see(step);
-                                  if (block > newest) {
+                                  if (block > newest && !prepared.header.stay->at_once) {
                                     newest = block;
                                     begun = now;
                                   }

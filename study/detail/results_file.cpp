@@ -151,6 +151,7 @@ void write_rows(Hdf5Group group, const std::vector<Row>& rows) {
 
 void write_stays(Hdf5Group group, const StaySummary& stay, const std::vector<StayRecord>& rows) {
   group.set_attribute<std::int64_t>("blocks_each", stay.blocks_each);
+  group.set_attribute<std::int64_t>("at_once", stay.at_once ? 1 : 0);
   group.set_attribute<double>("energy_restitution", stay.between_blocks.energy_restitution);
   group.set_attribute<double>("friction", stay.between_blocks.friction);
   group.set_attribute<double>("rolling_friction", stay.between_blocks.rolling_friction);

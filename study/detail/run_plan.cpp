@@ -11,6 +11,7 @@
 #include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "dem/ground_overlap.hpp"
+#include "study/detail/block_packing.hpp"
 #include "study/detail/campaign_checks.hpp"
 #include "study/detail/named_seed.hpp"
 #include "study/release_points.hpp"
@@ -18,6 +19,11 @@
 namespace clast::study_detail {
 
 namespace {
+
+/// Width of the cells that a mass is put together in, as a share of the smallest S, unless they
+/// were too many.
+constexpr double kCellShare = 1.0 / 6.0;
+constexpr double kMostCells = 1e6;
 
 // Points in the local frame, each over the terrain.
 std::vector<Vec3> local_points(const Campaign& campaign, const ReleasePlan& release,
@@ -148,6 +154,37 @@ class Planner {
     }
   }
 
+  /// The blocks of a realisation, put together to a heap in a drawn order.
+  void plan_mass(std::uint32_t realisation) {
+    const Campaign& campaign = prepared_.campaign;
+    const ReleasePlan& release = campaign.releases.front();
+    const std::string name = "realisation " + std::to_string(realisation);
+    Random random(named_seed(release.seed, name));
+    BlockPacking& packing = packing_of_mass();
+    packing.clear();
+    MassStart& mass = prepared_.masses.emplace_back();
+    const std::vector<std::uint32_t> order = order_of(realisation, random);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const std::uint32_t block = order[i];
+      const Quat turn =
+          fresh_orientations(release, prepared_.choice.blocks[block].id, name, 1).front();
+      const std::optional<RigidState> start = packing.place(
+          prepared_.bodies[block], overlap_of(block), turn, campaign.stay->mass->thickness, random);
+      if (!start) refuse_block(block, i, order.size());
+      RunRecord run;
+      run.block = block;
+      run.start = *start;
+      run.ground_set = realisation % campaign.ensemble.members;
+      add(run);
+      mass.volume += prepared_.header.blocks[block].volume;
+      mass.mass += prepared_.bodies[block].mass;
+    }
+    const Filling filling = packing.filling();
+    mass.area = filling.area;
+    mass.mean_thickness = filling.mean_thickness;
+    mass.largest_thickness = filling.largest_thickness;
+  }
+
   /// The blocks of a realisation in the order of their release; points and orientations are drawn.
   void plan_realisation(std::uint32_t realisation) {
     const Campaign& campaign = prepared_.campaign;
@@ -201,11 +238,52 @@ class Planner {
     return run;
   }
 
+  const GroundOverlap& overlap_of(std::uint32_t block) {
+    std::optional<GroundOverlap>& overlap = ground_overlaps_[block];
+    if (!overlap) overlap.emplace(*prepared_.surface, prepared_.bodies[block]);
+    return *overlap;
+  }
+
   void check_clear(std::size_t set, std::size_t of_set, RunRecord& run) {
-    std::optional<GroundOverlap>& overlap = ground_overlaps_[run.block];
-    if (!overlap) overlap.emplace(*prepared_.surface, prepared_.bodies[run.block]);
     run.run = static_cast<std::uint32_t>(prepared_.runs.size());
-    check_clear_of_ground(prepared_, *overlap, prepared_.campaign.releases[set], of_set, run);
+    check_clear_of_ground(prepared_, overlap_of(run.block), prepared_.campaign.releases[set],
+                          of_set, run);
+  }
+
+  /// Made for the first realisation: it looks up the ground in every cell.
+  BlockPacking& packing_of_mass() {
+    if (packing_) return *packing_;
+    std::vector<Vec2> outline = prepared_.campaign.stay->mass->polygon;
+    Bounds box;
+    for (Vec2& corner : outline) {
+      corner -= prepared_.header.frame.origin.head<2>();
+      box.include({corner.x(), corner.y(), 0.0});
+    }
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const RigidBody& body : prepared_.bodies) smallest = std::min(smallest, body.size());
+    const Vec3 sides = box.high - box.low;
+    const double width =
+        std::max(kCellShare * smallest, std::sqrt(sides.x() * sides.y() / kMostCells));
+    try {
+      return packing_.emplace(*prepared_.surface, outline, width);
+    } catch (const InputError& error) {
+      throw InputError(prepared_.campaign.file.string() + ": [mass] " + error.what() +
+                       "; check its corners and the map frame");
+    }
+  }
+
+  [[noreturn]] void refuse_block(std::uint32_t block, std::size_t placed, std::size_t all) const {
+    const std::optional<double>& thickness = prepared_.campaign.stay->mass->thickness;
+    const BlockSummary& summary = prepared_.header.blocks[block];
+    std::string text = prepared_.campaign.file.string() + ": [mass] holds " +
+                       std::to_string(placed) + " of " + std::to_string(all) +
+                       " blocks of realisation " + std::to_string(prepared_.masses.size()) +
+                       ", and block " + summary.id +
+                       " with L = " + with_decimals(summary.axes.L, 3) + " m fits nowhere";
+    text += thickness ? " below thickness_m = " + with_digits(*thickness, 6) +
+                            "; allow more, widen the polygon, or take fewer or smaller blocks"
+                      : "; widen the polygon, or take smaller blocks";
+    throw InputError(text);
   }
 
   void add(RunRecord run) {
@@ -216,6 +294,7 @@ class Planner {
   PreparedCampaign& prepared_;
   std::vector<std::vector<Vec3>> points_;                      ///< of each release set, local frame
   std::vector<std::optional<GroundOverlap>> ground_overlaps_;  ///< of blocks, as they are needed
+  std::optional<BlockPacking> packing_;
 };
 
 /// Run numbers have eight digits in the results.
@@ -238,6 +317,12 @@ void check_count(const Campaign& campaign, std::size_t blocks) {
                    " runs; split it into campaigns of at most 99999999");
 }
 
+Vec3 middle_of_starts(const std::vector<RunRecord>& runs) {
+  Vec3 sum = Vec3::Zero();
+  for (const RunRecord& run : runs) sum += run.start.position;
+  return sum / static_cast<double>(runs.size());
+}
+
 }  // namespace
 
 void plan_runs(PreparedCampaign& prepared) {
@@ -248,8 +333,11 @@ void plan_runs(PreparedCampaign& prepared) {
   if (campaign.stay) {
     const std::size_t each =
         campaign.blocks.draw ? campaign.blocks.draw->count : prepared.bodies.size();
-    header.stay = {static_cast<std::uint32_t>(each), campaign.stay->between_blocks};
-    for (std::uint32_t i = 0; i < campaign.stay->realisations; ++i) planner.plan_realisation(i);
+    const bool at_once = campaign.stay->mass.has_value();
+    header.stay = {static_cast<std::uint32_t>(each), campaign.stay->between_blocks, at_once};
+    for (std::uint32_t i = 0; i < campaign.stay->realisations; ++i) {
+      at_once ? planner.plan_mass(i) : planner.plan_realisation(i);
+    }
   } else {
     for (std::uint32_t i = 0; i < prepared.bodies.size(); ++i) planner.plan_block(i);
   }
@@ -260,6 +348,12 @@ void plan_runs(PreparedCampaign& prepared) {
       header.set_of_point.push_back(static_cast<std::uint32_t>(set));
       header.release_points.push_back(point);
     }
+  }
+  if (!prepared.masses.empty()) {
+    // A mass counts as released from its middle.
+    header.set_of_point.push_back(0);
+    header.release_points.push_back(middle_of_starts(prepared.runs));
+    return;
   }
   // Where the first run of each point starts; a point that no run was drawn for stays as it is.
   for (auto run = prepared.runs.rbegin(); run != prepared.runs.rend(); ++run) {

@@ -149,6 +149,51 @@ TEST(Sequence, BlocksThatRestInAClearedZoneMakeRoomForTheNext) {
   for (const SequenceResult& result : results) EXPECT_LT(result.release.energy.error, 1e-3);
 }
 
+// Side by side each falls as it would alone; above each other they pile up, released as they are.
+TEST(Sequence, BlocksReleasedAtOnceFallTogether) {
+  const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
+  const std::vector<RigidBody> shapes = {box(60.0, {0.4, 0.4, 0.3}), box(50.0, {0.5, 0.3, 0.3})};
+  SequenceSettings settings = settings_for(shapes);
+  settings.at_once = true;
+  const SequenceBlock left{0, at({-2.0, 0.0, 0.5})}, right{1, at({2.0, 0.3, 0.9})},
+      above{0, at({-2.0, 0.0, 0.85})};
+  const auto release = [&](const std::vector<SequenceBlock>& blocks) {
+    return simulate_sequence(terrain, kGround, shapes, blocks, settings);
+  };
+  const auto apart = release({left, right});
+  double initial = 0.0, friction = 0.0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto alone = release({i == 0 ? left : right});
+    EXPECT_EQ(apart[i].released_at, 0.0);
+    EXPECT_EQ(apart[i].blocks_hit, 0u);
+    // Alone it falls asleep while it still settles into its contacts; here one waits for the other.
+    EXPECT_LT(
+        (apart[i].release.final_state.position - alone[0].release.final_state.position).norm(),
+        1e-4);
+    initial += alone[0].release.energy.initial;
+    friction += alone[0].release.energy.friction;
+  }
+  // They share one balance and one duration.
+  EXPECT_EQ(apart[0].release.duration, apart[1].release.duration);
+  EXPECT_NEAR(apart[0].release.energy.initial, initial, 1e-9 * initial);
+  EXPECT_NEAR(apart[1].release.energy.friction, friction, 1e-6 * initial);
+  const auto pile = release({left, above});
+  EXPECT_EQ(pile[1].raised, 0.0);
+  EXPECT_EQ(pile[0].blocks_hit, 1u);
+  EXPECT_EQ(pile[1].blocks_hit, 1u);
+  EXPECT_EQ(pile[0].moved_later, 0.0);
+  const double depth = choose_stiffness(shapes, kGround, 6.0, 9.81).settled_depth;
+  EXPECT_NEAR(pile[1].release.final_state.position.z(), 0.45, 3.5 * depth);
+  for (const SequenceResult& result : pile) {
+    EXPECT_EQ(result.release.stop_reason, StopReason::kRest);
+    EXPECT_LT(result.release.energy.error, 1e-3);
+  }
+  // Nothing is raised out of another.
+  const SequenceBlock inside{0, at({-2.0, 0.0, 0.7})};
+  const std::string message = refusal<SimulationError>([&] { release({left, inside}); });
+  EXPECT_TRUE(contains(message, "body 0") || contains(message, "body 1")) << message;
+}
+
 TEST(Sequence, RefusesWhatIsNoSequence) {
   const TerrainSurface terrain = ground(plane_mesh(10.0, 20));
   const std::vector<RigidBody> shapes = {ball(10.0, 0.2)};

@@ -35,7 +35,7 @@ struct DatasetCloser {
 using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
 
 std::string report_of(const Comparison& comparison) {
-  return comparison_page(comparison, profiles(comparison));
+  return comparison_page(comparison, profiles(comparison), realisation_deposits(comparison));
 }
 
 TEST(HtmlReport, TagsAreBalanced) {

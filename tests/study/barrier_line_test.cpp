@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "study/plan_polygon.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {

@@ -1,0 +1,17 @@
+#pragma once
+/// Polygons in the plan, as users draw them: corners in either order, the first repeated at the end
+/// or not.
+#include <span>
+
+#include "core/types.hpp"
+
+namespace clast {
+
+/// Is the point inside? Points on its line belong to one side, always the same. Where a polygon
+/// crosses itself, what it goes round twice is outside.
+bool is_inside(std::span<const Vec2> polygon, const Vec2& point);
+
+/// @throws InputError  fewer than three corners, or all on one line
+void check_has_area(std::span<const Vec2> polygon);
+
+}  // namespace clast

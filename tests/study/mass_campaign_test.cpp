@@ -1,0 +1,137 @@
+// Campaigns that release a rock mass at once.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "study/realisation_deposits.hpp"
+#include "tests/study/campaign_run.hpp"
+#include "tests/study/results_equal.hpp"
+
+namespace clast {
+namespace {
+
+class MassCampaign : public CampaignRun {
+ protected:
+  /// Two realisations of eight blocks in a heap at the foot of the slope.
+  static std::string text(const std::string& mass = kMass) {
+    std::string text = campaign_text();
+    const std::size_t begin = text.find("[release]");
+    text.replace(begin, text.find("[[barrier]]") - begin, mass);
+    text = replaced_once(text, "[terrain]", "draw = { count = 8 }\n[terrain]");
+    return replaced_once(text, "max_time_s = 6", "max_time_s = 20") +
+           "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.2\n";
+  }
+  static CampaignResults run(const std::string& file, const RunOptions& options = {}) {
+    run_campaign(prepared(text()), *folder_ / file, options);
+    return read_results(*folder_ / file);
+  }
+  static constexpr const char* kMass =
+      "[[mass]]\npolygon = [[-4, -1.5], [-1, -1.5], [-1, 1.5], [-4, 1.5]]\nrealisations = 2\n";
+};
+
+TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
+  const PreparedCampaign plan = prepared(text());
+  ASSERT_EQ(plan.masses.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    double volume = 0.0;
+    for (std::size_t run = 8 * i; run < 8 * (i + 1); ++run) {
+      volume += plan.header.blocks[plan.runs[run].block].volume;
+    }
+    EXPECT_NEAR(plan.masses[i].volume, volume, 1e-12);
+    EXPECT_NEAR(plan.masses[i].area, 9.0, 0.5);
+    EXPECT_GT(plan.masses[i].solid_fraction(), 0.2);
+    EXPECT_LT(plan.masses[i].solid_fraction(), 0.7);
+  }
+  const CampaignResults results = run("mass.h5");
+  ASSERT_EQ(results.runs.size(), 16u);
+  EXPECT_TRUE(results.stay->at_once);
+  EXPECT_EQ(results.release_points.size(), 1u);
+  std::set<double> places;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const RunRecord& record = results.runs[i];
+    EXPECT_EQ(results.stays[i].released_at, 0.0);
+    EXPECT_EQ(results.stays[i].raised, 0.0);
+    expect_equal(record.start, plan.runs[i].start);
+    EXPECT_EQ(record.result.stop_reason, StopReason::kRest);
+    EXPECT_LT(record.result.energy.error, 1e-3);
+    EXPECT_EQ(record.result.duration, results.runs[i / 8 * 8].result.duration);
+    places.insert(record.start.position.x() + 10.0 * record.start.position.y());
+  }
+  EXPECT_EQ(places.size(), 16u);  // not twice the same heap
+  std::vector<CampaignResults> all = {results};
+  const Comparison comparison = compare(std::move(all));
+  const RealisationDeposits deposits = realisation_deposits(comparison);
+  ASSERT_EQ(deposits.realisations.size(), 2u);
+  for (const RealisationDeposit& deposit : deposits.realisations) {
+    EXPECT_EQ(deposit.lying, 8u);
+    EXPECT_NEAR(deposit.volume, plan.masses[deposit.realisation].volume, 1e-9);
+    EXPECT_GT(deposit.bulk_volume, 0.8 * deposit.volume);
+    EXPECT_GT(deposit.centre.x(), deposit.first_centre.x());
+    EXPECT_LT(deposit.centre.z(), deposit.first_centre.z());
+  }
+}
+
+TEST_F(MassCampaign, IsTheSameOnThreadsAndInShards) {
+  const CampaignResults whole = run("whole.h5", {.threads = 1});
+  const CampaignResults threads = run("threads.h5", {.threads = 2});
+  const PreparedCampaign plan = prepared(text());
+  std::vector<std::filesystem::path> parts;
+  for (std::uint32_t i = 1; i <= 2; ++i) {
+    parts.push_back(*folder_ / ("mass" + std::to_string(i) + ".h5"));
+    run_campaign(plan, parts.back(), {.shard = {i, 2}});
+  }
+  merge_results(parts, *folder_ / "merged.h5");
+  const CampaignResults merged = read_results(*folder_ / "merged.h5");
+  EXPECT_TRUE(merged.stay->at_once);
+  ASSERT_EQ(merged.runs.size(), whole.runs.size());
+  for (std::size_t i = 0; i < whole.runs.size(); ++i) {
+    expect_equal(whole.runs[i].result.final_state, threads.runs[i].result.final_state);
+    expect_equal(whole.runs[i].result.final_state, merged.runs[i].result.final_state);
+  }
+}
+
+TEST_F(MassCampaign, MoreRealisationsLeaveTheFirstOnesAsTheyAre) {
+  const PreparedCampaign few = prepared(text());
+  const PreparedCampaign more =
+      prepared(replaced_once(text(), "realisations = 2", "realisations = 3"));
+  ASSERT_EQ(more.runs.size(), 24u);
+  for (std::size_t i = 0; i < few.runs.size(); ++i) {
+    expect_equal(few.runs[i].start, more.runs[i].start);
+  }
+  const PreparedCampaign other =
+      prepared(replaced_once(text(), "realisations = 2", "realisations = 2\nseed = 7"));
+  EXPECT_NE(other.runs[0].start.position, few.runs[0].start.position);
+}
+
+TEST_F(MassCampaign, RefusesWhatDoesNotFit) {
+  const auto refused = [](const std::string& text, const std::string& part) {
+    EXPECT_TRUE(contains(clast::refusal<Error>([&] { prepared(text); }), part));
+  };
+  const auto mass = [](const std::string& from, const std::string& to) {
+    return replaced_once(text(), from, to);
+  };
+  refused(mass("polygon = [[-4, -1.5], [-1, -1.5], [-1, 1.5], [-4, 1.5]]\n", ""),
+          "polygon is missing");
+  refused(mass("[-1, -1.5], [-1, 1.5], [-4, 1.5]]", "[-1, -1.5]]"), "at least 3 points");
+  refused(mass("[-1, -1.5], [-1, 1.5], [-4, 1.5]]", "[-3, -1.5], [-2, -1.5]]"), "has no area");
+  refused(mass("[-4, 1.5]", "[-40, 1.5]"), "reaches beyond the terrain");
+  refused(mass("realisations = 2", "realisations = 0"), "must be from 1");
+  refused(mass("realisations = 2", "realisations = 2\nthickness = 2"), "unknown key");
+  refused(mass("realisations = 2", "thickness_m = -1"), "thickness_m = -1");
+  refused(mass("realisations = 2", "thickness_m = 0.9"),
+          "below thickness_m = 0.9; allow more, widen the polygon");
+  refused(mass("[-1, -1.5], [-1, 1.5], [-4, 1.5]", "[-3.7, -1.5], [-3.7, -1.2], [-4, -1.2]"),
+          "[mass] holds 0 of 8 blocks of realisation 1, and block ");
+  refused(text(std::string(kMass) + kMass), "[mass]: there is more than one");
+  refused(text() + "[release]\npoints = [[0, 0, 1]]\n", "leave out [release], or [mass]");
+  const std::string without = text();
+  refused(without.substr(0, without.find("[contact.blocks]")),
+          "the blocks of a mass hit each other; add [contact.blocks]");
+  refused(text() +
+              "[[block_group]]\nname = \"g\"\nselect = [\"cube\"]\nground.flat = { friction "
+              "= 0.5 }\n",
+          "leave the block groups out");
+}
+
+}  // namespace
+}  // namespace clast
