@@ -43,14 +43,16 @@ ProgressBar::ProgressBar(std::string what, std::size_t total)
       terminal_(::isatty(STDERR_FILENO) == 1),
       begin_(std::chrono::steady_clock::now()) {}
 
+void ProgressBar::start_from(std::size_t done) {
+  started_ = true;
+  first_ = done;
+  tenths_ = total_ ? 10 * first_ / total_ : 0;
+}
+
 void ProgressBar::update(std::size_t done, const std::string& note, bool takes_long) {
   end_long_step();
-  if (!started_) {
-    started_ = true;
-    // A resumed job does not start at zero: what was there took no time now.
-    first_ = done > 0 ? done - 1 : 0;
-    tenths_ = total_ ? 10 * first_ / total_ : 0;
-  }
+  // A resumed job does not start at zero: what was there took no time now.
+  if (!started_) start_from(done > 0 ? done - 1 : 0);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
   if (total_ > 0 && (elapsed.count() >= kQuiet || takes_long)) show(done, note, elapsed.count());
   if (takes_long) {

@@ -11,6 +11,7 @@ namespace clast {
 struct ProgressStep {
   std::size_t done = 0;     ///< of `total` runs, scans, ...
   std::size_t total = 0;    ///< 0: not known
+  std::size_t before = 0;   ///< of those done, in an earlier session
   std::string what = {};    ///< that is being done now, such as "fitting B017"
   bool takes_long = false;  ///< minutes, as COLMAP does: worth a line of its own
 };

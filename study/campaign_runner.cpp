@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "study/detail/realisation.hpp"
 #include "study/detail/results_journal.hpp"
@@ -22,6 +23,15 @@ namespace {
 // Thrown by a probe that is long enough; no error of the run.
 struct ProbeOver {};
 
+// Thrown through the dynamics, which keeps errors as those of the run, by a progress that wants the
+// campaign to end.
+struct Stopped {
+  std::exception_ptr why;
+};
+
+// Realisations can take hours: between runs, progress is reported this often, s.
+constexpr double kReportAfter = 0.5;
+
 // Keeps finished runs, one at a time, and reports progress.
 class Collector {
  public:
@@ -32,6 +42,30 @@ class Collector {
         planned_(planned),
         options_(options) {}
 
+  /// Runs and keeps those that are computed together from `first` on.
+  void compute(const PreparedCampaign& prepared, std::uint32_t first) {
+    if (!prepared.header.stay || !options_.progress) return add(runs_from(prepared, first));
+    const std::string name =
+        "realisation " + std::to_string(first / prepared.header.runs_together() + 1);
+    auto last = std::chrono::steady_clock::now();
+    const auto report = [&](double time) {
+      const auto now = std::chrono::steady_clock::now();
+      if (std::chrono::duration<double>(now - last).count() < kReportAfter) return;
+      last = now;
+      const std::lock_guard lock(one_at_a_time_);
+      try {
+        tell(name + ": " + with_decimals(time, 1) + " s simulated");
+      } catch (...) {
+        throw Stopped{std::current_exception()};
+      }
+    };
+    try {
+      add(runs_from(prepared, first, report));
+    } catch (const Stopped& stopped) {
+      std::rethrow_exception(stopped.why);
+    }
+  }
+
   /// Of runs that are computed together, some may have been kept before an interruption.
   void add(const std::vector<StoredRun>& runs) {
     const std::lock_guard lock(one_at_a_time_);
@@ -40,10 +74,15 @@ class Collector {
       writer_.add(run);
       ++done_;
     }
-    if (options_.progress) options_.progress({.done = done_, .total = planned_});
+    tell("");
   }
 
  private:
+  void tell(const std::string& what) const {
+    if (!options_.progress) return;
+    options_.progress({.done = done_, .total = planned_, .before = before_.size(), .what = what});
+  }
+
   ResultsWriter& writer_;
   std::vector<std::uint32_t> before_;  ///< runs that were there already
   std::size_t done_;
@@ -122,7 +161,7 @@ std::exception_ptr lead(const PreparedCampaign& prepared, const std::vector<std:
   for (unsigned i = 0; i < threads; ++i) {
     workers.emplace_back([&] {
       while (const std::optional<std::size_t> run = take()) {
-        guarded([&] { collector.add(runs_from(prepared, static_cast<std::uint32_t>(*run))); });
+        guarded([&] { collector.compute(prepared, static_cast<std::uint32_t>(*run)); });
       }
     });
   }
@@ -260,7 +299,7 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
     open_results();
     Collector collector(*writer, runs, options);
     parallel_for(open.size(), threads,
-                 [&](std::size_t i) { collector.add(runs_from(prepared, open[i])); });
+                 [&](std::size_t i) { collector.compute(prepared, open[i]); });
     writer->finish();
     return;
   }

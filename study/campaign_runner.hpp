@@ -85,14 +85,15 @@ struct RunOptions {
   Shard shard = {};
   /// The runs are shared among its processes; only the one that leads writes. None: this one alone.
   ProcessTeam* team = nullptr;
-  /// Called after each run with runs done and planned, from any thread, one at a time.
+  /// Called after each run with runs done and planned, from any thread, one at a time; while a
+  /// realisation is under way also now and then.
   Progress progress = {};
 };
 
 /// Runs everything that is not stored yet and writes `target`. A run that fails is stored with stop
 /// reason `error` and its message. The datasets do not depend on the number of threads or
 /// processes, or on interruptions; what `progress` throws ends the campaign after the runs under
-/// way, which are kept.
+/// way, which are kept. Realisations under way are lost.
 /// @throws InputError  the target can't be written or holds results that are kept, or resuming what
 ///                     another campaign or shard began
 void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path& target,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <streambuf>
+#include <utility>
 
 #include "app/commands/campaign_summary.hpp"
 #include "app/commands/commands.hpp"
@@ -184,8 +185,10 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& sha
   options.replace = args.replace;
   options.shard = shard;
   options.team = &team;
+  bool started = false;
   options.progress = [&](const ProgressStep& step) {
-    bar.update(step.done);
+    if (!std::exchange(started, true)) bar.start_from(step.before);
+    bar.update(step.done, step.what);
     if (!watch.interrupted() || step.done == step.total) return;
     bar.clear();
     throw SimulationError("interrupted; " + std::to_string(step.done) + " of " +
@@ -245,7 +248,8 @@ void add_simulate(CLI::App& app) {
                     "FILE.map.svg, and stop");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
-      "Ctrl-C stops after the current runs; --resume continues from there. Results do "
+      "Ctrl-C stops after the current runs (of blocks that stay, at once, without the realisation "
+      "under way); --resume continues from there. Results do "
       "not depend on --threads, on --shard, or on the processes of mpirun, which have one thread "
       "each unless\n--threads says otherwise.\n"
       "Examples:\n"

@@ -96,6 +96,27 @@ TEST_F(StayCampaign, IsTheSameOnThreadsInShardsAndAfterAnInterruption) {
   expect_same(whole, read_results(*folder_ / "cut.h5"));
 }
 
+// Whoever watches hears of a realisation before it is over, and can end it there.
+TEST_F(StayCampaign, EndsWithinARealisation) {
+  std::string slow = changed("realisations = 3", "realisations = 1");
+  slow = replaced_once(slow, "[contact.blocks]", "[contact]\ntime_step_s = 1e-8\n[contact.blocks]");
+  const PreparedCampaign plan = prepared(slow);
+  std::string heard;
+  const auto quit = [&](const ProgressStep& step) {
+    heard = step.what;
+    EXPECT_EQ(step.done, 0u);
+    throw SimulationError("stopped");
+  };
+  EXPECT_TRUE(contains(clast::refusal<SimulationError>([&] {
+                         run_campaign(plan, *folder_ / "endless.h5",
+                                      {.threads = 1, .progress = quit});
+                       }),
+                       "stopped"));
+  EXPECT_TRUE(contains(heard, "realisation 1: "));
+  EXPECT_TRUE(contains(heard, " s simulated"));
+  EXPECT_FALSE(std::filesystem::exists(*folder_ / "endless.h5"));
+}
+
 TEST_F(StayCampaign, GoesOnInTheMiddleOfARealisation) {
   const CampaignResults whole = run("all.h5");
   const PreparedCampaign plan = prepared(text());
