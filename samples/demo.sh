@@ -16,8 +16,11 @@ clast reconstruct samples/blocks/B*.ply -o out/blocks.h5 --replace
 clast show out/blocks.h5
 clast classify samples/talus.csv --against out/blocks.h5 -o out/classes --replace
 # A demo that was interrupted left runs behind, which simulate keeps until it is told what to do.
-rm -f out/results.h5.part*
+rm -f out/results.h5.part* out/mass.h5.part*
 clast simulate samples/campaign.toml -o out/results.h5 --replace
 clast compare out/results.h5 -o out/report --replace
+clast simulate samples/mass.toml -o out/mass.h5 --replace
+clast compare out/mass.h5 -o out/mass --replace
 
-printf '\nThe report, to open in a browser:\n%s\n' "$PWD/out/report/report.html"
+printf '\nThe reports on single blocks and on a rock mass, to open in a browser:\n%s\n%s\n' \
+  "$PWD/out/report/report.html" "$PWD/out/mass/report.html"

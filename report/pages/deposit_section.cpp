@@ -82,8 +82,13 @@ std::string deposit_section(const Comparison& comparison, const RealisationDepos
                 "the highest start, the toe the stop farthest from it in plan; H / L between them "
                 "is the tangent of the travel angle (Heim's Fahrb\xC3\xB6schung). The bulk volume "
                 "lies between the ground and the tops of the blocks. Each realisation is a row of "
-                "`realisations.csv`; `rasters/Deposit_mean.tif` is the thickness as a map.") +
-          table.html());
+                "realisations.csv.") +
+          table.html() +
+          paragraph("Thickness of the deposit in metres, mean over all realisations" +
+                    std::string(several_files(comparison) ? " of all files" : "") +
+                    "; a realisation without a block in a cell counts as zero there. "
+                    "rasters/Deposit_mean.tif has it for a GIS.") +
+          deposit_map(comparison, deposits.rasters));
 }
 
 }  // namespace clast::report_detail

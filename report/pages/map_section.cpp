@@ -212,18 +212,9 @@ Json axis(const char* name, double low, double high) {
           {"zeroline", false}};
 }
 
-std::string map_figure(const Comparison& comparison) {
-  const Window window = map_window(comparison);
-  Json data = Json::array(), notes = Json::array();
-  if (comparison.rows.size() > kMostSingleStops) {
-    add_stop_density(comparison, window, data);
-  } else {
-    add_single_stops(comparison, data);
-  }
-  add_measured(comparison, data);
-  add_barriers(comparison, data, notes);
-  add_releases(comparison, data);
-  add_zones(comparison, data);
+/// A map of a window over the relief of the ground.
+std::string figure_over_relief(const Comparison& comparison, const Window& window,
+                               const std::string& label, const Json& data, const Json& notes) {
   Json y = axis("y, m", window.low.y(), window.high.y());
   y["scaleanchor"] = "x";
   const Json layout = {
@@ -250,11 +241,78 @@ std::string map_figure(const Comparison& comparison) {
          {"sizing", "stretch"},
          {"layer", "below"}}}}};
   const Json figure = {{"data", data}, {"layout", layout}, {"config", {{"scrollZoom", true}}}};
-  return plotly_figure("map of stops, release points and barriers", "map",
-                       figure.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return plotly_figure(label, "map", figure.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string map_figure(const Comparison& comparison) {
+  const Window window = map_window(comparison);
+  Json data = Json::array(), notes = Json::array();
+  if (comparison.rows.size() > kMostSingleStops) {
+    add_stop_density(comparison, window, data);
+  } else {
+    add_single_stops(comparison, data);
+  }
+  add_measured(comparison, data);
+  add_barriers(comparison, data, notes);
+  add_releases(comparison, data);
+  add_zones(comparison, data);
+  return figure_over_relief(comparison, window, "map of stops, release points and barriers", data,
+                            notes);
+}
+
+/// More cells than this are joined for the page, each with the largest value of those it joins.
+constexpr double kMostMapCells = 1e5;
+
+/// A layer of rasters as coloured cells.
+Json coloured_cells(const MapRasters& rasters, const RasterLayer& layer, const std::string& unit) {
+  const double cells = static_cast<double>(rasters.columns) * rasters.rows;
+  const auto joined =
+      static_cast<std::uint32_t>(std::ceil(std::sqrt(std::max(1.0, cells / kMostMapCells))));
+  const std::uint32_t columns = (rasters.columns + joined - 1) / joined;
+  const std::uint32_t rows = (rasters.rows + joined - 1) / joined;
+  std::vector<float> largest(std::size_t{columns} * rows, NAN);
+  for (std::uint32_t row = 0; row < rasters.rows; ++row) {
+    for (std::uint32_t column = 0; column < rasters.columns; ++column) {
+      const float value = layer.value[std::size_t{row} * rasters.columns + column];
+      float& cell = largest[std::size_t{row / joined} * columns + column / joined];
+      if (std::isfinite(value) && !(cell >= value)) cell = value;
+    }
+  }
+  Json z = Json::array();
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    Json values = Json::array();
+    for (std::uint32_t column = 0; column < columns; ++column) {
+      const float value = largest[std::size_t{row} * columns + column];
+      values.push_back(std::isfinite(value) ? Json(on_map(value)) : Json());
+    }
+    z.push_back(std::move(values));
+  }
+  const double width = rasters.cell * joined;
+  const double top = rasters.corner.y() + rasters.cell * rasters.rows;
+  return {{"type", "heatmap"},
+          {"name", layer.name},
+          {"x0", rasters.corner.x() + 0.5 * width},
+          {"dx", width},
+          {"y0", top - 0.5 * width},
+          {"dy", -width},
+          {"z", z},
+          {"colorscale", "YlOrRd"},
+          {"reversescale", true},
+          {"opacity", 0.85},
+          {"hovertemplate", "%{z:.2f} " + unit + "<br>x %{x:.2f}, y %{y:.2f} m<extra></extra>"},
+          {"colorbar", {{"title", {{"text", unit}}}, {"len", 0.5}, {"thickness", 14}}}};
 }
 
 }  // namespace
+
+std::string deposit_map(const Comparison& comparison, const MapRasters& rasters) {
+  if (rasters.layers.empty()) return "";
+  const Window window = map_window(comparison);
+  Json data = Json::array(), notes = Json::array();
+  data.push_back(coloured_cells(rasters, rasters.layers.front(), "m"));
+  add_barriers(comparison, data, notes);
+  return figure_over_relief(comparison, window, "map of the thickness of the deposit", data, notes);
+}
 
 std::string map_section(const Comparison& comparison) {
   const bool density = comparison.rows.size() > kMostSingleStops;

@@ -12,6 +12,8 @@ namespace clast::report_detail {
 std::string head_section(const Comparison& comparison);
 /// Classes side by side: the figures the study is about.
 std::string class_section(const Comparison& comparison);
+/// The first layer of the rasters of deposits over the relief; empty without layers.
+std::string deposit_map(const Comparison& comparison, const MapRasters& rasters);
 /// Where the blocks of a realisation lie as a whole: how far the mass of them came, how large and
 /// thick the deposit is; empty where no block stayed.
 std::string deposit_section(const Comparison& comparison, const RealisationDeposits& deposits);

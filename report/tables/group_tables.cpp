@@ -312,7 +312,7 @@ const TableColumns<RealisationDeposit>& report_detail::realisation_columns() {
                             "stop that is farthest from the crest in plan", &Row::toe),
        {{"centre_angle_deg", "deg", "slope of the line from first to last centre of mass",
          [=](const Row& row) { return degrees(row.first_centre, row.centre); }},
-        {"travel_angle_deg", "deg", "slope of the line from crest to toe (FahrbÃ¶schung)",
+        {"travel_angle_deg", "deg", "slope of the line from crest to toe (Fahrb\xC3\xB6schung)",
          [=](const Row& row) { return degrees(row.crest, row.toe); }},
         {"area_m2", "m2", "that blocks lie on, in plan", &Row::area},
         {"bulk_volume_m3", "m3", "between the ground and the tops of the blocks",
