@@ -10,6 +10,7 @@ void add_commands(CLI::App& app, char** argv) {
   app.add_subcommand("reconstruct", clast::kReconstructSummary)->callback([argv] {
     clast::run_companion(argv);
   });
+  clast::add_cut(app);
   clast::add_show(app);
   clast::add_classify(app);
   clast::add_export(app);

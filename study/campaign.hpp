@@ -87,9 +87,12 @@ struct ReleasePlan {
   std::vector<std::filesystem::path> files;  ///< point and orientation files that were read
 };
 
-/// A rock mass whose blocks are released at once, out of a heap put together without overlap.
+/// A rock mass whose blocks are released at once, from where they lie in the frame of their
+/// library, or out of a heap put together without overlap.
 struct MassPlan {
-  std::vector<Vec2> polygon;        ///< that the heap lies in, in map coordinates
+  bool in_place = false;
+  double raised = 0.0;              ///< above their places in the library, m
+  std::vector<Vec2> polygon;        ///< else: that the heap lies in, in map coordinates
   std::optional<double> thickness;  ///< most height of the heap above the ground, m
 };
 

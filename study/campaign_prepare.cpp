@@ -6,6 +6,7 @@
 #include "study/campaign_runner.hpp"
 #include "study/detail/campaign_checks.hpp"
 #include "study/detail/ground_sets.hpp"
+#include "study/detail/realisation.hpp"
 #include "study/detail/run_plan.hpp"
 #include "study/detail/run_stiffness.hpp"
 
@@ -96,6 +97,8 @@ PreparedCampaign prepare_campaign(const Campaign& campaign) {
   plan_runs(prepared);
   check_falls(prepared);
   std::vector<std::string> warnings = settle_stiffness(prepared);
+  const std::optional<StayPlan>& stay = campaign.stay;
+  if (stay && stay->mass && stay->mass->in_place) check_mass_start(prepared, 0);
   header.warnings = campaign_warnings(prepared);
   header.warnings.insert(header.warnings.begin(), warnings.begin(), warnings.end());
   return prepared;

@@ -43,8 +43,11 @@ class Collector {
         options_(options) {}
 
   /// Runs and keeps those that are computed together from `first` on.
-  void compute(const PreparedCampaign& prepared, std::uint32_t first) {
-    if (!prepared.header.stay || !options_.progress) return add(runs_from(prepared, first));
+  /// @param threads  that a realisation may use
+  void compute(const PreparedCampaign& prepared, std::uint32_t first, unsigned threads = 1) {
+    if (!prepared.header.stay || !options_.progress) {
+      return add(runs_from(prepared, first, {}, threads));
+    }
     const std::string name =
         "realisation " + std::to_string(first / prepared.header.runs_together() + 1);
     auto last = std::chrono::steady_clock::now();
@@ -60,7 +63,7 @@ class Collector {
       }
     };
     try {
-      add(runs_from(prepared, first, report));
+      add(runs_from(prepared, first, report, threads));
     } catch (const Stopped& stopped) {
       std::rethrow_exception(stopped.why);
     }
@@ -298,8 +301,11 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
   if (!team) {
     open_results();
     Collector collector(*writer, runs, options);
+    // Fewer realisations than threads share these.
+    const auto each = static_cast<unsigned>(
+        std::max<std::size_t>(1, threads / std::max<std::size_t>(1, open.size())));
     parallel_for(open.size(), threads,
-                 [&](std::size_t i) { collector.compute(prepared, open[i]); });
+                 [&](std::size_t i) { collector.compute(prepared, open[i], each); });
     writer->finish();
     return;
   }

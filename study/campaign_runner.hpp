@@ -12,11 +12,11 @@
 
 namespace clast {
 
-/// The heap that the blocks of a mass start in, of one realisation.
+/// What the blocks of a mass start as, of one realisation.
 struct MassStart {
   double volume = 0.0;             ///< of the blocks, m^3
   double mass = 0.0;               ///< kg
-  double area = 0.0;               ///< of the polygon, m^2
+  double area = 0.0;               ///< of the polygon, m^2; this and what follows is of a heap
   double mean_thickness = 0.0;     ///< above the ground, over the polygon, m
   double largest_thickness = 0.0;  ///< m
 

@@ -56,11 +56,12 @@ std::string masses_text(const PreparedCampaign& prepared) {
     const std::string from = with_digits(low, 3), to = with_digits(high, 3);
     return from == to ? from : from + " to " + to;
   };
-  return "each mass: " + range(&MassStart::volume) + " m3 of rock, " +
-         range([](const MassStart& mass) { return mass.mass / 1000.0; }) + " t, on " +
-         range(&MassStart::area) + " m2 in a heap " + range(&MassStart::mean_thickness) +
-         " m thick on average, " + range(&MassStart::largest_thickness) +
-         " m at most, of which blocks fill " +
+  const std::string rock = "each mass: " + range(&MassStart::volume) + " m3 of rock, " +
+                           range([](const MassStart& mass) { return mass.mass / 1000.0; }) + " t, ";
+  if (prepared.campaign.stay->mass->in_place) return rock + "in place\n";
+  return rock + "on " + range(&MassStart::area) + " m2 in a heap " +
+         range(&MassStart::mean_thickness) + " m thick on average, " +
+         range(&MassStart::largest_thickness) + " m at most, of which blocks fill " +
          range([](const MassStart& mass) { return 100.0 * mass.solid_fraction(); }) + " %\n";
 }
 
@@ -139,12 +140,14 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
     plan["realisations"] = prepared.campaign.stay->realisations;
     plan["blocks_per_realisation"] = stay->blocks_each;
     for (const MassStart& mass : prepared.masses) {
-      plan["masses"].push_back({{"volume_m3", mass.volume},
-                                {"mass_kg", mass.mass},
-                                {"area_m2", mass.area},
-                                {"mean_thickness_m", mass.mean_thickness},
-                                {"largest_thickness_m", mass.largest_thickness},
-                                {"solid_fraction", mass.solid_fraction()}});
+      nlohmann::ordered_json row = {{"volume_m3", mass.volume}, {"mass_kg", mass.mass}};
+      if (!prepared.campaign.stay->mass->in_place) {
+        row["area_m2"] = mass.area;
+        row["mean_thickness_m"] = mass.mean_thickness;
+        row["largest_thickness_m"] = mass.largest_thickness;
+        row["solid_fraction"] = mass.solid_fraction();
+      }
+      plan["masses"].push_back(row);
     }
   }
   return plan;

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -112,7 +113,12 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
   const TimeProbe probe = probe_time(prepared, kProbeTime);
   const unsigned threads = thread_count(args.threads);
   const std::size_t runs = shard.runs_of(prepared);
-  const double expected = probe.each * static_cast<double>(runs) / threads;
+  // Realisations are computed one by one.
+  const std::size_t together = prepared.header.runs_together();
+  const std::size_t items = runs / together;
+  const double each = probe.each * static_cast<double>(together);
+  const double expected = each * static_cast<double>(items) /
+                          static_cast<double>(std::min<std::size_t>(threads, items));
   write_output(map, plan_map(prepared.header), rules);
   if (args.json) {
     summary["expected_time_s"] = expected;
@@ -124,8 +130,10 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
     return;
   }
   std::cout << (probe.cut_short ? "at most " : "about ") << duration_text(expected) << " for "
-            << counted(runs, "run") << " on " << counted(threads, "thread") << ", judging by "
-            << counted(probe.runs, "run") << " of " << rounded(probe.each, 2) << " s"
+            << counted(items, prepared.header.stay ? "realisation" : "run") << " on "
+            << counted(threads, "thread") << ", judging by "
+            << counted(probe.runs / together, prepared.header.stay ? "realisation" : "run")
+            << " of " << rounded(each, 2) << " s"
             << (probe.cut_short ? ", the last of which was not waited for" : "") << "\n"
             << printable(map.string()) << ": written\n";
 }

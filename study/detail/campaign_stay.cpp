@@ -67,7 +67,7 @@ std::optional<TomlTable> mass_table(const TomlTable& top) {
   const std::vector<const TomlNode*> nodes = tables_of(top, "mass");
   if (nodes.empty()) return std::nullopt;
   const TomlTable table(*nodes.front(), top.file(), "[mass]",
-                        {"polygon", "thickness_m", "realisations", "seed"});
+                        {"polygon", "thickness_m", "in_place", "height_m", "realisations", "seed"});
   if (nodes.size() > 1) {
     table.refuse(
         "there is more than one; a campaign releases one rock mass, so make a campaign "
@@ -76,18 +76,47 @@ std::optional<TomlTable> mass_table(const TomlTable& top) {
   return table;
 }
 
+/// Of a mass whose blocks are where they were cut or scanned.
+void read_places(const TomlTable& table, const Campaign& campaign, MassPlan& mass) {
+  for (const char* key : {"polygon", "thickness_m"}) {
+    if (const TomlNode* node = table.find(key)) {
+      table.refuse(key, *node, "is for a heap; blocks that are in place have theirs already");
+    }
+  }
+  if (campaign.blocks.draw || campaign.blocks.scale.kind != BlockScale::Kind::kNone) {
+    table.refuse("in_place", *table.find("in_place"),
+                 "blocks in place are neither drawn nor scaled; leave [blocks] draw and scale out");
+  }
+  mass.raised = table.number("height_m", kDropHeight).value_or(0.0);
+}
+
+void read_heap(const TomlTable& table, MassPlan& mass) {
+  if (const TomlNode* node = table.find("height_m")) {
+    table.refuse("height_m", *node, "is for blocks in place; a heap lies on the ground");
+  }
+  mass.polygon = read_polygon(table, "polygon",
+                              table.required("polygon", "[[x, y], ...]; or give in_place = true"));
+  mass.thickness = table.number("thickness_m", kThickness);
+  try {
+    check_has_area(mass.polygon);
+  } catch (const InputError& error) {
+    table.refuse("polygon", *table.find("polygon"), error.what());
+  }
+}
+
 StayPlan read_mass(const TomlTable& top, const TomlTable& table, const Campaign& campaign) {
   if (!campaign.groups.empty()) {
     table.refuse("the blocks of a mass share one ground; leave the block groups out");
   }
   StayPlan plan;
   plan.realisations = read_realisations(table);
-  plan.mass = {read_polygon(table, "polygon", table.required("polygon", "[[x, y], ...]")),
-               table.number("thickness_m", kThickness)};
-  try {
-    check_has_area(plan.mass->polygon);
-  } catch (const InputError& error) {
-    table.refuse("polygon", *table.find("polygon"), error.what());
+  plan.mass.emplace();
+  plan.mass->in_place = table.boolean("in_place").value_or(false);
+  if (plan.mass->in_place) {
+    read_places(table, campaign, *plan.mass);
+    plan.random_order = false;
+  } else {
+    read_heap(table, *plan.mass);
   }
   plan.between_blocks = read_between_blocks(top, "the blocks of a mass");
   return plan;

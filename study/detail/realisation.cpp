@@ -7,12 +7,19 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
+#include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "dem/sequence.hpp"
+#include "mesh/triangle_tree.hpp"
 
 namespace clast::study_detail {
 
 namespace {
+
+/// What is next to no time, s.
+constexpr double kInstant = 1e-9;
 
 // Collects what the stored results need of a motion, as it goes by.
 class RunObserver {
@@ -145,7 +152,8 @@ SequenceSettings sequence_settings(const PreparedCampaign& prepared, const RunRe
 
 std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
                                    std::span<const RunRecord> planned,
-                                   const std::function<void(double)>& after_step) {
+                                   const std::function<void(double)>& after_step,
+                                   unsigned threads) {
   std::vector<RigidBody> shapes;
   std::vector<SequenceBlock> blocks;
   std::vector<std::unique_ptr<RunObserver>> observers;
@@ -154,24 +162,25 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
     shapes.push_back(prepared.bodies[run.block]);
     observers.push_back(std::make_unique<RunObserver>(prepared, run));
   }
+  SequenceSettings settings = sequence_settings(prepared, planned.front());
+  settings.world.threads = threads;
   std::vector<SequenceResult> results;
   std::string message;
   std::size_t newest = 0;
   double begun = 0.0, now = 0.0;  // when the newest block was released, and now, s
   try {
-    results = simulate_sequence(*prepared.surface,
-                                prepared.header.ground_sets[planned.front().ground_set].zones,
-                                shapes, blocks, sequence_settings(prepared, planned.front()),
-                                [&](std::size_t block, const MotionStep& step) {
-                                  observers[block]->see(step);
-                                  if (block > newest && !prepared.header.stay->at_once) {
-                                    newest = block;
-                                    begun = now;
-                                  }
-                                  if (block < newest) return;
-                                  now = begun + step.end_time;
-                                  if (after_step) after_step(now);
-                                });
+    results = simulate_sequence(
+        *prepared.surface, prepared.header.ground_sets[planned.front().ground_set].zones, shapes,
+        blocks, settings, [&](std::size_t block, const MotionStep& step) {
+          observers[block]->see(step);
+          if (block > newest && !prepared.header.stay->at_once) {
+            newest = block;
+            begun = now;
+          }
+          if (block < newest) return;
+          now = begun + step.end_time;
+          if (after_step) after_step(now);
+        });
   } catch (const std::exception& error) {
     message = "the realisation failed (its blocks are bodies, from 0, in the order of release): " +
               std::string(error.what());
@@ -192,13 +201,58 @@ std::vector<StoredRun> realisation(const PreparedCampaign& prepared,
   return runs;
 }
 
+/// How deep a point lies in the core of a body, m; 0 outside.
+double depth_inside(const RigidBody& body, const RigidState& state, const Vec3& point) {
+  const TriangleMesh core = core_mesh(body.shape);
+  if (core.triangles.empty()) return 0.0;
+  return std::max(0.0,
+                  -TriangleTree(core).signed_distance(state.world_from_body().inverse() * point));
+}
+
 }  // namespace
 
+void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
+  const std::span runs(&prepared.runs[first], prepared.header.runs_together());
+  WorldSettings settings = sequence_settings(prepared, runs.front()).world;
+  const double allowed = std::exchange(settings.start_overlap, 1e300);
+  std::vector<RigidBody> shapes;
+  for (const RunRecord& run : runs) shapes.push_back(prepared.bodies[run.block]);
+  World world(shapes, settings, *prepared.surface,
+              prepared.header.ground_sets[runs.front().ground_set].zones);
+  for (std::size_t i = 0; i < runs.size(); ++i) world.add_body(i, runs[i].start);
+  world.run_until(kInstant);
+  std::size_t overlapping = 0;
+  std::pair<std::size_t, std::size_t> worst;
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (std::size_t other = 0; other < i; ++other) {
+      const double apart = (runs[i].start.position - runs[other].start.position).norm();
+      if (apart >= shapes[i].bounding_radius() + shapes[other].bounding_radius()) continue;
+      // One that lies in another touches no surface.
+      const double overlap =
+          std::max({world.overlap(i, other),
+                    depth_inside(shapes[i], runs[i].start, runs[other].start.position),
+                    depth_inside(shapes[other], runs[other].start, runs[i].start.position)});
+      if (overlap <= allowed * std::min(shapes[i].size(), shapes[other].size())) continue;
+      ++overlapping;
+      if (overlap <= deepest) continue;
+      deepest = overlap;
+      worst = {other, i};
+    }
+  }
+  if (overlapping == 0) return;
+  const auto id = [&](std::size_t i) { return prepared.header.blocks[runs[i].block].id; };
+  throw SimulationError(
+      prepared.campaign.file.string() + ": [mass] in_place: " + counted(overlapping, "pair") +
+      " of blocks overlap, the most " + id(worst.first) + " and " + id(worst.second) + ", by " +
+      with_digits(deepest, 3) + " m; select blocks that do not, or cut the mass anew");
+}
+
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
-                                 const std::function<void(double)>& after_step) {
+                                 const std::function<void(double)>& after_step, unsigned threads) {
   if (!prepared.header.stay) return {single_run(prepared, prepared.runs[first], after_step)};
   const std::uint32_t each = prepared.header.stay->blocks_each;
-  return realisation(prepared, std::span(&prepared.runs[first], each), after_step);
+  return realisation(prepared, std::span(&prepared.runs[first], each), after_step, threads);
 }
 
 }  // namespace clast::study_detail

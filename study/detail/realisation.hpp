@@ -12,7 +12,14 @@ namespace clast::study_detail {
 /// @param first       number of the first of these runs
 /// @param after_step  called with the simulated time since the first release, after every step and
 ///                    flight; what it throws ends the run
+/// @param threads     that a realisation may use
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
-                                 const std::function<void(double)>& after_step = {});
+                                 const std::function<void(double)>& after_step = {},
+                                 unsigned threads = 1);
+
+/// Makes sure that no two blocks of a mass overlap at the start, so that it can run.
+/// @param first  number of the first of its runs
+/// @throws SimulationError  two do: their ids and how deep
+void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first);
 
 }  // namespace clast::study_detail

@@ -154,32 +154,32 @@ class Planner {
     }
   }
 
-  /// The blocks of a realisation, put together to a heap in a drawn order.
+  /// All blocks of a realisation of a mass, in place or put together to a heap in a drawn order.
   void plan_mass(std::uint32_t realisation) {
     const Campaign& campaign = prepared_.campaign;
-    const ReleasePlan& release = campaign.releases.front();
     const std::string name = "realisation " + std::to_string(realisation);
-    Random random(named_seed(release.seed, name));
-    BlockPacking& packing = packing_of_mass();
-    packing.clear();
+    Random random(named_seed(campaign.releases.front().seed, name));
     MassStart& mass = prepared_.masses.emplace_back();
     const std::vector<std::uint32_t> order = order_of(realisation, random);
+    if (!campaign.stay->mass->in_place) packing_of_mass().clear();
     for (std::size_t i = 0; i < order.size(); ++i) {
-      const std::uint32_t block = order[i];
-      const Quat turn =
-          fresh_orientations(release, prepared_.choice.blocks[block].id, name, 1).front();
-      const std::optional<RigidState> start = packing.place(
-          prepared_.bodies[block], overlap_of(block), turn, campaign.stay->mass->thickness, random);
-      if (!start) refuse_block(block, i, order.size());
       RunRecord run;
-      run.block = block;
-      run.start = *start;
+      run.block = order[i];
+      if (campaign.stay->mass->in_place) {
+        run.start = place_of(run.block);
+        check_place(run);
+      } else {
+        const std::optional<RigidState> start = packed(run.block, name, random);
+        if (!start) refuse_block(run.block, i, order.size());
+        run.start = *start;
+      }
       run.ground_set = realisation % campaign.ensemble.members;
       add(run);
-      mass.volume += prepared_.header.blocks[block].volume;
-      mass.mass += prepared_.bodies[block].mass;
+      mass.volume += prepared_.header.blocks[run.block].volume;
+      mass.mass += prepared_.bodies[run.block].mass;
     }
-    const Filling filling = packing.filling();
+    if (!packing_) return;
+    const Filling filling = packing_->filling();
     mass.area = filling.area;
     mass.mean_thickness = filling.mean_thickness;
     mass.largest_thickness = filling.largest_thickness;
@@ -248,6 +248,45 @@ class Planner {
     run.run = static_cast<std::uint32_t>(prepared_.runs.size());
     check_clear_of_ground(prepared_, overlap_of(run.block), prepared_.campaign.releases[set],
                           of_set, run);
+  }
+
+  /// Where a block lies in the frame of its library.
+  RigidState place_of(std::uint32_t block) const {
+    const Pose place =
+        prepared_.choice.library[prepared_.choice.blocks[block].library].source_from_body();
+    RigidState state;
+    state.position = prepared_.header.frame.local(place.translation) +
+                     Vec3(0.0, 0.0, prepared_.campaign.stay->mass->raised);
+    state.orientation = place.rotation.normalized();
+    return state;
+  }
+
+  void check_place(const RunRecord& run) {
+    const std::string where = prepared_.campaign.file.string() + ": [mass] in_place: block " +
+                              prepared_.header.blocks[run.block].id;
+    const Vec3& place = run.start.position;
+    const std::string on_map = place_on_map(prepared_.header.frame.map(place));
+    if (!prepared_.surface->covers(place.x(), place.y())) {
+      throw InputError(where + " with its centre at " + on_map +
+                       " is off the terrain; check the map frame and the axis that points up");
+    }
+    const std::optional<double> depth = depth_in_ground(overlap_of(run.block), *prepared_.surface,
+                                                        prepared_.bodies[run.block], run.start);
+    if (!depth) return;
+    throw SimulationError(where + " with its centre at " + on_map + " starts " +
+                          with_decimals(*depth, 3) +
+                          " m inside the ground; the terrain must be the one without the mass, or "
+                          "give [mass] height_m");
+  }
+
+  std::optional<RigidState> packed(std::uint32_t block, const std::string& realisation,
+                                   Random& random) {
+    const Campaign& campaign = prepared_.campaign;
+    const Quat turn = fresh_orientations(campaign.releases.front(),
+                                         prepared_.choice.blocks[block].id, realisation, 1)
+                          .front();
+    return packing_of_mass().place(prepared_.bodies[block], overlap_of(block), turn,
+                                   campaign.stay->mass->thickness, random);
   }
 
   /// Made for the first realisation: it looks up the ground in every cell.

@@ -1,8 +1,10 @@
 // Campaigns that release a rock mass at once.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
+#include "library/mass_blocks.hpp"
 #include "study/realisation_deposits.hpp"
 #include "tests/study/campaign_run.hpp"
 #include "tests/study/results_equal.hpp"
@@ -101,6 +103,60 @@ TEST_F(MassCampaign, MoreRealisationsLeaveTheFirstOnesAsTheyAre) {
   const PreparedCampaign other =
       prepared(replaced_once(text(), "realisations = 2", "realisations = 2\nseed = 7"));
   EXPECT_NE(other.runs[0].start.position, few.runs[0].start.position);
+}
+
+// Blocks that joints cut from a mass on the slope, released from where they were cut.
+TEST_F(MassCampaign, ReleasesBlocksInPlace) {
+  TriangleMesh mass = box_mesh({2.0, 2.0, 1.5});
+  const double dip = std::atan(0.6);
+  mass = transformed(mass, Pose{Vec3(-3.0, 0.0, 1.8) + 0.8 * Vec3(std::sin(dip), 0, std::cos(dip)),
+                                Quat(Eigen::AngleAxisd(dip, Vec3::UnitY()))});
+  MassBlockOptions options;
+  for (const char* set : {"59/270/1", "90/0/0.9", "31/90/0.8"}) {
+    options.joints.push_back(read_joint_set(set));
+  }
+  const MassBlocks made = blocks_of_mass(mass, {"mass.ply", std::string(64, '0'), "", ""}, options);
+  BlockLibrary library;
+  for (const Block& block : made.blocks) library.add(block);
+  library.write(*folder_ / "insitu.h5");
+  std::string in_place = text("[mass]\nin_place = true\n");
+  in_place = replaced_once(in_place, "draw = { count = 8 }\n", "");
+  in_place = replaced_once(in_place, "\"blocks.h5\"", "\"insitu.h5\"");
+  const PreparedCampaign plan = prepared(in_place);
+  ASSERT_EQ(plan.runs.size(), made.blocks.size());
+  EXPECT_NEAR(plan.masses[0].volume, made.block_volume, 1e-9);
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    const Vec3 place = plan.header.frame.map(plan.runs[i].start.position);
+    EXPECT_LT((place - made.blocks[i].mass.centre).norm(), 1e-9);
+  }
+  run_campaign(plan, *folder_ / "placed.h5");
+  for (const RunRecord& run : read_results(*folder_ / "placed.h5").runs) {
+    EXPECT_EQ(run.result.stop_reason, StopReason::kRest) << run.result.message;
+    EXPECT_LT(run.result.energy.error, 1e-3);
+  }
+  const auto refused = [](const std::string& text, const std::string& part) {
+    EXPECT_TRUE(contains(clast::refusal<Error>([&] { prepared(text); }), part));
+  };
+  const auto also = [&](const std::string& line) {
+    return replaced_once(in_place, "in_place = true\n", "in_place = true\n" + line);
+  };
+  EXPECT_EQ(prepared(also("height_m = 2.0\n")).runs[0].start.position,
+            plan.runs[0].start.position + Vec3(0.0, 0.0, 2.0));
+  refused(also("polygon = [[0, 0], [1, 0], [0, 1]]\n"), "is for a heap");
+  refused(replaced_once(in_place, "[terrain]", "scale = \"equal-mass\"\n[terrain]"),
+          "neither drawn nor scaled");
+  refused(text(std::string(kMass) + "height_m = 1\n"), "is for blocks in place");
+  // Those of the other library lie in one another.
+  refused(replaced_once(in_place, "\"insitu.h5\"", "\"blocks.h5\""),
+          "[mass] in_place: 1 pair of blocks overlap, the most cube and slab, by 0.3 m");
+  // A mass that reaches into the ground.
+  for (Vec3& vertex : mass.vertices) vertex.z() -= 0.5;
+  const MassBlocks deep = blocks_of_mass(mass, {"mass.ply", std::string(64, '0'), "", ""}, options);
+  BlockLibrary other;
+  for (const Block& block : deep.blocks) other.add(block);
+  other.write(*folder_ / "deep.h5");
+  refused(replaced_once(in_place, "\"insitu.h5\"", "\"deep.h5\""),
+          "m inside the ground; the terrain must be the one without the mass");
 }
 
 TEST_F(MassCampaign, RefusesWhatDoesNotFit) {

@@ -1,0 +1,35 @@
+#pragma once
+/// From a rock mass and its joints to a library of the blocks it consists of.
+#include <string>
+#include <vector>
+
+#include "core/progress.hpp"
+#include "library/make_block.hpp"
+#include "shapes/joint_sets.hpp"
+
+namespace clast {
+
+struct MassBlockOptions {
+  std::vector<JointSet> joints;
+  CuttingOptions cutting;
+  BlockOptions block;        ///< radius and density
+  std::string prefix = "J";  ///< of the ids, which are numbered: "J0001"
+  unsigned threads = 0;      ///< 0: one per core; changes no bit of the result
+  Progress progress = {};    ///< blocks made, from any thread, one at a time
+};
+
+/// The blocks of a mass, in the frame of the mass.
+struct MassBlocks {
+  std::vector<Block> blocks;
+  double volume = 0.0;              ///< of the mass, m^3
+  double block_volume = 0.0;        ///< of the blocks, m^3
+  std::vector<std::string> failed;  ///< blocks that could not be made, and why
+};
+
+/// Cuts the mass and makes a block of every piece.
+/// @param source  file and hash; the joints are added to its options
+/// @throws GeometryError, InputError  as `cut_by_joints`
+MassBlocks blocks_of_mass(const TriangleMesh& mass, const BlockSource& source,
+                          const MassBlockOptions& options);
+
+}  // namespace clast

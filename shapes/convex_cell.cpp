@@ -1,0 +1,174 @@
+#include "shapes/convex_cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "mesh/triangle_geometry.hpp"
+#include "shapes/convex_hull.hpp"
+#include "shapes/coplanar_faces.hpp"
+
+namespace clast {
+namespace {
+
+/// Of the diagonal: points nearer to a plane lie on it.
+constexpr double kSlack = 1e-9;
+/// Vertices of a core nearer than this share of its size are one.
+constexpr double kSameVertex = 1e-4;
+
+/// Twice the area of a face along its normal.
+Vec3 area_of(const std::vector<Vec3>& vertices, const std::vector<std::uint32_t>& face) {
+  Vec3 sum = Vec3::Zero();
+  const Vec3& first = vertices[face[0]];
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+    sum += (vertices[face[i]] - first).cross(vertices[face[i + 1]] - first);
+  }
+  return sum;
+}
+
+}  // namespace
+
+ConvexCell::ConvexCell(const Bounds& box) {
+  for (int i = 0; i < 8; ++i) {
+    vertices_.emplace_back(i & 1 ? box.high.x() : box.low.x(), i & 2 ? box.high.y() : box.low.y(),
+                           i & 4 ? box.high.z() : box.low.z());
+  }
+  faces_ = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+}
+
+std::optional<ConvexCell> ConvexCell::below(const Plane& plane, double slack) const {
+  std::vector<double> heights;
+  bool any_above = false, any_below = false;
+  for (const Vec3& vertex : vertices_) {
+    const double height = plane.height_of(vertex);
+    heights.push_back(std::abs(height) <= slack ? 0.0 : height);
+    any_above |= heights.back() > 0.0;
+    any_below |= heights.back() < 0.0;
+  }
+  if (!any_below) return std::nullopt;
+  if (!any_above) return *this;
+
+  ConvexCell part;
+  std::map<std::uint32_t, std::uint32_t> kept;                             // by old number
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> added;  // by old edge
+  std::vector<std::uint32_t> on_plane;
+  const auto keep = [&](std::uint32_t old) {
+    const auto [at, is_new] = kept.emplace(old, static_cast<std::uint32_t>(part.vertices_.size()));
+    if (is_new) {
+      part.vertices_.push_back(vertices_[old]);
+      if (heights[old] == 0.0) on_plane.push_back(at->second);
+    }
+    return at->second;
+  };
+  const auto crossing = [&](std::uint32_t a, std::uint32_t b) {
+    if (a > b) std::swap(a, b);  // the same point from both sides of the edge
+    const auto [at, is_new] =
+        added.emplace(std::pair(a, b), static_cast<std::uint32_t>(part.vertices_.size()));
+    if (is_new) {
+      const double share = heights[a] / (heights[a] - heights[b]);
+      part.vertices_.push_back(vertices_[a] + share * (vertices_[b] - vertices_[a]));
+      on_plane.push_back(at->second);
+    }
+    return at->second;
+  };
+  for (const std::vector<std::uint32_t>& face : faces_) {
+    std::vector<std::uint32_t> remaining;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const std::uint32_t a = face[i], b = face[(i + 1) % face.size()];
+      if (heights[a] <= 0.0) remaining.push_back(keep(a));
+      if (heights[a] * heights[b] < 0.0) remaining.push_back(crossing(a, b));
+    }
+    if (remaining.size() > 2) part.faces_.push_back(std::move(remaining));
+  }
+  // The new face, counter-clockwise about the plane's normal.
+  Vec3 middle = Vec3::Zero();
+  for (const std::uint32_t vertex : on_plane) middle += part.vertices_[vertex];
+  middle /= static_cast<double>(on_plane.size());
+  const Vec3 across = plane.normal.unitOrthogonal();
+  const Vec3 along = plane.normal.cross(across);
+  const auto angle = [&](std::uint32_t vertex) {
+    const Vec3 arm = part.vertices_[vertex] - middle;
+    return std::atan2(along.dot(arm), across.dot(arm));
+  };
+  std::sort(on_plane.begin(), on_plane.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return angle(a) < angle(b); });
+  part.faces_.push_back(std::move(on_plane));
+  return part;
+}
+
+std::vector<Plane> ConvexCell::planes() const {
+  std::vector<Plane> planes;
+  for (const std::vector<std::uint32_t>& face : faces_) {
+    const Vec3 normal = area_of(vertices_, face).normalized();
+    if (normal.allFinite() && !normal.isZero()) {
+      planes.push_back({normal, normal.dot(vertices_[face[0]])});
+    }
+  }
+  return planes;
+}
+
+Bounds ConvexCell::box() const {
+  Bounds box;
+  for (const Vec3& vertex : vertices_) box.include(vertex);
+  return box;
+}
+
+Vec3 ConvexCell::centre() const {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& vertex : vertices_) sum += vertex;
+  return sum / static_cast<double>(vertices_.size());
+}
+
+double ConvexCell::volume() const {
+  const Vec3 inside = centre();
+  double sum = 0.0;
+  for (const std::vector<std::uint32_t>& face : faces_) {
+    sum += area_of(vertices_, face).dot(vertices_[face[0]] - inside);
+  }
+  return sum / 6.0;
+}
+
+TriangleMesh ConvexCell::mesh() const {
+  TriangleMesh mesh;
+  mesh.vertices = vertices_;
+  for (const std::vector<std::uint32_t>& face : faces_) {
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      mesh.triangles.push_back({face[0], face[i], face[i + 1]});
+    }
+  }
+  return mesh;
+}
+
+std::optional<SpheroPolyhedron> rounded_inside(const TriangleMesh& polyhedron, double radius) {
+  const Bounds box = bounds(polyhedron);
+  // Far from the origin heights above planes would lose digits.
+  const Vec3 origin = 0.5 * (box.low + box.high);
+  Bounds local;
+  local.include(box.low - origin);
+  local.include(box.high - origin);
+  const double slack = kSlack * box.diagonal();
+  std::optional<ConvexCell> core = ConvexCell(local);
+  for (const TriangleMesh::Triangle& triangle : polyhedron.triangles) {
+    const Vec3 normal = unit_normal(polyhedron, triangle);
+    if (normal.isZero()) continue;
+    const double offset = normal.dot(polyhedron.vertices[triangle[0]] - origin);
+    core = core->below({normal, offset - radius}, slack);
+    if (!core) return std::nullopt;
+  }
+  const double near = kSameVertex * std::cbrt(core->volume());
+  std::vector<Vec3> vertices;
+  for (const Vec3& vertex : core->vertices()) {
+    if (std::none_of(vertices.begin(), vertices.end(),
+                     [&](const Vec3& other) { return (vertex - other).norm() <= near; })) {
+      vertices.push_back(vertex);
+    }
+  }
+  if (affine_span(vertices).dimension < 3) return std::nullopt;
+  Pose to_place;
+  to_place.translation = origin;
+  return with_merged_faces(sphero_polyhedron(transformed(convex_hull(vertices), to_place), radius),
+                           kFlatInFiles);
+}
+
+}  // namespace clast

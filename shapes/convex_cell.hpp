@@ -1,0 +1,49 @@
+#pragma once
+/// A convex polyhedron that planes are cut from.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "shapes/sphero_polyhedron.hpp"
+
+namespace clast {
+
+/// All x with normal.x = offset.
+struct Plane {
+  Vec3 normal = Vec3::UnitZ();  ///< unit
+  double offset = 0.0;          ///< m
+
+  double height_of(const Vec3& point) const { return normal.dot(point) - offset; }
+};
+
+/// Bounded and solid. Every vertex is stored once, so that what is cut stays closed.
+class ConvexCell {
+ public:
+  /// The box.
+  explicit ConvexCell(const Bounds& box);
+
+  /// The part below a plane; none where there is nothing. Vertices within `slack`, m, of the plane
+  /// count as on it.
+  std::optional<ConvexCell> below(const Plane& plane, double slack) const;
+
+  const std::vector<Vec3>& vertices() const { return vertices_; }
+  /// The planes of its faces, normals outwards.
+  std::vector<Plane> planes() const;
+  Bounds box() const;
+  double volume() const;  ///< m^3
+  Vec3 centre() const;    ///< mean of the vertices, inside
+  TriangleMesh mesh() const;
+
+ private:
+  ConvexCell() = default;
+  std::vector<Vec3> vertices_;
+  std::vector<std::vector<std::uint32_t>> faces_;  ///< counter-clockwise seen from outside
+};
+
+/// The largest rounded body inside a convex polyhedron: its core is what lies `radius` or more
+/// below all faces. Faces are those of the polyhedron, edges and corners are round.
+/// @param polyhedron  closed, outward, convex
+/// @return none: nothing lies so deep
+std::optional<SpheroPolyhedron> rounded_inside(const TriangleMesh& polyhedron, double radius);
+
+}  // namespace clast
