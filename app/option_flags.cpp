@@ -25,6 +25,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"format", "--format"},
     {"group_by", "--by"},
     {"jobs", "--jobs"},
+    {"joints", "--joints"},
     {"marker_side", "--marker-size"},
     {"mass", "--mass"},
     {"merge_results", "clast simulate --merge PARTS -o ALL"},

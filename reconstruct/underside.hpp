@@ -7,20 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "mesh/plane.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "reconstruct/block_bounds.hpp"
 #include "reconstruct/seen_through.hpp"
 #include "reconstruct/surface_margin.hpp"
 
 namespace clast {
-
-/// A plane, as n . p = d with the unit normal n.
-struct Plane {
-  Vec3 normal = Vec3::UnitZ();
-  double distance = 0.0;  ///< m
-
-  double height(const Vec3& point) const { return normal.dot(point) - distance; }
-};
 
 /// What is known and what is supposed of an underside.
 struct UndersideOptions {

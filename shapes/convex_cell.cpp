@@ -41,7 +41,7 @@ std::optional<ConvexCell> ConvexCell::below(const Plane& plane, double slack) co
   std::vector<double> heights;
   bool any_above = false, any_below = false;
   for (const Vec3& vertex : vertices_) {
-    const double height = plane.height_of(vertex);
+    const double height = plane.height(vertex);
     heights.push_back(std::abs(height) <= slack ? 0.0 : height);
     any_above |= heights.back() > 0.0;
     any_below |= heights.back() < 0.0;

@@ -4,17 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/plane.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
-
-/// All x with normal.x = offset.
-struct Plane {
-  Vec3 normal = Vec3::UnitZ();  ///< unit
-  double offset = 0.0;          ///< m
-
-  double height_of(const Vec3& point) const { return normal.dot(point) - offset; }
-};
 
 /// Bounded and solid. Every vertex is stored once, so that what is cut stays closed.
 class ConvexCell {

@@ -59,7 +59,7 @@ std::vector<Vec3> cut_below(const std::vector<Vec3>& polygon, const Plane& plane
   std::vector<Vec3> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double height_a = plane.height_of(a) + inset, height_b = plane.height_of(b) + inset;
+    const double height_a = plane.height(a) + inset, height_b = plane.height(b) + inset;
     if (height_a <= 0.0) kept.push_back(a);
     if (height_a * height_b < 0.0) kept.push_back(a + height_a / (height_a - height_b) * (b - a));
   }
@@ -91,7 +91,7 @@ class Cutting {
     std::vector<ConvexCell> cells = {ConvexCell(bounds(mass_))};
     for (const JointSet& set : sets) {
       for (const Plane& plane : planes_of(set, mass_, random)) {
-        const Plane turned = {-plane.normal, -plane.offset};
+        const Plane turned = {-plane.normal, -plane.distance};
         std::vector<ConvexCell> parts;
         for (const ConvexCell& cell : cells) {
           for (const Plane& side : {plane, turned}) {
@@ -177,7 +177,7 @@ class Cutting {
     for (const Piece& piece : pieces) {
       if (piece.normal.dot(largest.normal) < same) continue;
       for (const Vec3& corner : piece.corners) {
-        plane.offset = std::min(plane.offset, plane.normal.dot(corner));
+        plane.distance = std::min(plane.distance, plane.normal.dot(corner));
       }
     }
     return plane;
@@ -215,7 +215,7 @@ JointSet read_joint_set(const std::string& text) {
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find('/', at), text.size());
     const std::optional<double> number = number_in(std::string_view(text).substr(at, end - at));
-    if (!number || !std::isfinite(*number)) {
+    if (!number) {
       numbers.clear();
       break;
     }
@@ -232,7 +232,7 @@ JointSet read_joint_set(const std::string& text) {
   const auto check = [&](std::size_t i, const char* name, double low, double high,
                          const char* unit) {
     if (numbers[i] >= low && numbers[i] <= high) return;
-    throw InputError("joint set " + text + ": " + name + " = " + with_digits(numbers[i], 6) +
+    throw InputError("`joints` " + text + ": " + name + " = " + with_digits(numbers[i], 6) +
                      "; must be from " + with_digits(low, 4) + " to " + with_digits(high, 4) +
                      unit);
   };

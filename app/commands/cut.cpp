@@ -140,6 +140,7 @@ void add_cut(CLI::App& app) {
       ->type_name("TEXT")
       ->capture_default_str();
   command->add_option("--seed", options.cutting.seed, "Of the places of the joints")
+      ->check(whole_number())
       ->type_name("N")
       ->capture_default_str();
   command

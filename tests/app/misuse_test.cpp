@@ -30,7 +30,7 @@ class Capture {
 };
 
 void add_commands(CLI::App& app) {
-  for (const auto add : {add_reconstruct, add_show, add_classify, add_export, add_library,
+  for (const auto add : {add_reconstruct, add_cut, add_show, add_classify, add_export, add_library,
                          add_terrain, add_simulate, add_compare}) {
     add(app);
   }
@@ -234,6 +234,16 @@ TEST_F(Misuse, NumbersOfOtherCommandsOutsideTheirRangesAreRefusedWithThem) {
       {"classify", "x.csv"},
       {{"--seed"}, {"--units"}, {"--axis-error"}, {"--roundness"}, {"--erdogan-limit"}}, kNoBlock,
       true);
+  expect_numbers_refused({"cut", "x.ply", "-j", "60/90/1"},
+                         {{"--seed"},
+                          {"--least-volume"},
+                          {"--most-blocks"},
+                          {"--density"},
+                          {"--radius-share"},
+                          {"--units"},
+                          {"--threads"},
+                          {"--joints", "60/90/VALUE"}},
+                         kNoBlock, true);
   expect_numbers_refused({"simulate", "x.toml"}, {{"--threads"}}, kNoBlock, true);
   expect_numbers_refused({"compare", "x.h5"}, {{"--animate"}}, kNoBlock, true);
   expect_numbers_refused({"export", "x.h5"}, {{"--segments"}}, kNoBlock, true);
