@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/commands/commands.hpp"
@@ -41,6 +42,8 @@ struct CutArgs {
 
 /// Corners nearer than this share of the diagonal are one: STL files repeat them.
 constexpr double kSameCorner = 1e-9;
+/// Blocks that hold less of the mass are warned of.
+constexpr double kUsualShare = 0.9;
 /// Failed blocks that are named.
 constexpr std::size_t kMostNamed = 5;
 
@@ -52,7 +55,11 @@ TriangleMesh read_mass(const CutArgs& args) {
     vertex *= unit;
     if (turned) vertex = turned_z_up(vertex);
   }
-  return welded(mass, kSameCorner * bounds(mass).diagonal());
+  mass = welded(mass, kSameCorner * bounds(mass).diagonal());
+  if (signed_volume(mass) < 0.0) {
+    for (TriangleMesh::Triangle& triangle : mass.triangles) std::swap(triangle[0], triangle[1]);
+  }
+  return mass;
 }
 
 MassBlocks cut_blocks(const CutArgs& args) {
@@ -66,8 +73,9 @@ MassBlocks cut_blocks(const CutArgs& args) {
     if (!progress) progress = std::make_unique<ProgressBar>("blocks", step.total);
     progress->update(step.done);
   };
+  const TriangleMesh mass = read_mass(args);
   try {
-    return blocks_of_mass(read_mass(args), source, options);
+    return blocks_of_mass(mass, source, options);
   } catch (const Cancelled&) {
     throw InputError("interrupted; " + args.output + " is as it was");
   } catch (const GeometryError& error) {
@@ -103,14 +111,20 @@ void cut(const CutArgs& args) {
     std::cerr << "clast: warning: " << made.failed.size() - kMostNamed
               << " more pieces could not be made into blocks\n";
   }
+  const double share = made.block_volume / made.volume;
+  if (share < kUsualShare) {
+    std::cerr << "clast: warning: " << percent(1.0 - share)
+              << " of the mass is in no block: the surface is hollow there within a block, or "
+                 "pieces are smaller than --least-volume; closer joints or a smaller volume lose "
+                 "less\n";
+  }
   std::vector<double> volumes;
   for (const Block& block : made.blocks) volumes.push_back(block.mass.volume);
   std::sort(volumes.begin(), volumes.end());
   std::cout << counted(made.blocks.size(), "block") << " of " << with_digits(volumes.front(), 3)
             << " to " << with_digits(volumes.back(), 3) << " m3, median "
             << with_digits(quantile(volumes, 0.5), 3) << " m3; together "
-            << with_digits(made.block_volume, 4) << " m3, "
-            << percent(made.block_volume / made.volume) << " of the mass of "
+            << with_digits(made.block_volume, 4) << " m3, " << percent(share) << " of the mass of "
             << with_digits(made.volume, 4) << " m3\n"
             << printable(args.output) << ": " << counted(made.blocks.size(), "block")
             << " written, " << library.blocks().size() << " in all\n";
@@ -131,6 +145,7 @@ void add_cut(CLI::App& app) {
                    "degrees, the direction clockwise from north (y), and metres along the normal; "
                    "give one for each set")
       ->required()
+      ->allow_extra_args(false)
       ->type_name("SET");
   command->add_option("-o,--output", args->output, "Block library; blocks in it are kept")
       ->type_name("LIB")

@@ -50,6 +50,21 @@ TEST_F(CutCommand, WritesALibraryOfTheBlocks) {
   EXPECT_NE(Json::parse(run_clast({"show", "insitu.h5", "--json"}, folder.path()).out), blocks);
 }
 
+// A mass whose triangles face inwards is turned; one that joints hardly cut is warned of.
+TEST_F(CutCommand, TurnsTheMassAndSaysWhatIsLost) {
+  const ProgramRun outward = cut(folder, {"-o", "a.h5"});
+  TriangleMesh turned = mass_;
+  for (auto& triangle : turned.triangles) std::swap(triangle[0], triangle[1]);
+  write_mesh(folder / "scar.ply", turned, {.rules = {.replace = true}});
+  const ProgramRun inward = cut(folder, {"-o", "a.h5", "--replace"});
+  EXPECT_EQ(inward.out, outward.out);
+  EXPECT_FALSE(contains(outward.err, "is in no block")) << outward.err;
+  const ProgramRun coarse =
+      run_clast({"cut", "-j", "0/0/50", "scar.ply", "-o", "b.h5"}, folder.path());
+  EXPECT_EQ(coarse.exit_code, 0) << coarse.err;
+  EXPECT_TRUE(contains(coarse.err, " % of the mass is in no block")) << coarse.err;
+}
+
 TEST_F(CutCommand, RefusesWithItemAndNextStep) {
   const auto refused = [&](const std::vector<std::string>& words, int code,
                            const std::string& item) { expect_refused(folder, words, code, item); };
