@@ -11,19 +11,15 @@
 #include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "dem/ground_overlap.hpp"
-#include "study/detail/block_packing.hpp"
 #include "study/detail/campaign_checks.hpp"
+#include "study/detail/mass_starts.hpp"
 #include "study/detail/named_seed.hpp"
+#include "study/detail/run_starts.hpp"
 #include "study/release_points.hpp"
 
 namespace clast::study_detail {
 
 namespace {
-
-/// Width of the cells that a mass is put together in, as a share of the smallest S, unless they
-/// were too many.
-constexpr double kCellShare = 1.0 / 6.0;
-constexpr double kMostCells = 1e6;
 
 // Points in the local frame, each over the terrain.
 std::vector<Vec3> local_points(const Campaign& campaign, const ReleasePlan& release,
@@ -72,21 +68,6 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
   if (std::isfinite(clearance)) state.position.z() += drop_height - clearance;
 }
 
-// How deep a block is in the ground, m; none when it is clear of it.
-std::optional<double> depth_in_ground(const GroundOverlap& ground_overlap,
-                                      const TerrainSurface& surface, const RigidBody& body,
-                                      const RigidState& state) {
-  const double overlap = ground_overlap.deepest(state);
-  // What the dynamics will refuse.
-  if (overlap > ReleaseSettings{}.start_overlap * body.smallest_side) return overlap;
-  // A block that is buried whole touches no face of the ground.
-  const Vec3& centre = state.position;
-  const double abyss = surface.extent().low.z() - 1.0;
-  const std::optional<double> ground = surface.height(centre.x(), centre.y(), abyss);
-  if (ground && centre.z() < *ground) return *ground - lowest_point(body, state);
-  return std::nullopt;
-}
-
 void check_clear_of_ground(const PreparedCampaign& prepared, const GroundOverlap& ground_overlap,
                            const ReleasePlan& release, std::size_t point_of_set,
                            const RunRecord& run) {
@@ -102,15 +83,6 @@ void check_clear_of_ground(const PreparedCampaign& prepared, const GroundOverlap
       place_on_map(prepared.header.frame.map(run.start.position)) +
       (release.drop_height ? "; raise " + table + " height_m"
                            : "; raise the release point or use " + table + " height_m"));
-}
-
-// Random orientations of one block at one point of a set, or in one realisation. Their seed is made
-// from names, not from places in the campaign, so that they do not depend on what else runs.
-std::vector<Quat> fresh_orientations(const ReleasePlan& release, const std::string& block,
-                                     const std::string& where, std::size_t count) {
-  std::uint64_t seed = release.orientation_seed;
-  for (const std::string& name : {release.name, block, where}) seed = named_seed(seed, name);
-  return random_orientations(count, seed);
 }
 
 /// Makes the runs of a campaign one by one.
@@ -154,35 +126,21 @@ class Planner {
     }
   }
 
-  /// All blocks of a realisation of a mass, in place or put together to a heap in a drawn order.
+  /// All blocks of a realisation of a mass, in a drawn order or as they are in place.
   void plan_mass(std::uint32_t realisation) {
     const Campaign& campaign = prepared_.campaign;
     const std::string name = "realisation " + std::to_string(realisation);
     Random random(named_seed(campaign.releases.front().seed, name));
-    MassStart& mass = prepared_.masses.emplace_back();
-    const std::vector<std::uint32_t> order = order_of(realisation, random);
-    if (!campaign.stay->mass->in_place) packing_of_mass().clear();
-    for (std::size_t i = 0; i < order.size(); ++i) {
+    if (!mass_) mass_.emplace(prepared_);
+    mass_->begin(name);
+    for (const std::uint32_t block : order_of(realisation, random)) {
       RunRecord run;
-      run.block = order[i];
-      if (campaign.stay->mass->in_place) {
-        run.start = place_of(run.block);
-        check_place(run);
-      } else {
-        const std::optional<RigidState> start = packed(run.block, name, random);
-        if (!start) refuse_block(run.block, i, order.size());
-        run.start = *start;
-      }
+      run.block = block;
+      run.start = mass_->place(block, overlap_of(block), random);
       run.ground_set = realisation % campaign.ensemble.members;
       add(run);
-      mass.volume += prepared_.header.blocks[run.block].volume;
-      mass.mass += prepared_.bodies[run.block].mass;
     }
-    if (!packing_) return;
-    const Filling filling = packing_->filling();
-    mass.area = filling.area;
-    mass.mean_thickness = filling.mean_thickness;
-    mass.largest_thickness = filling.largest_thickness;
+    prepared_.masses.push_back(mass_->placed());
   }
 
   /// The blocks of a realisation in the order of their release; points and orientations are drawn.
@@ -250,81 +208,6 @@ class Planner {
                           of_set, run);
   }
 
-  /// Where a block lies in the frame of its library.
-  RigidState place_of(std::uint32_t block) const {
-    const Pose place =
-        prepared_.choice.library[prepared_.choice.blocks[block].library].source_from_body();
-    RigidState state;
-    state.position = prepared_.header.frame.local(place.translation) +
-                     Vec3(0.0, 0.0, prepared_.campaign.stay->mass->raised);
-    state.orientation = place.rotation.normalized();
-    return state;
-  }
-
-  void check_place(const RunRecord& run) {
-    const std::string where = prepared_.campaign.file.string() + ": [mass] in_place: block " +
-                              prepared_.header.blocks[run.block].id;
-    const Vec3& place = run.start.position;
-    const std::string on_map = place_on_map(prepared_.header.frame.map(place));
-    if (!prepared_.surface->covers(place.x(), place.y())) {
-      throw InputError(where + " with its centre at " + on_map +
-                       " is off the terrain; check the map frame and the axis that points up");
-    }
-    const std::optional<double> depth = depth_in_ground(overlap_of(run.block), *prepared_.surface,
-                                                        prepared_.bodies[run.block], run.start);
-    if (!depth) return;
-    throw SimulationError(where + " with its centre at " + on_map + " starts " +
-                          with_decimals(*depth, 3) +
-                          " m inside the ground; the terrain must be the one without the mass, or "
-                          "give [mass] height_m");
-  }
-
-  std::optional<RigidState> packed(std::uint32_t block, const std::string& realisation,
-                                   Random& random) {
-    const Campaign& campaign = prepared_.campaign;
-    const Quat turn = fresh_orientations(campaign.releases.front(),
-                                         prepared_.choice.blocks[block].id, realisation, 1)
-                          .front();
-    return packing_of_mass().place(prepared_.bodies[block], overlap_of(block), turn,
-                                   campaign.stay->mass->thickness, random);
-  }
-
-  /// Made for the first realisation: it looks up the ground in every cell.
-  BlockPacking& packing_of_mass() {
-    if (packing_) return *packing_;
-    std::vector<Vec2> outline = prepared_.campaign.stay->mass->polygon;
-    Bounds box;
-    for (Vec2& corner : outline) {
-      corner -= prepared_.header.frame.origin.head<2>();
-      box.include({corner.x(), corner.y(), 0.0});
-    }
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const RigidBody& body : prepared_.bodies) smallest = std::min(smallest, body.size());
-    const Vec3 sides = box.high - box.low;
-    const double width =
-        std::max(kCellShare * smallest, std::sqrt(sides.x() * sides.y() / kMostCells));
-    try {
-      return packing_.emplace(*prepared_.surface, outline, width);
-    } catch (const InputError& error) {
-      throw InputError(prepared_.campaign.file.string() + ": [mass] " + error.what() +
-                       "; check its corners and the map frame");
-    }
-  }
-
-  [[noreturn]] void refuse_block(std::uint32_t block, std::size_t placed, std::size_t all) const {
-    const std::optional<double>& thickness = prepared_.campaign.stay->mass->thickness;
-    const BlockSummary& summary = prepared_.header.blocks[block];
-    std::string text = prepared_.campaign.file.string() + ": [mass] holds " +
-                       std::to_string(placed) + " of " + std::to_string(all) +
-                       " blocks of realisation " + std::to_string(prepared_.masses.size()) +
-                       ", and block " + summary.id +
-                       " with L = " + with_decimals(summary.axes.L, 3) + " m fits nowhere";
-    text += thickness ? " below thickness_m = " + with_digits(*thickness, 6) +
-                            "; allow more, widen the polygon, or take fewer or smaller blocks"
-                      : "; widen the polygon, or take smaller blocks";
-    throw InputError(text);
-  }
-
   void add(RunRecord run) {
     run.run = static_cast<std::uint32_t>(prepared_.runs.size());
     prepared_.runs.push_back(run);
@@ -333,7 +216,7 @@ class Planner {
   PreparedCampaign& prepared_;
   std::vector<std::vector<Vec3>> points_;                      ///< of each release set, local frame
   std::vector<std::optional<GroundOverlap>> ground_overlaps_;  ///< of blocks, as they are needed
-  std::optional<BlockPacking> packing_;
+  std::optional<MassStarts> mass_;
 };
 
 /// Run numbers have eight digits in the results.
