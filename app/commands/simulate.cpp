@@ -118,7 +118,7 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
   const std::size_t items = runs / together;
   const double each = probe.each * static_cast<double>(together);
   const double expected = each * static_cast<double>(items) /
-                          static_cast<double>(std::min<std::size_t>(threads, items));
+                          static_cast<double>(std::clamp<std::size_t>(items, 1, threads));
   write_output(map, plan_map(prepared.header), rules);
   if (args.json) {
     summary["expected_time_s"] = expected;
