@@ -9,6 +9,7 @@
 #include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "shapes/convex_hull.hpp"
@@ -27,7 +28,9 @@ constexpr std::array<double, 4> kSameDirections = {2.0, 10.0, 25.0, 45.0};
 constexpr double kNoArea = 1e-9;
 constexpr int kMostTrims = 60;
 
-std::vector<Plane> planes_of(const JointSet& set, const TriangleMesh& mass, Random& random) {
+/// The planes of a set in the direction of its normal, one more than `most` at most.
+std::vector<Plane> planes_of(const JointSet& set, const TriangleMesh& mass, Random& random,
+                             std::size_t most) {
   const Vec3 normal = set.normal();
   double low = 1e300, high = -1e300;
   for (const Vec3& vertex : mass.vertices) {
@@ -42,7 +45,8 @@ std::vector<Plane> planes_of(const JointSet& set, const TriangleMesh& mass, Rand
     return set.scatter > 0.0 ? std::exp(mean + sigma * random.normal()) : set.spacing;
   };
   std::vector<Plane> planes;
-  for (double at = low + random.uniform() * distance(); at < high; at += distance()) {
+  for (double at = low + random.uniform() * distance(); at < high && planes.size() <= most;
+       at += distance()) {
     planes.push_back({normal, at});
   }
   return planes;
@@ -90,28 +94,28 @@ class Cutting {
     Random random(options_.seed);
     std::vector<ConvexCell> cells = {ConvexCell(bounds(mass_))};
     for (const JointSet& set : sets) {
-      for (const Plane& plane : planes_of(set, mass_, random)) {
-        const Plane turned = {-plane.normal, -plane.distance};
-        std::vector<ConvexCell> parts;
-        for (const ConvexCell& cell : cells) {
-          for (const Plane& side : {plane, turned}) {
-            std::optional<ConvexCell> part = cell.below(side, slack_);
-            if (part && part->volume() >= options_.least_volume) parts.push_back(*std::move(part));
-          }
-        }
-        cells = std::move(parts);
+      const std::vector<Plane> planes = planes_of(set, mass_, random, 10 * options_.most_blocks);
+      if (planes.empty()) continue;
+      if (planes.size() > 10 * options_.most_blocks) refuse_count();
+      std::vector<ConvexCell> parts;
+      for (const ConvexCell& cell : cells) {
+        add_slices(cell, planes, parts);
         // Some lie in the box around the mass only.
-        check_count(cells.size() / 10);
+        check_count(parts.size() / 10);
       }
+      cells = std::move(parts);
     }
     return cells;
   }
 
   void check_count(std::size_t count) const {
-    if (count <= options_.most_blocks) return;
-    throw InputError("the joint sets cut the mass into more than " +
-                     std::to_string(options_.most_blocks) +
-                     " blocks; take wider spacings or a smaller mass, or allow more");
+    if (count > options_.most_blocks) refuse_count();
+  }
+
+  [[noreturn]] void refuse_count() const {
+    throw InputError(
+        "the joint sets cut the mass into more than " + std::to_string(options_.most_blocks) +
+        " blocks; take wider spacings or a smaller mass, allow more, or check the units");
   }
 
   /// The cell without what is outside of the mass, as large as may be; none where too little is
@@ -136,6 +140,30 @@ class Cutting {
       cell = cell->below(inner_plane(pieces, same), slack_);
     }
     return std::nullopt;
+  }
+
+  /// What parallel planes cut a cell into.
+  /// @param planes  in the direction of their normal
+  void add_slices(const ConvexCell& cell, const std::vector<Plane>& planes,
+                  std::vector<ConvexCell>& slices) const {
+    std::optional<ConvexCell> rest = cell;
+    const auto keep = [&](std::optional<ConvexCell> part) {
+      if (part && part->volume() >= options_.least_volume) slices.push_back(*std::move(part));
+    };
+    double low = 1e300, high = -1e300;
+    for (const Vec3& vertex : cell.vertices()) {
+      low = std::min(low, planes.front().normal.dot(vertex));
+      high = std::max(high, planes.front().normal.dot(vertex));
+    }
+    auto plane = std::lower_bound(planes.begin(), planes.end(), low,
+                                  [](const Plane& a, double at) { return a.distance < at; });
+    for (; plane != planes.end() && plane->distance < high; ++plane) {
+      keep(rest->below(*plane, slack_));
+      check_count(slices.size() / 10);
+      rest = rest->below({-plane->normal, -plane->distance}, slack_);
+      if (!rest) return;
+    }
+    keep(std::move(rest));
   }
 
   /// The surface of the mass inside a cell, not on its faces.
@@ -251,6 +279,10 @@ CutMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets
   if (!report.closed() || !report.oriented()) {
     throw GeometryError("the mass is not a closed surface (" + report.summary() +
                         "); close it, for example by filling its holes in MeshLab");
+  }
+  if (const std::size_t crossings = crossing_triangles(on_map).size()) {
+    throw GeometryError("the surface of the mass crosses itself, " + counted(crossings, "pair") +
+                        " of triangles do; repair it, for example in MeshLab");
   }
   // Map coordinates would cost digits.
   const Vec3 origin = bounds(on_map).low.array().round();

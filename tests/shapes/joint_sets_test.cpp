@@ -170,6 +170,15 @@ TEST(CutByJoints, RefusesWhatItCanNotCut) {
   open.triangles.pop_back();
   EXPECT_TRUE(contains(refusal<GeometryError>([&] { cut_by_joints(open, one); }),
                        "is not a closed surface"));
+  // A mass of kilometres, as in wrong units, is refused at once.
+  EXPECT_TRUE(contains(refusal([&] {
+                         cut_by_joints(box_mesh({6e4, 4e4, 3e4}), fine);
+                       }),
+                       "into more than 10000 blocks"));
+  TriangleMesh crossed = rock_mesh(4, {4.0, 3.0, 2.5}, 1, 0.0);
+  crossed.vertices[20] = Vec3(0.0, 0.0, 0.0) - 2.0 * crossed.vertices[20];
+  EXPECT_TRUE(
+      contains(refusal<GeometryError>([&] { cut_by_joints(crossed, one); }), "crosses itself"));
   TriangleMesh turned = mass;
   for (auto& triangle : turned.triangles) std::swap(triangle[0], triangle[1]);
   EXPECT_TRUE(

@@ -33,18 +33,29 @@ std::string dimensions(const std::string& separator, bool decimal_comma) {
 }
 
 /// Everything that the campaign names is beside it.
-NamedReader campaign_reader(const std::string& file) {
+NamedReader campaign_reader(const std::string& file, const std::string& text) {
   return {file, [=]() -> FuzzedReader {
             return {file,
                     file,
-                    {{"campaign.toml", kCampaign},
+                    {{file, text},
                      {"blocks.h5", "stand-in"},
                      {"blue.stl", "stand-in"},
                      {"gray.stl", "stand-in"},
                      {"points.xyz", "1 2 3\n4 5 6\n"},
                      {"turns.txt", "q0 q1 q2 q3\n1 0 0 0\n0 1 0 0\n"}},
-                    [](const auto& folder) { read_campaign(folder / "campaign.toml"); }};
+                    [=](const auto& folder) { read_campaign(folder / file); }};
           }};
+}
+
+/// The campaign with a rock mass in place of its releases.
+std::string of_a_mass(std::string text) {
+  const std::size_t begin = text.find("[release]");
+  const std::size_t end = text.find("\n[", begin);
+  text.replace(begin, end - begin,
+               "[[mass]]\npolygon = [[0, 0], [4, 0], [4.5, 3], [0, 3]]\nthickness_m = 2.5\n"
+               "realisations = 3\nseed = 7\n\n[contact.blocks]\nenergy_restitution = 0.1\n"
+               "friction = 0.5\nrolling_friction = 0.2\n");
+  return text;
 }
 
 std::string many_points() {
@@ -90,7 +101,8 @@ std::vector<NamedReader> table_and_campaign_readers() {
               ASSERT_TRUE(stop.place.allFinite());
             }
           }),
-      campaign_reader("campaign.toml"),
+      campaign_reader("campaign.toml", kCampaign),
+      campaign_reader("mass.toml", of_a_mass(kCampaign)),
       reader_of("release.xyz", many_points,
                 [](const auto& path) {
                   for (const Vec3& p : read_points(path)) ASSERT_TRUE(p.allFinite());
