@@ -1,5 +1,7 @@
 #pragma once
-/// A plane in space.
+/// A plane in space, and what it cuts off.
+#include <vector>
+
 #include "core/types.hpp"
 
 namespace clast {
@@ -11,5 +13,9 @@ struct Plane {
 
   double height(const Vec3& point) const { return normal.dot(point) - distance; }
 };
+
+/// The part of a convex polygon that is on or below a plane; fewer than three corners: no area.
+/// @cite sutherland1974
+std::vector<Vec3> below(const std::vector<Vec3>& polygon, const Plane& plane);
 
 }  // namespace clast

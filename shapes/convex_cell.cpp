@@ -14,7 +14,7 @@ namespace {
 
 /// Of the diagonal: points nearer to a plane lie on it.
 constexpr double kSlack = 1e-9;
-/// Vertices of a core nearer than this share of its size are one.
+/// Vertices of a cell nearer than this share of its size are one.
 constexpr double kSameVertex = 1e-4;
 
 /// Twice the area of a face along its normal.
@@ -140,6 +140,19 @@ TriangleMesh ConvexCell::mesh() const {
   return mesh;
 }
 
+std::optional<TriangleMesh> ConvexCell::hull() const {
+  const double near = kSameVertex * std::cbrt(volume());
+  std::vector<Vec3> distinct;
+  for (const Vec3& vertex : vertices_) {
+    if (std::none_of(distinct.begin(), distinct.end(),
+                     [&](const Vec3& other) { return (vertex - other).norm() <= near; })) {
+      distinct.push_back(vertex);
+    }
+  }
+  if (affine_span(distinct).dimension < 3) return std::nullopt;
+  return convex_hull(distinct);
+}
+
 std::optional<SpheroPolyhedron> rounded_inside(const TriangleMesh& polyhedron, double radius) {
   const Bounds box = bounds(polyhedron);
   // Far from the origin heights above planes would lose digits.
@@ -156,19 +169,11 @@ std::optional<SpheroPolyhedron> rounded_inside(const TriangleMesh& polyhedron, d
     core = core->below({normal, offset - radius}, slack);
     if (!core) return std::nullopt;
   }
-  const double near = kSameVertex * std::cbrt(core->volume());
-  std::vector<Vec3> vertices;
-  for (const Vec3& vertex : core->vertices()) {
-    if (std::none_of(vertices.begin(), vertices.end(),
-                     [&](const Vec3& other) { return (vertex - other).norm() <= near; })) {
-      vertices.push_back(vertex);
-    }
-  }
-  if (affine_span(vertices).dimension < 3) return std::nullopt;
+  const std::optional<TriangleMesh> hull = core->hull();
+  if (!hull) return std::nullopt;
   Pose to_place;
   to_place.translation = origin;
-  return with_merged_faces(sphero_polyhedron(transformed(convex_hull(vertices), to_place), radius),
-                           kFlatInFiles);
+  return with_merged_faces(sphero_polyhedron(transformed(*hull, to_place), radius), kFlatInFiles);
 }
 
 }  // namespace clast

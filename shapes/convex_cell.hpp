@@ -26,6 +26,8 @@ class ConvexCell {
   double volume() const;  ///< m^3
   Vec3 centre() const;    ///< mean of the vertices, inside
   TriangleMesh mesh() const;
+  /// The same without vertices that nearly coincide, to 1e-4 of its size; none: it is flat.
+  std::optional<TriangleMesh> hull() const;
 
  private:
   ConvexCell() = default;

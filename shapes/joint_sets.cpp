@@ -12,15 +12,12 @@
 #include "mesh/self_intersection.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "shapes/convex_hull.hpp"
 
 namespace clast {
 namespace {
 
 /// Of the diagonal of the mass: points nearer to a plane lie on it.
 constexpr double kSlack = 1e-9;
-/// Vertices of a block nearer than this share of its size are one.
-constexpr double kSameVertex = 1e-4;
 /// Pieces of the surface whose normals are this near to that of the largest are cut off together,
 /// degrees. Small angles suit smooth surfaces, large ones rough ones: all are tried.
 constexpr std::array<double, 4> kSameDirections = {2.0, 10.0, 25.0, 45.0};
@@ -58,17 +55,6 @@ struct Piece {
   Vec3 normal = Vec3::UnitZ();
   double area = 0.0;
 };
-
-std::vector<Vec3> cut_below(const std::vector<Vec3>& polygon, const Plane& plane, double inset) {
-  std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double height_a = plane.height(a) + inset, height_b = plane.height(b) + inset;
-    if (height_a <= 0.0) kept.push_back(a);
-    if (height_a * height_b < 0.0) kept.push_back(a + height_a / (height_a - height_b) * (b - a));
-  }
-  return kept;
-}
 
 double area_of(const std::vector<Vec3>& polygon) {
   Vec3 sum = Vec3::Zero();
@@ -183,7 +169,7 @@ class Cutting {
           unit_normal(mass_, triangle)};
       for (const Plane& plane : planes) {
         if (piece.corners.size() < 3) break;
-        piece.corners = cut_below(piece.corners, plane, 10.0 * slack_);
+        piece.corners = below(piece.corners, {plane.normal, plane.distance - 10.0 * slack_});
       }
       if (piece.corners.size() < 3) continue;
       piece.area = area_of(piece.corners);
@@ -217,19 +203,6 @@ class Cutting {
   double slack_;
   std::vector<Bounds> boxes_;  ///< of the triangles
 };
-
-/// The hull of the cell's vertices, of those that nearly coincide the first.
-TriangleMesh block_of(const ConvexCell& cell) {
-  const double near = kSameVertex * std::cbrt(cell.volume());
-  std::vector<Vec3> vertices;
-  for (const Vec3& vertex : cell.vertices()) {
-    if (std::none_of(vertices.begin(), vertices.end(),
-                     [&](const Vec3& other) { return (vertex - other).norm() < near; })) {
-      vertices.push_back(vertex);
-    }
-  }
-  return convex_hull(vertices);
-}
 
 }  // namespace
 
@@ -295,8 +268,9 @@ CutMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets
   const Cutting cutting(mass, options);
   for (const ConvexCell& cell : cutting.cells_between(sets)) {
     const std::optional<ConvexCell> inside = cutting.inside(cell);
-    if (!inside) continue;
-    cut.blocks.push_back(block_of(*inside));
+    std::optional<TriangleMesh> block = inside ? inside->hull() : std::nullopt;
+    if (!block) continue;
+    cut.blocks.push_back(*std::move(block));
     cut.block_volume += signed_volume(cut.blocks.back());
     for (Vec3& vertex : cut.blocks.back().vertices) vertex += origin;
     cutting.check_count(cut.blocks.size());

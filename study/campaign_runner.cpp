@@ -57,7 +57,7 @@ class Collector {
       last = now;
       const std::lock_guard lock(one_at_a_time_);
       try {
-        tell(name + ": " + with_decimals(time, 1) + " s simulated");
+        report_progress(name + ": " + with_decimals(time, 1) + " s simulated");
       } catch (...) {
         throw Stopped{std::current_exception()};
       }
@@ -77,11 +77,11 @@ class Collector {
       writer_.add(run);
       ++done_;
     }
-    tell("");
+    report_progress();
   }
 
  private:
-  void tell(const std::string& what) const {
+  void report_progress(const std::string& what = "") const {
     if (!options_.progress) return;
     options_.progress({.done = done_, .total = planned_, .before = before_.size(), .what = what});
   }

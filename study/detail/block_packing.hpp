@@ -28,7 +28,7 @@ class BlockPacking {
   /// @throws InputError  the outline has no area, or covers no cell; where it is off the terrain
   BlockPacking(const TerrainSurface& ground, std::span<const Vec2> outline, double width);
 
-  /// Takes all blocks away.
+  /// Removes all blocks.
   void clear();
 
   /// Puts a block on the heap.

@@ -4,24 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/plane.hpp"
+
 namespace clast::study_detail {
 namespace {
-
-/// The part of a convex polygon on one side of a plane that is normal to an axis.
-/// @param sign  1: what is above `bound` along the axis; -1: what is below
-std::vector<Vec3> cut(const std::vector<Vec3>& polygon, int axis, double bound, double sign) {
-  std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3& a = polygon[i];
-    const Vec3& b = polygon[(i + 1) % polygon.size()];
-    const double above_a = sign * (a[axis] - bound), above_b = sign * (b[axis] - bound);
-    if (above_a >= 0.0) kept.push_back(a);
-    if ((above_a > 0.0 && above_b < 0.0) || (above_a < 0.0 && above_b > 0.0)) {
-      kept.push_back(a + above_a / (above_a - above_b) * (b - a));
-    }
-  }
-  return kept;
-}
 
 /// The cells that a body may reach, in one block of rows.
 class Cells {
@@ -79,7 +65,7 @@ class Cells {
     for (std::int64_t k = cell_of(low - radius_); k <= cell_of(high + radius_); ++k) {
       const double from = static_cast<double>(k) * width_ - radius_;
       const double to = static_cast<double>(k + 1) * width_ + radius_;
-      visit(k, cut(cut(polygon, axis, from, 1.0), axis, to, -1.0));
+      visit(k, below(below(polygon, {-Vec3::Unit(axis), -from}), {Vec3::Unit(axis), to}));
     }
   }
 

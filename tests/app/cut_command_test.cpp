@@ -39,7 +39,7 @@ TEST_F(CutCommand, WritesALibraryOfTheBlocks) {
   }
   EXPECT_LT(volume, signed_volume(mass_));
   EXPECT_GT(volume, 0.85 * signed_volume(mass_));
-  // Units and seed reach the cutting; blocks of the same id are kept unless told otherwise.
+  // Units and seed reach the cutting; blocks of the same id are kept without --replace.
   EXPECT_TRUE(contains(cut(folder, {"-o", "mm.h5", "--units", "mm", "--least-volume", "1e-12"}).out,
                        "mm.h5: "));
   const ProgramRun again = cut(folder, {"-o", "insitu.h5", "--prefix", "K"});

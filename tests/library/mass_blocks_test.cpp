@@ -82,9 +82,9 @@ TEST(MassBlocks, AreTheSameOnAnyNumberOfThreads) {
   options.threads = 1;
   const MassBlocks one = blocks_of_mass(mass, kSource, options);
   options.threads = 2;
-  std::size_t told = 0;
+  std::size_t reported = 0;
   options.progress = [&](const ProgressStep& step) {
-    EXPECT_EQ(step.done, ++told);
+    EXPECT_EQ(step.done, ++reported);
     EXPECT_EQ(step.total, one.blocks.size() + one.failed.size());
   };
   const MassBlocks two = blocks_of_mass(mass, kSource, options);
