@@ -39,7 +39,7 @@ std::string name_of(ContactWeights weights);
 struct ContactStiffness {
   double normal = 0.0;      ///< k_n, N/m
   double tangential = 0.0;  ///< k_t, N/m
-  double rolling = 0.0;     ///< k_r, N m/rad
+  double rolling = 0.0;     ///< k_r on ground that states no rolling length, N m/rad
   double time_step = 0.0;   ///< resolves an impact, s
   /// Resolves what goes on between the impacts of a release, s: a contact of the block's most
   /// mobile point. Not above `time_step`: all steps have that length.

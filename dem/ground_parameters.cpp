@@ -19,6 +19,9 @@ void GroundParameters::check(const std::string& zone) const {
   if (!(rolling_friction >= 0.0 && std::isfinite(rolling_friction))) {
     refuse("rolling_friction", rolling_friction, "0 or more");
   }
+  if (!(rolling_length >= 0.0 && std::isfinite(rolling_length))) {
+    refuse("rolling_length", rolling_length, "0 m (none stated) or more");
+  }
 }
 
 }  // namespace clast

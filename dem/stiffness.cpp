@@ -112,6 +112,13 @@ ContactBody contact_body(const RigidBody& body) {
           *std::max_element(mobilities.begin(), mobilities.end())};
 }
 
+void ContactGround::include(const ContactGround& other) {
+  rest_share = std::min(rest_share, other.rest_share);
+  rate = std::max(rate, other.rate);
+  rolling_length = std::max(rolling_length, other.rolling_length);
+  every_length_stated = every_length_stated && other.every_length_stated;
+}
+
 ContactGround contact_ground(std::span<const GroundParameters> zones, const ContactLaw& law) {
   if (zones.empty()) {
     throw SimulationError(
@@ -123,8 +130,8 @@ ContactGround contact_ground(std::span<const GroundParameters> zones, const Cont
         for (const GroundParameters& zone : zones) {
           // The law's result for a stiffness of 1 N/m and a frequency of 1 rad/s.
           const Law unit = Law::of(1.0, zone);
-          ground.rest_share = std::min(ground.rest_share, unit.rest_stiffness());
-          ground.rate = std::max(ground.rate, unit.stepping_rate(1.0));
+          ground.include({unit.rest_stiffness(), unit.stepping_rate(1.0), zone.rolling_length,
+                          zone.rolling_length > 0.0});
         }
       },
       law);
@@ -151,9 +158,12 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   chosen.tangential = options.tangential.value_or(chosen.normal);
   const double arm = kRollingArmShare * demand.smallest_side;
   chosen.rolling = options.rolling.value_or(chosen.tangential * arm * arm);
+  const double stiffest_rolling =
+      std::max(ground.every_length_stated ? 0.0 : chosen.rolling,
+               chosen.normal * ground.rolling_length * ground.rolling_length);
   const double frequency = std::max(ground.rate * std::sqrt(chosen.normal * demand.mobility),
                                     std::sqrt(std::max(chosen.tangential * demand.mobility,
-                                                       chosen.rolling / demand.smallest_moment)));
+                                                       stiffest_rolling / demand.smallest_moment)));
   // A step in contact may not carry a block past the ground, however soft that is.
   const double travel = fastest > 0.0 ? kTravelShare * demand.smallest_side / fastest : 1e300;
   const double resolved = std::min(kImpactStep / frequency, travel);

@@ -14,7 +14,7 @@ namespace clast {
 struct StiffnessOptions {
   std::optional<double> normal;      ///< k_n, N/m
   std::optional<double> tangential;  ///< k_t, N/m
-  std::optional<double> rolling;     ///< k_r, N m/rad
+  std::optional<double> rolling;     ///< k_r on ground that states no rolling length, N m/rad
   std::optional<double> time_step;   ///< s
   ContactLaw law;                    ///< sets the settled depth and the fastest rate of a contact
 };
@@ -34,8 +34,12 @@ ContactBody contact_body(const RigidBody& body);
 
 /// What the most demanding ground zone requires under a law.
 struct ContactGround {
-  double rest_share = 1.0;  ///< of k_n that carries a body at rest: e_n^2, or 1 by law
-  double rate = 1.0;        ///< fastest rate of a contact over its spring's frequency
+  double rest_share = 1.0;          ///< of k_n that carries a body at rest: e_n^2, or 1 by law
+  double rate = 1.0;                ///< fastest rate of a contact over its spring's frequency
+  double rolling_length = 0.0;      ///< largest stated, m; 0: none
+  bool every_length_stated = true;  ///< no zone has the k_r of the contacts
+
+  void include(const ContactGround& other);  ///< the more demanding of both in every respect
 };
 ContactGround contact_ground(std::span<const GroundParameters> zones, const ContactLaw& law);
 
@@ -49,10 +53,10 @@ struct StiffnessChoice {
 
 /// k_n such that a body rests no deeper than d = min(2 cm, 2 % of S), m g/(e_n^2 d) under the
 /// energy-restitution law, largest over all bodies and zones; stiffer where an impact at `fastest`
-/// would go deeper than S/4. k_t = k_n, k_r from k_t and the block's size, and a time step with a
-/// stated margin below the fastest contact oscillation (docs/theory.md). Bodies that touch each
-/// other share one stiffness; one that touches only ground is passed alone, so that its stiffness
-/// does not depend on others.
+/// would go deeper than S/4. k_t = k_n, k_r = k_t (S/2)^2 of the smallest body where the ground
+/// states no rolling length, and a time step with a stated margin below the fastest contact
+/// oscillation (docs/theory.md). Bodies that touch each other share one stiffness; one that touches
+/// only ground is passed alone, so that its stiffness does not depend on others.
 /// @param fastest  speed no block can exceed: from release heights and the lowest ground, m/s
 /// @throws SimulationError  nothing to choose for, or a time step of the user's beyond the limit of
 ///                          stability or a quarter of S at `fastest`

@@ -11,16 +11,38 @@ namespace clast {
 using namespace study_detail;
 namespace {
 
-constexpr std::array<const char*, 6> kHeadings{"k_n, N/m",         "k_t, N/m",
-                                               "k_r, N m/rad",     "time step, s",
-                                               "settled depth, m", "deepest impact, m"};
+constexpr std::array<const char*, 7> kHeadings{
+    "k_n, N/m",         "k_t, N/m",          "k_r, N m/rad",           "time step, s",
+    "settled depth, m", "deepest impact, m", "turn to roll limit, deg"};
+constexpr std::size_t kRolling = 2, kRollingLimit = 6;  // indices
 
 BlockStiffness without_runs(const std::string& id) {
   BlockStiffness block{id, 0, {}};
-  visit_stiffness([&](const char* name, const auto&...) {
+  const auto add = [&](const char* name, const auto&...) {
     block.values.push_back({name, kHeadings.at(block.values.size()), {}});
-  });
+  };
+  visit_stiffness(add);
+  add("rolling_limit_deg");
   return block;
+}
+
+/// The zones that a run meets.
+std::span<const GroundParameters> zones_of(const CampaignResults& header, const RunRecord& run) {
+  return run.ground_set < header.ground_sets.size()
+             ? std::span(header.ground_sets[run.ground_set].zones)
+             : std::span(header.ground);
+}
+
+/// k_r on each zone, and the turn to the limit on it.
+void include_rolling(BlockStiffness& block, const RunRecord& run, double smallest_side,
+                     std::span<const GroundParameters> zones) {
+  for (const GroundParameters& zone : zones) {
+    const double k_r = zone.rolling_stiffness(run.stiffness.normal, run.stiffness.rolling);
+    block.values[kRolling].range.include(k_r);
+    const double limit =
+        zone.rolling_friction * 0.5 * smallest_side * run.stiffness.normal * run.impact_depth;
+    if (limit > 0.0) block.values[kRollingLimit].range.include(180.0 / kPi * limit / k_r);
+  }
 }
 
 }  // namespace
@@ -31,17 +53,20 @@ void ValueRange::include(double value) {
   high = std::max(high, value);
 }
 
-std::vector<BlockStiffness> stiffness_by_block(std::span<const BlockSummary> blocks,
+std::vector<BlockStiffness> stiffness_by_block(const CampaignResults& header,
                                                std::span<const RunRecord> runs) {
   std::vector<BlockStiffness> list;
-  for (const BlockSummary& block : blocks) list.push_back(without_runs(block.id));
+  for (const BlockSummary& block : header.blocks) list.push_back(without_runs(block.id));
   for (const RunRecord& run : runs) {
     BlockStiffness& block = list[run.block];
     ++block.runs;
     auto value = block.values.begin();
     visit_stiffness([&](const auto&, const auto&, const auto&, const auto& field) {
-      (value++)->range.include(std::invoke(field, run));
+      const bool by_zone = value - block.values.begin() == kRolling;
+      if (!by_zone) value->range.include(std::invoke(field, run));
+      ++value;
     });
+    include_rolling(block, run, header.blocks[run.block].axes.S, zones_of(header, run));
   }
   return list;
 }

@@ -20,7 +20,7 @@ struct ValueRange {
 
 /// One quantity of `BlockStiffness`.
 struct StiffnessValue {
-  std::string name;     ///< as the column of /runs: "stiffness_n_m"
+  std::string name;     ///< as the column of /runs: "stiffness_n_m"; or "rolling_limit_deg"
   std::string heading;  ///< "k_n, N/m"
   ValueRange range;     ///< over the runs of the block
 };
@@ -30,11 +30,16 @@ struct StiffnessValue {
 struct BlockStiffness {
   std::string block;
   std::size_t runs = 0;
-  std::vector<StiffnessValue> values;  ///< k_n, k_t, k_r, time step, settled depth, impact depth
+  /// k_n, k_t, k_r, time step, settled depth, impact depth, and the turn of the block after which
+  /// rolling resistance is at its limit mu_R l f in the deepest impact, l = S/2, f = k_n h. k_r and
+  /// that turn are over the ground zones too.
+  std::vector<StiffnessValue> values;
 };
 
 /// Every block, in order; one without runs has empty ranges.
-std::vector<BlockStiffness> stiffness_by_block(std::span<const BlockSummary> blocks,
+/// @param header  blocks and ground
+/// @param runs    planned or done
+std::vector<BlockStiffness> stiffness_by_block(const CampaignResults& header,
                                                std::span<const RunRecord> runs);
 /// Of the runs of all of them, as if they were one block's.
 BlockStiffness over_all(std::span<const BlockStiffness> blocks);

@@ -54,6 +54,7 @@ struct GroundTable {
   std::optional<Uncertain> energy_restitution;
   std::optional<Uncertain> friction;
   std::optional<Uncertain> rolling_friction;
+  std::optional<Uncertain> rolling_length;  ///< m
 };
 
 /// Blocks to which the ground behaves differently.

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/statistics.hpp"
+#include "study/ground_fields.hpp"
 
 namespace clast {
 
@@ -115,14 +116,6 @@ void add_effects(const Comparison& comparison, std::uint32_t file, const std::st
 }
 
 }  // namespace
-
-std::span<const GroundField> ground_fields() {
-  static constexpr std::array<GroundField, 3> kFields = {
-      {{"energy_restitution", &GroundParameters::energy_restitution},
-       {"friction", &GroundParameters::friction},
-       {"rolling_friction", &GroundParameters::rolling_friction}}};
-  return kFields;
-}
 
 std::uint32_t ensemble_members(const CampaignResults& results) {
   std::uint32_t members = 1;

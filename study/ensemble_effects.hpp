@@ -18,8 +18,8 @@ struct ParameterEffect {
   std::uint32_t file = 0;  ///< index of the results file
   std::string group;       ///< block group whose runs are meant; empty: blocks in no group
   std::string zone;
-  std::string parameter;    ///< "energy_restitution", "friction", "rolling_friction"
-  std::size_t members = 0;  ///< that have the outcome
+  std::string parameter;                       ///< name of a ground field, "friction"
+  std::size_t members = 0;                     ///< that have the outcome
   double low = 0.0, median = 0.0, high = 0.0;  ///< of the values drawn
   std::string outcome;  ///< "mean runout", m, of the runs at rest, or "past BARRIER", a share
   double outcome_p5 = 0.0, outcome_median = 0.0, outcome_p95 = 0.0;  ///< over members
@@ -40,12 +40,5 @@ std::vector<ParameterEffect> ensemble_effects(const Comparison& comparison);
 
 /// How often the ground of a campaign was drawn; 1 without an ensemble.
 std::uint32_t ensemble_members(const CampaignResults& results);
-
-/// The ground parameters by name, as campaign files have them.
-struct GroundField {
-  const char* name;
-  double GroundParameters::*value;
-};
-std::span<const GroundField> ground_fields();
 
 }  // namespace clast

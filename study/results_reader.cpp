@@ -9,6 +9,7 @@
 #include "library/body_record.hpp"
 #include "study/detail/checked_group.hpp"
 #include "study/detail/results_layout.hpp"
+#include "study/ground_fields.hpp"
 #include "study/results.hpp"
 
 namespace clast {
@@ -27,20 +28,27 @@ void read_shapes(const CheckedGroup& reader, CampaignResults& results) {
   }
 }
 
+/// What zones need not state was added to schema 4 later, and is 0 where it is absent.
+std::vector<GroundParameters> read_ground_parameters(const CheckedGroup& reader, std::size_t rows) {
+  std::vector<GroundParameters> parameters(rows);
+  for (const GroundField& field : ground_fields()) {
+    if (!field.required && !reader.group.has(field.name)) continue;
+    const auto values = reader.column<double>(field.name, rows);
+    for (std::size_t i = 0; i < rows; ++i) parameters[i].*field.value = values[i];
+  }
+  return parameters;
+}
+
 void read_ground_sets(const CheckedGroup& reader, CampaignResults& results) {
   const auto groups = reader.group.read<std::string>("group");
   const std::size_t zones = results.zone_names.size();
   const auto members = reader.column<std::uint32_t>("member", groups.size());
   reader.check_below("member", members, groups.size());
-  const auto restitution = reader.column<double>("energy_restitution", groups.size() * zones);
-  const auto friction = reader.column<double>("friction", groups.size() * zones);
-  const auto rolling = reader.column<double>("rolling_friction", groups.size() * zones);
+  const auto parameters = read_ground_parameters(reader, groups.size() * zones);
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    GroundSet set{groups[i], members[i], {}};
-    for (std::size_t k = i * zones; k < (i + 1) * zones; ++k) {
-      set.zones.push_back({restitution[k], friction[k], rolling[k]});
-    }
-    results.ground_sets.push_back(std::move(set));
+    const auto first = parameters.begin() + static_cast<std::ptrdiff_t>(i * zones);
+    results.ground_sets.push_back(
+        {groups[i], members[i], {first, first + static_cast<std::ptrdiff_t>(zones)}});
   }
 }
 
@@ -141,13 +149,7 @@ void read_barriers(const CheckedGroup& reader, CampaignResults& results) {
 
 void read_ground(const CheckedGroup& reader, CampaignResults& results) {
   results.zone_names = reader.group.read<std::string>("zone");
-  const std::size_t rows = results.zone_names.size();
-  const auto restitution = reader.column<double>("energy_restitution", rows);
-  const auto friction = reader.column<double>("friction", rows);
-  const auto rolling = reader.column<double>("rolling_friction", rows);
-  for (std::size_t i = 0; i < rows; ++i) {
-    results.ground.push_back({restitution[i], friction[i], rolling[i]});
-  }
+  results.ground = read_ground_parameters(reader, results.zone_names.size());
 }
 
 void read_terrain_group(const CheckedGroup& reader, CampaignResults& results) {
@@ -248,10 +250,12 @@ void read_stays(const CheckedGroup& reader, CampaignResults& results) {
     reader.damaged("@blocks_each", "is " + std::to_string(each) + " of " +
                                        std::to_string(results.planned_runs) + " runs");
   }
-  results.stay = {static_cast<std::uint32_t>(each),
-                  {reader.group.attribute<double>("energy_restitution"),
-                   reader.group.attribute<double>("friction"),
-                   reader.group.attribute<double>("rolling_friction")}};
+  GroundParameters between_blocks;
+  for (const GroundField& field : ground_fields()) {
+    if (!field.required && !reader.group.has_attribute(field.name)) continue;
+    between_blocks.*field.value = reader.group.attribute<double>(field.name);
+  }
+  results.stay = {static_cast<std::uint32_t>(each), between_blocks};
   // Masses and removal came later still: without them, blocks came one by one, and all stayed.
   if (reader.group.has_attribute("at_once")) {
     results.stay->at_once = reader.group.attribute<std::int64_t>("at_once") != 0;

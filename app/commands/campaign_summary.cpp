@@ -70,8 +70,7 @@ constexpr std::size_t kMostPrinted = 20;
 
 /// Stiffness and time step of the runs of each block, and over all blocks where there are many.
 TextTable stiffness_table(const PreparedCampaign& prepared) {
-  const std::vector<BlockStiffness> blocks =
-      stiffness_by_block(prepared.header.blocks, prepared.runs);
+  const std::vector<BlockStiffness> blocks = stiffness_by_block(prepared.header, prepared.runs);
   TextTable table{{"block"}, {}};
   for (const StiffnessValue& value : blocks.front().values) {
     table.headings.push_back(value.heading);
@@ -124,10 +123,10 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
   nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
   for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
   nlohmann::ordered_json stiffness = nlohmann::ordered_json::array();
-  for (const BlockStiffness& block : stiffness_by_block(prepared.header.blocks, prepared.runs)) {
+  for (const BlockStiffness& block : stiffness_by_block(prepared.header, prepared.runs)) {
     nlohmann::ordered_json row = {{"block", block.block}};
     for (const StiffnessValue& value : block.values) {
-      row[value.name] = {value.range.low, value.range.high};
+      if (!value.range.empty()) row[value.name] = {value.range.low, value.range.high};
     }
     stiffness.push_back(row);
   }

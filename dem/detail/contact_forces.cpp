@@ -156,8 +156,11 @@ ContactForces::ContactForces(std::span<const GroundParameters> zones,
       patches_(block, weights),
       history_(kNearShare * size),
       stiffness_(stiffness),
-      tangential_give_(1.0 / stiffness.tangential),
-      rolling_give_(1.0 / stiffness.rolling) {
+      tangential_give_(1.0 / stiffness.tangential) {
+  for (const GroundParameters& zone : zones) {
+    rolling_.push_back(zone.rolling_stiffness(stiffness.normal, stiffness.rolling));
+    rolling_give_.push_back(1.0 / rolling_.back());
+  }
   std::visit(
       [&]<class Law>(const Law&) {
         ByZone<Law> by_zone;
@@ -248,7 +251,7 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
   contact.tangential =
       friction(contact, slip, stiffness_.tangential, motion.duration, ground.friction);
   contact.rolling =
-      rolling_resistance(contact, slip, stiffness_.rolling, motion, ground.rolling_friction);
+      rolling_resistance(contact, slip, rolling_[contact.zone], motion, ground.rolling_friction);
 
   // Eq. 6: the loads of a point count by its weight.
   const double w = contact.weight;
@@ -272,8 +275,8 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
                                           law.stored(std::max(0.0, past.path.before)));
   const double by_friction = spring_loss(mean_weight, tangential_give_, past.tangential,
                                          contact.tangential, slip.sliding, motion.duration);
-  const double by_rolling = spring_loss(mean_weight, rolling_give_, past.rolling, contact.rolling,
-                                        motion.spin, motion.duration);
+  const double by_rolling = spring_loss(mean_weight, rolling_give_[contact.zone], past.rolling,
+                                        contact.rolling, motion.spin, motion.duration);
   const double power = -force.dot(slip.velocity) - w * contact.rolling.dot(motion.spin);
   contact.stored = stored_in(contact, law);
   ledger.normal += by_normal;
@@ -302,8 +305,8 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Pa
     const double by_normal = w * (response.work + law.stored(overlap));
     const double by_friction =
         spring_loss(w, tangential_give_, contact.tangential, Vec3::Zero(), velocity, duration);
-    const double by_rolling =
-        spring_loss(w, rolling_give_, contact.rolling, Vec3::Zero(), motion.spin, duration);
+    const double by_rolling = spring_loss(w, rolling_give_[contact.zone], contact.rolling,
+                                          Vec3::Zero(), motion.spin, duration);
     ledger.normal += by_normal;
     ledger.friction += by_friction;
     ledger.rolling += by_rolling;
@@ -330,7 +333,7 @@ template <class Law>
 double ContactForces::stored_in(const Contact& contact, const Law& law) const {
   return contact.weight * (law.stored(contact.point.overlap) +
                            0.5 * (contact.tangential.squaredNorm() * tangential_give_ +
-                                  contact.rolling.squaredNorm() * rolling_give_));
+                                  contact.rolling.squaredNorm() * rolling_give_[contact.zone]));
 }
 
 double ContactForces::mobility(std::span<const double> of_vertices) const {

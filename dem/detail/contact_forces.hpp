@@ -123,7 +123,8 @@ class ContactForces {
   ContactPatches patches_;
   ContactHistory history_;
   ContactStiffness stiffness_;
-  double tangential_give_, rolling_give_;  ///< 1/k_t, 1/k_r
+  double tangential_give_;                      ///< 1/k_t
+  std::vector<double> rolling_, rolling_give_;  ///< k_r and 1/k_r by zone
   std::vector<Contact> contacts_;
 
   // Scratch of one update, kept to spare the allocations.

@@ -6,6 +6,7 @@
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
 #include "study/ensemble_effects.hpp"
+#include "study/ground_fields.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -25,8 +26,10 @@ std::string runs_of(const Comparison& comparison, const ParameterEffect& effect)
   return text;
 }
 
-std::string in_words(std::string parameter) {
-  std::replace(parameter.begin(), parameter.end(), '_', ' ');
+std::string in_words(const std::string& parameter) {
+  for (const GroundField& field : ground_fields()) {
+    if (parameter == field.name) return field.words;
+  }
   return parameter;
 }
 

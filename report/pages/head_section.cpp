@@ -91,8 +91,7 @@ std::string head_section(const Comparison& comparison) {
                                     return name_of(results.weights);
                                   }));
   html += fact("Stiffness and time step", per_file(comparison, [](const CampaignResults& results) {
-                 const BlockStiffness all =
-                     over_all(stiffness_by_block(results.blocks, results.runs));
+                 const BlockStiffness all = over_all(stiffness_by_block(results, results.runs));
                  return "k_n " + stiffness_cells(all)[0] + " N/m, step " + stiffness_cells(all)[3] +
                         " s; listed by block at the end of this page";
                }));

@@ -8,6 +8,7 @@
 #include "report/html/html_page.hpp"
 #include "study/block_stiffness.hpp"
 #include "study/ensemble_effects.hpp"
+#include "study/ground_fields.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::size_t kMostOpen = 20;
 
 /// Stiffness and time step of every block.
 std::string stiffness_table(const CampaignResults& results) {
-  const std::vector<BlockStiffness> blocks = stiffness_by_block(results.blocks, results.runs);
+  const std::vector<BlockStiffness> blocks = stiffness_by_block(results, results.runs);
   if (blocks.empty()) return "";
   std::vector<std::string> heads = {"block"};
   for (const StiffnessValue& value : blocks.front().values) heads.push_back(value.heading);
@@ -41,8 +42,8 @@ std::string ground_table(const CampaignResults& results) {
   for (const GroundSet& set : results.ground_sets) sets_of[set.group].push_back(&set);
   const GroundSet central{"", 0, results.ground};
   if (sets_of[""].empty()) sets_of[""] = {&central};
-  std::vector<std::string> heads = {"ground zone", "e_n\xC2\xB2", "friction \xC2\xB5",
-                                    "rolling friction \xC2\xB5_R"};
+  std::vector<std::string> heads = {"ground zone"};
+  for (const GroundField& field : ground_fields()) heads.emplace_back(field.heading);
   HtmlTable table(heads, 1);
   for (std::size_t zone = 0; zone < results.zone_names.size(); ++zone) {
     std::vector<std::string> usual;
@@ -54,7 +55,9 @@ std::string ground_table(const CampaignResults& results) {
           low = std::min(low, set->zones[zone].*field.value);
           high = std::max(high, set->zones[zone].*field.value);
         }
-        cells.push_back(significant(low) + (low < high ? " to " + significant(high) : ""));
+        cells.push_back(!field.required && high == 0.0
+                            ? "not stated"
+                            : significant(low) + (low < high ? " to " + significant(high) : ""));
       }
       if (group.empty()) usual = cells;
       if (!group.empty() && cells == usual) continue;

@@ -11,7 +11,7 @@ namespace {
 // Lowest and highest of every quantity over the runs of a block; null where results have none.
 nlohmann::ordered_json stiffness_json(const CampaignResults& results) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const BlockStiffness& block : stiffness_by_block(results.blocks, results.runs)) {
+  for (const BlockStiffness& block : stiffness_by_block(results, results.runs)) {
     nlohmann::ordered_json row = {{"block", block.block}};
     for (const StiffnessValue& value : block.values) {
       row[value.name] = nullptr;

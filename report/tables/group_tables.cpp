@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "report/tables/comparison_columns.hpp"
+#include "study/ground_fields.hpp"
 
 namespace clast {
 
@@ -176,8 +177,7 @@ const TableColumns<ComparisonRow<ParameterEffect>>& report_detail::ensemble_colu
       {"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
       {"block_group", "", "whose runs are meant; empty: of blocks in no group", &Effect::group},
       {"zone", "", "name of the ground zone", &Effect::zone},
-      {"parameter", "", "`energy_restitution`, `friction` or `rolling_friction`",
-       &Effect::parameter},
+      {"parameter", "", "name of the parameter, as in ground_sets.csv", &Effect::parameter},
       {"members", "", "members of the ensemble that have the outcome", &Effect::members},
       {"drawn_low", "", drawn, &Effect::low},
       {"drawn_median", "", drawn, &Effect::median},
@@ -273,19 +273,20 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& report_detail::ground_set_columns(
   const auto ground = [=](const Row& row) -> const GroundParameters& {
     return set(row).zones[row->zone];
   };
-  static const TableColumns<Row> columns = {
-      {"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
-      {"ground_set", "", "as in runs.csv", &ZoneOfSet::set},
-      {"block_group", "", "as in runs.csv", [=](const Row& row) { return set(row).group; }},
-      {"ensemble_member", "", "as in runs.csv",
-       [=](const Row& row) { return std::uint64_t{set(row).member}; }},
-      {"zone", "", "name of the ground zone",
-       [=](const Row& row) { return results(row).zone_names[row->zone]; }},
-      {"energy_restitution", "", "e_n^2",
-       [=](const Row& row) { return ground(row).energy_restitution; }},
-      {"friction", "", "mu", [=](const Row& row) { return ground(row).friction; }},
-      {"rolling_friction", "", "mu_R",
-       [=](const Row& row) { return ground(row).rolling_friction; }}};
+  TableColumns<Row> parameters;
+  for (const GroundField& field : ground_fields()) {
+    parameters.push_back({field.name, field.unit, field.meaning,
+                          [=](const Row& row) { return ground(row).*field.value; }});
+  }
+  static const auto columns = joined<Row>(
+      {{{"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
+        {"ground_set", "", "as in runs.csv", &ZoneOfSet::set},
+        {"block_group", "", "as in runs.csv", [=](const Row& row) { return set(row).group; }},
+        {"ensemble_member", "", "as in runs.csv",
+         [=](const Row& row) { return std::uint64_t{set(row).member}; }},
+        {"zone", "", "name of the ground zone",
+         [=](const Row& row) { return results(row).zone_names[row->zone]; }}},
+       parameters});
   return columns;
 }
 

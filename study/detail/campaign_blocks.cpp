@@ -8,6 +8,7 @@
 #include "core/printable.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
+#include "study/ground_fields.hpp"
 
 namespace clast::study_detail {
 namespace {
@@ -90,10 +91,17 @@ BlockDraw read_draw(const TomlTable& blocks, const TomlNode& node) {
   return draw;
 }
 
+template <class Test>
+bool any_field(const Test& test) {
+  return std::any_of(ground_fields().begin(), ground_fields().end(), test);
+}
+
 GroundTable read_ground_table(const TomlTable& table) {
-  return {.energy_restitution = read_uncertain(table, "energy_restitution", kEnergyRestitution),
-          .friction = read_uncertain(table, "friction", kFriction),
-          .rolling_friction = read_uncertain(table, "rolling_friction", kFriction)};
+  GroundTable ground;
+  for (const GroundField& field : ground_fields()) {
+    ground.*field.asked = read_uncertain(table, field.name, field.range);
+  }
+  return ground;
 }
 
 /// The tables of a table [ground], by zone.
@@ -113,12 +121,10 @@ std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::s
     if (value.kind != TomlNode::Kind::kTable) {
       all.refuse(name, value, "must be in the table of a zone, [" + title + ".NAME]");
     }
-    const TomlTable table(value, file, "[" + title + "." + name + "]",
-                          {"energy_restitution", "friction", "rolling_friction"});
-    if (complete) {
-      table.required("energy_restitution", "e_n^2, " + kEnergyRestitution.words());
-      table.required("friction", "mu, " + kFriction.words());
-      table.required("rolling_friction", "mu_R, " + kFriction.words());
+    const TomlTable table(value, file, "[" + title + "." + name + "]", ground_keys());
+    for (const GroundField& field : ground_fields()) {
+      if (!complete || !field.required) continue;
+      table.required(field.name, std::string(field.meaning) + ", " + field.range.words());
     }
     ground[name] = read_ground_table(table);
   }
@@ -127,10 +133,10 @@ std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::s
 
 bool uncertain(const std::map<std::string, GroundTable>& ground) {
   return std::any_of(ground.begin(), ground.end(), [](const auto& zone) {
-    const GroundTable& table = zone.second;
-    return (table.energy_restitution && !table.energy_restitution->fixed()) ||
-           (table.friction && !table.friction->fixed()) ||
-           (table.rolling_friction && !table.rolling_friction->fixed());
+    return any_field([&](const GroundField& field) {
+      const std::optional<Uncertain>& asked = zone.second.*field.asked;
+      return asked && !asked->fixed();
+    });
   });
 }
 
@@ -181,8 +187,8 @@ std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& 
         table.required("ground", "a table of zones, [block_group.ground.NAME]");
     group.ground = read_zones(ground, top.file(), "block_group.ground", false);
     if (std::all_of(group.ground.begin(), group.ground.end(), [](const auto& zone) {
-          const GroundTable& differs = zone.second;
-          return !differs.energy_restitution && !differs.friction && !differs.rolling_friction;
+          return !any_field(
+              [&](const GroundField& field) { return (zone.second.*field.asked).has_value(); });
         })) {
       table.refuse(
           "ground names no parameter that differs; write for example ground.scree = { friction = "

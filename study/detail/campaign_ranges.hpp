@@ -11,6 +11,7 @@ namespace clast::study_detail {
 inline constexpr NumberRange kEnergyRestitution{1e-6, 1.0};
 /// A coefficient: 100 is the tangent of 89.4 degrees.
 inline constexpr NumberRange kFriction{1e-6, 100.0, "", ""};
+inline constexpr NumberRange kRollingLength{1e-3, 100.0, "m"};
 
 // [blocks] draw shares, and laws of uncertain numbers
 inline constexpr NumberRange kClassShare{1e-6, 1.0, "", ""};

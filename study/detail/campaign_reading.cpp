@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "study/detail/campaign_ranges.hpp"
+#include "study/ground_fields.hpp"
 
 namespace clast::study_detail {
 
@@ -131,6 +132,12 @@ std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::strin
     table.refuse(key, *node, "a median must be more than zero");
   }
   return number;
+}
+
+std::vector<std::string> ground_keys() {
+  std::vector<std::string> keys;
+  for (const GroundField& field : ground_fields()) keys.emplace_back(field.name);
+  return keys;
 }
 
 }  // namespace clast::study_detail

@@ -47,6 +47,9 @@ std::vector<const TomlNode*> tables_of(const TomlTable& top, const std::string& 
 std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::string& key,
                                         const NumberRange& range);
 
+/// The keys of a table of ground parameters.
+std::vector<std::string> ground_keys();
+
 BlockSelection read_blocks(const TomlTable& top);
 std::map<std::string, GroundTable> read_ground(const TomlTable& top);
 /// @param campaign  with its ground

@@ -6,6 +6,7 @@
 #include "core/listed.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
+#include "study/ground_fields.hpp"
 #include "study/plan_polygon.hpp"
 
 namespace clast::study_detail {
@@ -48,14 +49,13 @@ GroundParameters read_between_blocks(const TomlTable& top, const std::string& wh
                      " hit each other; add [contact.blocks] with energy_restitution, friction and "
                      "rolling_friction");
   }
-  const TomlTable parameters(*between, top.file(), "[contact.blocks]",
-                             {"energy_restitution", "friction", "rolling_friction"});
-  const auto number = [&](const char* key, const NumberRange& range) {
-    parameters.required(key, range.words());
-    return *parameters.number(key, range);
-  };
-  return {number("energy_restitution", kEnergyRestitution), number("friction", kFriction),
-          number("rolling_friction", kFriction)};
+  const TomlTable parameters(*between, top.file(), "[contact.blocks]", ground_keys());
+  GroundParameters between_blocks;
+  for (const GroundField& field : ground_fields()) {
+    if (field.required) parameters.required(field.name, field.range.words());
+    between_blocks.*field.value = parameters.number(field.name, field.range).value_or(0.0);
+  }
+  return between_blocks;
 }
 
 std::uint32_t read_realisations(const TomlTable& table) {

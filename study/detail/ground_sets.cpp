@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "study/detail/named_seed.hpp"
+#include "study/ground_fields.hpp"
 
 namespace clast::study_detail {
 namespace {
@@ -32,9 +33,9 @@ void put(const std::map<std::string, GroundTable>& tables,
          const std::function<double(const Uncertain&)>& take, Values& values) {
   for (const auto& [zone, table] : tables) {
     GroundParameters& parameters = values[zone];
-    if (table.energy_restitution) parameters.energy_restitution = take(*table.energy_restitution);
-    if (table.friction) parameters.friction = take(*table.friction);
-    if (table.rolling_friction) parameters.rolling_friction = take(*table.rolling_friction);
+    for (const GroundField& field : ground_fields()) {
+      if (table.*field.asked) parameters.*field.value = take(*(table.*field.asked));
+    }
   }
 }
 

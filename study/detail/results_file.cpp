@@ -6,6 +6,7 @@
 #include "core/output_file.hpp"
 #include "library/body_record.hpp"
 #include "study/detail/results_layout.hpp"
+#include "study/ground_fields.hpp"
 
 namespace clast::study_detail {
 
@@ -64,16 +65,13 @@ void write_ground_sets(Hdf5Group group, const CampaignResults& header) {
   const std::vector<GroundSet>& sets = header.ground_sets;
   write_column(group, "group", "", sets, [](const GroundSet& set) { return set.group; });
   write_column(group, "member", "", sets, [](const GroundSet& set) { return set.member; });
-  const auto write = [&](const char* name, double GroundParameters::*field) {
+  for (const GroundField& field : ground_fields()) {
     std::vector<double> values;
     for (const GroundSet& set : sets) {
-      for (const GroundParameters& zone : set.zones) values.push_back(zone.*field);
+      for (const GroundParameters& zone : set.zones) values.push_back(zone.*field.value);
     }
-    group.write<double>(name, values, {sets.size(), header.zone_names.size()});
-  };
-  write("energy_restitution", &GroundParameters::energy_restitution);
-  write("friction", &GroundParameters::friction);
-  write("rolling_friction", &GroundParameters::rolling_friction);
+    group.write<double>(field.name, values, {sets.size(), header.zone_names.size()});
+  }
 }
 
 void write_header(Hdf5Group root, const CampaignResults& header) {
@@ -125,11 +123,10 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   Hdf5Group ground = root.create_group("ground");
   const auto& zones = header.ground;
   write_texts(ground, "zone", header.zone_names);
-  write_column(ground, "energy_restitution", "", zones,
-               [](const GroundParameters& g) { return g.energy_restitution; });
-  write_column(ground, "friction", "", zones, [](const GroundParameters& g) { return g.friction; });
-  write_column(ground, "rolling_friction", "", zones,
-               [](const GroundParameters& g) { return g.rolling_friction; });
+  for (const GroundField& field : ground_fields()) {
+    write_column(ground, field.name, field.unit, zones,
+                 [&](const GroundParameters& zone) { return zone.*field.value; });
+  }
 
   write_ground_sets(root.create_group("ground_sets"), header);
 
@@ -152,9 +149,9 @@ void write_rows(Hdf5Group group, const std::vector<Row>& rows) {
 void write_stays(Hdf5Group group, const StaySummary& stay, const std::vector<StayRecord>& rows) {
   group.set_attribute<std::int64_t>("blocks_each", stay.blocks_each);
   group.set_attribute<std::int64_t>("at_once", stay.at_once ? 1 : 0);
-  group.set_attribute<double>("energy_restitution", stay.between_blocks.energy_restitution);
-  group.set_attribute<double>("friction", stay.between_blocks.friction);
-  group.set_attribute<double>("rolling_friction", stay.between_blocks.rolling_friction);
+  for (const GroundField& field : ground_fields()) {
+    group.set_attribute<double>(field.name, stay.between_blocks.*field.value);
+  }
   write_rows(group, rows);
 }
 

@@ -26,8 +26,7 @@ struct Worst {
 
   void include(double speed, const ContactGround& other) {
     fastest = std::max(fastest, speed);
-    ground.rest_share = std::min(ground.rest_share, other.rest_share);
-    ground.rate = std::max(ground.rate, other.rate);
+    ground.include(other);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "study/block_stiffness.hpp"
 #include "tests/study/campaign_run.hpp"
 
 namespace clast {
@@ -155,6 +156,24 @@ ground.slope = { friction = 0.25 }
         .final_state.position;
   };
   EXPECT_EQ(first_of_slab(plan), first_of_slab(alone));
+}
+
+TEST_F(CampaignContent, RollingLengthIsOfAZoneAndNeedNotBeStated) {
+  const PreparedCampaign plan =
+      prepared(with("rolling_friction = 0.3", "rolling_friction = 0.3\nrolling_length_m = 0.1") +
+               "[[block_group]]\nname = \"schist\"\nselect = [\"slab\"]\n"
+               "ground.slope = { rolling_length_m = 0.2 }\n");
+  ASSERT_EQ(plan.header.ground_sets.size(), 2u);
+  EXPECT_EQ(plan.header.ground_sets[0].zones[0].rolling_length, 0.0);
+  EXPECT_EQ(plan.header.ground_sets[0].zones[1].rolling_length, 0.1);
+  EXPECT_EQ(plan.header.ground_sets[1].zones[0].rolling_length, 0.2);
+  EXPECT_EQ(plan.header.ground_sets[1].zones[1].rolling_length, 0.1);
+  // k_r by zone: k_t (S/2)^2, or k_n a^2 where a is stated.
+  const double k_n = plan.runs.front().stiffness.normal;
+  const double arm = 0.5 * plan.header.blocks.front().axes.S;
+  const ValueRange& k_r = stiffness_by_block(plan.header, plan.runs).front().values[2].range;
+  EXPECT_NEAR(k_r.low, k_n * std::min(0.01, arm * arm), 1e-6 * k_n);
+  EXPECT_NEAR(k_r.high, k_n * std::max(0.01, arm * arm), 1e-6 * k_n);
 }
 
 TEST_F(CampaignContent, BlockGroupsThatDoNotFitAreRefused) {

@@ -70,6 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
         Key{"energy_restitution", "energy_restitution = 0.01", "energy_restitution = VALUE", "0.3"},
         Key{"friction", "friction = 0.70", "friction = VALUE", "0"},
         Key{"rolling_friction", "rolling_friction = 0.35", "rolling_friction = VALUE", "0.1"},
+        Key{"rolling_length_m", "rolling_friction = 0.35",
+            "rolling_friction = 0.35\nrolling_length_m = VALUE", "0.1"},
         Key{"height_m", "seed = 12", "height_m = VALUE", "1"},
         Key{"velocity_m_s", "[1, 0.5, 0]", "[0, VALUE, 0]", "5", true},
         Key{"angular_velocity_rad_s", "[0, 0, 2]", "[0, 0, VALUE]", "5", true},

@@ -74,6 +74,8 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.zone_names, header.zone_names);
   ASSERT_EQ(results.ground.size(), 2u);
   EXPECT_EQ(results.ground[0].rolling_friction, 0.35);
+  EXPECT_EQ(results.ground[0].rolling_length, 0.12);
+  EXPECT_EQ(results.ground[1].rolling_length, 0.0);
   EXPECT_EQ(results.ground[1].energy_restitution, 0.04);
   EXPECT_EQ(results.ground[1].friction, 0.3);
   EXPECT_EQ(results.weights, ContactWeights::kOverlap);
@@ -109,6 +111,24 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.ground_sets[0].zones[1].energy_restitution, 0.04);
 }
 
+// Files of the first weeks of schema 4 do not hold it.
+TEST(Results, WithoutRollingLengthsAreReadAsStatingNone) {
+  const ScratchFolder folder;
+  const fs::path target = folder / "r.h5";
+  ResultsWriter::create(target, sample_header()).finish();
+  {
+    Hdf5File file = Hdf5File::open(target, "clast results", 4, true);
+    for (const char* group : {"ground", "ground_sets"}) {
+      file.root().group(group).remove("rolling_length_m");
+    }
+    file.flush();
+  }
+  const CampaignResults results = read_results(target);
+  EXPECT_EQ(results.ground[0].rolling_friction, 0.35);
+  EXPECT_EQ(results.ground[0].rolling_length, 0.0);
+  EXPECT_EQ(results.ground_sets[0].zones[0].rolling_length, 0.0);
+}
+
 // Files of schema 3 hold one stiffness and step for all runs, and no depths.
 TEST(Results, OneStiffnessForAllRunsIsReadAsEveryRuns) {
   const ScratchFolder folder;
@@ -141,9 +161,10 @@ TEST(Results, OneStiffnessForAllRunsIsReadAsEveryRuns) {
     EXPECT_EQ(run.stiffness.time_step, 8e8);
     EXPECT_TRUE(std::isnan(run.rest_depth) && std::isnan(run.impact_depth));
   }
-  const std::vector<BlockStiffness> blocks = stiffness_by_block(results.blocks, results.runs);
-  EXPECT_EQ(stiffness_cells(blocks[0]),
-            (std::vector<std::string>{"1e+08", "2e+08", "4e+08", "8e+08", "-", "-"}));
+  const std::vector<BlockStiffness> blocks = stiffness_by_block(results, results.runs);
+  EXPECT_EQ(
+      stiffness_cells(blocks[0]),
+      (std::vector<std::string>{"1e+08", "2e+08", "1.44e+06 to 4e+08", "8e+08", "-", "-", "-"}));
 }
 
 TEST(Results, CampaignWithoutBarriersDownslopeAndTrajectoriesIsStored) {
