@@ -57,6 +57,50 @@ std::optional<std::vector<std::size_t>> named_columns(
   return columns;
 }
 
+/// The numbers of a row, and what is wrong with it.
+class RowReader {
+ public:
+  RowReader(const std::string& name, const NumberTable& table, char separator)
+      : name_(name), table_(table), separator_(separator) {}
+
+  bool has_numbers(const Record& record) const {
+    return std::any_of(record.fields.begin(), record.fields.end(),
+                       [&](std::string_view f) { return number_in_field(f, separator_); });
+  }
+
+  void check_count(const Record& record, std::size_t fields) const {
+    const std::size_t count = record.fields.size();
+    if (count == fields) return;
+    refuse(record, std::to_string(count) + (count == 1 ? " number" : " numbers") +
+                       (separator_ == ',' ? "; " + std::string(kDecimalCommaAdvice) : ""));
+  }
+
+  double number(const Record& record, std::size_t column) const {
+    const std::string_view field = record.fields[column];
+    const std::optional<double> value = number_in_field(field, separator_);
+    if (!value) {
+      refuse(record,
+             "\"" + std::string(field.substr(0, 40)) + "\" is not a number" +
+                 (is_doubtful_number(field, separator_) ? "; " + std::string(kDecimalCommaAdvice)
+                                                        : ""));
+    }
+    if (!table_.range.holds(*value)) {
+      refuse(record, std::string(field) + " is not a number " + table_.range.words());
+    }
+    return *value;
+  }
+
+ private:
+  [[noreturn]] void refuse(const Record& record, const std::string& problem) const {
+    throw InputError(name_ + ":" + std::to_string(record.line) + ": " + problem +
+                     "; a line must be " + table_.meaning);
+  }
+
+  const std::string& name_;
+  const NumberTable& table_;
+  char separator_;
+};
+
 }  // namespace
 
 std::string column_without_unit(std::string_view field) {
@@ -79,44 +123,20 @@ std::vector<NumberRow> read_number_table(const std::filesystem::path& file,
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < table.names.size(); ++i) columns.push_back(i);
   std::size_t fields = columns.size();
+  const RowReader reader(name, table, text.separator());
   std::vector<NumberRow> rows;
   Record record;
   for (std::size_t row = 0; text.next(record); ++row) {
-    const auto refuse = [&](const std::string& problem) {
-      throw InputError(name + ":" + std::to_string(record.line) + ": " + problem +
-                       "; a line must be " + table.meaning);
-    };
-    const auto number = [&](std::string_view field) {
-      return number_in_field(field, text.separator());
-    };
-    if (row == 0 && std::none_of(record.fields.begin(), record.fields.end(),
-                                 [&](std::string_view field) { return number(field); })) {
+    if (row == 0 && !reader.has_numbers(record)) {
       if (const auto named = named_columns(record, table.names)) {
         columns = *named;
         fields = record.fields.size();
       }
       continue;
     }
-    if (record.fields.size() != fields) {
-      refuse(std::to_string(record.fields.size()) +
-             (record.fields.size() == 1 ? " number" : " numbers") +
-             (text.separator() == ',' ? "; " + std::string(kDecimalCommaAdvice) : ""));
-    }
+    reader.check_count(record, fields);
     NumberRow& read = rows.emplace_back(NumberRow{record.line, {}});
-    for (const std::size_t column : columns) {
-      const std::string_view field = record.fields[column];
-      const std::optional<double> value = number(field);
-      if (!value) {
-        refuse("\"" + std::string(field.substr(0, 40)) + "\" is not a number" +
-               (is_doubtful_number(field, text.separator())
-                    ? "; " + std::string(kDecimalCommaAdvice)
-                    : ""));
-      }
-      if (!table.range.holds(*value)) {
-        refuse(std::string(field) + " is not a number " + table.range.words());
-      }
-      read.values.push_back(*value);
-    }
+    for (const std::size_t column : columns) read.values.push_back(reader.number(record, column));
   }
   if (rows.empty()) {
     throw InputError(name + ": holds no line with numbers; each line must be " + table.meaning);

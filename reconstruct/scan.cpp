@@ -33,17 +33,20 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
   return scan;
 }
 
-Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options) {
+Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options,
+                const std::optional<Pose>& turn) {
   options.check();
   const bool y_up = options.up == "y";
   TriangleMesh mesh = raw;
   for (Vec3& vertex : mesh.vertices) {
     vertex *= options.unit;
     if (y_up) vertex = turned_z_up(vertex);
+    if (turn) vertex = *turn * vertex;
   }
   RepairOptions repair = options.repair;
   repair.reported_place = [&](const Vec3& there) -> Vec3 {
-    return (y_up ? turned_y_up(there) : there) / options.unit;
+    const Vec3 metres = turn ? turn->inverse() * there : there;
+    return (y_up ? turned_y_up(metres) : metres) / options.unit;
   };
   try {
     RepairedMesh result = repair_mesh(mesh, repair);

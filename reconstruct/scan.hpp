@@ -1,10 +1,12 @@
 #pragma once
 /// Field scans to closed, outward meshes in metres.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/fields.hpp"
+#include "core/pose.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "reconstruct/repair.hpp"
 
@@ -45,6 +47,9 @@ struct Scan {
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
 
 /// The same for a mesh that is already in memory; `name` is used in messages.
-Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options = {});
+/// @param turn  of the metres, z up: applied before the repair, so that the surface returned is the
+///              one that was verified (turning it afterwards rounds every vertex anew)
+Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options = {},
+                const std::optional<Pose>& turn = {});
 
 }  // namespace clast

@@ -27,6 +27,22 @@ Vec3 area_of(const std::vector<Vec3>& vertices, const std::vector<std::uint32_t>
   return sum;
 }
 
+/// The corners of a convex face, counter-clockwise about its normal.
+void put_around(std::vector<std::uint32_t>& face, const std::vector<Vec3>& vertices,
+                const Vec3& normal) {
+  Vec3 middle = Vec3::Zero();
+  for (const std::uint32_t vertex : face) middle += vertices[vertex];
+  middle /= static_cast<double>(face.size());
+  const Vec3 across = normal.unitOrthogonal();
+  const Vec3 along = normal.cross(across);
+  const auto angle = [&](std::uint32_t vertex) {
+    const Vec3 arm = vertices[vertex] - middle;
+    return std::atan2(along.dot(arm), across.dot(arm));
+  };
+  std::sort(face.begin(), face.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return angle(a) < angle(b); });
+}
+
 }  // namespace
 
 ConvexCell::ConvexCell(const Bounds& box) {
@@ -81,18 +97,7 @@ std::optional<ConvexCell> ConvexCell::below(const Plane& plane, double slack) co
     }
     if (remaining.size() > 2) part.faces_.push_back(std::move(remaining));
   }
-  // The new face, counter-clockwise about the plane's normal.
-  Vec3 middle = Vec3::Zero();
-  for (const std::uint32_t vertex : on_plane) middle += part.vertices_[vertex];
-  middle /= static_cast<double>(on_plane.size());
-  const Vec3 across = plane.normal.unitOrthogonal();
-  const Vec3 along = plane.normal.cross(across);
-  const auto angle = [&](std::uint32_t vertex) {
-    const Vec3 arm = part.vertices_[vertex] - middle;
-    return std::atan2(along.dot(arm), across.dot(arm));
-  };
-  std::sort(on_plane.begin(), on_plane.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return angle(a) < angle(b); });
+  put_around(on_plane, part.vertices_, plane.normal);
   part.faces_.push_back(std::move(on_plane));
   return part;
 }

@@ -152,9 +152,12 @@ class SkinBuilder {
     }
   }
 
-  void add_patch(Index core_vertex, const std::vector<Vec3>& loop) {
-    // Back-and-forth runs, as over the two sides of one straight edge, enclose nothing.
-    std::vector<std::pair<Index, Vec3>> rim;
+  using Rim = std::vector<std::pair<Index, Vec3>>;  ///< points and their directions
+
+  /// The loop without back-and-forth runs, as over the two sides of one straight edge, which
+  /// enclose nothing.
+  Rim rim_of(Index core_vertex, const std::vector<Vec3>& loop) {
+    Rim rim;
     for (const Vec3& direction : loop) {
       const Index index = point(core_vertex, direction);
       if (!rim.empty() && rim.back().first == index) continue;
@@ -179,6 +182,11 @@ class SkinBuilder {
         rim.pop_back();
       }
     }
+    return rim;
+  }
+
+  void add_patch(Index core_vertex, const std::vector<Vec3>& loop) {
+    const Rim rim = rim_of(core_vertex, loop);
     if (rim.size() < 3) return;
     if (rim.size() == 3) return add_triangle(rim[0].first, rim[1].first, rim[2].first);
 

@@ -109,6 +109,65 @@ void classify(const ClassifyArgs& args) {
   }
 }
 
+/// Schemes, and what is measured of the blocks.
+void add_class_options(CLI::App& command, ClassifyArgs& args) {
+  std::string known;
+  for (const std::string& name : scheme_names()) known += name + ", ";
+  command.add_option("--scheme", args.schemes, "One or more of " + known + "or all")
+      ->type_name("NAME,..")
+      ->capture_default_str();
+  command
+      .add_option("--box", args.request.reading.box,
+                  "Box whose sides are L, I, S of a library's blocks: smallest volume, along the "
+                  "principal axes of inertia, longest Feret as by callipers, or PCA of the hull's "
+                  "corners")
+      ->check(CLI::IsMember({"smallest", "inertia", "feret", "pca"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option("--axis-error", args.request.reading.axis_error,
+                  "Error of the axes, m; default: 0.05 for a table (tape), twice the "
+                  "deviation from the scan for a library")
+      ->check(within(kAxisError))
+      ->type_name("M");
+  command.add_flag("--thirds", args.request.options.limits.sneed_folk_thirds,
+                   "Limits 1/3 and 2/3 for the second letter of Sneed & Folk, not 0.33 and 0.67");
+  command
+      .add_option("--erdogan-limit", args.request.options.limits.erdogan_limit,
+                  "Ratio of axes from which one counts as longer, for the scheme erdogan")
+      ->check(within(kErdoganLimit))
+      ->type_name("RATIO")
+      ->capture_default_str();
+  command
+      .add_option("--roundness", args.request.reading.roundness_edge,
+                  "With --json: Wadell roundness of a library's blocks, on their surface cut anew "
+                  "into triangles with edges of so many m")
+      ->check(within(kBlockLength))
+      ->type_name("M");
+}
+
+/// How tables of axes are read.
+void add_table_options(CLI::App& command, PopulationRequest& request) {
+  command
+      .add_option("--columns", request.first.columns,
+                  "Columns of a table, by name or number from 1; also mass=.. and name=..")
+      ->type_name("L=..,I=..,S=..")
+      ->capture_default_str();
+  command
+      .add_option("--units", request.first.units,
+                  "Length unit of a table: m, cm, mm, um, km, in, ft, or metres per unit; default: "
+                  "from its header, otherwise m")
+      ->type_name("UNIT");
+  command
+      .add_option("--against-columns", request.against.columns,
+                  "Columns of the second population's tables; default: the same")
+      ->type_name("L=..,I=..,S=..");
+  command
+      .add_option("--against-units", request.against.units,
+                  "Length unit of the second population's tables; default: the same")
+      ->type_name("UNIT");
+}
+
 }  // namespace
 
 void add_classify(CLI::App& app) {
@@ -125,58 +184,8 @@ void add_classify(CLI::App& app) {
       ->add_option("--against", args->request.against.inputs,
                    "A second population to compare with: libraries or tables")
       ->type_name("LIB|CSV");
-  std::string known;
-  for (const std::string& name : scheme_names()) known += name + ", ";
-  command->add_option("--scheme", args->schemes, "One or more of " + known + "or all")
-      ->type_name("NAME,..")
-      ->capture_default_str();
-  command
-      ->add_option("--box", args->request.reading.box,
-                   "Box whose sides are L, I, S of a library's blocks: smallest volume, along the "
-                   "principal axes of inertia, longest Feret as by callipers, or PCA of the hull's "
-                   "corners")
-      ->check(CLI::IsMember({"smallest", "inertia", "feret", "pca"}))
-      ->type_name("NAME")
-      ->capture_default_str();
-  command
-      ->add_option("--axis-error", args->request.reading.axis_error,
-                   "Error of the axes, m; default: 0.05 for a table (tape), twice the "
-                   "deviation from the scan for a library")
-      ->check(within(kAxisError))
-      ->type_name("M");
-  command->add_flag("--thirds", args->request.options.limits.sneed_folk_thirds,
-                    "Limits 1/3 and 2/3 for the second letter of Sneed & Folk, not 0.33 and 0.67");
-  command
-      ->add_option("--erdogan-limit", args->request.options.limits.erdogan_limit,
-                   "Ratio of axes from which one counts as longer, for the scheme erdogan")
-      ->check(within(kErdoganLimit))
-      ->type_name("RATIO")
-      ->capture_default_str();
-  command
-      ->add_option("--roundness", args->request.reading.roundness_edge,
-                   "With --json: Wadell roundness of a library's blocks, on their surface cut anew "
-                   "into triangles with edges of so many m")
-      ->check(within(kBlockLength))
-      ->type_name("M");
-  command
-      ->add_option("--columns", args->request.first.columns,
-                   "Columns of a table, by name or number from 1; also mass=.. and name=..")
-      ->type_name("L=..,I=..,S=..")
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--units", args->request.first.units,
-          "Length unit of a table: m, cm, mm, um, km, in, ft, or metres per unit; default: "
-          "from its header, otherwise m")
-      ->type_name("UNIT");
-  command
-      ->add_option("--against-columns", args->request.against.columns,
-                   "Columns of the second population's tables; default: the same")
-      ->type_name("L=..,I=..,S=..");
-  command
-      ->add_option("--against-units", args->request.against.units,
-                   "Length unit of the second population's tables; default: the same")
-      ->type_name("UNIT");
+  add_class_options(*command, *args);
+  add_table_options(*command, args->request);
   command
       ->add_option(
           "--size", args->size,

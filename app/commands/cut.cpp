@@ -130,6 +130,35 @@ void cut(const CutArgs& args) {
             << " written, " << library.blocks().size() << " in all\n";
 }
 
+/// How the mass is cut and its blocks are made.
+void add_block_making_options(CLI::App& command, MassBlockOptions& options) {
+  command.add_option("--seed", options.cutting.seed, "Of the places of the joints")
+      ->check(whole_number())
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option("--least-volume", options.cutting.least_volume,
+                  "Pieces smaller than this are left out, m3")
+      ->check(within(kBlockVolume))
+      ->type_name("M3")
+      ->capture_default_str();
+  command
+      .add_option("--most-blocks", options.cutting.most_blocks, "Joints that cut more are refused")
+      ->check(whole_number(1, 1'000'000))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--density", options.block.density, "Density, kg/m3")
+      ->check(within(kBlockDensity))
+      ->type_name("KG/M3")
+      ->capture_default_str();
+  command
+      .add_option("--radius-share", options.block.radius_share,
+                  "Minkowski radius of the rounding as a share of S, 0 to 0.25")
+      ->check(within(kRadiusShare))
+      ->type_name("SHARE")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_cut(CLI::App& app) {
@@ -154,31 +183,7 @@ void add_cut(CLI::App& app) {
   command->add_option("--prefix", options.prefix, "Ids are this and a number")
       ->type_name("TEXT")
       ->capture_default_str();
-  command->add_option("--seed", options.cutting.seed, "Of the places of the joints")
-      ->check(whole_number())
-      ->type_name("N")
-      ->capture_default_str();
-  command
-      ->add_option("--least-volume", options.cutting.least_volume,
-                   "Pieces smaller than this are left out, m3")
-      ->check(within(kBlockVolume))
-      ->type_name("M3")
-      ->capture_default_str();
-  command
-      ->add_option("--most-blocks", options.cutting.most_blocks, "Joints that cut more are refused")
-      ->check(whole_number(1, 1'000'000))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_option("--density", options.block.density, "Density, kg/m3")
-      ->check(within(kBlockDensity))
-      ->type_name("KG/M3")
-      ->capture_default_str();
-  command
-      ->add_option("--radius-share", options.block.radius_share,
-                   "Minkowski radius of the rounding as a share of S, 0 to 0.25")
-      ->check(within(kRadiusShare))
-      ->type_name("SHARE")
-      ->capture_default_str();
+  add_block_making_options(*command, options);
   command
       ->add_option("--units", args->units,
                    "Length unit of the mesh: m, cm, mm, km, in, ft, or metres per unit")

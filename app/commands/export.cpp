@@ -56,6 +56,45 @@ void run_export(const ExportArgs& args) {
             << counted(blocks.size(), "block") << " written\n";
 }
 
+/// What the files hold.
+void add_format_options(CLI::App& command, ExportArgs& args) {
+  command
+      .add_option("--format", args.formats,
+                  "Comma-separated: shp (Rockable, ExaDEM), obj, stl, ply, glb, vtp")
+      ->type_name("LIST")
+      ->capture_default_str();
+  command
+      .add_option("--what", args.what,
+                  "What mesh files hold: the rounded skin, the core, both (a second file "
+                  "ID_core), or surface, the simplified scan the block was made from")
+      ->check(CLI::IsMember({"skin", "core", "both", "surface"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--segments", args.segments,
+          "Segments of a quarter turn in the skin, 1 to 64; its volume is too small by a "
+          "share that falls with their square. A concave block's skin has no triangles below "
+          "1/150 of its diagonal")
+      ->check(whole_number(1, 64))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option("--frame", args.frame,
+                  "Frame of mesh files: source, that of the scan, or principal, origin at the "
+                  "centre of mass as in shp files")
+      ->check(CLI::IsMember({"source", "principal"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option("--up", args.options.up,
+                  "Up axis of mesh files: z as stored, y, or auto: y in glb, as its standard "
+                  "has it, z in all others")
+      ->check(CLI::IsMember({"auto", "y", "z"}))
+      ->type_name("AXIS")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_export(CLI::App& app) {
@@ -68,52 +107,17 @@ void add_export(CLI::App& app) {
       ->type_name("DIR")
       ->capture_default_str();
   command->add_flag("--replace", args->options.replace, "Replace existing files");
-  command
-      ->add_option("--format", args->formats,
-                   "Comma-separated: shp (Rockable, ExaDEM), obj, stl, ply, glb, vtp")
-      ->type_name("LIST")
-      ->capture_default_str();
-  command
-      ->add_option("--what", args->what,
-                   "What mesh files hold: the rounded skin, the core, both (a second file "
-                   "ID_core), or surface, the simplified scan the block was made from")
-      ->check(CLI::IsMember({"skin", "core", "both", "surface"}))
-      ->type_name("NAME")
-      ->capture_default_str();
-  CLI::Option* segments =
-      command
-          ->add_option(
-              "--segments", args->segments,
-              "Segments of a quarter turn in the skin, 1 to 64; its volume is too small by a "
-              "share that falls with their square. A concave block's skin has no triangles below "
-              "1/150 of its diagonal")
-          ->check(whole_number(1, 64))
-          ->type_name("N")
-          ->capture_default_str();
-  command
-      ->add_option("--frame", args->frame,
-                   "Frame of mesh files: source, that of the scan, or principal, origin at the "
-                   "centre of mass as in shp files")
-      ->check(CLI::IsMember({"source", "principal"}))
-      ->type_name("NAME")
-      ->capture_default_str();
-  command
-      ->add_option("--up", args->options.up,
-                   "Up axis of mesh files: z as stored, y, or auto: y in glb, as its standard "
-                   "has it, z in all others")
-      ->check(CLI::IsMember({"auto", "y", "z"}))
-      ->type_name("AXIS")
-      ->capture_default_str();
+  add_format_options(*command, *args);
   command->footer(
       "Mesh files are in metres. shp files hold core and radius in metres in the principal frame, "
       "origin at\nthe centre of mass, faces in one plane as one polygon, and where the scan had "
       "that frame.\n"
       "Example:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl");
-  command->callback([args, segments] {
+  command->callback([args, command] {
     args->options.formats = split_list(args->formats);
     args->options.what = kSurfaces.at(args->what);
     args->options.frame = kFrames.at(args->frame);
-    if (segments->count() > 0) args->options.segments = args->segments;
+    if (command->count("--segments") > 0) args->options.segments = args->segments;
     run_export(*args);
   });
 }

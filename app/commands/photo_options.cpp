@@ -32,6 +32,42 @@ ScaleBar bar_from(const std::string& text) {
   return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), numbers[2]};
 }
 
+constexpr const char* kGroup = "Photographs";  ///< of the options, in the help
+
+/// Cameras, and where the program that finds them is.
+void add_camera_options(CLI::App& command, PhotoArgs& args) {
+  PhotoScanOptions& options = args.options;
+  command
+      .add_option("--model", options.model,
+                  "Finished cameras: folder of COLMAP, .xml of Metashape, .sfm or .json of "
+                  "AliceVision, sfm_data.json of OpenMVG, bundle.out; without it one in the folder "
+                  "of the photos, else the program colmap is run")
+      ->type_name("PATH")
+      ->group(kGroup);
+  command
+      .add_option("--masks", options.dense.masks,
+                  "Folder of images named as the photos, black where a photo is not to be used")
+      ->type_name("DIR")
+      ->group(kGroup);
+  command.add_option("--colmap", options.colmap.program, "The program colmap, by name or path")
+      ->type_name("PROGRAM")
+      ->capture_default_str()
+      ->group(kGroup);
+  command
+      .add_option("--colmap-minutes", args.colmap_minutes,
+                  "Time limit for each colmap step, minutes")
+      ->check(within(kColmapMinutes))
+      ->type_name("MIN")
+      ->capture_default_str()
+      ->group(kGroup);
+  command
+      .add_option("--photo-cache", options.colmap.cache,
+                  "Folder that keeps what colmap found, by the content of the photos; default: "
+                  "clast/photos in the user's folder for caches")
+      ->type_name("DIR")
+      ->group(kGroup);
+}
+
 }  // namespace
 
 PhotoScanOptions PhotoArgs::parsed() const {
@@ -53,7 +89,6 @@ PhotoScanOptions PhotoArgs::parsed() const {
 }
 
 void add_photo_options(CLI::App& command, PhotoArgs& args) {
-  const std::string group = "Photographs";
   PhotoScanOptions& options = args.options;
   command
       .add_option("--scale-bar", args.bars,
@@ -61,59 +96,31 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
                   "times")
       ->allow_extra_args(false)
       ->type_name("ID,ID,M")
-      ->group(group);
+      ->group(kGroup);
   command
       .add_option("--board", args.board,
                   "A plate with markers at known positions, or a ChArUco board, as a file "
                   "(TOML, see docs/formats.md): all its distances set the scale")
       ->type_name("FILE")
-      ->group(group);
+      ->group(kGroup);
   command
       .add_option("--marker-size", args.marker_size,
                   "Side of the black square of every marker, m: sets the scale, or checks the bars")
       ->check(within(kMarkerSide))
       ->type_name("M")
-      ->group(group);
+      ->group(kGroup);
   std::vector<std::string> dictionaries = marker_dictionaries();
   dictionaries.insert(dictionaries.begin(), {"auto", "none"});
   command.add_option("--markers", options.markers.dictionary, "Kind of the markers")
       ->check(CLI::IsMember(dictionaries))
       ->type_name("KIND")
       ->capture_default_str()
-      ->group(group);
+      ->group(kGroup);
   command
       .add_flag("--allow-unscaled", options.allow_unscaled,
                 "Make blocks without any scale: their shape is usable, their mass is not")
-      ->group(group);
-  command
-      .add_option("--model", options.model,
-                  "Finished cameras: folder of COLMAP, .xml of Metashape, .sfm or .json of "
-                  "AliceVision, sfm_data.json of OpenMVG, bundle.out; without it one in the folder "
-                  "of the photos, else the program colmap is run")
-      ->type_name("PATH")
-      ->group(group);
-  command
-      .add_option("--masks", options.dense.masks,
-                  "Folder of images named as the photos, black where a photo is not to be used")
-      ->type_name("DIR")
-      ->group(group);
-  command.add_option("--colmap", options.colmap.program, "The program colmap, by name or path")
-      ->type_name("PROGRAM")
-      ->capture_default_str()
-      ->group(group);
-  command
-      .add_option("--colmap-minutes", args.colmap_minutes,
-                  "Time limit for each colmap step, minutes")
-      ->check(within(kColmapMinutes))
-      ->type_name("MIN")
-      ->capture_default_str()
-      ->group(group);
-  command
-      .add_option("--photo-cache", options.colmap.cache,
-                  "Folder that keeps what colmap found, by the content of the photos; default: "
-                  "clast/photos in the user's folder for caches")
-      ->type_name("DIR")
-      ->group(group);
+      ->group(kGroup);
+  add_camera_options(command, args);
 }
 
 }  // namespace clast

@@ -46,6 +46,32 @@ struct Header {
   Vec3 offset = Vec3::Zero();
 };
 
+/// @throws InputError  points that can't be read, or can't be where the header says
+void check_points(const Header& header, std::uint64_t file_size) {
+  if (header.format >= kRecordSizes.size()) {
+    throw InputError("has LAS point format " + std::to_string(header.format) +
+                     "; 0 to 10 can be read, export it as one of these");
+  }
+  if (header.record_size < kRecordSizes[header.format]) {
+    throw InputError("has point records of " + std::to_string(header.record_size) +
+                     " bytes, less than format " + std::to_string(header.format) +
+                     " needs; it is damaged, export it again");
+  }
+  if (!header.scale.allFinite() || !header.offset.allFinite() ||
+      header.scale.cwiseAbs().minCoeff() == 0.0) {
+    throw InputError("its scale or offset of coordinates is zero or not finite; it is corrupt");
+  }
+  if (header.data_offset < kSmallestHeader || header.data_offset > file_size) {
+    throw InputError("its points are said to start at byte " + std::to_string(header.data_offset) +
+                     ", outside the file; it is corrupt");
+  }
+  const std::uint64_t room = (file_size - header.data_offset) / header.record_size;
+  if (header.count > room) {
+    throw InputError("its header says " + std::to_string(header.count) + " points, the file has " +
+                     std::to_string(room) + "; it was cut short");
+  }
+}
+
 Header read_header(std::istream& stream, std::uint64_t file_size) {
   const std::string bytes = read_bytes(stream, kHeader14);
   if (!bytes.starts_with("LASF")) {
@@ -76,28 +102,7 @@ Header read_header(std::istream& stream, std::uint64_t file_size) {
         "laszip -i cloud.laz -o cloud.las, or save it as LAS in CloudCompare");
   }
   header.format = format;
-  if (header.format >= kRecordSizes.size()) {
-    throw InputError("has LAS point format " + std::to_string(header.format) +
-                     "; 0 to 10 can be read, export it as one of these");
-  }
-  if (header.record_size < kRecordSizes[header.format]) {
-    throw InputError("has point records of " + std::to_string(header.record_size) +
-                     " bytes, less than format " + std::to_string(header.format) +
-                     " needs; it is damaged, export it again");
-  }
-  if (!header.scale.allFinite() || !header.offset.allFinite() ||
-      header.scale.cwiseAbs().minCoeff() == 0.0) {
-    throw InputError("its scale or offset of coordinates is zero or not finite; it is corrupt");
-  }
-  if (header.data_offset < kSmallestHeader || header.data_offset > file_size) {
-    throw InputError("its points are said to start at byte " + std::to_string(header.data_offset) +
-                     ", outside the file; it is corrupt");
-  }
-  const std::uint64_t room = (file_size - header.data_offset) / header.record_size;
-  if (header.count > room) {
-    throw InputError("its header says " + std::to_string(header.count) + " points, the file has " +
-                     std::to_string(room) + "; it was cut short");
-  }
+  check_points(header, file_size);
   return header;
 }
 

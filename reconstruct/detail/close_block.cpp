@@ -131,19 +131,20 @@ std::optional<Underside> close_unseen_side(const OpenBlock& open, const ScannedS
   }
 }
 
-/// Turns the block about the place where it stands, so that z points up from its ground.
-void stand_upright(FieldBlock& block, const OpenBlock& open, const ScanOptions& options) {
+/// The turn about the place where the block stands after which z points up from its ground.
+Pose upright(const OpenBlock& open, const ScanOptions& options) {
   const Vec3 normal = in_metres(open.ground->normal, options).normalized();
   const Vec3 pivot = in_metres(open.centre, options);
   const Quat rotation = Quat::FromTwoVectors(normal, Vec3::UnitZ());
-  block.block_from_file = {pivot - rotation * pivot, rotation};
-  const double tilt = degrees_between(normal, Vec3::UnitZ());
-  if (tilt > kNotedTilt) {
-    block.scan.notes.push_back(
-        "turned by " + with_digits(tilt, 3) +
-        " degrees so that z points up from the ground; `up` keeps the file's axes");
-  }
-  for (Vec3& vertex : block.scan.mesh.vertices) vertex = block.block_from_file * vertex;
+  return {pivot - rotation * pivot, rotation};
+}
+
+/// A tilt worth noting is noted.
+void note_tilt(const Quat& rotation, std::vector<std::string>& notes) {
+  const double tilt = degrees_between(rotation * Vec3::UnitZ(), Vec3::UnitZ());
+  if (tilt <= kNotedTilt) return;
+  notes.push_back("turned by " + with_digits(tilt, 3) +
+                  " degrees so that z points up from the ground; `up` keeps the file's axes");
 }
 
 /// The same underside with every length scaled and every place moved.
@@ -175,7 +176,10 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
       with_fillings(std::move(open.repaired), filled, surface_area(open.surface), options.unit);
   const std::unique_ptr<const ScannedSurface> scanned = scanned_part(open);
   std::optional<Underside> side = close_unseen_side(open, scanned.get(), name, field.through);
-  FieldBlock block{clean_scan(side ? side->best : open.surface, name, options), {}, {}};
+  std::optional<Pose> turn;
+  if (open.ground && !field.up_given) turn = upright(open, options);
+  FieldBlock block{clean_scan(side ? side->best : open.surface, name, options, turn), {}, {}};
+  if (turn) block.block_from_file = *turn;
   RepairReport& report = block.scan.report;
   report = joined(std::move(open.repaired), std::move(report));
   if (!side) {
@@ -184,7 +188,7 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
   std::vector<std::string>& notes = block.scan.notes;
   notes = repair_notes(report);
   notes.insert(notes.begin(), open.notes.begin(), open.notes.end());
-  if (open.ground && !field.up_given) stand_upright(block, open, options);
+  if (turn) note_tilt(turn->rotation, notes);
   if (side) {
     notes.insert(notes.end(), side->notes.begin(), side->notes.end());
     block.underside = moved(std::move(*side), options.unit, [&](const Vec3& p) {

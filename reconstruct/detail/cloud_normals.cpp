@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -36,13 +37,34 @@ double outward_share(std::span<const std::uint32_t> component, std::span<const V
   return share;
 }
 
+/// Of each point those it is compared with, on both sides.
+std::vector<std::vector<std::uint32_t>> points_beside(std::span<const Vec3> points) {
+  const NearestPoints tree(points);
+  std::vector<std::vector<std::uint32_t>> beside(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    for (const auto& near : tree.nearest(points[i], kBeside)) {
+      beside[i].push_back(near.point);
+      beside[near.point].push_back(i);
+    }
+  }
+  return beside;
+}
+
+std::vector<std::uint32_t> outermost_first(std::span<const Vec3> points, const Vec3& middle) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return (points[a] - middle).squaredNorm() > (points[b] - middle).squaredNorm();
+  });
+  return order;
+}
+
 }  // namespace
 
 void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
                   Propagation propagation) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
-  const NearestPoints tree(points);
   struct Step {
     double bend;
     std::uint32_t from, to;
@@ -51,19 +73,8 @@ void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
                                 : std::pair(from, to) > std::pair(other.from, other.to);
     }
   };
-  std::vector<std::vector<std::uint32_t>> beside(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    for (const auto& near : tree.nearest(points[i], kBeside)) {
-      beside[i].push_back(near.point);
-      beside[near.point].push_back(i);
-    }
-  }
+  const std::vector<std::vector<std::uint32_t>> beside = points_beside(points);
   std::vector<bool> done(points.size(), false);
-  std::vector<std::uint32_t> outermost(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) outermost[i] = i;
-  std::stable_sort(outermost.begin(), outermost.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return (points[a] - middle).squaredNorm() > (points[b] - middle).squaredNorm();
-  });
   std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
   std::vector<std::uint32_t> component;
   const auto settle = [&](std::uint32_t point, const Vec3& like) {
@@ -76,7 +87,8 @@ void turn_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
       open.push({1.0 - std::abs(carried.dot(normals[next])), point, next});
     }
   };
-  for (const std::uint32_t start : outermost) {  // a second component, if there is one, starts anew
+  // A second component, if there is one, starts anew.
+  for (const std::uint32_t start : outermost_first(points, middle)) {
     if (done[start]) continue;
     component.clear();
     settle(start, points[start] - middle);

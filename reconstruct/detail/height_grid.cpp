@@ -6,6 +6,46 @@
 
 namespace clast::reconstruct_detail {
 
+namespace {
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+/// The bending of a thin plate over a grid: second differences along both axes, and the mixed one,
+/// squared.
+void add_bending(Entries& entries, std::size_t columns, std::size_t rows, double weight) {
+  struct Term {
+    std::size_t node;
+    double factor;
+  };
+  const auto bend = [&](std::initializer_list<Term> terms, double share) {
+    for (const Term& a : terms) {
+      for (const Term& b : terms) {
+        entries.emplace_back(a.node, b.node, share * weight * a.factor * b.factor);
+      }
+    }
+  };
+  const auto node = [&](std::size_t i, std::size_t j) { return j * columns + i; };
+  for (std::size_t j = 0; j < rows; ++j) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      if (i + 2 < columns) {
+        bend({{node(i, j), 1.0}, {node(i + 1, j), -2.0}, {node(i + 2, j), 1.0}}, 1.0);
+      }
+      if (j + 2 < rows) {
+        bend({{node(i, j), 1.0}, {node(i, j + 1), -2.0}, {node(i, j + 2), 1.0}}, 1.0);
+      }
+      if (i + 1 < columns && j + 1 < rows) {
+        bend({{node(i, j), 1.0},
+              {node(i + 1, j), -1.0},
+              {node(i, j + 1), -1.0},
+              {node(i + 1, j + 1), 1.0}},
+             2.0);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 HeightGrid::HeightGrid(std::span<const Vec3> points, const Eigen::AlignedBox2d& extent, int nodes,
                        double stiffness) {
   const Vec2 size = extent.sizes();
@@ -15,7 +55,7 @@ HeightGrid::HeightGrid(std::span<const Vec3> points, const Eigen::AlignedBox2d& 
   rows_ = static_cast<std::size_t>(std::ceil(size.y() / cell_)) + 2;
   const auto count = static_cast<Eigen::Index>(columns_ * rows_);
 
-  std::vector<Eigen::Triplet<double>> entries;
+  Entries entries;
   Eigen::VectorXd side = Eigen::VectorXd::Zero(count);
   for (const Vec3& point : points) {
     const std::array<Corner, 4> around = corners(point.head<2>());
@@ -26,34 +66,9 @@ HeightGrid::HeightGrid(std::span<const Vec3> points, const Eigen::AlignedBox2d& 
       }
     }
   }
-  // Second differences along both axes, and the mixed one, squared.
   const double weight =
       stiffness * std::max(1.0, static_cast<double>(points.size()) / static_cast<double>(count));
-  const auto bend = [&](std::initializer_list<Corner> terms, double share) {
-    for (const Corner& a : terms) {
-      for (const Corner& b : terms) {
-        entries.emplace_back(a.node, b.node, share * weight * a.weight * b.weight);
-      }
-    }
-  };
-  const auto node = [&](std::size_t i, std::size_t j) { return j * columns_ + i; };
-  for (std::size_t j = 0; j < rows_; ++j) {
-    for (std::size_t i = 0; i < columns_; ++i) {
-      if (i + 2 < columns_) {
-        bend({{node(i, j), 1.0}, {node(i + 1, j), -2.0}, {node(i + 2, j), 1.0}}, 1.0);
-      }
-      if (j + 2 < rows_) {
-        bend({{node(i, j), 1.0}, {node(i, j + 1), -2.0}, {node(i, j + 2), 1.0}}, 1.0);
-      }
-      if (i + 1 < columns_ && j + 1 < rows_) {
-        bend({{node(i, j), 1.0},
-              {node(i + 1, j), -1.0},
-              {node(i, j + 1), -1.0},
-              {node(i + 1, j + 1), 1.0}},
-             2.0);
-      }
-    }
-  }
+  add_bending(entries, columns_, rows_, weight);
   // Fewer than three points leave the plate free to tilt.
   for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, 1e-9 * weight);
   Eigen::SparseMatrix<double> matrix(count, count);

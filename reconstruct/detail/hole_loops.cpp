@@ -87,60 +87,77 @@ std::vector<OpenFan> in_order(const TriangleMesh& mesh, std::uint32_t vertex,
   return fans;
 }
 
+/// A side of the border at one of its ends.
+using SideEnd =
+    std::array<std::uint32_t, 3>;  ///< vertex, fan, side; one that arrives: side + count
+
+/// How many from `begin` on are at the same vertex.
+std::size_t end_of_vertex(const std::vector<SideEnd>& ends, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < ends.size() && ends[end][0] == ends[begin][0]) ++end;
+  return end;
+}
+
+/// Of each fan at a vertex that has more than one, its triangles.
+class TrianglesOfFans {
+ public:
+  TrianglesOfFans(const std::vector<SideEnd>& ends, const std::vector<std::uint32_t>& fans)
+      : number_(fans.size(), kNone) {
+    for (std::size_t begin = 0, end; begin < ends.size(); begin = end) {
+      end = end_of_vertex(ends, begin);
+      if (end - begin <= 2) continue;
+      for (std::size_t i = begin; i < end; ++i) number_[ends[i][1]] = 0;
+    }
+    std::uint32_t count = 0;
+    for (std::uint32_t& n : number_) {
+      if (n != kNone) n = count++;
+    }
+    triangles_.resize(count);
+    for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+      const std::uint32_t n = number_[fans[corner]];
+      if (n != kNone) triangles_[n].push_back(corner / 3);
+    }
+  }
+
+  const std::vector<std::uint32_t>& of(std::uint32_t fan) const { return triangles_[number_[fan]]; }
+
+ private:
+  std::vector<std::uint32_t> number_;
+  std::vector<std::vector<std::uint32_t>> triangles_;
+};
+
 /// For every border side that leaves its first vertex the side at which a border continues: the one
 /// at the end of the fan before it, seen around the vertex.
 std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector<BorderSide>& sides,
                                      const std::vector<std::uint32_t>& fans) {
   std::vector<std::uint32_t> follower(sides.size(), kNone);
-  // Sides by vertex and fan: those that leave it, and those that come to it.
-  std::vector<OpenFan> open;
-  std::vector<std::array<std::uint32_t, 3>> ends;  // vertex, fan, side; comes: side + count
+  std::vector<SideEnd> ends;
   const auto count = static_cast<std::uint32_t>(sides.size());
   for (std::uint32_t s = 0; s < count; ++s) {
     ends.push_back({sides[s].from, sides[s].fan_from, s});
     ends.push_back({sides[s].to, sides[s].fan_to, s + count});
   }
   std::sort(ends.begin(), ends.end());
-  // Corners of fans at vertices that have more than one.
-  std::vector<std::vector<std::uint32_t>> triangles_of_fan;
-  std::vector<std::uint32_t> number(fans.size(), kNone);
-  for (std::size_t begin = 0; begin < ends.size();) {
-    std::size_t end = begin;
-    while (end < ends.size() && ends[end][0] == ends[begin][0]) ++end;
-    if (end - begin > 2) {
-      for (std::size_t i = begin; i < end; ++i) number[ends[i][1]] = 0;
-    }
-    begin = end;
-  }
-  for (std::uint32_t& n : number) {
-    if (n == kNone) continue;
-    n = static_cast<std::uint32_t>(triangles_of_fan.size());
-    triangles_of_fan.emplace_back();
-  }
-  for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
-    if (number[fans[corner]] != kNone) triangles_of_fan[number[fans[corner]]].push_back(corner / 3);
-  }
-  for (std::size_t begin = 0; begin < ends.size();) {
-    std::size_t end = begin;
+  const TrianglesOfFans triangles_of(ends, fans);
+  for (std::size_t begin = 0, end; begin < ends.size(); begin = end) {
+    end = end_of_vertex(ends, begin);
     std::vector<OpenFan> here;
-    for (; end < ends.size() && ends[end][0] == ends[begin][0]; ++end) {
-      if (here.empty() || here.back().fan != ends[end][1]) here.push_back({ends[end][1]});
-      const std::uint32_t side = ends[end][2];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (here.empty() || here.back().fan != ends[i][1]) here.push_back({ends[i][1]});
+      const std::uint32_t side = ends[i][2];
       (side < count ? here.back().starts : here.back().ends) = side < count ? side : side - count;
     }
-    begin = end;
-    const std::uint32_t vertex = ends[end - 1][0];
     std::erase_if(here, [](const OpenFan& f) { return f.starts == kNone || f.ends == kNone; });
     for (const OpenFan& fan : here) follower[fan.starts] = fan.ends;
     if (here.size() < 2) continue;
     std::vector<std::vector<std::uint32_t>> triangles;
     for (OpenFan& fan : here) {
-      triangles.push_back(triangles_of_fan[number[fan.fan]]);
+      triangles.push_back(triangles_of.of(fan.fan));
       for (const std::uint32_t t : triangles.back()) {
         fan.normal += area_vector(mesh, mesh.triangles[t]);
       }
     }
-    const std::vector<OpenFan> around = in_order(mesh, vertex, here, sides, triangles);
+    const std::vector<OpenFan> around = in_order(mesh, ends[begin][0], here, sides, triangles);
     for (std::size_t i = 0; i < around.size(); ++i) {
       follower[around[(i + 1) % around.size()].starts] = around[i].ends;
     }

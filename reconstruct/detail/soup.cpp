@@ -55,6 +55,65 @@ Change drop_disagreeing(TriangleMesh& mesh) {
   return result;
 }
 
+/// Patches between edges of more than two triangles that a fin may be.
+struct FinVotes {
+  std::vector<std::uint32_t> patch;                             ///< of each triangle
+  std::vector<std::uint32_t> candidates;                        ///< patches, the smallest first
+  std::map<std::uint32_t, std::vector<std::uint32_t>> kept_by;  ///< patch: those that stay instead
+};
+
+/// At each edge of more than two triangles, all but the smoothest pair are voted out.
+FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
+  const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
+  FinVotes votes{manifold_components(triangle_neighbours(mesh, sorted)), {}, {}};
+  const std::vector<std::uint32_t>& patch = votes.patch;
+  std::vector<double> area(mesh.triangles.size(), 0.0), voted(area), bordered(area);
+  double whole = 0.0;
+  for (std::size_t t = 0; t < patch.size(); ++t) {
+    const double here = triangle_area(mesh, mesh.triangles[t]);
+    area[patch[t]] += here;
+    whole += here;
+  }
+  for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
+    if (sides.size() < 3) return;
+    const double length = (mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).norm();
+    const std::array<std::size_t, 2> stay = smoothest_pair(wings(mesh, sides));
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const std::uint32_t here = patch[sides[i].triangle];
+      bordered[here] += length;
+      if (i == stay[0] || i == stay[1]) continue;
+      voted[here] += length;
+      for (const std::size_t k : stay) votes.kept_by[here].push_back(patch[sides[k].triangle]);
+    }
+  });
+  for (const auto& [here, stay] : votes.kept_by) {
+    if (2.0 * voted[here] >= bordered[here] && area[here] < largest_share * whole) {
+      votes.candidates.push_back(here);
+    }
+  }
+  std::sort(votes.candidates.begin(), votes.candidates.end(),
+            [&](std::uint32_t a, std::uint32_t b) {
+              return area[a] != area[b] ? area[a] < area[b] : a < b;
+            });
+  return votes;
+}
+
+/// What was to stay in place of a dropped one stays in this round.
+Change drop_voted_out(TriangleMesh& mesh, const FinVotes& votes) {
+  std::vector<char> fate(mesh.triangles.size(), 0);
+  enum : char { kOpen, kDrop, kStay };
+  for (const std::uint32_t here : votes.candidates) {
+    if (fate[here] != kOpen) continue;
+    fate[here] = kDrop;
+    for (const std::uint32_t stay : votes.kept_by.at(here)) {
+      if (fate[stay] == kOpen) fate[stay] = kStay;
+    }
+  }
+  std::vector<bool> drop(mesh.triangles.size());
+  for (std::size_t t = 0; t < drop.size(); ++t) drop[t] = fate[votes.patch[t]] == kDrop;
+  return drop_triangles(mesh, drop);
+}
+
 }  // namespace
 
 Change drop_triangles(TriangleMesh& mesh, const std::vector<bool>& drop) {
@@ -100,51 +159,7 @@ Change drop_opposite_pairs(TriangleMesh& mesh) {
 Change drop_fins(TriangleMesh& mesh, double largest_share) {
   Change result;
   for (int round = 0; round < kFinRounds; ++round) {
-    const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
-    const std::vector<std::uint32_t> patch = manifold_components(triangle_neighbours(mesh, sorted));
-    std::vector<double> area(mesh.triangles.size(), 0.0), voted(area), bordered(area);
-    double whole = 0.0;
-    for (std::size_t t = 0; t < patch.size(); ++t) {
-      const double here = triangle_area(mesh, mesh.triangles[t]);
-      area[patch[t]] += here;
-      whole += here;
-    }
-    // At each edge of more than two triangles, all but the smoothest pair are voted out.
-    std::map<std::uint32_t, std::vector<std::uint32_t>> kept_by;  // patch: those that stay instead
-    for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
-      if (sides.size() < 3) return;
-      const double length = (mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).norm();
-      const std::array<std::size_t, 2> stay = smoothest_pair(wings(mesh, sides));
-      for (std::size_t i = 0; i < sides.size(); ++i) {
-        const std::uint32_t here = patch[sides[i].triangle];
-        bordered[here] += length;
-        if (i == stay[0] || i == stay[1]) continue;
-        voted[here] += length;
-        for (const std::size_t k : stay) kept_by[here].push_back(patch[sides[k].triangle]);
-      }
-    });
-    std::vector<std::uint32_t> candidates;
-    for (const auto& [here, stay] : kept_by) {
-      if (2.0 * voted[here] >= bordered[here] && area[here] < largest_share * whole) {
-        candidates.push_back(here);
-      }
-    }
-    std::sort(candidates.begin(), candidates.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return area[a] != area[b] ? area[a] < area[b] : a < b;
-    });
-    // What was to stay in place of a dropped one must stay in this round.
-    std::vector<char> fate(mesh.triangles.size(), 0);
-    enum : char { kOpen, kDrop, kStay };
-    for (const std::uint32_t here : candidates) {
-      if (fate[here] != kOpen) continue;
-      fate[here] = kDrop;
-      for (const std::uint32_t stay : kept_by[here]) {
-        if (fate[stay] == kOpen) fate[stay] = kStay;
-      }
-    }
-    std::vector<bool> drop(mesh.triangles.size());
-    for (std::size_t t = 0; t < drop.size(); ++t) drop[t] = fate[patch[t]] == kDrop;
-    const Change now = drop_triangles(mesh, drop);
+    const Change now = drop_voted_out(mesh, fin_votes(mesh, largest_share));
     if (now.count == 0) break;
     if (result.count == 0) result.place = now.place;
     result.count += now.count;

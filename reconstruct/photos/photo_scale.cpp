@@ -66,6 +66,76 @@ BoardLengths known_distances(const std::vector<FoundMarker>& markers, const Scal
   return known;
 }
 
+[[noreturn]] void refuse_without_length(const std::vector<FoundMarker>& markers,
+                                        const ScaleOptions& options) {
+  if (options.board) {
+    throw InputError("board: " + std::to_string(markers.size()) +
+                     " markers were found in three photos, and no two of the board; check its "
+                     "dictionary and ids, and that it is whole, flat and sharp in many photos");
+  }
+  throw InputError(options.marker_side
+                       ? "no marker was found in three photos; lay markers beside the block that "
+                         "are sharp and whole in many photos, or give the scale another way"
+                       : "no scale: neither a distance between markers nor their side is given");
+}
+
+/// Of measures that are off their median by more than a share, none is used.
+/// @returns how many are
+std::size_t leave_out_disagreeing(std::vector<ScaleMeasure>& measures, double most) {
+  std::vector<double> factors;
+  for (const ScaleMeasure& measure : measures) factors.push_back(measure.factor);
+  const double middle = median(factors);
+  std::size_t used = 0;
+  for (ScaleMeasure& measure : measures) {
+    measure.used = std::abs(measure.factor / middle - 1.0) <= most;
+    used += measure.used ? 1 : 0;
+  }
+  if (2 * used > measures.size() || measures.size() == 1) return used;
+  std::string values;
+  for (const ScaleMeasure& measure : measures) {
+    values += (values.empty() ? "" : ", ") + measure.name + ": " + with_digits(measure.factor, 6) +
+              " m per unit";
+  }
+  throw InputError("the sizes contradict each other by more than " + in_percent(most) + " (" +
+                   values + "); measure the markers again, or give the distances you trust");
+}
+
+/// How far each measure is off the mean of the others, and the spread of those used.
+void compare_measures(PhotoScale& scale, std::size_t used, double most) {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < scale.measures.size(); ++i) {
+    ScaleMeasure& measure = scale.measures[i];
+    const double others = mean_factor(scale.measures, i);
+    if (others > 0.0) measure.left_out = others / measure.factor - 1.0;
+    if (measure.used) {
+      squares += std::pow(measure.factor / scale.metres_per_unit - 1.0, 2);
+      continue;
+    }
+    scale.notes.push_back(measure.name + " disagrees by " + in_percent(std::abs(measure.left_out)) +
+                          " with the other " + std::to_string(used) + " (limit " +
+                          in_percent(most) + "): wrong size or a bent board? Left out");
+  }
+  if (used > 1) scale.spread = std::sqrt(squares / static_cast<double>(used - 1));
+  if (used == 1) {
+    scale.notes.push_back("the scale rests on " + scale.measures.front().name +
+                          " alone, and nothing checks it");
+  }
+}
+
+/// The markers' sides by the distances between them, against the side that was given.
+void check_sides(PhotoScale& scale, const std::vector<FoundMarker>& markers, double side,
+                 double most) {
+  double sides = 0.0;
+  for (const FoundMarker& marker : markers) sides += marker.side();
+  scale.side_check =
+      scale.metres_per_unit * sides / static_cast<double>(markers.size()) / side - 1.0;
+  if (std::abs(*scale.side_check) <= most) return;
+  scale.notes.push_back("by the distances between markers, their sides are " +
+                        in_percent(std::abs(*scale.side_check)) +
+                        (*scale.side_check > 0.0 ? " longer" : " shorter") +
+                        " than given: check both");
+}
+
 }  // namespace
 
 void ScaleOptions::check() const {
@@ -104,70 +174,16 @@ PhotoScale scale_from_markers(const std::vector<FoundMarker>& markers, const Sca
       lengths.push_back({"marker " + std::to_string(marker.id), *side, marker.side(), {marker.id}});
     }
   }
+  if (lengths.empty()) refuse_without_length(markers, options);
   for (const KnownLength& known : lengths) {
     scale.measures.push_back(
         {known.name, known.metres, known.metres / known.units, 0.0, true, known.markers});
   }
-  if (scale.measures.empty() && options.board) {
-    throw InputError("board: " + std::to_string(markers.size()) +
-                     " markers were found in three photos, and no two of the board; check its "
-                     "dictionary and ids, and that it is whole, flat and sharp in many photos");
-  }
-  if (scale.measures.empty()) {
-    throw InputError(side
-                         ? "no marker was found in three photos; lay markers beside the block that "
-                           "are sharp and whole in many photos, or give the scale another way"
-                         : "no scale: neither a distance between markers nor their side is given");
-  }
-  std::vector<double> factors;
-  for (const ScaleMeasure& measure : scale.measures) factors.push_back(measure.factor);
-  const double middle = median(factors);
-  const double most = options.largest_disagreement;
-  std::size_t used = 0;
-  for (ScaleMeasure& measure : scale.measures) {
-    measure.used = std::abs(measure.factor / middle - 1.0) <= most;
-    used += measure.used ? 1 : 0;
-  }
-  const std::size_t all = scale.measures.size();
-  if (2 * used <= all && all > 1) {
-    std::string values;
-    for (const ScaleMeasure& measure : scale.measures) {
-      values += (values.empty() ? "" : ", ") + measure.name + ": " +
-                with_digits(measure.factor, 6) + " m per unit";
-    }
-    throw InputError("the sizes contradict each other by more than " + in_percent(most) + " (" +
-                     values + "); measure the markers again, or give the distances you trust");
-  }
-  scale.metres_per_unit = mean_factor(scale.measures, all);
-  double squares = 0.0;
-  for (std::size_t i = 0; i < all; ++i) {
-    ScaleMeasure& measure = scale.measures[i];
-    const double others = mean_factor(scale.measures, i);
-    if (others > 0.0) measure.left_out = others / measure.factor - 1.0;
-    if (measure.used) {
-      squares += std::pow(measure.factor / scale.metres_per_unit - 1.0, 2);
-      continue;
-    }
-    scale.notes.push_back(measure.name + " disagrees by " + in_percent(std::abs(measure.left_out)) +
-                          " with the other " + std::to_string(used) + " (limit " +
-                          in_percent(most) + "): wrong size or a bent board? Left out");
-  }
-  if (used > 1) scale.spread = std::sqrt(squares / static_cast<double>(used - 1));
-  if (used == 1) {
-    scale.notes.push_back("the scale rests on " + scale.measures.front().name +
-                          " alone, and nothing checks it");
-  }
+  const std::size_t used = leave_out_disagreeing(scale.measures, options.largest_disagreement);
+  scale.metres_per_unit = mean_factor(scale.measures, scale.measures.size());
+  compare_measures(scale, used, options.largest_disagreement);
   if (scale.from_bars && side && !markers.empty()) {
-    double sides = 0.0;
-    for (const FoundMarker& marker : markers) sides += marker.side();
-    scale.side_check =
-        scale.metres_per_unit * sides / static_cast<double>(markers.size()) / *side - 1.0;
-    if (std::abs(*scale.side_check) > most) {
-      scale.notes.push_back("by the distances between markers, their sides are " +
-                            in_percent(std::abs(*scale.side_check)) +
-                            (*scale.side_check > 0.0 ? " longer" : " shorter") +
-                            " than given: check both");
-    }
+    check_sides(scale, markers, *side, options.largest_disagreement);
   }
   return scale;
 }

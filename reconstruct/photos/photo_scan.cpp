@@ -74,6 +74,50 @@ PhotoModel cameras_of(const fs::path& folder, const fs::path& photos,
   return colmap_cameras(photos, colmap, stage);
 }
 
+/// Searches the photos for markers and board, and gives `scan` the scale by them.
+void set_scale_by_markers(PhotoScan& scan, const PhotoScanOptions& options) {
+  const ScaleOptions& sizes = options.scale;
+  const bool charuco = sizes.board && sizes.board->charuco;
+  MarkerOptions markers = options.markers;
+  if (sizes.board && !charuco) markers.dictionary = sizes.board->dictionary;
+  if (!charuco || sizes.marker_side || !sizes.bars.empty()) {
+    scan.markers = search_markers(scan.model, markers);
+  }
+  if (charuco) scan.corners = found_board_corners(scan.model, *sizes.board->charuco, markers);
+  scan.scale = scale_from_markers(scan.markers.markers, sizes, scan.corners);
+  scan.scale_source = charuco                 ? "ChArUco board"
+                      : sizes.board           ? "board"
+                      : scan.scale->from_bars ? "distances of markers"
+                                              : "sides of markers";
+  scan.notes.push_back(scale_words(*scan.scale, scan.scale_source));
+  scan.notes.insert(scan.notes.end(), scan.scale->notes.begin(), scan.scale->notes.end());
+  const double factor = scan.scale->metres_per_unit;
+  if (scan.model.metric && std::abs(factor - 1.0) > kToldDifference) {
+    scan.notes.push_back("by the markers, lengths are " + with_digits(factor, 4) + " times what " +
+                         scan.model.source + " says; the markers were taken");
+  }
+  scan.metric = true;
+}
+
+/// Without markers: the scale that was given, or that of the cameras.
+/// @returns metres per unit
+double scale_without_markers(PhotoScan& scan, const PhotoScanOptions& options) {
+  scan.metric = options.metres_per_unit || scan.model.metric;
+  if (options.metres_per_unit) {
+    scan.scale_source = "given factor";
+    return *options.metres_per_unit;
+  }
+  if (!scan.metric && !options.allow_unscaled) {
+    throw InputError(
+        "no scale: the units of the cameras are arbitrary. Give the distance between two markers "
+        "with `bars`, a board with `board`, the side of markers with `marker_side`, or a measured "
+        "length with `metres_per_unit`; `allow_unscaled` goes on without: shapes are usable then, "
+        "masses are not");
+  }
+  scan.scale_source = scan.metric ? scan.model.source : "none";
+  return 1.0;
+}
+
 }  // namespace
 
 void PhotoScanOptions::check() const {
@@ -103,45 +147,14 @@ PhotoScan photo_scan(const fs::path& folder, const PhotoScanOptions& options,
   const std::size_t all = scan.model.photos.size() + scan.model.unplaced;
   scan.notes.push_back("cameras of " + std::to_string(scan.model.photos.size()) + " of " +
                        std::to_string(all) + " photos, by " + scan.model.source);
-  double factor = 1.0;
   const ScaleOptions& sizes = options.scale;
+  double factor = 1.0;
   if (sizes.marker_side || sizes.board || !sizes.bars.empty()) {
     begin("finding markers");
-    const bool charuco = sizes.board && sizes.board->charuco;
-    MarkerOptions markers = options.markers;
-    if (sizes.board && !charuco) markers.dictionary = sizes.board->dictionary;
-    if (!charuco || sizes.marker_side || !sizes.bars.empty()) {
-      scan.markers = search_markers(scan.model, markers);
-    }
-    if (charuco) scan.corners = found_board_corners(scan.model, *sizes.board->charuco, markers);
-    scan.scale = scale_from_markers(scan.markers.markers, sizes, scan.corners);
+    set_scale_by_markers(scan, options);
     factor = scan.scale->metres_per_unit;
-    scan.scale_source = charuco                 ? "ChArUco board"
-                        : sizes.board           ? "board"
-                        : scan.scale->from_bars ? "distances of markers"
-                                                : "sides of markers";
-    scan.notes.push_back(scale_words(*scan.scale, scan.scale_source));
-    scan.notes.insert(scan.notes.end(), scan.scale->notes.begin(), scan.scale->notes.end());
-    if (scan.model.metric && std::abs(factor - 1.0) > kToldDifference) {
-      scan.notes.push_back("by the markers, lengths are " + with_digits(factor, 4) +
-                           " times what " + scan.model.source + " says; the markers were taken");
-    }
-    scan.metric = true;
-  } else if (options.metres_per_unit) {
-    factor = *options.metres_per_unit;
-    scan.scale_source = "given factor";
-    scan.metric = true;
-  } else if (scan.model.metric) {
-    scan.scale_source = scan.model.source;
-    scan.metric = true;
-  } else if (options.allow_unscaled) {
-    scan.scale_source = "none";
   } else {
-    throw InputError(
-        "no scale: the units of the cameras are arbitrary. Give the distance between two markers "
-        "with `bars`, a board with `board`, the side of markers with `marker_side`, or a measured "
-        "length with `metres_per_unit`; `allow_unscaled` goes on without: shapes are usable then, "
-        "masses are not");
+    factor = scale_without_markers(scan, options);
   }
   scan.model = scaled(std::move(scan.model), factor);
   for (FoundMarker& marker : scan.markers.markers) {

@@ -19,6 +19,84 @@ struct Partner {
   Vec3 step;  ///< from one camera to the other, unit
 };
 
+/// Photos that show the middle of the region from outside of it.
+std::vector<std::size_t> usable_photos(const PhotoModel& model, const PhotoRegion& region,
+                                       const std::vector<std::size_t>& left_out) {
+  std::vector<std::size_t> usable;
+  for (std::size_t i = 0; i < model.photos.size(); ++i) {
+    if (std::binary_search(left_out.begin(), left_out.end(), i)) continue;
+    const Lens& lens = model.lenses[model.photos[i].lens];
+    const std::optional<Vec2> seen = seen_at(model, i, region.centre);
+    const bool inside = seen && seen->x() > 0.0 && seen->y() > 0.0 && seen->x() < lens.width &&
+                        seen->y() < lens.height;
+    // From inside the ball there is no picture of the block.
+    if (inside && (model.photos[i].centre() - region.centre).norm() > 1.2 * region.radius) {
+      usable.push_back(i);
+    }
+  }
+  return usable;
+}
+
+/// What a photo may be compared with.
+struct Candidates {
+  std::vector<Partner> partners;  ///< those whose angle is nearest to the best come first
+  double smallest = kPi;          ///< angle to another photo, of those above the least; pi: to none
+};
+
+Candidates candidates(const PhotoModel& model, const PhotoRegion& region,
+                      const std::vector<std::size_t>& usable, std::size_t photo,
+                      const PairOptions& options) {
+  Candidates result;
+  for (const std::size_t j : usable) {
+    if (j == photo) continue;
+    const double angle = angle_between(model, region, photo, j);
+    if (angle >= options.least_angle) result.smallest = std::min(result.smallest, angle);
+    if (angle < options.least_angle || angle > options.largest_angle) continue;
+    result.partners.push_back(
+        {j, angle, (model.photos[j].centre() - model.photos[photo].centre()).normalized()});
+  }
+  std::sort(result.partners.begin(), result.partners.end(),
+            [&](const Partner& a, const Partner& b) {
+              const double off_a = std::abs(std::log(a.angle / options.best_angle));
+              const double off_b = std::abs(std::log(b.angle / options.best_angle));
+              return off_a < off_b || (off_a == off_b && a.photo < b.photo);
+            });
+  return result;
+}
+
+/// The best partners, on different sides of the photo first.
+std::vector<std::size_t> choose_partners(const std::vector<Partner>& partners, std::size_t most) {
+  std::vector<std::size_t> photos;
+  std::vector<Vec3> taken;
+  for (const bool other_side : {true, false}) {
+    for (const Partner& partner : partners) {
+      if (taken.size() >= most) break;
+      const bool same_side = std::any_of(taken.begin(), taken.end(), [&](const Vec3& step) {
+        return step.dot(partner.step) > 0.0;
+      });
+      if (other_side && same_side) continue;
+      if (std::find(taken.begin(), taken.end(), partner.step) != taken.end()) continue;
+      taken.push_back(partner.step);
+      photos.push_back(partner.photo);
+    }
+  }
+  return photos;
+}
+
+/// @param nearest  smallest angle of each photo to another
+[[noreturn]] void refuse_few_pairs(std::size_t pairs, std::size_t photos,
+                                   std::vector<double> nearest) {
+  std::string apart;
+  if (!nearest.empty()) {
+    std::sort(nearest.begin(), nearest.end());
+    apart = ": neighbours are " + with_digits(nearest[nearest.size() / 2] * kDegrees, 2) +
+            " degrees apart";
+  }
+  throw InputError("only " + std::to_string(pairs) + " pairs among " + std::to_string(photos) +
+                   " photos that show the block are close enough to compare" + apart +
+                   ". Take one photo every 10-15 degrees all round the block");
+}
+
 }  // namespace
 
 void PairOptions::check() const {
@@ -35,66 +113,18 @@ std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion&
                                      const std::vector<std::size_t>& left_out,
                                      const PairOptions& options) {
   options.check();
-  std::vector<std::size_t> usable;
-  for (std::size_t i = 0; i < model.photos.size(); ++i) {
-    if (std::binary_search(left_out.begin(), left_out.end(), i)) continue;
-    const Lens& lens = model.lenses[model.photos[i].lens];
-    const std::optional<Vec2> seen = seen_at(model, i, region.centre);
-    const bool inside = seen && seen->x() > 0.0 && seen->y() > 0.0 && seen->x() < lens.width &&
-                        seen->y() < lens.height;
-    // From inside the ball there is no picture of the block.
-    if (inside && (model.photos[i].centre() - region.centre).norm() > 1.2 * region.radius) {
-      usable.push_back(i);
-    }
-  }
+  const std::vector<std::size_t> usable = usable_photos(model, region, left_out);
   std::set<std::pair<std::size_t, std::size_t>> chosen;
   std::vector<double> nearest;
   for (const std::size_t i : usable) {
-    std::vector<Partner> partners;
-    double smallest = kPi;
-    for (const std::size_t j : usable) {
-      if (j == i) continue;
-      const double angle = angle_between(model, region, i, j);
-      if (angle >= options.least_angle) smallest = std::min(smallest, angle);
-      if (angle < options.least_angle || angle > options.largest_angle) continue;
-      partners.push_back(
-          {j, angle, (model.photos[j].centre() - model.photos[i].centre()).normalized()});
-    }
-    if (smallest < kPi) nearest.push_back(smallest);
-    std::sort(partners.begin(), partners.end(), [&](const Partner& a, const Partner& b) {
-      const double off_a = std::abs(std::log(a.angle / options.best_angle));
-      const double off_b = std::abs(std::log(b.angle / options.best_angle));
-      return off_a < off_b || (off_a == off_b && a.photo < b.photo);
-    });
-    std::vector<Vec3> taken;
-    for (const bool other_side : {true, false}) {
-      for (const Partner& partner : partners) {
-        if (taken.size() >= options.partners) break;
-        const bool same_side = std::any_of(taken.begin(), taken.end(), [&](const Vec3& step) {
-          return step.dot(partner.step) > 0.0;
-        });
-        const std::pair<std::size_t, std::size_t> pair = std::minmax(i, partner.photo);
-        if (other_side && same_side) continue;
-        if (std::any_of(taken.begin(), taken.end(),
-                        [&](const Vec3& step) { return step == partner.step; })) {
-          continue;
-        }
-        taken.push_back(partner.step);
-        chosen.insert(pair);
-      }
+    const Candidates of_photo = candidates(model, region, usable, i, options);
+    if (of_photo.smallest < kPi) nearest.push_back(of_photo.smallest);
+    for (const std::size_t j : choose_partners(of_photo.partners, options.partners)) {
+      chosen.insert(std::minmax(i, j));
     }
   }
   if (chosen.size() < options.fewest_pairs) {
-    std::string apart;
-    if (!nearest.empty()) {
-      std::sort(nearest.begin(), nearest.end());
-      apart = ": neighbours are " + with_digits(nearest[nearest.size() / 2] * kDegrees, 2) +
-              " degrees apart";
-    }
-    throw InputError("only " + std::to_string(chosen.size()) + " pairs among " +
-                     std::to_string(usable.size()) +
-                     " photos that show the block are close enough to compare" + apart +
-                     ". Take one photo every 10-15 degrees all round the block");
+    refuse_few_pairs(chosen.size(), usable.size(), nearest);
   }
   std::vector<StereoPair> pairs;
   for (const auto& [i, j] : chosen) pairs.push_back({i, j, angle_between(model, region, i, j)});

@@ -173,6 +173,60 @@ std::string run_name(const Comparison& comparison, const RunRow& row) {
   return name + "run " + std::to_string(row.record->run) + ", " + row.block->id;
 }
 
+/// Runs as the page draws them.
+struct SceneRuns {
+  Json runs = Json::array();
+  std::vector<float> frames;  ///< eight numbers each: time, place, orientation
+  double duration = 0.0;      ///< s, of the longest
+};
+
+SceneRuns scene_runs(const Comparison& comparison, const Readers& readers, const Drawable& all,
+                     const Bodies& bodies, const Vec3& origin, std::size_t most_frames) {
+  SceneRuns scene;
+  const std::size_t every = (all.frames + most_frames - 1) / most_frames;
+  for (std::size_t i = 0; i < all.rows.size(); i += every) {
+    const RunRow& row = comparison.rows[all.rows[i]];
+    const CampaignResults& results = comparison.results[row.file];
+    const Trajectory trajectory = readers[row.file]->read(row.record->run);
+    scene.runs.push_back({{"name", run_name(comparison, row)},
+                          {"body", bodies.first[row.file] + row.record->block},
+                          {"first", scene.frames.size() / 8},
+                          {"count", trajectory.time.size()}});
+    for (std::size_t k = 0; k < trajectory.time.size(); ++k) {
+      const RigidState& state = trajectory.states[k];
+      scene.frames.push_back(static_cast<float>(trajectory.time[k]));
+      const Vec3 place = results.frame.map(state.position) - origin;
+      append(scene.frames, Vec3(seen(place.x()), seen(place.y()), seen(place.z())));
+      for (const double q : {state.orientation.w(), state.orientation.x(), state.orientation.y(),
+                             state.orientation.z()}) {
+        scene.frames.push_back(static_cast<float>(seen(q)));
+      }
+    }
+    scene.duration = std::max(scene.duration, trajectory.time.back());
+  }
+  return scene;
+}
+
+Json tints_json(const std::vector<std::string>& zone_names) {
+  Json tints = Json::array();
+  for (std::size_t zone = 0; zone < std::max<std::size_t>(zone_names.size(), 1); ++zone) {
+    tints.push_back(colour_text(zone_tint(zone < zone_names.size() ? zone_names[zone] : "", zone)));
+  }
+  return tints;
+}
+
+Json barriers_json(const std::vector<BarrierLine>& lines, const Vec3& origin) {
+  Json barriers = Json::array();
+  for (const BarrierLine& line : lines) {
+    Json through = Json::array();
+    for (const Vec2& point : line.through) {
+      through.push_back({point.x() - origin.x(), point.y() - origin.y()});
+    }
+    barriers.push_back({{"name", line.name}, {"through", through}});
+  }
+  return barriers;
+}
+
 }  // namespace
 
 void SceneLimits::check() const {
@@ -190,57 +244,18 @@ SceneData scene_data(const Comparison& comparison, const SceneLimits& limits) {
   SceneData scene;
   scene.runs = all.rows.size();
   if (all.rows.empty()) return scene;
-
   const Bodies bodies = bodies_of(comparison);
-  const std::size_t every = (all.frames + limits.frames - 1) / limits.frames;
-  std::vector<float> frames;
-  Json runs = Json::array();
-  double duration = 0.0;
-  for (std::size_t i = 0; i < all.rows.size(); i += every) {
-    const RunRow& row = comparison.rows[all.rows[i]];
-    const CampaignResults& results = comparison.results[row.file];
-    const Trajectory trajectory = readers[row.file]->read(row.record->run);
-    runs.push_back({{"name", run_name(comparison, row)},
-                    {"body", bodies.first[row.file] + row.record->block},
-                    {"first", frames.size() / 8},
-                    {"count", trajectory.time.size()}});
-    for (std::size_t k = 0; k < trajectory.time.size(); ++k) {
-      const RigidState& state = trajectory.states[k];
-      frames.push_back(static_cast<float>(trajectory.time[k]));
-      const Vec3 place = results.frame.map(state.position) - origin;
-      append(frames, Vec3(seen(place.x()), seen(place.y()), seen(place.z())));
-      for (const double q : {state.orientation.w(), state.orientation.x(), state.orientation.y(),
-                             state.orientation.z()}) {
-        frames.push_back(static_cast<float>(seen(q)));
-      }
-    }
-    duration = std::max(duration, trajectory.time.back());
-  }
-  scene.runs_drawn = runs.size();
-
-  Json tints = Json::array();
-  for (std::size_t zone = 0; zone < std::max<std::size_t>(first.zone_names.size(), 1); ++zone) {
-    tints.push_back(
-        colour_text(zone_tint(zone < first.zone_names.size() ? first.zone_names[zone] : "", zone)));
-  }
-  Json barriers = Json::array();
-  for (const BarrierLine& line : comparison.lines) {
-    Json through = Json::array();
-    for (const Vec2& point : line.through) {
-      through.push_back({point.x() - origin.x(), point.y() - origin.y()});
-    }
-    barriers.push_back({{"name", line.name}, {"through", through}});
-  }
-  scene.json = Json{
-      {"origin", {origin.x(), origin.y(), origin.z()}},
-      {"terrain", terrain_json(first.terrain, first.frame.origin - origin, limits)},
-      {"tints", tints},
-      {"bodies", bodies.json},
-      {"runs", runs},
-      {"frames", packed<float>(frames)},
-      {"barriers", barriers},
-      {"duration",
-       duration}}.dump();
+  const SceneRuns drawn = scene_runs(comparison, readers, all, bodies, origin, limits.frames);
+  scene.runs_drawn = drawn.runs.size();
+  scene.json = Json{{"origin", {origin.x(), origin.y(), origin.z()}},
+                    {"terrain", terrain_json(first.terrain, first.frame.origin - origin, limits)},
+                    {"tints", tints_json(first.zone_names)},
+                    {"bodies", bodies.json},
+                    {"runs", drawn.runs},
+                    {"frames", packed<float>(drawn.frames)},
+                    {"barriers", barriers_json(comparison.lines, origin)},
+                    {"duration", drawn.duration}}
+                   .dump();
   return scene;
 }
 

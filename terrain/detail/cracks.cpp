@@ -26,22 +26,37 @@ struct BorderSide {
   std::size_t side;
 };
 
+std::vector<PlanBox> boxes_of(const TriangleMesh& mesh, const std::vector<BorderSide>& sides) {
+  std::vector<PlanBox> boxes(sides.size());
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const auto& [t, k] = sides[s];
+    boxes[s].include(mesh.vertices[mesh.triangles[t][k]].head<2>());
+    boxes[s].include(mesh.vertices[mesh.triangles[t][(k + 1) % 3]].head<2>());
+  }
+  return boxes;
+}
+
 struct Border {
   std::vector<BorderSide> sides;
   std::vector<std::uint32_t> vertices;  ///< rising, each once
   VertexCorners corners;
 };
 
-Border border_of(const TriangleMesh& mesh) {
-  const TriangleNeighbours links = triangle_neighbours(mesh);
-  Border border{{}, {}, VertexCorners(mesh)};
+std::vector<BorderSide> border_sides(const TriangleMesh& mesh, const TriangleNeighbours& links) {
+  std::vector<BorderSide> sides;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!links.on_border(t, k)) continue;
-      border.sides.push_back({t, k});
-      border.vertices.push_back(mesh.triangles[t][k]);
-      border.vertices.push_back(mesh.triangles[t][(k + 1) % 3]);
+      if (links.on_border(t, k)) sides.push_back({t, k});
     }
+  }
+  return sides;
+}
+
+Border border_of(const TriangleMesh& mesh) {
+  Border border{border_sides(mesh, triangle_neighbours(mesh)), {}, VertexCorners(mesh)};
+  for (const auto& [t, k] : border.sides) {
+    border.vertices.push_back(mesh.triangles[t][k]);
+    border.vertices.push_back(mesh.triangles[t][(k + 1) % 3]);
   }
   std::sort(border.vertices.begin(), border.vertices.end());
   border.vertices.erase(std::unique(border.vertices.begin(), border.vertices.end()),
@@ -143,40 +158,44 @@ void join_vertices(TriangleMesh& mesh, double width, Closed& closed) {
   }
 }
 
-/// Divides triangles at border vertices that lie on their border side.
-/// @return  whether any was
-bool divide_sides(RawSurface& surface, double width, Closed& closed) {
-  TriangleMesh& mesh = surface.mesh;
-  const Border border = border_of(mesh);
-  std::vector<PlanBox> boxes;
-  std::set<EdgeKey> border_edges, other_edges;
+/// Edges of the triangles at the border: those on it, and the others.
+struct EdgesNearBorder {
+  std::set<EdgeKey> on_border, others;
+};
+
+EdgesNearBorder edges_near(const TriangleMesh& mesh, const Border& border) {
+  EdgesNearBorder edges;
   for (const auto& [t, k] : border.sides) {
-    const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-    PlanBox box;
-    box.include(mesh.vertices[a].head<2>());
-    box.include(mesh.vertices[b].head<2>());
-    boxes.push_back(box);
-    border_edges.insert(edge_key(a, b));
+    edges.on_border.insert(edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]));
   }
   for (const std::uint32_t v : border.vertices) {
     for (const std::uint32_t corner : border.corners.at(v)) {
       const Triangle& t = mesh.triangles[corner / 3];
       for (std::size_t k = 0; k < 3; ++k) {
         const EdgeKey edge = edge_key(t[k], t[(k + 1) % 3]);
-        if (!border_edges.contains(edge)) other_edges.insert(edge);
+        if (!edges.on_border.contains(edge)) edges.others.insert(edge);
       }
     }
   }
-  const PlanIndex index(boxes);
-  struct Junction {
-    double along;
-    std::uint32_t vertex;
-    double gap;
-    bool operator<(const Junction& other) const {
-      return std::tie(along, vertex) < std::tie(other.along, other.vertex);
-    }
-  };
-  std::map<std::size_t, std::vector<Junction>> junctions;  // by number of the border side
+  return edges;
+}
+
+/// A border vertex that lies on a border side of a triangle that does not have it.
+struct Junction {
+  double along;  ///< share of the side
+  std::uint32_t vertex;
+  double gap;
+  bool operator<(const Junction& other) const {
+    return std::tie(along, vertex) < std::tie(other.along, other.vertex);
+  }
+};
+
+/// By number of the border side; in order along it.
+std::map<std::size_t, std::vector<Junction>> junctions_within(double width,
+                                                              const TriangleMesh& mesh,
+                                                              const Border& border) {
+  const PlanIndex index(boxes_of(mesh, border.sides));
+  std::map<std::size_t, std::vector<Junction>> junctions;
   for (const std::uint32_t v : border.vertices) {
     const Vec3& point = mesh.vertices[v];
     PlanBox here;
@@ -192,42 +211,64 @@ bool divide_sides(RawSurface& surface, double width, Closed& closed) {
       if (gap <= width) junctions[s].push_back({along, v, gap});
     }
   }
+  for (auto& [s, vertices] : junctions) std::sort(vertices.begin(), vertices.end());
+  return junctions;
+}
+
+/// Those at which the triangle can be divided: the parts face as it does, and no edge comes to have
+/// a third triangle.
+std::vector<Junction> fitting(const std::vector<Junction>& junctions, const BorderSide& at,
+                              const TriangleMesh& mesh, const EdgesNearBorder& edges) {
+  const Triangle& triangle = mesh.triangles[at.triangle];
+  const Vec3 normal = area_vector(mesh, triangle);
+  const std::uint32_t last = triangle[(at.side + 1) % 3], apex = triangle[(at.side + 2) % 3];
+  const auto fits = [&](std::uint32_t from, std::uint32_t to) {
+    const Vec3 part =
+        (mesh.vertices[to] - mesh.vertices[from]).cross(mesh.vertices[apex] - mesh.vertices[from]);
+    return part.dot(normal) > 0.0 && !edges.others.contains(edge_key(from, to));
+  };
+  std::uint32_t before = triangle[at.side];
+  std::vector<Junction> result;
+  for (const Junction& junction : junctions) {
+    const EdgeKey to_apex = edge_key(junction.vertex, apex);
+    if (edges.others.contains(to_apex) || edges.on_border.contains(to_apex) ||
+        !fits(before, junction.vertex) || !fits(junction.vertex, last)) {
+      continue;
+    }
+    result.push_back(junction);
+    before = junction.vertex;
+  }
+  return result;
+}
+
+/// Divides a triangle at vertices on its side into a fan about the corner opposite.
+void divide_at(RawSurface& surface, const BorderSide& at, const std::vector<Junction>& junctions) {
+  std::vector<Triangle>& triangles = surface.mesh.triangles;
+  const Triangle whole = triangles[at.triangle];
+  const std::uint32_t last = whole[(at.side + 1) % 3], apex = whole[(at.side + 2) % 3];
+  triangles[at.triangle] = {whole[at.side], junctions[0].vertex, apex};
+  for (std::size_t i = 0; i < junctions.size(); ++i) {
+    const std::uint32_t next = i + 1 < junctions.size() ? junctions[i + 1].vertex : last;
+    triangles.push_back({junctions[i].vertex, next, apex});
+    surface.source.push_back(surface.source[at.triangle]);
+  }
+}
+
+/// Divides triangles at border vertices that lie on their border side.
+/// @return  whether any was
+bool divide_sides(RawSurface& surface, double width, Closed& closed) {
+  const TriangleMesh& mesh = surface.mesh;
+  const Border border = border_of(mesh);
+  const EdgesNearBorder edges = edges_near(mesh, border);
   std::vector<bool> divided(mesh.triangles.size(), false);
   bool any = false;
-  for (auto& [s, vertices] : junctions) {
-    const auto& [t, k] = border.sides[s];
-    if (divided[t]) continue;
-    std::sort(vertices.begin(), vertices.end());
-    const Vec3 normal = area_vector(mesh, mesh.triangles[t]);
-    const Triangle triangle = mesh.triangles[t];
-    const std::uint32_t last = triangle[(k + 1) % 3], apex = triangle[(k + 2) % 3];
-    std::vector<std::uint32_t> chain = {triangle[k]};
-    std::vector<Junction> used;
-    const auto is_new = [&](std::uint32_t from, std::uint32_t to) {
-      const EdgeKey edge = edge_key(from, to);
-      return !other_edges.contains(edge) && !border_edges.contains(edge);
-    };
-    const auto fits = [&](std::uint32_t from, std::uint32_t to) {
-      const Vec3 part = (mesh.vertices[to] - mesh.vertices[from])
-                            .cross(mesh.vertices[apex] - mesh.vertices[from]);
-      return part.dot(normal) > 0.0 && !other_edges.contains(edge_key(from, to));
-    };
-    for (const Junction& junction : vertices) {
-      if (!is_new(junction.vertex, apex) || !fits(chain.back(), junction.vertex) ||
-          !fits(junction.vertex, last)) {
-        continue;
-      }
-      chain.push_back(junction.vertex);
-      used.push_back(junction);
-    }
+  for (const auto& [s, junctions] : junctions_within(width, mesh, border)) {
+    const BorderSide& at = border.sides[s];
+    if (divided[at.triangle]) continue;
+    const std::vector<Junction> used = fitting(junctions, at, mesh, edges);
     if (used.empty()) continue;
-    chain.push_back(last);
-    divided[t] = any = true;
-    mesh.triangles[t] = {chain[0], chain[1], apex};
-    for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
-      mesh.triangles.push_back({chain[i], chain[i + 1], apex});
-      surface.source.push_back(surface.source[t]);
-    }
+    divided[at.triangle] = any = true;
+    divide_at(surface, at, used);
     for (const Junction& junction : used) {
       ++closed.divided;
       closed.note(junction.gap, mesh.vertices[junction.vertex]);
@@ -257,18 +298,8 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
   const TriangleMesh& mesh = surface.mesh;
   const TriangleNeighbours links = triangle_neighbours(mesh);
   const std::vector<std::uint32_t> component = manifold_components(links);
-  std::vector<BorderSide> sides;
-  std::vector<PlanBox> boxes;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!links.on_border(t, k)) continue;
-      sides.push_back({t, k});
-      boxes.emplace_back();
-      boxes.back().include(mesh.vertices[mesh.triangles[t][k]].head<2>());
-      boxes.back().include(mesh.vertices[mesh.triangles[t][(k + 1) % 3]].head<2>());
-    }
-  }
-  const PlanIndex index(boxes);
+  const std::vector<BorderSide> sides = border_sides(mesh, links);
+  const PlanIndex index(boxes_of(mesh, sides));
   std::size_t apart = 0;
   double narrowest = 0.0;
   Vec3 at = Vec3::Zero();

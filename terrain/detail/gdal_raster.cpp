@@ -99,6 +99,34 @@ void read_row(GDALRasterBand& band, int row, std::vector<double>& values,
   }
 }
 
+/// Heights from south to north, whichever way the file has them.
+/// @param transform  of the file, north up or south up
+HeightGrid read_heights(GDALRasterBand& band, const std::array<double, 6>& transform,
+                        const std::filesystem::path& path) {
+  HeightGrid grid;
+  grid.columns = static_cast<std::size_t>(band.GetXSize());
+  grid.rows = static_cast<std::size_t>(band.GetYSize());
+  grid.step = {transform[1], std::abs(transform[5])};
+  const bool north_first = transform[5] < 0.0;
+  const double south =
+      north_first ? transform[3] + transform[5] * static_cast<double>(grid.rows) : transform[3];
+  grid.first = Vec2(transform[0], south) + grid.step / 2.0;
+  grid.heights.resize(grid.columns * grid.rows);
+  const double scale = band.GetScale(), offset = band.GetOffset();
+  std::vector<double> values(grid.columns);
+  std::vector<unsigned char> mask(grid.columns);
+  // In the order of the file: GDAL looks for a row of a text grid by way of the rows before it, and
+  // in one that was cut short that search branches without end.
+  for (std::size_t row = 0; row < grid.rows; ++row) {
+    read_row(band, static_cast<int>(row), values, mask, path);
+    const std::size_t j = north_first ? grid.rows - 1 - row : row;
+    for (std::size_t i = 0; i < grid.columns; ++i) {
+      grid.heights[j * grid.columns + i] = values[i] * scale + offset;
+    }
+  }
+  return grid;
+}
+
 }  // namespace
 
 void check_metres(const std::string& name, const std::string& crs, const std::string& way) {
@@ -151,29 +179,7 @@ Raster read_raster(const std::filesystem::path& path) {
   }
   check_height_unit(path, band);
   raster.crs = crs_name(dataset->GetSpatialRef());
-  const std::array<double, 6> transform = north_up_transform(*dataset, path);
-
-  HeightGrid& grid = raster.grid;
-  grid.columns = static_cast<std::size_t>(band.GetXSize());
-  grid.rows = static_cast<std::size_t>(band.GetYSize());
-  grid.step = {transform[1], std::abs(transform[5])};
-  const bool north_first = transform[5] < 0.0;
-  const double south =
-      north_first ? transform[3] + transform[5] * static_cast<double>(grid.rows) : transform[3];
-  grid.first = Vec2(transform[0], south) + grid.step / 2.0;
-  grid.heights.resize(grid.columns * grid.rows);
-  const double scale = band.GetScale(), offset = band.GetOffset();
-  std::vector<double> values(grid.columns);
-  std::vector<unsigned char> mask(grid.columns);
-  // In the order of the file: GDAL looks for a row of a text grid by way of the rows before it, and
-  // in one that was cut short that search branches without end.
-  for (std::size_t row = 0; row < grid.rows; ++row) {
-    read_row(band, static_cast<int>(row), values, mask, path);
-    const std::size_t j = north_first ? grid.rows - 1 - row : row;
-    for (std::size_t i = 0; i < grid.columns; ++i) {
-      grid.heights[j * grid.columns + i] = values[i] * scale + offset;
-    }
-  }
+  raster.grid = read_heights(band, north_up_transform(*dataset, path), path);
   return raster;
 }
 

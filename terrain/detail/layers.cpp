@@ -58,6 +58,57 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
   return twin;
 }
 
+struct Components {
+  std::vector<std::uint32_t> of;   ///< each triangle
+  std::vector<double> area;        ///< in plan, m2
+  std::vector<bool> dropped = {};  ///< small ones that lie over others
+};
+
+Components components_over_others(const TriangleMesh& mesh,
+                                  const std::vector<std::uint32_t>& twin) {
+  Components result{manifold_components(triangle_neighbours(mesh)), {}};
+  const std::size_t count = *std::max_element(result.of.begin(), result.of.end()) + 1u;
+  result.area.assign(count, 0.0);
+  std::vector<double> doubled(count, 0.0);
+  for (std::uint32_t t = 0; t < twin.size(); ++t) {
+    const std::uint32_t here = result.of[t];
+    const double plan = std::max(0.0, area_vector(mesh, mesh.triangles[t]).z() / 2.0);
+    result.area[here] += plan;
+    if (twin[t] != kNoTriangle && result.of[twin[t]] != here) doubled[here] += plan;
+  }
+  const double largest = *std::max_element(result.area.begin(), result.area.end());
+  for (std::size_t p = 0; p < count; ++p) {
+    result.dropped.push_back(result.area[p] < kSmallComponent * largest &&
+                             doubled[p] > kMostlyOver * result.area[p]);
+  }
+  return result;
+}
+
+/// An area in plan, and its first place.
+struct PlanArea {
+  double m2 = 0.0;
+  Vec3 first = Vec3::Zero();
+
+  void add(double area, const Vec3& place) {
+    if (m2 == 0.0) first = place;
+    m2 += area;
+  }
+};
+
+/// Ground over ground that stays is refused, or noted where it is little.
+void check_folded(const PlanArea& folded, double whole, TerrainReport& report) {
+  if (folded.m2 > kFoldedShare * whole) {
+    throw GeometryError("the ground lies double over " + with_digits(folded.m2, 4) +
+                        " m2, the first at " + place_on_map(folded.first) +
+                        ": two surfaces face up over each other with no overhang between, or lie "
+                        "on each other; remove one of the tiles, or the part of it that overlaps");
+  }
+  if (folded.m2 > 0.0) {
+    report.notes.push_back("the ground folds over itself on " + with_digits(folded.m2, 3) +
+                           " m2, the first at " + place_on_map(folded.first));
+  }
+}
+
 }  // namespace
 
 void drop_double_ground(RawSurface& surface, double width, TerrainReport& report) {
@@ -66,56 +117,35 @@ void drop_double_ground(RawSurface& surface, double width, TerrainReport& report
   if (std::all_of(twin.begin(), twin.end(), [](std::uint32_t t) { return t == kNoTriangle; })) {
     return;
   }
-  const std::vector<std::uint32_t> component = manifold_components(triangle_neighbours(mesh));
-  const std::size_t count = *std::max_element(component.begin(), component.end()) + 1u;
-  std::vector<double> area(count, 0.0), doubled(count, 0.0);
-  for (std::uint32_t t = 0; t < twin.size(); ++t) {
-    const double plan = std::max(0.0, area_vector(mesh, mesh.triangles[t]).z() / 2.0);
-    area[component[t]] += plan;
-    if (twin[t] != kNoTriangle && component[twin[t]] != component[t]) doubled[component[t]] += plan;
-  }
-  const double largest = *std::max_element(area.begin(), area.end());
-  std::vector<bool> dropped(count, false);
-  for (std::size_t p = 0; p < count; ++p) {
-    dropped[p] = area[p] < kSmallComponent * largest && doubled[p] > kMostlyOver * area[p];
-  }
-  double folded = 0.0, dropped_area = 0.0;
-  Vec3 folded_at = Vec3::Zero(), dropped_at = Vec3::Zero();
+  const Components component = components_over_others(mesh, twin);
+  const auto is_dropped = [&](std::uint32_t t) -> bool {
+    return component.dropped[component.of[t]];
+  };
+  PlanArea folded, dropped;
   std::vector<bool> keep(twin.size());
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
     const double plan = area_vector(mesh, mesh.triangles[t]).z() / 2.0;
-    keep[t] = !dropped[component[t]];
+    keep[t] = !is_dropped(t);
     if (!keep[t]) {
-      if (dropped_area == 0.0) dropped_at = centroid(mesh, mesh.triangles[t]);
-      dropped_area += plan;
-    } else if (twin[t] != kNoTriangle && !dropped[component[twin[t]]]) {
-      if (folded == 0.0) folded_at = centroid(mesh, mesh.triangles[t]);
+      dropped.add(plan, centroid(mesh, mesh.triangles[t]));
+    } else if (twin[t] != kNoTriangle && !is_dropped(twin[t])) {
       // Two that face up are each seen from the other.
-      folded += area_vector(mesh, mesh.triangles[twin[t]]).z() > 0.0 ? plan / 2.0 : plan;
+      const bool seen_twice = area_vector(mesh, mesh.triangles[twin[t]]).z() > 0.0;
+      folded.add(seen_twice ? plan / 2.0 : plan, centroid(mesh, mesh.triangles[t]));
     }
   }
-  const double all = std::accumulate(area.begin(), area.end(), 0.0);
-  if (folded > kFoldedShare * all) {
-    throw GeometryError("the ground lies double over " + with_digits(folded, 4) +
-                        " m2, the first at " + place_on_map(folded_at) +
-                        ": two surfaces face up over each other with no overhang between, or lie "
-                        "on each other; remove one of the tiles, or the part of it that overlaps");
-  }
-  if (folded > 0.0) {
-    report.notes.push_back("the ground folds over itself on " + with_digits(folded, 3) +
-                           " m2, the first at " + place_on_map(folded_at));
-  }
-  const auto components_dropped =
-      static_cast<std::size_t>(std::count(dropped.begin(), dropped.end(), true));
-  if (components_dropped == 0) return;
+  check_folded(folded, std::accumulate(component.area.begin(), component.area.end(), 0.0), report);
+  const auto count = static_cast<std::size_t>(
+      std::count(component.dropped.begin(), component.dropped.end(), true));
+  if (count == 0) return;
   keep_triangles(surface, keep);
-  report.dropped_pieces += components_dropped;
+  report.dropped_pieces += count;
   report.boundary_edges = triangle_neighbours(mesh).border_edges;
-  report.components -= components_dropped;
-  report.notes.push_back(std::to_string(components_dropped) + " small components of " +
-                         with_digits(dropped_area, 3) +
+  report.components -= count;
+  report.notes.push_back(std::to_string(count) + " small components of " +
+                         with_digits(dropped.m2, 3) +
                          " m2 in plan that lie over other ground were dropped, the first at " +
-                         place_on_map(dropped_at));
+                         place_on_map(dropped.first));
 }
 
 }  // namespace clast::terrain_detail

@@ -257,14 +257,18 @@ std::optional<std::uint32_t> triangle_under(const TriangleMesh& mesh, const Plan
   return std::nullopt;
 }
 
-}  // namespace
+/// What of the surface is triangulated anew: all but the triangles that stay.
+struct FreeSurface {
+  std::vector<EdgeKey> constraints;     ///< borders of files, zones and triangles that stay; rising
+  std::vector<EdgeKey> edges;           ///< the others
+  std::vector<std::uint32_t> vertices;  ///< at no constraint; rising
+};
 
-void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& report) {
-  TriangleMesh& mesh = surface.mesh;
-  const std::vector<bool> kept = kept_triangles(mesh);
+FreeSurface free_surface(const RawSurface& surface, const std::vector<bool>& kept) {
+  const TriangleMesh& mesh = surface.mesh;
   const TriangleNeighbours links = triangle_neighbours(mesh);
   std::vector<bool> fixed(mesh.vertices.size(), false), in_free(mesh.vertices.size(), false);
-  std::vector<EdgeKey> constraints, edges;
+  FreeSurface free;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (kept[t]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -273,41 +277,39 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
       const std::uint32_t other = links.across[t][k];
       if (other == kNoTriangle || kept[other] || surface.source[other] != surface.source[t]) {
         fixed[a] = fixed[b] = true;
-        constraints.push_back(edge_key(a, b));
+        free.constraints.push_back(edge_key(a, b));
       } else if (t < other) {
-        edges.push_back({a, b});
+        free.edges.push_back({a, b});
       }
     }
   }
-  std::vector<std::uint32_t> free;
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (in_free[v] && !fixed[v]) free.push_back(v);
+    if (in_free[v] && !fixed[v]) free.vertices.push_back(v);
   }
-  const double length = median_edge(mesh);
-  put_in_rows(free, mesh.vertices, length);
-  std::sort(constraints.begin(), constraints.end());
-  constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
+  std::sort(free.constraints.begin(), free.constraints.end());
+  free.constraints.erase(std::unique(free.constraints.begin(), free.constraints.end()),
+                         free.constraints.end());
+  return free;
+}
 
-  Growing growing(mesh.vertices, edges, length, tolerance);
+/// @throws GeometryError  constraints that cross
+void grow_from(Growing& growing, const std::vector<EdgeKey>& constraints,
+               const std::vector<std::uint32_t>& vertices) {
   try {
     for (const EdgeKey& edge : constraints) growing.constrain(edge);
-    growing.grow(free);
+    growing.grow(vertices);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     throw GeometryError(
         "the border of the ground crosses itself in plan, so that it can't be simplified; leave "
-        "out "
-        "tolerance, or cut the ground there");
+        "out tolerance, or cut the ground there");
   }
+}
 
-  RawSurface result{.mesh = {.vertices = mesh.vertices, .triangles = {}},
-                    .source = {},
-                    .crs = surface.crs,
-                    .notes = surface.notes};
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!kept[t]) continue;
-    result.mesh.triangles.push_back(mesh.triangles[t]);
-    result.source.push_back(surface.source[t]);
-  }
+/// The faces that lie over free triangles of the old surface, in order of their corners, each with
+/// the source of the triangle under its middle.
+std::vector<std::pair<TriangleMesh::Triangle, std::uint16_t>> fresh_triangles(
+    const Growing& growing, const RawSurface& surface, const std::vector<bool>& kept) {
+  const TriangleMesh& mesh = surface.mesh;
   const PlanIndex index(plan_boxes(mesh));
   std::vector<std::pair<TriangleMesh::Triangle, std::uint16_t>> fresh;
   for (auto face = growing.triangulation().finite_faces_begin();
@@ -324,7 +326,30 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
     fresh.emplace_back(corners, surface.source[*under]);
   }
   std::sort(fresh.begin(), fresh.end());
-  for (const auto& [corners, source] : fresh) {
+  return fresh;
+}
+
+}  // namespace
+
+void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& report) {
+  const TriangleMesh& mesh = surface.mesh;
+  const std::vector<bool> kept = kept_triangles(mesh);
+  FreeSurface free = free_surface(surface, kept);
+  const double length = median_edge(mesh);
+  put_in_rows(free.vertices, mesh.vertices, length);
+  Growing growing(mesh.vertices, free.edges, length, tolerance);
+  grow_from(growing, free.constraints, free.vertices);
+
+  RawSurface result{.mesh = {.vertices = mesh.vertices, .triangles = {}},
+                    .source = {},
+                    .crs = surface.crs,
+                    .notes = surface.notes};
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!kept[t]) continue;
+    result.mesh.triangles.push_back(mesh.triangles[t]);
+    result.source.push_back(surface.source[t]);
+  }
+  for (const auto& [corners, source] : fresh_triangles(growing, surface, kept)) {
     result.mesh.triangles.push_back(corners);
     result.source.push_back(source);
   }

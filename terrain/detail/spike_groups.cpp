@@ -195,6 +195,24 @@ struct Levelled {
   Vec3 at = Vec3::Zero();
 };
 
+/// Does a vertex of the group stand out more steeply than `steepness` from the ring around it, and
+/// more than the ground there is rough?
+/// @param off  distance of a vertex from the plane of the ground, m
+template <class Off>
+bool stands_out(const TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
+                const std::set<std::uint32_t>& ring, const Surroundings& surroundings,
+                double steepness, double roughness, const Off& off) {
+  return std::any_of(group.begin(), group.end(), [&](std::uint32_t v) {
+    double distance = 1e300;
+    for (const std::uint32_t other : ring) {
+      if (surroundings.copies(v).contains(other)) continue;
+      const double apart = (mesh.vertices[other] - mesh.vertices[v]).head<2>().norm();
+      distance = std::min(distance, apart);
+    }
+    return off(v) > steepness * distance && off(v) > kAlone * roughness;
+  });
+}
+
 void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
                  const std::vector<bool>& loose, const Surroundings& surroundings, double steepness,
                  Levelled& levelled) {
@@ -214,17 +232,7 @@ void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
   };
   double roughness = 0.0;
   for (const std::uint32_t v : wide) roughness = std::max(roughness, off(v));
-  bool stands_out = false;
-  for (const std::uint32_t v : group) {
-    double distance = 1e300;
-    for (const std::uint32_t other : ring) {
-      if (surroundings.copies(v).contains(other)) continue;
-      const double apart = (mesh.vertices[other] - mesh.vertices[v]).head<2>().norm();
-      distance = std::min(distance, apart);
-    }
-    stands_out = stands_out || (off(v) > steepness * distance && off(v) > kAlone * roughness);
-  }
-  if (!stands_out) return;
+  if (!stands_out(mesh, group, ring, surroundings, steepness, roughness, off)) return;
   std::vector<std::uint32_t> moved;
   for (const std::uint32_t v : group) {
     const double by = off(v);

@@ -77,53 +77,34 @@ std::map<long, std::uint32_t> classes_of(const HeightGrid& grid, const ZoneFile&
   return label_of;
 }
 
-ZoneMap raster_zones(const ZoneFile& source, const std::string& crs) {
-  Raster raster = read_raster(source.path);
-  if (!crs.empty() && !raster.crs.empty() && !same_crs(crs, raster.crs)) {
-    throw InputError(source.path.string() + ": is in " + raster.crs.substr(0, 60) +
-                     ", the ground in " + crs.substr(0, 60) + "; reproject one (gdalwarp -t_srs)");
-  }
-  ZoneMap map;
-  const std::map<long, std::uint32_t> label_of = classes_of(raster.grid, source, map);
-  std::vector<std::uint32_t> cells(raster.grid.heights.size(), kNone);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const double value = raster.grid.heights[i];
-    if (!std::isnan(value)) cells[i] = label_of.at(static_cast<long>(value));
-  }
-  raster.grid.heights = {};
-  const HeightGrid grid = raster.grid;
-  const Vec2 corner = grid.first - grid.step / 2.0;
-  const auto columns = static_cast<long>(grid.columns), rows = static_cast<long>(grid.rows);
-  map.extent.include(corner);
-  map.extent.include(grid.centre(grid.columns, grid.rows) - grid.step / 2.0);
-  const auto label = [cells = std::move(cells), columns, rows](long i, long j) {
-    return i < 0 || j < 0 || i >= columns || j >= rows
-               ? kNone
-               : cells[static_cast<std::size_t>(j * columns + i)];
-  };
-  const auto column_and_row = [corner, step = grid.step](const Vec2& point) {
-    const Vec2 cell = (point - corner).cwiseQuotient(step).array().floor();
-    const Vec2 within = cell.cwiseMax(-1e9).cwiseMin(1e9);
-    return std::pair(static_cast<long>(within.x()), static_cast<long>(within.y()));
-  };
-  map.at = [label, column_and_row](const Vec2& point) {
+/// Labels on the cells of a raster.
+class LabelGrid {
+ public:
+  LabelGrid(std::vector<std::uint32_t> cells, const HeightGrid& grid)
+      : cells_(std::move(cells)),
+        corner_(grid.first - grid.step / 2.0),
+        step_(grid.step),
+        columns_(static_cast<long>(grid.columns)),
+        rows_(static_cast<long>(grid.rows)) {}
+
+  std::uint32_t at(const Vec2& point) const {
     const auto [i, j] = column_and_row(point);
     return label(i, j);
-  };
-  map.over = [label, column_and_row, corner, step = grid.step, columns,
-              rows](const PlanTriangle& triangle) {
+  }
+
+  Shares over(const PlanTriangle& triangle) const {
     PlanBox box;
     for (const Vec2& point : triangle) box.include(point);
     const auto [low_i, low_j] = column_and_row(box.low);
     const auto [high_i, high_j] = column_and_row(box.high);
     Shares shares;
-    for (long j = std::max(low_j, 0L); j <= std::min(high_j, rows - 1); ++j) {
-      for (long i = std::max(low_i, 0L); i <= std::min(high_i, columns - 1); ++i) {
+    for (long j = std::max(low_j, 0L); j <= std::min(high_j, rows_ - 1); ++j) {
+      for (long i = std::max(low_i, 0L); i <= std::min(high_i, columns_ - 1); ++i) {
         const std::uint32_t here = label(i, j);
         if (here == kNone) continue;
         const Vec2 low =
-            corner + step.cwiseProduct(Vec2(static_cast<double>(i), static_cast<double>(j)));
-        const Vec2 high = low + step;
+            corner_ + step_.cwiseProduct(Vec2(static_cast<double>(i), static_cast<double>(j)));
+        const Vec2 high = low + step_;
         const std::array<Vec2, 4> cell = {low, Vec2(high.x(), low.y()), high,
                                           Vec2(low.x(), high.y())};
         const double area = area_within(cell, triangle);
@@ -131,7 +112,43 @@ ZoneMap raster_zones(const ZoneFile& source, const std::string& crs) {
       }
     }
     return shares;
-  };
+  }
+
+ private:
+  std::uint32_t label(long i, long j) const {
+    return i < 0 || j < 0 || i >= columns_ || j >= rows_
+               ? kNone
+               : cells_[static_cast<std::size_t>(j * columns_ + i)];
+  }
+  std::pair<long, long> column_and_row(const Vec2& point) const {
+    const Vec2 cell = (point - corner_).cwiseQuotient(step_).array().floor();
+    const Vec2 within = cell.cwiseMax(-1e9).cwiseMin(1e9);
+    return {static_cast<long>(within.x()), static_cast<long>(within.y())};
+  }
+
+  std::vector<std::uint32_t> cells_;
+  Vec2 corner_, step_;
+  long columns_, rows_;
+};
+
+ZoneMap raster_zones(const ZoneFile& source, const std::string& crs) {
+  const Raster raster = read_raster(source.path);
+  if (!crs.empty() && !raster.crs.empty() && !same_crs(crs, raster.crs)) {
+    throw InputError(source.path.string() + ": is in " + raster.crs.substr(0, 60) +
+                     ", the ground in " + crs.substr(0, 60) + "; reproject one (gdalwarp -t_srs)");
+  }
+  const HeightGrid& grid = raster.grid;
+  ZoneMap map;
+  const std::map<long, std::uint32_t> label_of = classes_of(grid, source, map);
+  std::vector<std::uint32_t> cells(grid.heights.size(), kNone);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!std::isnan(grid.heights[i])) cells[i] = label_of.at(static_cast<long>(grid.heights[i]));
+  }
+  map.extent.include(grid.first - grid.step / 2.0);
+  map.extent.include(grid.centre(grid.columns, grid.rows) - grid.step / 2.0);
+  const auto labels = std::make_shared<const LabelGrid>(std::move(cells), grid);
+  map.at = [labels](const Vec2& point) { return labels->at(point); };
+  map.over = [labels](const PlanTriangle& triangle) { return labels->over(triangle); };
   return map;
 }
 

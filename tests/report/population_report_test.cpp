@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "core/random.hpp"
 #include "core/text_file.hpp"
@@ -14,6 +16,7 @@
 #include "report/charts/svg_chart.hpp"
 #include "report/charts/ticks.hpp"
 #include "report/html/html_page.hpp"
+#include "report/json/population_json.hpp"
 #include "report/pages/population_page.hpp"
 #include "report/tables/population_tables.hpp"
 #include "tests/study/csv_reader.hpp"
@@ -257,6 +260,54 @@ TEST(PopulationTables, SharesAndSizesAreThoseOfTheSummary) {
   const CsvTable tests = read_csv(tests_csv(report));
   EXPECT_EQ(tests.rows.size(), 3u + 3u + 3u + 3u);
   EXPECT_EQ(tests.number(6, "statistic"), report.comparison->measures[0].test->statistic);
+}
+
+// Keys and columns are two formats (docs/architecture.md); what they say is the same.
+TEST(PopulationTables, TheJsonHasTheFiguresOfTheTables) {
+  const ScratchFolder folder;
+  const PopulationReport report = report_of({blocks("a", 30)});
+  std::ostringstream text;
+  write_population_json(text, report);
+  const auto json = nlohmann::json::parse(text.str());
+
+  const CsvTable shares = read_csv(shares_csv(report));
+  std::size_t row = 0;
+  for (const std::string& scheme : report.options.schemes) {
+    for (const auto& share : json["population"][scheme]) {
+      EXPECT_EQ(shares.rows[row].at("scheme"), scheme);
+      EXPECT_EQ(shares.rows[row].at("class"), share["class"]);
+      for (const auto& [column, key] :
+           std::map<std::string, std::string>{{"blocks", "blocks"},
+                                              {"share", "share"},
+                                              {"share_low", "low"},
+                                              {"share_high", "high"},
+                                              {"mass_kg", "mass_kg"},
+                                              {"mass_share", "mass_share"},
+                                              {"mass_share_low", "mass_low"},
+                                              {"mass_share_high", "mass_high"}}) {
+        EXPECT_EQ(shares.number(row, column), share[key].get<double>()) << column;
+      }
+      ++row;
+    }
+  }
+  EXPECT_EQ(row, shares.rows.size());
+
+  write_classes_csv(report, folder / "classes.csv");
+  const CsvTable classes = read_csv(read_text_file(folder / "classes.csv"));
+  ASSERT_EQ(classes.rows.size(), json["blocks"].size());
+  for (std::size_t i = 0; i < classes.rows.size(); ++i) {
+    const auto& block = json["blocks"][i];
+    EXPECT_EQ(classes.rows[i].at("block"), block["id"]);
+    EXPECT_EQ(classes.number(i, "L_m"), block["box_m"][0].get<double>());
+    EXPECT_EQ(classes.number(i, "S_m"), block["box_m"][2].get<double>());
+    EXPECT_EQ(classes.number(i, "mass_kg"), block["mass_kg"].get<double>());
+    for (const std::string& scheme : report.options.schemes) {
+      EXPECT_EQ(classes.rows[i].at(class_column(scheme)), block["classes"][scheme]["class"]);
+    }
+    for (const auto& [name, value] : block["indices"].items()) {
+      EXPECT_EQ(classes.number(i, name), value.get<double>()) << name;
+    }
+  }
 }
 
 TEST(PopulationReports, AreWrittenWhole) {

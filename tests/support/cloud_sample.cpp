@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tests/support/surface_sampler.hpp"
+
 namespace clast {
 
 namespace {
@@ -21,22 +23,10 @@ std::function<double(const Vec3&)> place_along(const TriangleMesh& mesh, const V
 
 std::vector<Vec3> sampled_cloud(const TriangleMesh& mesh, const CloudSample& sample,
                                 Random& random) {
-  std::vector<double> areas;  // running
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 doubled =
-        (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
-    areas.push_back((areas.empty() ? 0.0 : areas.back()) + doubled.norm());
-  }
+  const SurfaceSampler surface(mesh);
   std::vector<Vec3> points;
   while (points.size() < sample.points) {
-    const auto place =
-        std::lower_bound(areas.begin(), areas.end(), random.uniform(0.0, areas.back()));
-    const auto& [a, b, c] = mesh.triangles[std::min<std::size_t>(
-        static_cast<std::size_t>(place - areas.begin()), areas.size() - 1)];
-    double u = random.uniform(), v = random.uniform();
-    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-    const Vec3 p = mesh.vertices[a] + u * (mesh.vertices[b] - mesh.vertices[a]) +
-                   v * (mesh.vertices[c] - mesh.vertices[a]);
+    const Vec3 p = surface.draw(random).point;
     if (random.uniform() >= sample.density(p)) continue;
     const double x = random.normal(), y = random.normal(), z = random.normal();
     points.push_back(p + sample.noise * Vec3(x, y, z));

@@ -8,6 +8,7 @@
 #include "core/random.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
+#include "tests/support/surface_sampler.hpp"
 
 namespace clast {
 
@@ -86,25 +87,10 @@ inline FieldScene field_scene(const std::vector<TriangleMesh>& blocks, const Fie
   };
   for (int k = 0; k < static_cast<int>(blocks.size()); ++k) {
     const TriangleMesh& mesh = blocks[static_cast<std::size_t>(k)];
-    std::vector<double> areas;  // running
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const double area =
-          0.5 *
-          (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
-      areas.push_back((areas.empty() ? 0.0 : areas.back()) + area);
-    }
+    const SurfaceSampler surface(mesh);
     for (int i = 0; i < counts.per_block;) {
-      const auto t = static_cast<std::size_t>(
-          std::lower_bound(areas.begin(), areas.end(), random.uniform(0.0, areas.back())) -
-          areas.begin());
-      double u = random.uniform(), v = random.uniform();
-      if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-      const auto& [a, b, c] = mesh.triangles[std::min(t, areas.size() - 1)];
-      const Vec3 p = mesh.vertices[a] + u * (mesh.vertices[b] - mesh.vertices[a]) +
-                     v * (mesh.vertices[c] - mesh.vertices[a]);
-      const Vec3 normal = (mesh.vertices[b] - mesh.vertices[a])
-                              .cross(mesh.vertices[c] - mesh.vertices[a])
-                              .normalized();
+      const auto [triangle, p] = surface.draw(random);
+      const Vec3 normal = unit_normal(mesh, triangle);
       if (p.z() < ground.at(p.x(), p.y()) || normal.z() < counts.steepest) continue;
       add(p, k);
       ++i;

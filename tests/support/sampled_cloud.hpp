@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "tests/support/surface_sampler.hpp"
 
 namespace clast {
 
@@ -23,7 +24,7 @@ struct CloudSampling {
 inline std::vector<Vec3> sampled_cloud(const TriangleMesh& mesh, const CloudSampling& sampling,
                                        std::uint64_t seed) {
   Random random(seed);
-  std::vector<double> areas;  // running
+  const SurfaceSampler surface(mesh);
   Bounds box;
   double low = 1e300, high = -1e300;
   for (const Vec3& v : mesh.vertices) {
@@ -31,21 +32,9 @@ inline std::vector<Vec3> sampled_cloud(const TriangleMesh& mesh, const CloudSamp
     low = std::min(low, sampling.along.dot(v));
     high = std::max(high, sampling.along.dot(v));
   }
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 sides =
-        (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
-    areas.push_back((areas.empty() ? 0.0 : areas.back()) + 0.5 * sides.norm());
-  }
   std::vector<Vec3> points;
   while (points.size() < sampling.points) {
-    const auto t = static_cast<std::size_t>(
-        std::lower_bound(areas.begin(), areas.end(), random.uniform(0.0, areas.back())) -
-        areas.begin());
-    double u = random.uniform(), v = random.uniform();
-    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-    const auto& [a, b, c] = mesh.triangles[std::min(t, areas.size() - 1)];
-    const Vec3 p = mesh.vertices[a] + u * (mesh.vertices[b] - mesh.vertices[a]) +
-                   v * (mesh.vertices[c] - mesh.vertices[a]);
+    const Vec3 p = surface.draw(random).point;
     const double share = (sampling.along.dot(p) - low) / (high - low);
     const double density =
         sampling.step ? (share < 0.5 ? 1.0 : sampling.fall) : 1.0 + share * (sampling.fall - 1.0);

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "tests/support/cut_mesh.hpp"
 #include "tests/support/rock_mesh.hpp"
+#include "tests/support/surface_sampler.hpp"
 
 namespace clast {
 
@@ -19,11 +21,6 @@ using Triangle = TriangleMesh::Triangle;
 
 Vec3 centre(const TriangleMesh& mesh, const Triangle& t) {
   return (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
-}
-
-Vec3 area_vector(const TriangleMesh& mesh, const Triangle& t) {
-  return 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                   .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
 }
 
 /// Unit, of the vertices, weighted by area.
@@ -38,18 +35,7 @@ std::vector<Vec3> outward_normals(const TriangleMesh& mesh) {
 
 /// A point of the surface, every part of it as likely.
 Vec3 surface_point(const TriangleMesh& mesh, Random& random) {
-  std::vector<double> areas;  // running
-  for (const Triangle& t : mesh.triangles) {
-    areas.push_back((areas.empty() ? 0.0 : areas.back()) + area_vector(mesh, t).norm());
-  }
-  const auto place =
-      std::lower_bound(areas.begin(), areas.end(), random.uniform(0.0, areas.back()));
-  const Triangle& t = mesh.triangles[std::min<std::size_t>(
-      static_cast<std::size_t>(place - areas.begin()), mesh.triangles.size() - 1)];
-  double u = random.uniform(), v = random.uniform();
-  if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-  return mesh.vertices[t[0]] + u * (mesh.vertices[t[1]] - mesh.vertices[t[0]]) +
-         v * (mesh.vertices[t[2]] - mesh.vertices[t[0]]);
+  return SurfaceSampler(mesh).draw(random).point;
 }
 
 TriangleMesh ball(const Vec3& place, double radius) {

@@ -61,21 +61,12 @@ std::vector<std::string> names_beside(const std::filesystem::path& file) {
                    ": list.txt, which names the photos, is not beside it; put it there");
 }
 
-}  // namespace
-
-PhotoModel read_bundler(const std::filesystem::path& file, const std::filesystem::path& photos) {
-  PhotoModel model;
-  model.source = "Bundler";
-  const std::vector<std::string> names = names_beside(file);
-  Numbers numbers(file);
-  const std::size_t cameras = numbers.count(1000000), points = numbers.count(1000000000);
-  if (cameras != names.size()) {
-    throw InputError(file.string() + ": " + std::to_string(cameras) +
-                     " cameras, but list.txt has " + std::to_string(names.size()) +
-                     " photos; give the list that belongs to it");
-  }
+/// @returns number in `model` of each photo that has a camera
+std::map<std::size_t, std::uint32_t> read_cameras(Numbers& numbers,
+                                                  const std::vector<std::string>& names,
+                                                  PhotoModel& model) {
   std::map<std::size_t, std::uint32_t> photo_of;
-  for (std::size_t i = 0; i < cameras; ++i) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
     const double f = numbers.next(), k1 = numbers.next(), k2 = numbers.next();
     Mat3 rotation;
     for (int row = 0; row < 3; ++row) {
@@ -95,30 +86,54 @@ PhotoModel read_bundler(const std::filesystem::path& file, const std::filesystem
     model.photos.push_back(photo);
     model.lenses.push_back({.fx = f, .fy = f, .radial = {k1, k2, 0.0, 0.0}});
   }
-  for (std::size_t i = 0; i < points; ++i) {
-    SparsePoint point;
-    for (int axis = 0; axis < 3; ++axis) point.place[axis] = numbers.next();
-    for (int colour = 0; colour < 3; ++colour) numbers.next();
-    for (std::size_t seen = numbers.count(cameras); seen > 0; --seen) {
-      const auto photo = photo_of.find(numbers.count(cameras));
-      if (photo != photo_of.end()) point.photos.push_back(photo->second);
-      for (int skipped = 0; skipped < 3; ++skipped) numbers.next();
-    }
-    model.points.push_back(std::move(point));
+  return photo_of;
+}
+
+SparsePoint read_point(Numbers& numbers, std::size_t cameras,
+                       const std::map<std::size_t, std::uint32_t>& photo_of) {
+  SparsePoint point;
+  for (int axis = 0; axis < 3; ++axis) point.place[axis] = numbers.next();
+  for (int colour = 0; colour < 3; ++colour) numbers.next();
+  for (std::size_t seen = numbers.count(cameras); seen > 0; --seen) {
+    const auto photo = photo_of.find(numbers.count(cameras));
+    if (photo != photo_of.end()) point.photos.push_back(photo->second);
+    for (int skipped = 0; skipped < 3; ++skipped) numbers.next();
   }
-  const PhotoModel found =
-      with_files(std::move(model), photos.empty() ? file.parent_path() : photos);
-  PhotoModel sized = found;
-  for (Photo& photo : sized.photos) {
-    Lens& lens = sized.lenses[photo.lens];
+  return point;
+}
+
+/// Gives every lens the size of its photo, and the middle of it as principal point.
+void set_sizes(PhotoModel& model) {
+  for (Photo& photo : model.photos) {
+    Lens& lens = model.lenses[photo.lens];
     const PhotoSize size = photo_size(photo.file);
     lens.width = size.width;
     lens.height = size.height;
-    // From the middle of the photo.
     lens.cx = 0.5 * size.width - 0.5;
     lens.cy = 0.5 * size.height - 0.5;
   }
-  return sized;
+}
+
+}  // namespace
+
+PhotoModel read_bundler(const std::filesystem::path& file, const std::filesystem::path& photos) {
+  PhotoModel model;
+  model.source = "Bundler";
+  const std::vector<std::string> names = names_beside(file);
+  Numbers numbers(file);
+  const std::size_t cameras = numbers.count(1000000), points = numbers.count(1000000000);
+  if (cameras != names.size()) {
+    throw InputError(file.string() + ": " + std::to_string(cameras) +
+                     " cameras, but list.txt has " + std::to_string(names.size()) +
+                     " photos; give the list that belongs to it");
+  }
+  const std::map<std::size_t, std::uint32_t> photo_of = read_cameras(numbers, names, model);
+  for (std::size_t i = 0; i < points; ++i) {
+    model.points.push_back(read_point(numbers, cameras, photo_of));
+  }
+  model = with_files(std::move(model), photos.empty() ? file.parent_path() : photos);
+  set_sizes(model);
+  return model;
 }
 
 }  // namespace clast::photos_detail

@@ -75,13 +75,11 @@ constexpr std::array<KnownModel, 11> kModels = {{{"SIMPLE_PINHOLE", 3},
                                                  {"RADIAL_FISHEYE", 5},
                                                  {"THIN_PRISM_FISHEYE", 12}}};
 
-}  // namespace
-
-PhotoModel read_colmap_binary(const std::filesystem::path& folder) {
-  PhotoModel model;
-  model.source = "COLMAP binary";
+/// @returns number in `model` of each lens, by COLMAP's id
+std::map<std::uint32_t, std::size_t> read_cameras(const std::filesystem::path& file,
+                                                  PhotoModel& model) {
   std::map<std::uint32_t, std::size_t> lens_of;
-  Bytes cameras(folder / "cameras.bin");
+  Bytes cameras(file);
   for (std::uint64_t n = cameras.count(24); n > 0; --n) {
     const auto id = cameras.next<std::uint32_t>();
     const auto kind = cameras.next<std::int32_t>();
@@ -96,8 +94,15 @@ PhotoModel read_colmap_binary(const std::filesystem::path& folder) {
     model.lenses.push_back(colmap_lens(known.name, static_cast<int>(std::min(width, 1000000ul)),
                                        static_cast<int>(std::min(height, 1000000ul)), parameters));
   }
+  return lens_of;
+}
+
+/// @returns number in `model` of each photo, by COLMAP's id
+std::map<std::uint32_t, std::uint32_t> read_images(
+    const std::filesystem::path& file, const std::map<std::uint32_t, std::size_t>& lens_of,
+    PhotoModel& model) {
   std::map<std::uint32_t, std::uint32_t> photo_of;
-  Bytes images(folder / "images.bin");
+  Bytes images(file);
   for (std::uint64_t n = images.count(73); n > 0; --n) {
     const auto id = images.next<std::uint32_t>();
     std::array<double, 4> q{};
@@ -107,30 +112,48 @@ PhotoModel read_colmap_binary(const std::filesystem::path& folder) {
     photo.camera_from_world.rotation = Quat(q[0], q[1], q[2], q[3]).normalized();
     const auto camera = images.next<std::uint32_t>();
     photo.name = images.name();
-    if (!lens_of.contains(camera)) {
+    const auto lens = lens_of.find(camera);
+    if (lens == lens_of.end()) {
       throw InputError("images.bin: camera " + std::to_string(camera) + " is not in cameras.bin");
     }
-    photo.lens = lens_of[camera];
+    photo.lens = lens->second;
     images.skip(24 * images.count(24));
     photo_of[id] = static_cast<std::uint32_t>(model.photos.size());
     model.photos.push_back(photo);
   }
-  if (!std::filesystem::exists(folder / "points3D.bin")) return model;
-  Bytes points(folder / "points3D.bin");
+  return photo_of;
+}
+
+void read_points(const std::filesystem::path& file,
+                 const std::map<std::uint32_t, std::uint32_t>& photo_of, PhotoModel& model) {
+  Bytes points(file);
   for (std::uint64_t n = points.count(51); n > 0; --n) {
     points.skip(8);
     SparsePoint point;
     for (int i = 0; i < 3; ++i) point.place[i] = points.next<double>();
     points.skip(11);  // colour and error
     for (std::uint64_t m = points.count(8); m > 0; --m) {
-      const auto photo = points.next<std::uint32_t>();
+      const auto image = points.next<std::uint32_t>();
       points.skip(4);
-      if (!photo_of.contains(photo)) {
-        throw InputError("points3D.bin: image " + std::to_string(photo) + " is not in images.bin");
+      const auto photo = photo_of.find(image);
+      if (photo == photo_of.end()) {
+        throw InputError("points3D.bin: image " + std::to_string(image) + " is not in images.bin");
       }
-      point.photos.push_back(photo_of[photo]);
+      point.photos.push_back(photo->second);
     }
     model.points.push_back(std::move(point));
+  }
+}
+
+}  // namespace
+
+PhotoModel read_colmap_binary(const std::filesystem::path& folder) {
+  PhotoModel model;
+  model.source = "COLMAP binary";
+  const auto lens_of = read_cameras(folder / "cameras.bin", model);
+  const auto photo_of = read_images(folder / "images.bin", lens_of, model);
+  if (std::filesystem::exists(folder / "points3D.bin")) {
+    read_points(folder / "points3D.bin", photo_of, model);
   }
   return model;
 }

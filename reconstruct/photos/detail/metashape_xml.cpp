@@ -95,10 +95,9 @@ ToMetres to_metres(const pugi::xml_node& transform) {
   return result;
 }
 
-}  // namespace
-
-PhotoModel read_metashape(const std::filesystem::path& file) {
-  pugi::xml_document document;
+/// The chunk that holds the cameras.
+/// @throws InputError  not XML, no cameras
+pugi::xml_node load_chunk(pugi::xml_document& document, const std::filesystem::path& file) {
   const pugi::xml_parse_result parsed = document.load_file(file.c_str());
   if (!parsed) {
     throw InputError(file.string() + ": not XML at byte " + std::to_string(parsed.offset) + " (" +
@@ -109,25 +108,85 @@ PhotoModel read_metashape(const std::filesystem::path& file) {
     throw InputError(file.string() +
                      ": no <chunk> with <cameras>; write it with File > Export > Export Cameras");
   }
-  PhotoModel model;
-  model.source = "Metashape";
-  std::map<std::string, std::size_t> lens_number;
-  std::map<std::string, pugi::xml_node> sensors;
-  for (const pugi::xml_node sensor : chunk.child("sensors").children("sensor")) {
-    sensors[sensor.attribute("id").as_string()] = sensor;
-  }
-  const ToMetres of_chunk = to_metres(chunk.child("transform"));
-  std::map<std::string, ToMetres> components;
-  for (const pugi::xml_node component : chunk.child("components").children("component")) {
-    components[component.attribute("id").as_string()] = to_metres(component.child("transform"));
-  }
+  return chunk;
+}
+
+/// Cameras, those in groups too.
+std::vector<pugi::xml_node> cameras_of(const pugi::xml_node& chunk) {
   std::vector<pugi::xml_node> cameras;
   for (const pugi::xml_node node : chunk.child("cameras").children()) {
     if (std::string(node.name()) == "camera") cameras.push_back(node);
     for (const pugi::xml_node inner : node.children("camera")) cameras.push_back(inner);
   }
+  return cameras;
+}
+
+/// Frames of the components by id; where the file does not say, that of the chunk holds.
+class Frames {
+ public:
+  explicit Frames(const pugi::xml_node& chunk) : of_chunk_(to_metres(chunk.child("transform"))) {
+    for (const pugi::xml_node component : chunk.child("components").children("component")) {
+      components_[component.attribute("id").as_string()] = to_metres(component.child("transform"));
+    }
+  }
+
+  const ToMetres& of(const std::string& component) const {
+    const auto found = components_.find(component);
+    return found != components_.end() && found->second.known ? found->second : of_chunk_;
+  }
+
+ private:
+  ToMetres of_chunk_;
+  std::map<std::string, ToMetres> components_;
+};
+
+/// Lenses by the id of their sensor, each read when a photo first names it.
+class Lenses {
+ public:
+  explicit Lenses(const pugi::xml_node& chunk) {
+    for (const pugi::xml_node sensor : chunk.child("sensors").children("sensor")) {
+      sensors_[sensor.attribute("id").as_string()] = sensor;
+    }
+  }
+
+  /// Of the lens among `lenses`, to which it is added where it is new.
+  std::size_t number(const std::string& sensor, const std::string& photo,
+                     std::vector<Lens>& lenses) {
+    const auto known = sensors_.find(sensor);
+    if (known == sensors_.end()) {
+      throw InputError("photo " + photo + " names sensor " + sensor + ", which isn't there");
+    }
+    if (!number_.contains(sensor)) {
+      lenses.push_back(lens_of(known->second));
+      number_[sensor] = lenses.size() - 1;
+    }
+    return number_[sensor];
+  }
+
+ private:
+  std::map<std::string, pugi::xml_node> sensors_;
+  std::map<std::string, std::size_t> number_;
+};
+
+Pose world_from(const pugi::xml_node& camera, const std::string& label, const ToMetres& metres) {
+  const std::vector<double> t = numbers_in(camera.child("transform"), 16);
+  Mat3 rotation;
+  rotation << t[0], t[1], t[2], t[4], t[5], t[6], t[8], t[9], t[10];
+  return {metres.scale * (metres.rotation * Vec3(t[3], t[7], t[11])),
+          metres.rotation * rotation_from(rotation, "photo " + label)};
+}
+
+}  // namespace
+
+PhotoModel read_metashape(const std::filesystem::path& file) {
+  pugi::xml_document document;
+  const pugi::xml_node chunk = load_chunk(document, file);
+  PhotoModel model;
+  model.source = "Metashape";
+  Lenses lenses(chunk);
+  const Frames frames(chunk);
   std::string component;
-  for (const pugi::xml_node& camera : cameras) {
+  for (const pugi::xml_node& camera : cameras_of(chunk)) {
     if (!camera.attribute("enabled").as_bool(true)) continue;
     if (!camera.child("transform")) {
       ++model.unplaced;
@@ -141,24 +200,11 @@ PhotoModel read_metashape(const std::filesystem::path& file) {
                        "photos are in separate groups; add photos between them and align again");
     }
     component = own;
-    const std::string sensor = camera.attribute("sensor_id").as_string();
-    if (!sensors.contains(sensor)) {
-      throw InputError("photo " + label + " names sensor " + sensor + ", which isn't there");
-    }
-    if (!lens_number.contains(sensor)) {
-      lens_number[sensor] = model.lenses.size();
-      model.lenses.push_back(lens_of(sensors[sensor]));
-    }
-    const auto found = components.find(own);
-    const bool in_component = found != components.end() && found->second.known;
-    const ToMetres& metres = in_component ? found->second : of_chunk;
+    const std::size_t lens =
+        lenses.number(camera.attribute("sensor_id").as_string(), label, model.lenses);
+    const ToMetres& metres = frames.of(own);
     model.metric = metres.known;
-    const std::vector<double> t = numbers_in(camera.child("transform"), 16);
-    Mat3 rotation;
-    rotation << t[0], t[1], t[2], t[4], t[5], t[6], t[8], t[9], t[10];
-    const Pose world_from_camera{metres.scale * (metres.rotation * Vec3(t[3], t[7], t[11])),
-                                 metres.rotation * rotation_from(rotation, "photo " + label)};
-    model.photos.push_back({label, {}, lens_number[sensor], world_from_camera.inverse()});
+    model.photos.push_back({label, {}, lens, world_from(camera, label, metres).inverse()});
   }
   return model;
 }
