@@ -1,5 +1,7 @@
 #include "app/command_tree.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace clast {
 
 namespace {

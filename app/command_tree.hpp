@@ -2,7 +2,7 @@
 /// Commands with their options as plain values, from the tables that parse the command line: what
 /// manual pages and shell completion are made of.
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

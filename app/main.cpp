@@ -1,4 +1,4 @@
-#include <iostream>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "app/commands/commands.hpp"

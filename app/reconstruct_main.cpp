@@ -1,4 +1,5 @@
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "app/command_tree.hpp"
 #include "app/commands/commands.hpp"

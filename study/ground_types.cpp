@@ -56,7 +56,7 @@ const std::vector<GroundType>& types() {
        {0.70, 0.45, 0.80},
        {0.27, 0.18, 0.35},
        "mu: garcia2022; mu_R: halfway between its rocky and vegetated slopes, not measured; R_n "
-       "0.38: compact soil with large rock fragments; lower limit of mu: medium hard of ramms2016",
+       "0.38: compact soil with large rock fragments; lower limit of mu: medium hard of ramms2015",
        {"track", "path", "road", "asphalt", "weg", "strasse", "route", "chemin", "strada"}},
       {"soil medium",
        "meadow, forest floor, vegetated slope",
@@ -64,7 +64,7 @@ const std::vector<GroundType>& types() {
        {0.70, 0.35, 0.80},
        {0.35, 0.18, 0.50},
        "mu and mu_R: vegetated slopes of garcia2022; R_n 0.33: medium compact soil; lower limit of "
-       "mu: medium of ramms2016",
+       "mu: medium of ramms2015",
        {"soil", "earth", "meadow", "grass", "pasture", "forest", "wood", "vegetation", "vegetated",
         "boden", "wiese", "weide", "wald", "terre", "sol", "prairie", "prato", "terreno"}},
       {"soil soft",
@@ -73,7 +73,7 @@ const std::vector<GroundType>& types() {
        {0.70, 0.25, 0.80},
        {0.45, 0.35, 0.60},
        "mu: garcia2022; mu_R: more than its vegetated slopes, an extrapolation, not measured; R_n "
-       "0.23: fine soil deeper than 1 m; lower limit of mu: soft of ramms2016",
+       "0.23: fine soil deeper than 1 m; lower limit of mu: soft of ramms2015",
        {"moor", "bog", "swamp", "marsh", "mud", "sand", "sumpf", "marais"}}};
   return kTypes;
 }

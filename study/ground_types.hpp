@@ -20,7 +20,7 @@ struct UsualValue {
 /// has for this ground; from 0.01, which fitted the drop tests of Garcia et al. on every ground, to
 /// R_n^2, for slow impacts. mu and mu_R are those of the ground of Garcia et al. that is most like
 /// it. Friction of RAMMS::ROCKFALL grows while a block slides, so only its smallest value is taken,
-/// as a lower limit of soils. @cite garcia2022 (Table 2) @cite dorren2016 @cite ramms2016
+/// as a lower limit of soils. @cite garcia2022 (Table 2) @cite dorren2016 @cite ramms2015
 struct GroundType {
   std::string name;                     ///< "talus"
   std::string description;              ///< what it looks like

@@ -18,9 +18,12 @@ constexpr double kDegree = kPi / 180.0;
 /// Slopes that are tried, steepest first: blocks start by themselves on the first, and below the
 /// last they come to rest where they land.
 constexpr std::array<double, 6> kSlopes = {35.0, 30.0, 25.0, 20.0, 15.0, 10.0};  // degrees
-constexpr double kUpperShare = 0.7;        ///< of the longest descent, from ground as steep as that
-constexpr double kMarginShare = 0.04;      ///< of the terrain, that releases keep from its border
-constexpr double kUsualFriction = 0.5;     ///< apparent, of rockfall over its whole way: 27 degrees
+constexpr double kUpperShare = 0.7;    ///< of the longest descent, from ground as steep as that
+constexpr double kMarginShare = 0.04;  ///< of the terrain, that releases keep from its border
+/// Apparent, of the whole way down, highest first: what blocks that hardly roll overcome goes for
+/// all.
+constexpr std::array<double, 4> kFrictions = {0.65, 0.5, 0.35, 0.15};
+constexpr double kReliefShare = 0.4;       ///< of the terrain's relief, that a way down should have
 constexpr std::size_t kMostStarts = 4000;  ///< tried
 constexpr double kNearlyBest = 0.9;        ///< of the longest descent is as good
 constexpr std::size_t kMostPoints = 5;
@@ -49,15 +52,6 @@ std::vector<Start> starts_with(const GroundGrid& grid, double margin) {
   return starts;
 }
 
-/// The slope that only a twentieth of the starts exceeds.
-double usual_steepest(const std::vector<Start>& starts) {
-  std::vector<double> slopes;
-  for (const Start& start : starts) slopes.push_back(start.slope);
-  const auto at = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() * 19 / 20);
-  std::nth_element(slopes.begin(), at, slopes.end());
-  return *at;
-}
-
 double tangent(double degrees) { return std::tan(degrees * kDegree); }
 
 double descent_of(const std::vector<Vec3>& path) {
@@ -68,6 +62,20 @@ double longest_descent(const std::vector<Start>& starts) {
   double longest = 0.0;
   for (const Start& start : starts) longest = std::max(longest, start.descent);
   return longest;
+}
+
+/// Follows the ways down from at most `kMostStarts` of the starts, which are left.
+/// @return the friction of these ways: the highest at which one is long on this terrain
+double follow(std::vector<Start>& starts, const GroundGrid& grid, double relief) {
+  const std::size_t stride = 1 + starts.size() / kMostStarts;
+  std::vector<Start> tried;
+  for (std::size_t i = 0; i < starts.size(); i += stride) tried.push_back(starts[i]);
+  starts = std::move(tried);
+  for (const double friction : kFrictions) {
+    for (Start& start : starts) start.descent = descent_of(fall_path(grid, start.place, friction));
+    if (longest_descent(starts) >= kReliefShare * relief) return friction;
+  }
+  return kFrictions.back();
 }
 
 /// Starts on the steepest ground from which most of the longest descent is possible.
@@ -198,16 +206,10 @@ ProposedPlaces propose_places(const Terrain& terrain, double block_length) {
                      " degrees, on which no block starts; add the slope above it, or write the "
                      "campaign by hand, with velocity_m_s in [release]");
   }
-  const double friction = std::min(kUsualFriction, 0.8 * usual_steepest(starts));
   std::erase_if(starts, [](const Start& start) { return start.slope < tangent(kSlopes.back()); });
-  const std::size_t stride = 1 + starts.size() / kMostStarts;
-  std::vector<Start> tried;
-  for (std::size_t i = 0; i < starts.size(); i += stride) {
-    starts[i].descent = descent_of(fall_path(grid, starts[i].place, friction));
-    tried.push_back(starts[i]);
-  }
-  const double steep = keep_steep(tried);
-  const Start start = best_of(std::move(tried));
+  const double friction = follow(starts, grid, box.high.z() - box.low.z());
+  const double steep = keep_steep(starts);
+  const Start start = best_of(std::move(starts));
   const std::vector<Vec3> path = fall_path(grid, start.place, friction);
   if (path.size() < 3) {
     throw InputError("at the steepest ground of the terrain there is no way down; is it a pit?");
