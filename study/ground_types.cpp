@@ -32,7 +32,8 @@ const std::vector<GroundType>& types() {
        restitution_of(0.53),
        {0.30, 0.30, 0.70},
        {0.0, 0.0, 0.18},
-       "mu and mu_R: rock walls and quarry floors of garcia2022; R_n 0.53: bedrock",
+       "mu and mu_R: rock walls and flat quarry floors in Garcia et al. (2022); e_n^2: R_n 0.53 of "
+       "Rockyfor3D, bedrock",
        {"rock", "bedrock", "cliff", "wall", "face", "outcrop", "slab", "fels", "rocher", "falaise",
         "roccia"}},
       {"talus",
@@ -40,7 +41,8 @@ const std::vector<GroundType>& types() {
        restitution_of(0.38),
        {0.70, 0.45, 0.80},
        {0.18, 0.10, 0.35},
-       "mu and mu_R: rocky slopes of garcia2022; R_n 0.38: talus slope",
+       "mu and mu_R: rocky slopes in Garcia et al. (2022); e_n^2: R_n 0.38 of Rockyfor3D, talus "
+       "slope",
        {"talus", "boulder", "block", "blockfield", "debris", "rocky", "blockschutt", "eboulis",
         "éboulis"}},
       {"scree",
@@ -48,23 +50,24 @@ const std::vector<GroundType>& types() {
        restitution_of(0.33),
        {0.70, 0.45, 0.80},
        {0.18, 0.10, 0.35},
-       "mu and mu_R: rocky slopes of garcia2022; R_n 0.33: scree",
+       "mu and mu_R: rocky slopes in Garcia et al. (2022); e_n^2: R_n 0.33 of Rockyfor3D, scree",
        {"scree", "gravel", "stone", "stony", "schutt", "kies", "pierrier", "ghiaione"}},
       {"soil hard",
        "compact soil with stones, tracks",
        restitution_of(0.38),
        {0.70, 0.45, 0.80},
        {0.27, 0.18, 0.35},
-       "mu: garcia2022; mu_R: halfway between its rocky and vegetated slopes, not measured; R_n "
-       "0.38: compact soil with large rock fragments; lower limit of mu: medium hard of ramms2015",
+       "mu: Garcia et al. (2022); mu_R: halfway between their rocky and vegetated slopes, not "
+       "measured; e_n^2: R_n 0.38 of Rockyfor3D, compact soil with large rock fragments; lower "
+       "limit of mu: medium hard ground of RAMMS::ROCKFALL",
        {"track", "path", "road", "asphalt", "weg", "strasse", "route", "chemin", "strada"}},
       {"soil medium",
        "meadow, forest floor, vegetated slope",
        restitution_of(0.33),
        {0.70, 0.35, 0.80},
        {0.35, 0.18, 0.50},
-       "mu and mu_R: vegetated slopes of garcia2022; R_n 0.33: medium compact soil; lower limit of "
-       "mu: medium of ramms2015",
+       "mu and mu_R: vegetated slopes in Garcia et al. (2022); e_n^2: R_n 0.33 of Rockyfor3D, "
+       "medium compact soil; lower limit of mu: medium ground of RAMMS::ROCKFALL",
        {"soil", "earth", "meadow", "grass", "pasture", "forest", "wood", "vegetation", "vegetated",
         "boden", "wiese", "weide", "wald", "terre", "sol", "prairie", "prato", "terreno"}},
       {"soil soft",
@@ -72,8 +75,9 @@ const std::vector<GroundType>& types() {
        restitution_of(0.23),
        {0.70, 0.25, 0.80},
        {0.45, 0.35, 0.60},
-       "mu: garcia2022; mu_R: more than its vegetated slopes, an extrapolation, not measured; R_n "
-       "0.23: fine soil deeper than 1 m; lower limit of mu: soft of ramms2015",
+       "mu: Garcia et al. (2022); mu_R: more than on their vegetated slopes, extrapolated, not "
+       "measured; e_n^2: R_n 0.23 of Rockyfor3D, fine soil deeper than 1 m; lower limit of mu: "
+       "soft ground of RAMMS::ROCKFALL",
        {"moor", "bog", "swamp", "marsh", "mud", "sand", "sumpf", "marais"}}};
   return kTypes;
 }

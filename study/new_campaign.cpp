@@ -128,7 +128,7 @@ std::vector<std::string> doubts_of(const CampaignProposal& proposal) {
 
 /// As it is written in a campaign of this folder.
 std::string relative_path(const fs::path& path, const fs::path& folder) {
-  return fs::weakly_canonical(path).lexically_proximate(folder).string();
+  return fs::weakly_canonical(fs::absolute(path)).lexically_proximate(folder).string();
 }
 
 CampaignProposal proposal_from(const fs::path& library, const std::vector<fs::path>& surface) {
@@ -163,7 +163,7 @@ CampaignProposal write_new_campaign(const fs::path& library, const std::vector<f
                                     const fs::path& target, const OutputRules& rules) {
   OutputFile output(target, rules);
   CampaignProposal proposal = proposal_from(library, surface);
-  const fs::path folder = fs::weakly_canonical(output.target()).parent_path();
+  const fs::path folder = fs::weakly_canonical(fs::absolute(output.target())).parent_path();
   std::vector<std::string> surface_paths;
   for (const fs::path& path : surface) surface_paths.push_back(relative_path(path, folder));
   for (const double height : kDropHeights) {

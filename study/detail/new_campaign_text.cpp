@@ -90,8 +90,8 @@ std::string blocks_text(const ProposedBlocks& blocks, const std::string& library
   const std::string from = with_digits(blocks.lightest, 3), to = with_digits(blocks.heaviest, 3);
   text +=
       comment(counted(blocks.count, "block") + " of " + (from == to ? from : from + " to " + to) +
-              " kg. Others of the library: select = [...] or { scheme = \"garcia\", class = "
-              "\"compact\" }. To compare shapes alone, bring all to one mass:");
+              " kg. To take only some of them, add select = [\"ID\", ...] or select = { scheme = "
+              "\"garcia\", class = \"compact\" }. To compare shapes alone, bring all to one mass:");
   return text + "# scale            = \"equal-mass\"\n";
 }
 
