@@ -1,5 +1,6 @@
 #include "app/companion.hpp"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -29,13 +30,44 @@ fs::path companion() {
                    "together");
 }
 
+[[noreturn]] void refuse_start(const fs::path& path) {
+  throw InputError(path.string() + ": can't be started (" + std::strerror(errno) +
+                   "); install clast again");
+}
+
 }  // namespace
 
 void run_companion(char** argv) {
   const fs::path path = companion();
   ::execv(path.c_str(), argv);
-  throw InputError(path.string() + ": can't be started (" + std::strerror(errno) +
-                   "); install clast again");
+  refuse_start(path);
+}
+
+std::string companion_output(const std::string& argument) {
+  const fs::path path = companion();
+  std::string program = path.string(), word = argument;
+  int ends[2];
+  if (::pipe(ends) != 0) refuse_start(path);
+  const ::pid_t child = ::fork();
+  if (child < 0) refuse_start(path);
+  if (child == 0) {
+    char* argv[] = {program.data(), word.data(), nullptr};
+    if (::dup2(ends[1], STDOUT_FILENO) >= 0 && ::close(ends[0]) == 0) ::execv(argv[0], argv);
+    ::_exit(126);
+  }
+  ::close(ends[1]);
+  std::string output;
+  char buffer[4096];
+  for (::ssize_t read; (read = ::read(ends[0], buffer, sizeof buffer)) > 0;) {
+    output.append(buffer, static_cast<std::size_t>(read));
+  }
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw InputError(path.string() + ": does not describe its options; install clast again");
+  }
+  return output;
 }
 
 }  // namespace clast

@@ -15,4 +15,11 @@ inline constexpr const char* kReconstructSummary =
 /// @throws InputError  it is not there
 [[noreturn]] void run_companion(char** argv);
 
+/// The command by which the companion prints its option tables (`to_json`), for `clast help`.
+inline constexpr const char* kDescribeCommand = "describe";
+
+/// What the companion prints when it is run with one argument.
+/// @throws InputError  it is not there, or fails
+std::string companion_output(const std::string& argument);
+
 }  // namespace clast

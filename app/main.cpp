@@ -1,3 +1,4 @@
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "app/commands/commands.hpp"
@@ -5,6 +6,21 @@
 #include "app/program.hpp"
 
 namespace {
+
+/// Help of the command that only the companion has.
+clast::HelpSource help_of_reconstruct(const char* program) {
+  return {.show =
+              [program] {
+                std::string words[] = {program, "reconstruct", "--help"};
+                char* argv[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
+                clast::run_companion(argv);
+              },
+          .options =
+              [] {
+                const std::string text = clast::companion_output(clast::kDescribeCommand);
+                return clast::command_from_json(nlohmann::json::parse(text)).commands.front();
+              }};
+}
 
 void add_commands(CLI::App& app, char** argv) {
   app.add_subcommand("reconstruct", clast::kReconstructSummary)->callback([argv] {
@@ -16,8 +32,11 @@ void add_commands(CLI::App& app, char** argv) {
   clast::add_export(app);
   clast::add_library(app);
   clast::add_terrain(app);
+  clast::add_new(app);
+  clast::add_check(app);
   clast::add_simulate(app);
   clast::add_compare(app);
+  clast::add_help(app, help_of_reconstruct(argv[0]));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
   app.require_subcommand(1);
   add_commands(app);
   app.footer(
-      "The usual order: reconstruct, classify, terrain, simulate, compare.\n"
+      "The usual order: reconstruct, classify, terrain, new campaign, simulate, compare.\n"
       "\"clast COMMAND --help\" explains a command and shows an example.");
   if (argc < 2) {
     std::cerr << app.help();

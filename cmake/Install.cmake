@@ -5,8 +5,9 @@ get_property(clast_libraries GLOBAL PROPERTY CLAST_LIBRARIES)
 install(TARGETS ${clast_libraries} EXPORT clastTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/clast)
-install(TARGETS clast RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS clast-reconstruct RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/clast)
+# The program alone: cmake --install build --component program.
+install(TARGETS clast RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS clast-reconstruct RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/clast COMPONENT program)
 install(EXPORT clastTargets NAMESPACE clast:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clast)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/clastConfig.cmake.in
   ${PROJECT_BINARY_DIR}/clastConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clast)

@@ -64,13 +64,13 @@ default_jobs() {
 install_packages
 
 options=(-DCMAKE_BUILD_TYPE=Release)
-target=all
+targets=(all)
 # A build folder keeps the generator it was made with, and the tests it already has.
 if [ ! -f $build/CMakeCache.txt ]; then
   if command -v ninja >/dev/null; then options+=(-G Ninja); fi
   options+=(-DCLAST_TESTS=OFF)
 fi
-if [ "$1" = program ]; then target=clast; else options+=(-DCLAST_TESTS=ON); fi
+if [ "$1" = program ]; then targets=(clast help_files); else options+=(-DCLAST_TESTS=ON); fi
 
 mkdir -p build
 log=build/configure.log
@@ -80,4 +80,4 @@ cmake -S . -B $build "${options[@]}" --log-level=WARNING >"$log" 2>&1 ||
 
 jobs=${CLAST_JOBS:-$(default_jobs)}
 say "Building with $jobs at a time; the first build takes some minutes"
-cmake --build $build --target "$target" -j "$jobs"
+cmake --build $build --target "${targets[@]}" -j "$jobs"

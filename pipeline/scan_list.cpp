@@ -94,6 +94,28 @@ std::string folder_name(const fs::path& path) {
   return fs::absolute(path).lexically_normal().parent_path().filename().string();
 }
 
+/// Names that say that there are pictures in a folder, and not of what.
+bool is_name_of_pictures(const fs::path& folder) {
+  static const std::set<std::string> kNames = {
+      "images", "image", "imgs", "img",      "photos", "photo", "photographs",
+      "fotos",  "foto",  "pics", "pictures", "jpgs",   "jpg",   "jpeg",
+      "png",    "tif",   "tiff", "raw",      "dcim",   "camera"};
+  std::string name = folder.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return kNames.contains(name);
+}
+
+/// The folder whose name says of what its photographs are: B017 of B017/images.
+fs::path naming_folder(const fs::path& photos) {
+  // A last slash is not part of the name.
+  const fs::path folder = (fs::absolute(photos) / "x").lexically_normal().parent_path();
+  fs::path named = folder;
+  while (is_name_of_pictures(named)) named = named.parent_path();
+  return named.has_filename() ? named : folder;
+}
+
 /// A name that may be the path of the mesh a shape was made from.
 std::string id_from_name(const std::string& name) {
   const bool is_path = name.find_first_of("/\\") != std::string::npos;
@@ -105,12 +127,10 @@ std::string id_from_name(const std::string& name) {
 /// One entry for a mesh; for a .shp file one for each shape, or one without when it can't be read:
 /// the reason is given when its turn comes.
 std::vector<ScanFile> scans_of(const fs::path& path) {
-  // A folder of photographs may have dots in its name, and a last slash.
+  // A folder of photographs may have dots in its name.
   std::error_code code;
   const bool photos = fs::is_directory(path, code);
-  const std::string folder =
-      photos ? (fs::absolute(path) / "x").lexically_normal().parent_path().filename().string() : "";
-  ScanFile file{path, photos ? folder : path.stem().string(), {}};
+  ScanFile file{path, photos ? naming_folder(path).filename().string() : path.stem().string(), {}};
   if (!file.is_shp()) return {file};
   try {
     std::vector<ScanFile> scans;
@@ -145,7 +165,12 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   for (const ScanFile& scan : scans) ++stems[scan.id];
   std::map<std::string, int> in_folders;
   for (ScanFile& scan : scans) {
-    if (stems[scan.id] > 1) scan.id = as_utf8(folder_name(scan.path)) + "_" + scan.id;
+    if (stems[scan.id] > 1) {
+      std::error_code code;
+      const bool photos = fs::is_directory(scan.path, code);
+      const fs::path named = photos ? naming_folder(scan.path) : scan.path;
+      scan.id = as_utf8(folder_name(named)) + "_" + scan.id;
+    }
     ++in_folders[scan.id];
   }
   std::map<std::string, fs::path> ids;

@@ -24,9 +24,11 @@ struct ScanFile {
 /// dot), sorted by path; a file that is named twice is taken once. A
 /// folder with photographs and no such file is one block, and so is each folder of photographs in
 /// one without any.
-/// The id is the file's stem, or the name of a shape where a .shp file holds several (of a name
-/// that is a path, the stem); where two share an id, parent folder and id; where they share these
-/// too, the extension follows: one scan in two formats, or two scans, is for the user to say.
+/// The id is the file's stem, the name of a folder of photographs (of B017/images, where the name
+/// only says that there are pictures, that of the folder above), or the name of a shape where a
+/// .shp file holds several (of a name that is a path, the stem); where two share an id, parent
+/// folder and id; where they share these too, the extension follows: one scan in two formats, or
+/// two scans, is for the user to say.
 /// @throws InputError  a folder without a scan or that can't be searched, or files that share all
 ///                     of that
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs);

@@ -1,6 +1,7 @@
 #include "study/campaign.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
@@ -194,29 +195,59 @@ void read_run(const TomlTable& top, Campaign& campaign) {
   }
 }
 
+const std::vector<std::string> kTables = {"blocks",   "block_group", "terrain", "ground",
+                                          "ensemble", "release",     "mass",    "contact",
+                                          "barrier",  "run"};
+
 }  // namespace
 
-Campaign read_campaign(const fs::path& file) {
+namespace study_detail {
+
+Campaign read_by_parts(const fs::path& file, const PartReader& read) {
   Campaign campaign;
   campaign.file = file;
-  campaign.text = read_text_file(file);
-  campaign.sha256 = sha256(campaign.text);
-  const TomlNode root = parse_toml(campaign.text, file.string());
-  const TomlTable top(root, file.string(), "",
-                      {"blocks", "block_group", "terrain", "ground", "ensemble", "release", "mass",
-                       "contact", "barrier", "run"});
-  campaign.blocks = read_blocks(top);
-  read_terrain_table(top, campaign);
-  campaign.ground = read_ground(top);
-  campaign.groups = read_block_groups(top, campaign);
-  campaign.ensemble = read_ensemble(top, campaign);
-  const std::string up = up_axis(campaign.terrain.up, campaign.terrain.surface.front());
-  campaign.releases = read_releases(top, up == "y");
-  campaign.stay = read_stay_plan(top, campaign);
-  read_contact(top, campaign);
-  campaign.barriers = read_barriers(top);
-  read_run(top, campaign);
+  TomlNode root;
+  const bool is_toml = read([&] {
+    campaign.text = read_text_file(file);
+    campaign.sha256 = sha256(campaign.text);
+    root = parse_toml(campaign.text, file.string());
+  });
+  if (!is_toml) return campaign;
+  read([&] { TomlTable(root, file.string(), "", kTables); });
+  std::vector<std::string> tables = kTables;
+  for (const auto& [name, table] : root.table) tables.push_back(name);
+  const TomlTable top(root, file.string(), "", tables);
+
+  const bool blocks = read([&] { campaign.blocks = read_blocks(top); });
+  const bool terrain = read([&] {
+    Campaign with_terrain = campaign;
+    read_terrain_table(top, with_terrain);
+    campaign = std::move(with_terrain);
+  });
+  const bool ground = read([&] { campaign.ground = read_ground(top); });
+  const bool groups = ground && read([&] { campaign.groups = read_block_groups(top, campaign); });
+  if (groups) read([&] { campaign.ensemble = read_ensemble(top, campaign); });
+  const bool releases = terrain && read([&] {
+                          const std::string up =
+                              up_axis(campaign.terrain.up, campaign.terrain.surface.front());
+                          campaign.releases = read_releases(top, up == "y");
+                        });
+  if (blocks && groups && releases) {
+    read([&] { campaign.stay = read_stay_plan(top, campaign); });
+  }
+  read([&] { read_contact(top, campaign); });
+  read([&] { campaign.barriers = read_barriers(top); });
+  read([&] { read_run(top, campaign); });
   return campaign;
+}
+
+}  // namespace study_detail
+
+Campaign read_campaign(const fs::path& file) {
+  return read_by_parts(file, [](const std::function<void()>& part) {
+    part();
+    return true;
+  });
 }
 
 std::vector<Quat> grid_45_orientations() {

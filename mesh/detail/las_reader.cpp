@@ -98,8 +98,9 @@ Header read_header(std::istream& stream, std::uint64_t file_size) {
   }
   if ((format & 0xC0) != 0) {
     throw InputError(
-        "its points are compressed (LAZ), which can't be read; unpack it first, for example with "
-        "laszip -i cloud.laz -o cloud.las, or save it as LAS in CloudCompare");
+        "its points are compressed (LAZ), which can't be read; save it as LAS first: with "
+        "pdal translate cloud.laz cloud.las, in CloudCompare, or in Python with laspy and lazrs, "
+        "laspy.read(\"cloud.laz\").write(\"cloud.las\")");
   }
   header.format = format;
   check_points(header, file_size);

@@ -12,8 +12,6 @@
 namespace clast::study_detail {
 namespace {
 
-constexpr double kLargestShare = 0.1;  ///< of the terrain that a block may be long
-
 // Quaternions closer than this are one rotation.
 constexpr double kSameRotation = 1e-9;
 

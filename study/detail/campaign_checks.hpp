@@ -7,6 +7,9 @@
 
 namespace clast::study_detail {
 
+/// Of the terrain that a block may be long.
+inline constexpr double kLargestShare = 0.1;
+
 /// "release set cliff, " where there are several, else "".
 std::string set_name(const ReleasePlan& release);
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Parts of a campaign file, read and checked.
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,6 +17,13 @@ inline constexpr std::uint64_t kMostPerSet = 1'000'000;
 /// No rock is faster, m/s and rad/s: more is a slip of units, heights or gravity, and its time step
 /// would be so short that the run never ended.
 inline constexpr double kMostSpeed = 1000.0, kMostSpin = 1e4;
+
+/// Runs what reads a part of a campaign, and says whether that was done.
+using PartReader = std::function<bool(const std::function<void()>&)>;
+
+/// A campaign, read part by part through `read`; a part that needs another is left out where that
+/// one was not read.
+Campaign read_by_parts(const std::filesystem::path& file, const PartReader& read);
 
 /// A file named in the campaign, which must be there. Relative to the campaign file; ${CLAST_DATA}
 /// is replaced.

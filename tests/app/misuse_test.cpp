@@ -31,7 +31,7 @@ class Capture {
 
 void add_commands(CLI::App& app) {
   for (const auto add : {add_reconstruct, add_cut, add_show, add_classify, add_export, add_library,
-                         add_terrain, add_simulate, add_compare}) {
+                         add_terrain, add_new, add_check, add_simulate, add_compare}) {
     add(app);
   }
 }

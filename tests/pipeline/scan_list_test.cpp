@@ -56,6 +56,26 @@ TEST_F(ScanList, SharedStemsTakeTheirFoldersName) {
                        "east_scan"));
 }
 
+// "images" says that there are pictures, not of what.
+TEST_F(ScanList, PhotographsTakeTheNameOfTheBlockTheyAreOf) {
+  const auto photos = [&](const std::string& name) {
+    for (const char* file : {"1.jpg", "2.jpg", "3.jpg"}) write_text_file(folder / name / file, "");
+  };
+  photos("east/B017/images");
+  photos("east/B018/DCIM/raw");
+  photos("east/B019");
+  photos("west/B017/Photos");
+  EXPECT_EQ(ids({"east/B017/images"}), Ids({"B017"}));
+  EXPECT_EQ(ids({"east/B017/images/"}), Ids({"B017"}));
+  EXPECT_EQ(ids({"east/B017"}), Ids({"B017"}));
+  EXPECT_EQ(ids({"east"}), Ids({"B017", "B018", "B019"}));
+  EXPECT_EQ(ids({"east", "west"}), Ids({"east_B017", "B018", "B019", "west_B017"}));
+  const fs::path here = fs::current_path();
+  fs::current_path(folder / "east" / "B017" / "images");
+  EXPECT_EQ(list_scans({"."}).front().id, "B017");
+  fs::current_path(here);
+}
+
 TEST_F(ScanList, OneScanInTwoFormatsIsTwoBlocksWithTheirExtensions) {
   add("east/scan.obj");
   write_text_file(folder / "east" / "scan.off", "OFF\n");

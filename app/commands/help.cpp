@@ -1,0 +1,100 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/manual_page.hpp"
+#include "app/shell_completion.hpp"
+#include "core/listed.hpp"
+#include "core/number_text.hpp"
+#include "core/output_file.hpp"
+#include "core/printable.hpp"
+#include "core/version.hpp"
+
+namespace clast {
+
+namespace {
+
+struct HelpArgs {
+  std::vector<std::string> command;
+  std::string completion;
+  std::string man;
+};
+
+/// The tables of all commands, with those of `reconstruct` from where they are.
+CommandEntry whole_tree(const CLI::App& app, const HelpSource& reconstruct) {
+  CommandEntry root = command_tree(app);
+  for (CommandEntry& part : root.commands) {
+    if (part.name == "reconstruct") part = reconstruct.options();
+  }
+  return root;
+}
+
+const CLI::App& find_command(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = &app;
+  for (const std::string& word : words) {
+    std::vector<std::string> known;
+    const CLI::App* found = nullptr;
+    for (const CLI::App* part : command->get_subcommands({})) {
+      known.push_back(part->get_name());
+      if (part->get_name() == word) found = part;
+    }
+    if (!found) {
+      throw CLI::ValidationError(
+          "\"" + word + "\" is no command" +
+          (known.empty() ? " below " + command->get_name() : "; there are " + listed(known)));
+    }
+    command = found;
+  }
+  return *command;
+}
+
+void write_manual(const CommandEntry& root, const std::filesystem::path& folder) {
+  const std::vector<ManualPage> pages = manual_pages(root, std::string("clast ") + version());
+  for (const ManualPage& page : pages)
+    write_output(folder / page.file, page.text, {.kind = "text"});
+  std::cout << printable(folder.string()) << ": " << counted(pages.size(), "manual page")
+            << " written\n";
+}
+
+void help(const CLI::App& app, const HelpSource& reconstruct, const HelpArgs& args) {
+  if (!args.man.empty()) return write_manual(whole_tree(app, reconstruct), args.man);
+  if (args.completion == "bash") {
+    std::cout << bash_completion(whole_tree(app, reconstruct));
+  } else if (args.completion == "zsh") {
+    std::cout << zsh_completion(whole_tree(app, reconstruct));
+  } else if (!args.command.empty() && args.command.front() == "reconstruct") {
+    reconstruct.show();
+  } else {
+    const CLI::App& command = find_command(app, args.command);
+    std::cout << command.help(args.command.empty() ? "" : command.get_parent()->get_name());
+  }
+}
+
+}  // namespace
+
+void add_help(CLI::App& app, const HelpSource& reconstruct) {
+  const auto args = std::make_shared<HelpArgs>();
+  CLI::App* command =
+      app.add_subcommand("help", "Explain a command; write manual pages and shell completion");
+  CLI::Option* words =
+      command->add_option("command", args->command, "Words of the command")->type_name("COMMAND");
+  CLI::Option* completion = command
+                                ->add_option("--completion", args->completion,
+                                             "Print the script for command completion in a shell")
+                                ->check(CLI::IsMember({"bash", "zsh"}))
+                                ->type_name("SHELL")
+                                ->excludes(words);
+  command->add_option("--man", args->man, "Write the manual pages to this folder")
+      ->type_name("DIR")
+      ->excludes(words)
+      ->excludes(completion);
+  command->footer(
+      "Manual pages and completion are installed with the program.\n"
+      "Examples:\n"
+      "  clast help simulate\n"
+      "  clast help --completion bash > ~/.local/share/bash-completion/completions/clast");
+  command->callback([&app, reconstruct, args] { help(app, reconstruct, *args); });
+}
+
+}  // namespace clast

@@ -1,0 +1,85 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/option_flags.hpp"
+#include "core/number_text.hpp"
+#include "core/output_file.hpp"
+#include "core/printable.hpp"
+#include "core/text_table.hpp"
+#include "study/new_campaign.hpp"
+
+namespace clast {
+
+namespace {
+
+struct NewCampaignArgs {
+  std::string library;
+  std::vector<std::string> terrain;
+  std::string output = "campaign.toml";
+  bool replace = false;
+};
+
+void print_proposal(const CampaignProposal& proposal) {
+  const ProposedPlaces& places = proposal.places;
+  std::cout << counted(proposal.blocks.count, "block") << ", "
+            << counted(places.release_points, "release point") << " on ground of "
+            << with_decimals(places.release_slope * 180.0 / kPi, 0) << " degrees, "
+            << counted(proposal.orientations, "orientation") << ": "
+            << counted(proposal.blocks.count * places.release_points * proposal.orientations, "run")
+            << "\nbarrier \"foot\" " << with_decimals(places.descent, 0) << " m below, "
+            << with_decimals(places.distance, 0) << " m away\n";
+  TextTable ground{{"zone", "taken for", "e_n^2", "mu", "mu_R"}, {}};
+  for (const ProposedGround& zone : proposal.ground) {
+    ground.rows.push_back({zone.zone, zone.type.name + (zone.by_name ? "" : " (a guess)"),
+                           with_digits(zone.type.energy_restitution.value, 3),
+                           with_digits(zone.type.friction.value, 3),
+                           with_digits(zone.type.rolling_friction.value, 3)});
+  }
+  std::cout << ground.text();
+  for (const std::string& doubt : proposal.doubts) {
+    std::cout << "warning: " << shown(doubt) << "\n";
+  }
+}
+
+void write_campaign(const NewCampaignArgs& args) {
+  const CampaignProposal proposal =
+      write_new_campaign(args.library, {args.terrain.begin(), args.terrain.end()}, args.output,
+                         {.kind = "text", .replace = args.replace});
+  print_proposal(proposal);
+  const std::string file = printable(args.output);
+  std::cout << file << ": written. Go through it, then: clast simulate " << file << " --dry-run\n";
+}
+
+}  // namespace
+
+void add_new(CLI::App& app) {
+  const auto args = std::make_shared<NewCampaignArgs>();
+  CLI::App* parent = app.add_subcommand("new", "Write a file to begin with");
+  parent->require_subcommand(1);
+  CLI::App* command = parent->add_subcommand(
+      "campaign", "Write a commented campaign that runs, from a block library and a terrain");
+  command->add_option("--library", args->library, "Block library")->required()->type_name("LIB");
+  command
+      ->add_option("--terrain", args->terrain,
+                   "Terrain file of clast terrain, whose ground zones it takes over; or meshes, a "
+                   "raster or clouds, as one zone")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("-o,--output", args->output, "Campaign file")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command->add_flag("--replace", args->replace, "Replace an existing campaign file");
+  command->footer(
+      "Release points are proposed on steep ground in the upper part of the terrain, a barrier "
+      "across the way\ndown at the foot; ground parameters are usual ones of the kind of ground "
+      "that a zone's name says (rock,\ntalus, scree, soil hard, soil medium, soil soft), else "
+      "those of scree: see docs/parameters.md.\n"
+      "Example:\n"
+      "  clast new campaign --library blocks.h5 --terrain slope.h5 -o campaign.toml");
+  command->callback([args] { write_campaign(*args); });
+}
+
+}  // namespace clast

@@ -1,0 +1,42 @@
+#include "study/campaign_check.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "core/error.hpp"
+#include "study/detail/campaign_reading.hpp"
+#include "study/detail/ground_sets.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+
+CampaignCheck check_campaign(const std::filesystem::path& file) {
+  CampaignCheck check;
+  std::vector<std::string>& findings = check.findings;
+  const PartReader read = [&](const std::function<void()>& part) {
+    try {
+      part();
+      return true;
+    } catch (const Error& error) {
+      if (std::find(findings.begin(), findings.end(), error.what()) == findings.end()) {
+        findings.push_back(error.what());
+      }
+      return false;
+    }
+  };
+  const Campaign campaign = read_by_parts(file, read);
+  if (findings.empty() && read([&] { check.prepared.emplace(prepare_campaign(campaign)); }))
+    return check;
+  // Library and terrain are judged each by itself.
+  if (!campaign.blocks.library.empty()) read([&] { choose_blocks(campaign); });
+  if (!campaign.terrain.surface.empty()) {
+    read([&] {
+      const Terrain terrain = read_terrain(campaign.terrain);
+      if (!campaign.ground.empty()) ground_sets(campaign, terrain.zone_names);
+    });
+  }
+  return check;
+}
+
+}  // namespace clast

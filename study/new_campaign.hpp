@@ -1,0 +1,81 @@
+#pragma once
+/// A campaign to begin with, proposed from a block library and a terrain.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/output_file.hpp"
+#include "library/block_library.hpp"
+#include "study/ground_types.hpp"
+#include "terrain/terrain.hpp"
+
+namespace clast {
+
+/// A place of the plan in map coordinates, and the height of the ground there, m.
+using MapPoint = Vec3;
+
+/// Where to release blocks and where to count them.
+struct ProposedPlaces {
+  /// Ends of a line across the slope: in the upper part of the terrain, on steep ground, with
+  /// `margin` to its border.
+  MapPoint release_from = MapPoint::Zero(), release_to = MapPoint::Zero();
+  std::size_t release_points = 1;  ///< evenly spaced on the line; of one, both ends are the same
+  double release_slope = 0.0;      ///< of the ground there, rad
+  double margin = 0.0;             ///< m
+  /// Ends of a line across the way down, at the foot of the slope or, where it has none, before
+  /// the ground ends; blocks cross it from left to right.
+  MapPoint barrier_from = MapPoint::Zero(), barrier_to = MapPoint::Zero();
+  double descent = 0.0;            ///< from the releases to the barrier, m
+  double distance = 0.0;           ///< the same in the plan, m
+  Vec2 downslope = Vec2::UnitX();  ///< of unit length, from the releases to the barrier
+};
+
+/// What a zone is taken for.
+struct ProposedGround {
+  std::string zone;
+  GroundType type;
+  bool by_name = false;  ///< the zone's name says so; else it is a guess
+};
+
+/// The blocks that can be released on the terrain.
+struct ProposedBlocks {
+  std::vector<std::string> selected;  ///< empty: all of the library
+  std::size_t count = 0;
+  double lightest = 0.0, heaviest = 0.0;  ///< kg
+  std::optional<double> mass;  ///< kg, that all are brought to since they have no size of their own
+  std::vector<std::string> left_out;  ///< "B03 has no size"
+};
+
+struct CampaignProposal {
+  ProposedBlocks blocks;
+  ProposedPlaces places;
+  std::vector<ProposedGround> ground;  ///< of every zone of the terrain
+  std::size_t orientations = 1;        ///< at each release point
+  double drop_height = 1.0;            ///< of the lowest skin point above the ground, m
+  std::vector<std::string> doubts;     ///< what its user must know, in words
+};
+
+/// @param block_length  L of the longest block, m
+/// @throws InputError  no ground is steep enough for blocks to start on, or all of it is too near
+///                     to the border
+ProposedPlaces propose_places(const Terrain& terrain, double block_length);
+
+/// @throws InputError  as `propose_places`; or the library holds no block that fits the terrain
+CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& terrain);
+
+/// The campaign file: every value with a comment, to be read from top to bottom.
+/// @param library, surface  paths as they are to stand in it
+std::string campaign_text(const CampaignProposal& proposal, const std::string& library,
+                          const std::vector<std::string>& surface);
+
+/// Writes a campaign that `simulate` accepts: it is read and prepared before it gets its name.
+/// Paths in it are relative to its folder.
+/// @param surface  as in `TerrainOptions`; zones are those of a terrain file, else there is one
+/// @throws InputError  an input can't be read, or as `propose_campaign` or `OutputFile`
+CampaignProposal write_new_campaign(const std::filesystem::path& library,
+                                    const std::vector<std::filesystem::path>& surface,
+                                    const std::filesystem::path& target,
+                                    const OutputRules& rules = {});
+
+}  // namespace clast
