@@ -12,6 +12,9 @@ extern const std::string_view scans_css;   ///< of pages about scans
 extern const std::string_view blocks_js;   ///< highlights a block in all diagrams
 extern const std::string_view unpack_js;   ///< unpacks what `packed_element` holds
 extern const std::string_view charts_js;   ///< draws what `plotly_figure` holds
+extern const std::string_view map_html;    ///< a map and its controls
+extern const std::string_view map_css;     ///< of maps
+extern const std::string_view map_js;      ///< layers, paths, north arrow and scale bar of maps
 extern const std::string_view scene_html;  ///< the 3-D view and its controls
 extern const std::string_view scene_js;    ///< draws the 3-D view
 
