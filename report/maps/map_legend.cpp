@@ -55,7 +55,8 @@ MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double co
   const std::vector<std::string>& zones = comparison.results.front().terrain.zone_names;
   if (!zones.empty()) legend.head("Ground zones");
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
-    legend.swatch(colour_text(zone_tint(zones[zone], zone)), shortened(zones[zone], kMostCharacters));
+    legend.swatch(colour_text(zone_tint(zones[zone], zone)),
+                  shortened(zones[zone], kMostCharacters));
   }
   return {legend.svg(), legend.bottom()};
 }

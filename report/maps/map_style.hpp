@@ -30,8 +30,9 @@ inline constexpr double kLayerOpacity = 0.85;
 inline constexpr double kPathOpacity = 0.45;
 
 /// The style of each layer. Energies have limits at 1, 3, 10, 30, ... (30 and 300 kJ separate weak,
-/// medium and strong intensity in Swiss hazard maps), counts and shares at 1, 2, 5, 10, ..., heights
-/// and speeds even ones. Layers of one quantity, such as E_mean and E_max, have the same limits.
+/// medium and strong intensity in Swiss hazard maps), counts and shares at 1, 2, 5, 10, ...,
+/// heights and speeds even ones. Layers of one quantity, such as E_mean and E_max, have the same
+/// limits.
 /// @cite jaboyedoff2005
 std::vector<ValueStyle> value_styles(const MapRasters& rasters);
 
@@ -46,6 +47,9 @@ struct MarkShape {
 inline constexpr MarkShape kMeasuredShape = {"cross-thin-open", "cross"};
 inline constexpr const char* kMeasuredColour = "#c0104a";
 inline constexpr const char* kBarrierColour = "#111111";
+
+/// More stops than this are drawn as a density, not one by one.
+inline constexpr std::size_t kMostSingleStops = 5000;
 
 /// How the stops of a block are drawn, or those of a shape class where blocks are many.
 struct StopMark {

@@ -75,10 +75,10 @@ std::string choices(const PageMapContents& contents) {
 
 std::string paths_box(const MapLayers& layers) {
   if (layers.paths == 0) return {};
-  const std::string count = layers.paths == layers.stored_paths
-                                ? std::to_string(layers.paths)
-                                : std::to_string(layers.paths) + " of " +
-                                      std::to_string(layers.stored_paths);
+  const std::string count =
+      layers.paths == layers.stored_paths
+          ? std::to_string(layers.paths)
+          : std::to_string(layers.paths) + " of " + std::to_string(layers.stored_paths);
   return "<label><input type=\"checkbox\" data-map=\"paths\"> paths (" + count + ")</label>\n";
 }
 
@@ -99,15 +99,15 @@ std::string page_map(const Comparison& comparison, const PageMapContents& conten
   const Json figure = {{"data", traces},
                        {"layout", layout_of(comparison, window, contents.height, notes)},
                        {"config", {{"scrollZoom", true}}}};
-  return fill(assets::map_html,
-              {{"id", contents.id},
-               {"choices", options},
-               {"opacity", with_decimals(kLayerOpacity, 2)},
-               {"paths", paths_box(layers)},
-               {"figure", plotly_figure(contents.label, "map",
-                                        figure.dump(-1, ' ', false,
-                                                    Json::error_handler_t::replace))},
-               {"data", packed_element(contents.id, layers.json)}});
+  return fill(
+      assets::map_html,
+      {{"id", contents.id},
+       {"choices", options},
+       {"opacity", with_decimals(kLayerOpacity, 2)},
+       {"paths", paths_box(layers)},
+       {"figure", plotly_figure(contents.label, "map",
+                                figure.dump(-1, ' ', false, Json::error_handler_t::replace))},
+       {"data", packed_element(contents.id, layers.json)}});
 }
 
 }  // namespace clast::report_detail

@@ -11,9 +11,9 @@ namespace clast::report_detail {
 
 /// What is on a map beside barriers, and in what order it can be chosen.
 struct PageMapContents {
-  std::string id;      ///< of its data in the page, letters and "-": one map, one id
-  std::string label;   ///< for those who don't see it
-  bool marks = true;   ///< stops, release points and zones, and paths on request
+  std::string id;     ///< of its data in the page, letters and "-": one map, one id
+  std::string label;  ///< for those who don't see it
+  bool marks = true;  ///< stops, release points and zones, and paths on request
   std::vector<const MapRasters*> rasters = {};
   int height = 640;  ///< px
 };

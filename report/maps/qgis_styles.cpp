@@ -38,8 +38,8 @@ std::string symbol(const std::string& type, std::size_t number, double opacity,
        {"alpha", fixed(opacity, 2)},
        {"clip_to_extent", "1"},
        {"force_rhr", "0"}},
-      element("layer",
-              {{"class", layer_class}, {"enabled", "1"}, {"pass", "0"}, {"locked", "0"}}, props));
+      element("layer", {{"class", layer_class}, {"enabled", "1"}, {"pass", "0"}, {"locked", "0"}},
+              props));
 }
 
 std::string marker(std::size_t number, const MarkShape& shape, const std::string& fill,
@@ -105,8 +105,7 @@ std::string stops_qml(const Comparison& comparison) {
   Categories categories("CASE WHEN \"stop_reason\" = '" + name_of(StopReason::kRest) + "' THEN " +
                         field + " ELSE " + field + " || '" + kNotAtRest + "' END");
   for (const StopMark& mark : stops.marks) {
-    categories.add(mark.key,
-                   marker(categories.next(), mark.shape, mark.colour, "#ffffff", 0.16));
+    categories.add(mark.key, marker(categories.next(), mark.shape, mark.colour, "#ffffff", 0.16));
   }
   for (const StopMark& mark : stops.marks) {
     const std::vector<std::size_t>& rows = comparison.groups[mark.group].rows;
@@ -130,8 +129,8 @@ std::set<std::string> shape_classes(const Comparison& comparison) {
 std::string crossings_qml(const Comparison& comparison) {
   Categories categories("shape");
   for (const std::string& garcia : shape_classes(comparison)) {
-    categories.add(garcia, marker(categories.next(), {"", "triangle"}, class_colour(garcia),
-                                  "#ffffff", 0.16));
+    categories.add(
+        garcia, marker(categories.next(), {"", "triangle"}, class_colour(garcia), "#ffffff", 0.16));
   }
   return qml(categories.renderer());
 }
@@ -161,8 +160,8 @@ std::string barriers_qml() {
                                    halo);
   const std::string above_the_line =
       element("placement", {{"placement", "2"}, {"placementFlags", "10"}, {"dist", "1"}});
-  const std::string labels = element("labeling", {{"type", "simple"}},
-                                     element("settings", {}, text + above_the_line));
+  const std::string labels =
+      element("labeling", {{"type", "simple"}}, element("settings", {}, text + above_the_line));
   return qml(single_symbol(line(0, kBarrierColour, 0.8, 1.0)), labels);
 }
 

@@ -1,5 +1,5 @@
 #include "report/html/html_page.hpp"
-#include "report/maps/detail/map_traces.hpp"
+#include "report/maps/map_style.hpp"
 #include "report/maps/map_window.hpp"
 #include "report/maps/page_map.hpp"
 #include "report/pages/report_groups.hpp"

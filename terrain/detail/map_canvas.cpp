@@ -17,14 +17,10 @@ struct Glyph {
   double advance;
   std::string_view lines;
 };
-constexpr Glyph kGlyphs[] = {{'0', 6, "103041453616050110"},
-                             {'1', 4, "012026"},
-                             {'2', 6, "011030414206 0646"},
-                             {'5', 6, "400003334445361605"},
-                             {'.', 3, "1616"},
-                             {'k', 5, "0006 320436"},
-                             {'m', 6, "0602 03122326 23324346"},
-                             {'N', 6, "06004640"}};
+constexpr Glyph kGlyphs[] = {
+    {'0', 6, "103041453616050110"},     {'1', 4, "012026"},  {'2', 6, "011030414206 0646"},
+    {'5', 6, "400003334445361605"},     {'.', 3, "1616"},    {'k', 5, "0006 320436"},
+    {'m', 6, "0602 03122326 23324346"}, {'N', 6, "06004640"}};
 constexpr double kBlank = 3.0;
 
 const Glyph* glyph_of(char character) {
@@ -51,7 +47,8 @@ std::uint8_t MapCanvas::colour(const Rgb& rgb) {
 }
 
 Vec2 MapCanvas::pixel(const Vec2& place) const {
-  return {(place.x() - window_.low.x()) / cell_ - 0.5, (window_.high.y() - place.y()) / cell_ - 0.5};
+  return {(place.x() - window_.low.x()) / cell_ - 0.5,
+          (window_.high.y() - place.y()) / cell_ - 0.5};
 }
 
 void MapCanvas::stroke(const Vec2& a, const Vec2& b, double radius, std::uint8_t colour) {

@@ -135,11 +135,12 @@ MapLayers map_layers(const Comparison& comparison, const std::vector<const MapRa
     result.paths = std::min(kMostMapPaths, stored.rows.size());
     paths = paths_json(comparison, stored, origin);
   }
-  result.json = Json{{"origin", {origin.x(), origin.y()}},
-                     {"path_opacity", kPathOpacity},
-                     {"layers", layers},
-                     {"paths", paths}}
-                    .dump(-1, ' ', false, Json::error_handler_t::replace);
+  result.json = Json{
+      {"origin", {origin.x(), origin.y()}},
+      {"path_opacity", kPathOpacity},
+      {"layers", layers},
+      {"paths",
+       paths}}.dump(-1, ' ', false, Json::error_handler_t::replace);
   return result;
 }
 

@@ -14,9 +14,9 @@ inline constexpr std::size_t kMostMapCells = 100'000;
 inline constexpr std::size_t kMostMapPaths = 250;
 
 struct MapLayers {
-  std::string json;             ///< {layers, paths}: see map.js
-  std::size_t paths = 0;        ///< drawn
-  std::size_t stored_paths = 0; ///< that could be drawn
+  std::string json;              ///< {layers, paths}: see map.js
+  std::size_t paths = 0;         ///< drawn
+  std::size_t stored_paths = 0;  ///< that could be drawn
 };
 
 /// JSON with `layers`, a list of {name, title, meaning, unit, unit_size, breaks, numbers, colours,

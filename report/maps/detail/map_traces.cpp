@@ -27,8 +27,8 @@ std::string stop_note(const Comparison& comparison, const RunRow& row) {
                  ", point " + std::to_string(row.record->point) + ", orientation " +
                  std::to_string(row.record->orientation)) +
          "<br>" + name_of(result.stop_reason) + " after " + fixed(result.duration, 1) +
-         " s, runout " + fixed(row.runout, 1) + " m, lateral " + fixed(row.lateral * 180.0 / kPi, 1) +
-         " deg<br>z " + fixed(row.stop.z(), 2) + " m";
+         " s, runout " + fixed(row.runout, 1) + " m, lateral " +
+         fixed(row.lateral * 180.0 / kPi, 1) + " deg<br>z " + fixed(row.stop.z(), 2) + " m";
 }
 
 Json points_trace(const std::string& name) {
@@ -195,9 +195,8 @@ void add_zones(const Comparison& comparison, Json& data) {
     Json trace = points_trace("ground: " + zones[zone]);
     trace["x"].push_back(Json());
     trace["y"].push_back(Json());
-    trace["marker"] = {{"symbol", "square"},
-                       {"size", 12},
-                       {"color", colour_text(zone_tint(zones[zone], zone))}};
+    trace["marker"] = {
+        {"symbol", "square"}, {"size", 12}, {"color", colour_text(zone_tint(zones[zone], zone))}};
     data.push_back(std::move(trace));
   }
 }

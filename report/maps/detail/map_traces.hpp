@@ -9,8 +9,6 @@ namespace clast::report_detail {
 
 /// `meta` of the traces that give way to a raster.
 inline constexpr const char* kStopsTrace = "stops";
-/// More stops than this are drawn as a density, not one by one.
-inline constexpr std::size_t kMostSingleStops = 5000;
 
 /// Where runs stop, one by one or as a density, and stops observed in the field.
 void add_stops(const Comparison& comparison, const Window& window, nlohmann::ordered_json& traces);
