@@ -6,7 +6,7 @@ const clastMaps = (() => {
   const numbers = (base64) => new Float32Array(clastBytes(base64).buffer);
 
   // Cells in the colours of their classes; what the pointer shows is the value itself.
-  function rasterTrace(layer, origin, inside) {
+  function rasterTrace(layer, origin, inside, {xaxis, yaxis}) {
     const values = numbers(layer.values), count = layer.breaks.length;
     const classes = [], shown = [];
     for (let first = 0; first < values.length; first += layer.columns) {
@@ -15,8 +15,11 @@ const clastMaps = (() => {
           Math.min(count - 1, layer.breaks.filter((limit) => value > limit).length)));
       shown.push(row.map((value) => isNaN(value) ? null : value / layer.unit_size));
     }
-    const place = inside ? {x: .99, xanchor: 'right', y: .03, yanchor: 'bottom', len: .6} :
-        {x: 1.01, xanchor: 'left', y: .5, yanchor: 'middle', len: .7};
+    const right = xaxis.domain[1], [bottom, top] = yaxis.domain, height = top - bottom;
+    const place = inside ?
+        {x: right - .01, xanchor: 'right', y: bottom + .01, yanchor: 'bottom', len: .7 * height} :
+        {x: right + .01, xanchor: 'left', y: bottom + .5 * height, yanchor: 'middle',
+         len: .7 * height};
     return {
       type: 'heatmap', meta: 'raster', name: layer.title, hoverongaps: false,
       x0: origin[0] + layer.x0, dx: layer.cell, y0: origin[1] + layer.y0, dy: -layer.cell,
@@ -49,13 +52,14 @@ const clastMaps = (() => {
   }
 
   // Scale bar at the lower left, north arrow at the upper right, in pixels of the map.
-  function furniture(pixelsPerMetre, width) {
-    const metres = roundDown(Math.min(130, .35 * width) / pixelsPerMetre);
+  function furniture(pixelsPerMetre, {xaxis, yaxis}) {
+    const [left, right] = xaxis.domain, [bottom, top] = yaxis.domain;
+    const metres = roundDown(Math.min(130, .35 * xaxis._length) / pixelsPerMetre);
     const length = metres * pixelsPerMetre;
     const at = (x, y) => ({xref: 'paper', yref: 'paper', xanchor: x, yanchor: y,
                            xsizemode: 'pixel', ysizemode: 'pixel'});
     const box = (x0, x1, y0, y1, fill, line) =>
-        ({...at(0, 0), type: 'rect', x0, x1, y0, y1, fillcolor: fill, line: {width: line}});
+        ({...at(left, bottom), type: 'rect', x0, x1, y0, y1, fillcolor: fill, line: {width: line}});
     const text = (x, y, words, xshift, yshift, size) =>
         ({xref: 'paper', yref: 'paper', x, y, text: words, showarrow: false, xshift, yshift,
           xanchor: 'center', yanchor: 'middle', font: {size, color: '#111'}, name: 'furniture'});
@@ -64,14 +68,14 @@ const clastMaps = (() => {
       shapes: [
         box(6, length + 22, 6, 38, pale, 0), box(14, 14 + length / 2, 12, 17, '#111', 1),
         box(14 + length / 2, 14 + length, 12, 17, '#fff', 1),
-        {...at(1, 1), type: 'circle', x0: -46, x1: -4, y0: -46, y1: -4, fillcolor: pale,
+        {...at(right, top), type: 'circle', x0: -46, x1: -4, y0: -46, y1: -4, fillcolor: pale,
          line: {width: 0}},
-        {...at(1, 1), type: 'path', path: 'M-25,-7 L-18,-26 L-25,-21 L-32,-26 Z',
+        {...at(right, top), type: 'path', path: 'M-25,-7 L-18,-26 L-25,-21 L-32,-26 Z',
          fillcolor: '#111', line: {width: 0}},
       ],
       annotations: [
-        text(0, 0, metres >= 1000 ? `${metres / 1000} km` : `${metres} m`, 14 + length / 2, 27, 12),
-        text(1, 1, '<b>N</b>', -25, -34, 13),
+        text(left, bottom, metres >= 1000 ? `${metres / 1000} km` : `${metres} m`, 14 + length / 2, 27, 12),
+        text(right, top, '<b>N</b>', -25, -34, 13),
       ],
     };
   }
@@ -81,7 +85,7 @@ const clastMaps = (() => {
     const part = (name) => root.querySelector(`[data-map=${name}]`);
     const marks = box.data, texts = box.layout.annotations || [];
     const layers = {};  // the trace of each that was shown
-    let data, paths, drawnScale = 0;
+    let data, paths, drawn;
 
     const read = async () =>
         data = data || JSON.parse(await clastUnpacked(root.dataset.layers));
@@ -92,10 +96,11 @@ const clastMaps = (() => {
     }
     // Furniture follows the scale; what is as it was is not drawn again.
     function furnish() {
-      const scale = scaled();
-      if (Math.abs(scale / drawnScale - 1) < 1e-3) return;
-      drawnScale = scale;
-      const {shapes, annotations} = furniture(scale, box._fullLayout.xaxis._length);
+      const scale = scaled(), {xaxis, yaxis} = box._fullLayout;
+      const state = [scale.toPrecision(4), xaxis.domain, yaxis.domain].join(' ');
+      if (state === drawn) return;
+      drawn = state;
+      const {shapes, annotations} = furniture(scale, box._fullLayout);
       return Plotly.relayout(box, {shapes, annotations: [...texts, ...annotations]});
     }
     async function draw() {
@@ -103,7 +108,8 @@ const clastMaps = (() => {
       const needed = wanted || name !== 'stops' ? await read() : null;
       const layer = name !== 'stops' && needed.layers.find((one) => one.name === name);
       if (layer && !layers[name]) {
-        layers[name] = rasterTrace(layer, data.origin, box.clientWidth < narrow);
+        layers[name] = rasterTrace(layer, data.origin, box.clientWidth < narrow,
+            box._fullLayout);
       }
       if (wanted) paths = paths || pathTraces(data);
       for (const trace of marks) {

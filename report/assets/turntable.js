@@ -103,7 +103,7 @@ const clastTurntable = (() => {
       }
       const side = [1, 1];
       side.splice(k, 0, 0);
-      const name = label(`${'LIS'[k]} ${lengths[k].toPrecision(3)} ${data.unit}`, .11);
+      const name = label(`${'LIS'[k]} ${lengths[k].toPrecision(3)} ${data.unit}`, .1);
       name.position.copy(at(...side)).multiplyScalar(1.08);
       group.add(name);
     }
@@ -167,8 +167,8 @@ const clastTurntable = (() => {
       if (scene) scene.traverse((part) => part.geometry && part.geometry.dispose());
       scene = new THREE.Scene();
       scene.background = new THREE.Color(0xeef3f7);
-      scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8f96, .8));
-      const lamp = new THREE.DirectionalLight(0xffffff, .45);
+      scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8f96, .62));
+      const lamp = new THREE.DirectionalLight(0xffffff, .38);
       lamp.position.set(-.45, .55, .7);
       camera.add(lamp);
       scene.add(camera);
@@ -187,7 +187,7 @@ const clastTurntable = (() => {
       }
     }
     function placeCamera() {
-      camera.position.set(.55, -1, .55).setLength(3.1);
+      camera.position.set(.55, -1, .55).setLength(3.7);
       controls.target.set(0, 0, 0);
       controls.update();
     }

@@ -27,7 +27,7 @@ struct ValueStyle {
 /// Layers are drawn with this opacity over the relief.
 inline constexpr double kLayerOpacity = 0.85;
 /// Lines of paths.
-inline constexpr double kPathOpacity = 0.45;
+inline constexpr double kPathOpacity = 0.6;
 
 /// The style of each layer. Energies have limits at 1, 3, 10, 30, ... (30 and 300 kJ separate weak,
 /// medium and strong intensity in Swiss hazard maps), counts and shares at 1, 2, 5, 10, ...,

@@ -22,6 +22,8 @@ Json axis(const char* name, double low, double high) {
   const auto on_map = [](double value) { return std::round(100.0 * value) / 100.0; };
   return {{"title", {{"text", name}}},
           {"range", {on_map(low), on_map(high)}},
+          {"ticks", ""},
+          {"constrain", "domain"},  // the frame goes round the window, not farther
           {"exponentformat", "none"},
           {"tickformat", ".12~g"},
           {"gridcolor", "rgba(255,255,255,.45)"},

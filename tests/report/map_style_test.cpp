@@ -95,7 +95,8 @@ TEST(MapStyle, EveryValueHasAClassAndTheOutermostAreNotEmpty) {
       std::set<std::size_t> classes;
       for (const float value : values) classes.insert(class_of(style, value));
       EXPECT_EQ(*classes.rbegin() + 1, style.breaks.size()) << name << " " << largest;
-      if (style.breaks.size() < 8) EXPECT_EQ(*classes.begin(), 0u) << name << " " << largest;
+      if (style.breaks.size() == 8) continue;  // rare small values share the lowest class
+      EXPECT_EQ(*classes.begin(), 0u) << name << " " << largest;
     }
   }
 }
@@ -191,7 +192,7 @@ TEST(QgisStyles, EveryLayerOfTheGeoPackageHasItsDefaultStyle) {
   }
   ASSERT_EQ(styles.size(), 4u) << "stops, crossings, barriers, trajectories";
   const std::vector<std::string> stops = attributes(styles["stops"], "category", "value");
-  EXPECT_EQ(stops, (std::vector<std::string>{"long, &quot;2&quot;", "round&lt;1&gt;"}));
+  EXPECT_EQ(stops, (std::vector<std::string>{"round&lt;1&gt;", "long, &quot;2&quot;"}));
   EXPECT_EQ(attributes(styles["trajectories"], "category", "value"),
             (std::vector<std::string>{"compact", "elongated"}));
   EXPECT_TRUE(contains(styles["barriers"], "fieldName=\"name\""));
