@@ -24,7 +24,7 @@ FolderKind comparison_folder() {
         "ground_sets.csv", "profiles.csv", "measured.csv",  "stops.gpkg",   "differences.csv",
         "provenance.json", "report.html",  "ensemble.csv",  "stays.csv",    "realisations.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
-    if (folder == "rasters") return extension == ".tif";
+    if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
     return kFiles.contains(file.string());
   };
@@ -59,12 +59,13 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("provenance.json", provenance_json(comparison));
   written.push_back(folder / "stops.gpkg");
   write_geopackage(written.back(), comparison);
-  for (const MapRasters& rasters : {path_rasters(comparison), deposits.rasters}) {
+  const MapRasters paths = path_rasters(comparison);
+  for (const MapRasters* rasters : {&paths, &deposits.rasters}) {
     const std::vector<std::filesystem::path> files =
-        write_rasters(folder / "rasters", rasters, comparison.results.front().frame.crs);
+        write_rasters(folder / "rasters", *rasters, comparison.results.front().frame.crs);
     written.insert(written.end(), files.begin(), files.end());
   }
-  write("report.html", comparison_page(comparison, bins, deposits));
+  write("report.html", comparison_page(comparison, bins, paths, deposits));
   return written;
 }
 

@@ -13,7 +13,7 @@ clast() {
 
 mkdir -p out
 clast reconstruct samples/blocks/B*.ply -o out/blocks.h5 --replace
-clast show out/blocks.h5
+clast show out/blocks.h5 --report out/gallery --replace
 clast classify samples/talus.csv --against out/blocks.h5 -o out/classes --replace
 # A demo that was interrupted left runs behind, which simulate keeps until it is told what to do.
 rm -f out/results.h5.part* out/mass.h5.part*
@@ -22,5 +22,5 @@ clast compare out/results.h5 -o out/report --replace
 clast simulate samples/mass.toml -o out/mass.h5 --replace
 clast compare out/mass.h5 -o out/mass --replace
 
-printf '\nThe reports on single blocks and on a rock mass, to open in a browser:\n%s\n%s\n' \
-  "$PWD/out/report/report.html" "$PWD/out/mass/report.html"
+printf '\nThe reports on single blocks and on a rock mass, and the blocks, to open in a browser:\n%s\n%s\n%s\n' \
+  "$PWD/out/report/report.html" "$PWD/out/mass/report.html" "$PWD/out/gallery/gallery.html"

@@ -6,62 +6,19 @@
 #include "core/error.hpp"
 #include "core/nice_number.hpp"
 #include "core/number_text.hpp"
+#include "terrain/detail/map_canvas.hpp"
 #include "terrain/detail/map_lines.hpp"
 #include "terrain/detail/raw_surface.hpp"
 #include "terrain/relief.hpp"
 
 namespace clast {
+
+using namespace terrain_detail;
 namespace {
 
-constexpr Rgb kRelease = {200, 20, 20}, kHalo = {255, 255, 255}, kBarrier = {20, 20, 20};
+constexpr Rgb kInk = {17, 17, 17}, kHalo = {255, 255, 255};
 constexpr double kContours = 20.0;  // about so many over the whole relief
 constexpr double kMargin = 0.02;    // of the longer side
-
-/// Draws on a picture of a window of the plan.
-class Canvas {
- public:
-  Canvas(Picture& picture, const Window& window, double cell)
-      : picture_(picture), window_(window), cell_(cell) {}
-
-  std::uint8_t colour(const Rgb& rgb) {
-    picture_.palette.push_back(rgb);
-    return static_cast<std::uint8_t>(picture_.palette.size() - 1);
-  }
-
-  /// All pixels whose centre is within `radius` pixels of the segment.
-  void stroke(const Vec2& from, const Vec2& to, double radius, std::uint8_t colour) {
-    const Vec2 a = pixel(from), b = pixel(to);
-    const auto clamped = [](double value, std::uint32_t count) {
-      return static_cast<long>(std::clamp(value, -1.0, static_cast<double>(count)));
-    };
-    const long first = clamped(std::min(a.x(), b.x()) - radius, picture_.width);
-    const long last = clamped(std::max(a.x(), b.x()) + radius, picture_.width);
-    const long top = clamped(std::min(a.y(), b.y()) - radius, picture_.height);
-    const long bottom = clamped(std::max(a.y(), b.y()) + radius, picture_.height);
-    const double length = (b - a).squaredNorm();
-    for (long row = std::max(top, 0L); row <= bottom && row < picture_.height; ++row) {
-      for (long column = std::max(first, 0L); column <= last && column < picture_.width; ++column) {
-        const Vec2 at(static_cast<double>(column), static_cast<double>(row));
-        const double share =
-            length > 0.0 ? std::clamp((at - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
-        if ((a + share * (b - a) - at).norm() > radius) continue;
-        picture_.pixels[static_cast<std::size_t>(row) * picture_.width +
-                        static_cast<std::size_t>(column)] = colour;
-      }
-    }
-  }
-
- private:
-  /// In pixels from the centre of the first.
-  Vec2 pixel(const Vec2& place) const {
-    return {(place.x() - window_.low.x()) / cell_ - 0.5,
-            (window_.high.y() - place.y()) / cell_ - 0.5};
-  }
-
-  Picture& picture_;
-  Window window_;
-  double cell_;
-};
 
 void check_near(const Vec2& mark, const Window& ground, const std::string& what) {
   const double reach = ground.size().maxCoeff();
@@ -102,21 +59,23 @@ void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
   const Relief relief = sampled(terrain, {window.low - origin, window.high - origin}, columns);
   Picture picture = relief_picture(relief, terrain.zone_names, terrain.frame.origin.z(),
                                    round_up_to_nice((high.z() - low.z()) / kContours));
-  Canvas canvas(picture, window, relief.cell);
-  const std::uint8_t halo = canvas.colour(kHalo), barrier = canvas.colour(kBarrier);
-  const std::uint8_t release = canvas.colour(kRelease);
+  MapCanvas canvas(picture, window, relief.cell);
+  const std::uint8_t halo = canvas.colour(kHalo), ink = canvas.colour(kInk);
   const double stroke = std::max(1.0, pixels / 800.0);
-  for (const auto& [radius, colour] : {std::pair(1.8 * stroke, halo), {stroke, barrier}}) {
+  for (const auto& [radius, colour] : {std::pair(1.8 * stroke, halo), {stroke, ink}}) {
     for (const std::vector<Vec2>& line : marks.barriers) {
       for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-        canvas.stroke(line[k], line[k + 1], radius, colour);
+        canvas.stroke(canvas.pixel(line[k]), canvas.pixel(line[k + 1]), radius, colour);
+      }
+    }
+    for (const Vec2& place : marks.releases) {
+      const Vec2 middle = canvas.pixel(place);
+      for (const Vec2& arm : {Vec2(5.0, 5.0), Vec2(5.0, -5.0)}) {
+        canvas.stroke(middle - stroke * arm, middle + stroke * arm, radius, colour);
       }
     }
   }
-  for (const Vec2& place : marks.releases) {
-    canvas.stroke(place, place, 4.0 * stroke, halo);
-    canvas.stroke(place, place, 3.0 * stroke, release);
-  }
+  draw_map_furniture(canvas, picture, relief.cell, stroke, ink, halo);
   write_output(path, palette_png(picture.width, picture.height, picture.pixels, picture.palette),
                rules);
 }

@@ -10,12 +10,13 @@ namespace clast {
 
 /// What is drawn over the ground; places on the map, m.
 struct MapMarks {
-  std::vector<Vec2> releases;               ///< red dots
+  std::vector<Vec2> releases;               ///< black crosses
   std::vector<std::vector<Vec2>> barriers;  ///< black lines from corner to corner
 };
 
 /// Writes a PNG: relief lit from the north-west with contour lines, zones tinted (`zone_tint`),
-/// north up, the longer side `pixels` long, with all marks inside the picture.
+/// north up, the longer side `pixels` long, with all marks inside the picture, a scale bar and an
+/// arrow to the north.
 /// @throws InputError  a mark farther off the ground than the ground is large, or as `OutputFile`
 void write_hillshade(const std::filesystem::path& path, const Terrain& terrain,
                      const MapMarks& marks, const OutputRules& rules = {},

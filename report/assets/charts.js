@@ -15,6 +15,7 @@ const clastCharts = (() => {
     drawn.add(box);
     const figure = JSON.parse(box.nextElementSibling.textContent);
     await Plotly.newPlot(box, figure.data, figure.layout, {...settings, ...figure.config});
+    box.dispatchEvent(new CustomEvent('drawn', {bubbles: true}));
   }
   async function draw(box) {
     try {

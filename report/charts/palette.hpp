@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "core/png.hpp"
+
 namespace clast::report_detail {
 
 /// Strong colours of Okabe & Ito for data, without yellow, which vanishes on white.
@@ -16,6 +18,14 @@ inline constexpr std::array<const char*, 4> kDashes = {"", "6 3", "2 2", "8 3 2 
 inline std::string data_colour(std::size_t n) { return kDataColours[n % kDataColours.size()]; }
 inline std::string data_dash(std::size_t n) {
   return kDashes[n / kDataColours.size() % kDashes.size()];
+}
+
+/// "#0072b2", as HTML, plotly.js and QGIS read it.
+inline std::string colour_text(const Rgb& colour) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t part : colour) text += {kDigits[part >> 4], kDigits[part & 15]};
+  return text;
 }
 
 /// Compact and elongated keep their colours in every report.

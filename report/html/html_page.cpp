@@ -92,8 +92,7 @@ HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
   constexpr std::size_t kLongText = 24;  // broken anywhere from here on, if there is no room
   rows_ += "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const bool is_text = i<text_columns_, is_long = cells[i].size()> kLongText;
-    add_cell(is_text, is_long, escaped(cells[i]));
+    add_cell(i, cells[i].size() > kLongText, escaped(cells[i]));
   }
   rows_ += "</tr>\n";
   return *this;
@@ -101,20 +100,33 @@ HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
 
 HtmlTable& HtmlTable::html_row(const std::vector<std::string>& cells) {
   rows_ += "<tr>";
-  for (std::size_t i = 0; i < cells.size(); ++i) add_cell(i < text_columns_, false, cells[i]);
+  for (std::size_t i = 0; i < cells.size(); ++i) add_cell(i, false, cells[i]);
   rows_ += "</tr>\n";
   return *this;
 }
 
-void HtmlTable::add_cell(bool text, bool long_text, const std::string& html) {
-  rows_ += !text ? "<td>" : long_text ? "<td class=\"t wrap\">" : "<td class=\"t\">";
-  rows_ += html + "</td>";
+HtmlTable& HtmlTable::as_cards() {
+  cards_ = true;
+  return *this;
+}
+
+void HtmlTable::add_cell(std::size_t column, bool long_text, const std::string& html) {
+  const bool text = column < text_columns_;
+  rows_ += "<td";
+  if (text) rows_ += long_text ? " class=\"t wrap\"" : " class=\"t\"";
+  if (cards_) rows_ += " data-head=\"" + escaped(heads_[column]) + "\"";
+  rows_ += ">" + html + "</td>";
 }
 
 std::string HtmlTable::html() const {
   constexpr std::size_t kWide = 10;  // columns from which a table is set closer
   std::string html = "<div class=\"scroll\"><table";
-  html += heads_.size() >= kWide ? " class=\"wide\"><thead><tr>" : "><thead><tr>";
+  if (cards_) {
+    html += " class=\"cards\"";
+  } else if (heads_.size() >= kWide) {
+    html += " class=\"wide\"";
+  }
+  html += "><thead><tr>";
   for (std::size_t i = 0; i < heads_.size(); ++i) {
     html += i < text_columns_ ? "<th class=\"t\">" : "<th>";
     html += escaped(heads_[i]) + "</th>";

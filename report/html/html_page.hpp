@@ -33,13 +33,17 @@ class HtmlTable {
 
   HtmlTable& row(std::vector<std::string> cells);              ///< plain text, escaped here
   HtmlTable& html_row(const std::vector<std::string>& cells);  ///< HTML, as it is
+  /// Cells carry the heads of their columns, with which scans.css makes a card of each row on
+  /// narrow pages. Before the first row.
+  HtmlTable& as_cards();
   std::string html() const;
 
  private:
-  void add_cell(bool text, bool long_text, const std::string& html);
+  void add_cell(std::size_t column, bool long_text, const std::string& html);
 
   std::vector<std::string> heads_;
   std::size_t text_columns_;
+  bool cards_ = false;
   std::string rows_;
 };
 

@@ -6,7 +6,9 @@
 namespace clast::report_detail {
 
 std::string report_page(std::string_view title, std::string_view body) {
-  return page(title, body, {.style = assets::report_css, .script = assets::blocks_js});
+  const std::string style = std::string(assets::report_css) + std::string(assets::map_css);
+  const std::string script = std::string(assets::blocks_js) + std::string(assets::map_js);
+  return page(title, body, {.style = style, .script = script});
 }
 
 }  // namespace clast::report_detail

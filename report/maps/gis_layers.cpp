@@ -9,6 +9,8 @@
 #include "core/output_file.hpp"
 #include "core/version.hpp"
 #include "report/maps/detail/gdal_output.hpp"
+#include "report/maps/detail/style_table.hpp"
+#include "report/maps/qgis_styles.hpp"
 #include "report/tables/comparison_columns.hpp"
 #include "study/path_samples.hpp"
 
@@ -214,6 +216,7 @@ void write_geopackage(const std::filesystem::path& path, const Comparison& compa
                           {"lateral_deg", OFTReal}}),
                    *comparison.measured);
   }
+  add_style_table(*dataset, path, vector_styles(comparison));
   check_written(dataset->CommitTransaction() == OGRERR_NONE, path, "a GeoPackage");
   dataset->SetMetadataItem("PROGRAM", (std::string("clast ") + version()).c_str());
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {

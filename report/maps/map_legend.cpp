@@ -1,5 +1,6 @@
 #include "report/maps/map_legend.hpp"
 
+#include "report/charts/palette.hpp"
 #include "report/html/html_page.hpp"
 
 namespace clast::report_detail {
@@ -37,11 +38,6 @@ class Legend {
   std::string svg_;
 };
 
-std::string rgb_text(const Rgb& colour) {
-  return "rgb(" + std::to_string(colour[0]) + "," + std::to_string(colour[1]) + "," +
-         std::to_string(colour[2]) + ")";
-}
-
 }  // namespace
 
 MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double contour_interval) {
@@ -59,7 +55,8 @@ MapLegend map_legend(const Comparison& comparison, const Sheet& sheet, double co
   const std::vector<std::string>& zones = comparison.results.front().terrain.zone_names;
   if (!zones.empty()) legend.head("Ground zones");
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
-    legend.swatch(rgb_text(zone_tint(zones[zone], zone)), shortened(zones[zone], kMostCharacters));
+    legend.swatch(colour_text(zone_tint(zones[zone], zone)),
+                  shortened(zones[zone], kMostCharacters));
   }
   return {legend.svg(), legend.bottom()};
 }

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "core/output_file.hpp"
+#include "core/text_file.hpp"
 #include "core/version.hpp"
 #include "report/maps/detail/gdal_output.hpp"
+#include "report/maps/qgis_styles.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -54,10 +56,14 @@ std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& fo
   CPLErrorReset();
   GDALAllRegister();
   const OGRSpatialReference crs = reference_of(crs_name);
+  const std::vector<ValueStyle> styles = value_styles(rasters);
   std::vector<std::filesystem::path> written;
-  for (const RasterLayer& layer : rasters.layers) {
+  for (std::size_t i = 0; i < rasters.layers.size(); ++i) {
+    const RasterLayer& layer = rasters.layers[i];
     written.push_back(folder / (layer.name + ".tif"));
     write_layer(written.back(), rasters, layer, crs);
+    written.push_back(folder / (layer.name + ".qml"));
+    write_text_file(written.back(), raster_qml(styles[i]));
   }
   return written;
 }

@@ -10,7 +10,7 @@
 namespace clast::report_detail {
 
 std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins,
-                            const RealisationDeposits& deposits) {
+                            const MapRasters& paths, const RealisationDeposits& deposits) {
   std::string title = "Rockfall report";
   const std::string file = comparison.results.front().file.stem().string();
   if (!file.empty()) title += ": " + file;
@@ -18,7 +18,8 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
   return report_page(title, script_element(assets::unpack_js) + head_section(comparison) +
-                                class_section(comparison) + map_section(comparison) +
+                                class_section(comparison) +
+                                map_section(comparison, paths, deposits.rasters) +
                                 scene_section(comparison) + deposit_section(comparison, deposits) +
                                 runout_section(comparison) + stay_section(comparison) +
                                 slope_section(comparison, bins) + differences_section(comparison) +

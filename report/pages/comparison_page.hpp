@@ -2,14 +2,16 @@
 /// The comparison as one self-contained HTML page: no script or picture from elsewhere.
 #include <string>
 
+#include "study/map_rasters.hpp"
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
 
 namespace clast::report_detail {
 
 /// @param bins      `profiles` of the comparison
+/// @param paths     `path_rasters` of it
 /// @param deposits  `realisation_deposits` of it
 std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins,
-                            const RealisationDeposits& deposits);
+                            const MapRasters& paths, const RealisationDeposits& deposits);
 
 }  // namespace clast::report_detail

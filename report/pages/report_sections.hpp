@@ -12,7 +12,7 @@ namespace clast::report_detail {
 std::string head_section(const Comparison& comparison);
 /// Classes side by side: the figures the study is about.
 std::string class_section(const Comparison& comparison);
-/// The first layer of the rasters of deposits over the relief; empty without layers.
+/// The rasters of deposits over the relief; empty without layers.
 std::string deposit_map(const Comparison& comparison, const MapRasters& rasters);
 /// Where the blocks of a realisation lie as a whole: how far the mass of them came, how large and
 /// thick the deposit is; empty where no block stayed.
@@ -22,9 +22,9 @@ std::string deposit_section(const Comparison& comparison, const RealisationDepos
 std::string stay_section(const Comparison& comparison);
 /// A row per block (and file) with its shape, its runs and how they ended.
 std::string block_section(const Comparison& comparison);
-/// More stops than this are drawn as a density on the map, not one by one.
-inline constexpr std::size_t kMostSingleStops = 5000;
-std::string map_section(const Comparison& comparison);
+/// Stops, and the rasters of paths and deposits, one at a time over the relief.
+std::string map_section(const Comparison& comparison, const MapRasters& paths,
+                        const MapRasters& deposits);
 /// Distributions of runout and lateral angle.
 std::string runout_section(const Comparison& comparison);
 /// Energy and passing heights against distance, and the ground under the mean path.

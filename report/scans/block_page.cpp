@@ -5,6 +5,7 @@
 #include "core/version.hpp"
 #include "library/unscaled.hpp"
 #include "library/unseen_range.hpp"
+#include "report/blocks/turntable.hpp"
 #include "report/html/html_page.hpp"
 #include "report/scans/repair_sections.hpp"
 #include "report/scans/scan_page.hpp"
@@ -162,7 +163,7 @@ std::string block_page(const Block& block, const PagedScan& scan) {
         "Unscaled",
         {unscaled_reason() + ". u is a unit of that model; where notes say m they mean it too"});
   }
-  body += facts(block, scan.scale) + notes(block);
+  body += facts(block, scan.scale) + notes(block) + turntable_section(block);
   const std::string unit = is_unscaled(block) ? "u" : "m";
   if (scan.found != nullptr) {
     const RepairReport& report = scan.found->scan.report;

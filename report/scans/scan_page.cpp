@@ -6,7 +6,8 @@
 namespace clast::report_detail {
 
 std::string scan_page(std::string_view title, std::string_view body) {
-  return page(title, body, {.style = assets::scans_css});
+  const std::string style = std::string(assets::scans_css) + std::string(assets::turntable_css);
+  return page(title, body, {.style = style});
 }
 
 }  // namespace clast::report_detail

@@ -11,6 +11,8 @@
 #include "mesh/half_edges.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "mesh/weld.hpp"
+#include "report/blocks/block_pictures.hpp"
+#include "report/charts/palette.hpp"
 #include "report/html/html_page.hpp"
 
 namespace clast::report_detail {
@@ -18,7 +20,6 @@ namespace clast::report_detail {
 namespace {
 
 constexpr std::uint32_t kWidth = 480, kHeight = 400;  ///< of one view, px
-constexpr std::uint32_t kSmallWidth = 120, kSmallHeight = 96;
 /// A block in a scan that is this many times larger is shown by itself too.
 constexpr double kMuchLarger = 1.4;
 /// Surface farther than this from the scan, as a share of the block's diagonal, is new.
@@ -27,7 +28,7 @@ constexpr double kNew = 0.004;
 constexpr double kStrays = 0.005;
 constexpr double kLongestBar = 0.4;  ///< of a view's width
 
-constexpr Rgb kRock{214, 205, 190}, kInside{126, 142, 168}, kFilled{232, 142, 40};
+constexpr Rgb kInside{126, 142, 168}, kFilled{232, 142, 40};
 constexpr Rgb kBorder{200, 20, 40}, kPoints{120, 108, 92};
 
 struct Side {
@@ -36,7 +37,7 @@ struct Side {
 };
 
 const std::array<Side, 3>& sides() {
-  static const std::array<Side, 3> all = {{{"from the front (-y), above", {0.55, -1.0, 0.55}},
+  static const std::array<Side, 3> all = {{{"from the front (-y), above", front_above()},
                                            {"from behind (+y), above", {-0.55, 1.0, 0.55}},
                                            {"from below", {0.45, -0.8, -1.1}}}};
   return all;
@@ -183,31 +184,15 @@ class Invented {
   std::vector<signed char> answers_;  ///< -1: not asked yet
 };
 
-/// Blue inside, pale where it is on the scan, red outside (RdBu of ColorBrewer).
-Rgb deviation_colour(double share) {
-  constexpr std::array<Rgb, 5> kScale = {
-      {{33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}}};
-  const double place = (std::clamp(share, -1.0, 1.0) + 1.0) * 0.5 * (kScale.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), kScale.size() - 2);
-  const double rest = place - static_cast<double>(below);
-  Rgb colour{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    colour[k] = static_cast<std::uint8_t>((1.0 - rest) * kScale[below][k] +
-                                          rest * kScale[below + 1][k] + 0.5);
-  }
-  return colour;
-}
-
 std::string colour_bar(double reach, bool metric) {
   constexpr int kPieces = 64;
   constexpr double kLeft = 40.0, kLength = 360.0, kThick = 14.0;
   std::string svg = svg_open(440, 44, "colours of distances");
   for (int i = 0; i < kPieces; ++i) {
-    const Rgb c = deviation_colour(2.0 * (i + 0.5) / kPieces - 1.0);
+    const std::string colour = colour_text(deviation_colour(2.0 * (i + 0.5) / kPieces - 1.0));
     svg += "<rect x=\"" + fixed(kLeft + i * kLength / kPieces, 2) + "\" y=\"2\" width=\"" +
-           fixed(kLength / kPieces + 0.3, 2) + "\" height=\"" + fixed(kThick, 0) +
-           "\" fill=\"rgb(" + std::to_string(c[0]) + "," + std::to_string(c[1]) + "," +
-           std::to_string(c[2]) + ")\"/>";
+           fixed(kLength / kPieces + 0.3, 2) + "\" height=\"" + fixed(kThick, 0) + "\" fill=\"" +
+           colour + "\"/>";
   }
   for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
     const double x = kLeft + 0.5 * (share + 1.0) * kLength;
@@ -304,16 +289,6 @@ std::string painted_views(const TriangleMesh& mesh, const std::function<Rgb(std:
             mesh, [&](std::uint32_t t, const Vec3&, bool) { return colour(t); }, 0.7);
       },
       caption, metric);
-}
-
-std::string thumbnail(const TriangleMesh& mesh, const std::string& name) {
-  std::array<Camera, 1> camera = {camera_toward(sides()[0].toward)};
-  frame(camera, mesh.vertices, kSmallWidth, kSmallHeight);
-  Canvas canvas(camera[0]);
-  canvas.draw(mesh, [](std::uint32_t, const Vec3&, bool) { return kRock; });
-  return "<img width=\"" + std::to_string(kSmallWidth) + "\" height=\"" +
-         std::to_string(kSmallHeight) + "\" alt=\"" + escaped(name) + "\" src=\"" +
-         png_link(rgb_png(kSmallWidth, kSmallHeight, canvas.picture())) + "\"/>";
 }
 
 }  // namespace clast::report_detail

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reconstruct/field_scan.hpp"
-#include "report/scans/mesh_picture.hpp"
+#include "report/blocks/mesh_picture.hpp"
 
 namespace clast::report_detail {
 
@@ -35,8 +35,5 @@ std::string deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, do
 /// @param colour  of a triangle, by its number
 std::string painted_views(const TriangleMesh& mesh, const std::function<Rgb(std::uint32_t)>& colour,
                           const std::string& caption, bool metric = true);
-
-/// A small picture of a surface as an <img>.
-std::string thumbnail(const TriangleMesh& mesh, const std::string& name);
 
 }  // namespace clast::report_detail

@@ -11,9 +11,9 @@
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "library/unscaled.hpp"
+#include "report/blocks/block_pictures.hpp"
 #include "report/html/html_page.hpp"
 #include "report/scans/scan_page.hpp"
-#include "report/scans/scan_pictures.hpp"
 
 namespace clast {
 
@@ -37,8 +37,8 @@ struct ScanReport::Impl {
   fs::path folder;
   bool replace;  ///< pages of an earlier batch
   OutputRules summary_rules, index_rules;
-  HtmlTable blocks = {{"block", "picture", "scan", "L m", "I m", "S m", "volume m3", "volume from",
-                       "volume to", "filled in %", "mass kg", "s_c", "off scan, % of L", "notes"},
+  HtmlTable blocks = {{"block and its scan", "picture", "class", "mass kg", "L m", "I m", "S m",
+                       "s_c", "volume m3", "filled in %", "off scan, % of L", "notes"},
                       3};
   HtmlTable failures = {{"scan", "why there is no block"}, 2};
   CsvText csv = {};
@@ -47,6 +47,7 @@ struct ScanReport::Impl {
 
 ScanReport::ScanReport(fs::path folder, bool replace)
     : impl_(std::make_unique<Impl>(Impl{std::move(folder), replace, {}, {}})) {
+  impl_->blocks.as_cards();
   const fs::path summary = impl_->folder / "summary.csv";
   std::error_code code;
   if (fs::is_regular_file(summary, code) && !read_text_file(summary).starts_with(kSummary)) {
@@ -91,19 +92,20 @@ void ScanReport::Impl::add_page_row(const Block& block) {
     name = "<a href=\"" + link_to("blocks/" + block.id + ".html") + "\">" + name + "</a>";
   }
   const auto cubed = [&](double volume) { return significant(volume, 4) + (metric ? "" : " u3"); };
-  std::string from, to;
+  std::string volume = cubed(block.mass.volume);
   if (unseen) {
-    from = cubed(unseen->lower_volume);
-    to = unseen->upper_volume ? cubed(*unseen->upper_volume) : "not known";
+    volume += "<div class=\"range\">" + cubed(unseen->lower_volume) + " to " +
+              (unseen->upper_volume ? cubed(*unseen->upper_volume) : "not known") + "</div>";
   }
-  blocks.html_row(
-      {name, thumbnail(block.surface, block.id), escaped(block.source.file),
-       significant(axes.L, 3) + u, significant(axes.I, 3) + u, significant(axes.S, 3) + u,
-       significant(block.mass.volume, 4) + (metric ? "" : " u3"), from, to,
-       unseen ? fixed(100.0 * unseen->invented_share, 1) : "",
-       metric ? significant(block.mass.mass, 4) : "-", significant(elongation_s_c(axes), 3),
-       fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
-       std::to_string(block.warnings.size())});
+  blocks.html_row({name + "<div class=\"file\">" + escaped(block.source.file) + "</div>",
+                   thumbnail(block.surface, block.id),
+                   escaped(garcia_class(axes) + ", " + sneed_folk_class(axes)),
+                   metric ? significant(block.mass.mass, 4) : "-", significant(axes.L, 3) + u,
+                   significant(axes.I, 3) + u, significant(axes.S, 3) + u,
+                   significant(elongation_s_c(axes), 3), volume,
+                   unseen ? fixed(100.0 * unseen->invented_share, 1) : "",
+                   fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
+                   std::to_string(block.warnings.size())});
 }
 
 void ScanReport::Impl::add_csv_row(const Block& block, const std::string& outcome) {
@@ -160,7 +162,7 @@ void ScanReport::finish() {
   if (impl_->made + impl_->earlier > 0) {
     body += section("Blocks",
                     paragraph("A click on a column's head sorts by it. L, I, S are the "
-                              "sides of the smallest box; volumes from and to are the "
+                              "sides of the smallest box; a second line of volumes has the "
                               "bounds of a block whose underside was not seen. Lengths marked "
                               "u are in units of an unscaled model.") +
                         impl_->blocks.html());

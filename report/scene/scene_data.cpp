@@ -1,18 +1,15 @@
 #include "report/scene/scene_data.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/png.hpp"
 #include "report/charts/palette.hpp"
+#include "report/html/packed_numbers.hpp"
+#include "report/scene/stored_runs.hpp"
 #include "terrain/relief.hpp"
 
 namespace clast::report_detail {
@@ -23,15 +20,8 @@ using Json = nlohmann::ordered_json;
 /// A radius of less than this share of the longest axis is not drawn: nobody would see it.
 constexpr double kSeenRadius = 0.03;
 
-static_assert(std::endian::native == std::endian::little, "browsers read little-endian arrays");
-
 /// To 2^-14, which is 0.06 mm: bits that nobody sees would be most of what a page can't deflate.
 double seen(double value) { return std::round(value * 16384.0) / 16384.0; }
-
-template <class T>
-std::string packed(std::span<const T> values) {
-  return base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
-}
 
 void append(std::vector<float>& flat, const Vec3& v) {
   for (int axis = 0; axis < 3; ++axis) flat.push_back(static_cast<float>(v[axis]));
@@ -99,16 +89,6 @@ Json terrain_json(const Terrain& terrain, const Vec3& shift, const SceneLimits& 
   return json;
 }
 
-std::string colour_text(const Rgb& rgb) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t part : rgb) {
-    text += kDigits[part >> 4];
-    text += kDigits[part & 15];
-  }
-  return text;
-}
-
 TriangleMesh drawn_body(const CampaignResults& results, const BlockSummary& block) {
   const SpheroPolyhedron body = scaled(results.shapes[block.shape], block.scale);
   if (body.faces.empty()) return skin_mesh(body);  // a ball or a capsule
@@ -133,38 +113,6 @@ Bodies bodies_of(const Comparison& comparison) {
     }
   }
   return bodies;
-}
-
-/// Rows whose motion is stored, with their frames counted by the duration.
-struct Drawable {
-  std::vector<std::size_t> rows;
-  std::size_t frames = 0;
-};
-
-/// One for each file; none where it is gone.
-using Readers = std::vector<std::optional<TrajectoryFile>>;
-
-Readers readers_of(const Comparison& comparison) {
-  Readers readers;
-  for (const CampaignResults& results : comparison.results) {
-    std::error_code code;
-    readers.emplace_back();
-    if (std::filesystem::exists(results.file, code)) readers.back().emplace(results.file);
-  }
-  return readers;
-}
-
-Drawable drawable(const Comparison& comparison, const Readers& readers) {
-  Drawable result;
-  for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
-    const RunRow& row = comparison.rows[i];
-    if (!readers[row.file]) continue;
-    const std::size_t frames = readers[row.file]->frames(row.record->run);
-    if (frames == 0) continue;
-    result.rows.push_back(i);
-    result.frames += frames;
-  }
-  return result;
 }
 
 std::string run_name(const Comparison& comparison, const RunRow& row) {
@@ -239,8 +187,7 @@ SceneData scene_data(const Comparison& comparison, const SceneLimits& limits) {
   limits.check();
   const Vec3 origin = scene_origin(comparison);
   const CampaignResults& first = comparison.results.front();
-  const Readers readers = readers_of(comparison);
-  const Drawable all = drawable(comparison, readers);
+  const StoredRuns all = stored_runs(comparison);
   SceneData scene;
   scene.runs = all.rows.size();
   if (all.rows.empty()) return scene;

@@ -2,11 +2,11 @@
 
 #include <set>
 
-#include "core/text_file.hpp"
 #include "report/charts/palette.hpp"
 #include "report/html/assets.hpp"
 #include "report/html/html_page.hpp"
 #include "report/html/page_script.hpp"
+#include "report/scene/three_library.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -26,20 +26,9 @@ std::string scene_view(const Comparison& comparison) {
 
 }  // namespace
 
-std::filesystem::path three_folder() { return installed_folder("CLAST_THREE", CLAST_THREE_FOLDER); }
-
 std::string scene_section(const Comparison& comparison, const SceneLimits& limits) {
   const std::string title = "In space";
-  const std::filesystem::path core = three_folder() / "three.min.js",
-                              orbit = three_folder() / "examples/js/controls/OrbitControls.js";
-  std::error_code code;
-  if (!std::filesystem::exists(core, code) || !std::filesystem::exists(orbit, code)) {
-    return section(
-        title,
-        paragraph("The 3-D view was left out: three.js is not in " + three_folder().string() +
-                  ". Install it (on Debian: apt install libjs-three), or name its "
-                  "folder in CLAST_THREE, and compare again."));
-  }
+  if (!three_is_installed()) return section(title, paragraph(no_three_text("compare again")));
   const SceneData data = scene_data(comparison, limits);
   if (data.runs_drawn == 0) {
     return section(title, paragraph("The results hold no trajectories: set [run] "
@@ -57,8 +46,7 @@ std::string scene_section(const Comparison& comparison, const SceneLimits& limit
                        "move. " +
                        drawn + " Between stored states positions are interpolated.") +
                  scene_view(comparison) + packed_element("scene-data", data.json)) +
-         packed_element("three-code", read_text_file(core)) +
-         packed_element("orbit-code", read_text_file(orbit)) + script_element(assets::scene_js);
+         three_scripts() + script_element(assets::scene_js);
 }
 
 }  // namespace clast::report_detail

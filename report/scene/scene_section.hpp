@@ -1,16 +1,11 @@
 #pragma once
 /// The 3-D view of a report: terrain, blocks in their real shapes, and their paths over time.
-#include <filesystem>
 #include <string>
 
 #include "report/scene/scene_data.hpp"
 #include "study/comparison.hpp"
 
 namespace clast::report_detail {
-
-/// Where the parts of three.js that a page needs are installed (Debian package libjs-three): the
-/// folder that CLAST_THREE names, or the one found when clast was configured.
-std::filesystem::path three_folder();
 
 /// The section with everything it needs inside, three.js included. Where that is not installed, or
 /// no trajectories are stored, a sentence says so and what to do.

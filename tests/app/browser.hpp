@@ -16,10 +16,25 @@ inline void expect_browser() {
 /// What a page tells of itself: `probe` is a script that is put at its end and writes JSON into an
 /// element <pre id="probe">. Also expects that nothing is said to the console and nothing is asked
 /// of the network. Null where the script did not come to its end.
+/// @param width  of the page, px; windows are no narrower than 500, so it is then a frame in one
 inline nlohmann::json probed(const fs::path& path, const std::string& probe,
-                             const ScratchFolder& folder) {
+                             const ScratchFolder& folder, int width = 0) {
   std::string page = read_text_file(path);
   page.replace(page.rfind("</body>"), 7, probe);
+  if (width > 0) {
+    write_text_file(folder / "framed.html", page + R"(<script>
+setInterval(function(){
+  var told=document.getElementById('probe');
+  if(told)parent.postMessage(told.textContent,'*');
+},50)</script>)");
+    page = "<body><iframe src=\"framed.html\" style=\"border:0;height:900px;width:" +
+           std::to_string(width) + R"(px"></iframe><script>
+onmessage=function(event){
+  if(document.getElementById('probe'))return;
+  var told=document.createElement('pre');told.id='probe';told.textContent=event.data;
+  document.body.appendChild(told);
+}</script></body>)";
+  }
   write_text_file(folder / "page.html", page);
   const std::vector<std::string> command = {
       "chromium",

@@ -88,7 +88,7 @@ TEST(Rasters, CountCellsThatAreCutAtACorner) {
 TEST_F(ThrownRuns, AreGeoTiffsOnTheMap) {
   const MapRasters rasters = path_rasters(comparison_);
   const auto files = write_rasters(folder_ / "rasters", rasters, "EPSG:2154");
-  ASSERT_EQ(files.size(), 7u);
+  ASSERT_EQ(files.size(), 14u) << "each with its style";
   GDALAllRegister();
   GDALDataset* dataset = GDALDataset::Open((folder_ / "rasters/V_max.tif").c_str());
   ASSERT_NE(dataset, nullptr);

@@ -16,8 +16,10 @@
 #include "report/html/html_page.hpp"
 #include "report/html/page_script.hpp"
 #include "report/maps/gis_layers.hpp"
+#include "report/maps/map_style.hpp"
 #include "report/pages/comparison_page.hpp"
 #include "report/pages/report_sections.hpp"
+#include "study/path_rasters.hpp"
 #include "terrain/relief.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/markup.hpp"
@@ -35,7 +37,8 @@ struct DatasetCloser {
 using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
 
 std::string report_of(const Comparison& comparison) {
-  return comparison_page(comparison, profiles(comparison), realisation_deposits(comparison));
+  return comparison_page(comparison, profiles(comparison), path_rasters(comparison),
+                         realisation_deposits(comparison));
 }
 
 TEST(HtmlReport, TagsAreBalanced) {
@@ -159,7 +162,7 @@ const Json& trace_named(const Json& figure, const std::string& name) {
 }
 
 TEST(ReportMap, MarksEveryStopUntilThereAreTooMany) {
-  const auto few = figures_of(map_section(compared(hand_made_results())));
+  const auto few = figures_of(map_section(compared(hand_made_results()), {}, {}));
   const Json& map = few.at("map of stops, release points and barriers");
   const Json& stops = trace_named(map, "long, &quot;2&quot; (elongated)");
   ASSERT_EQ(stops["x"].size(), 2u);
@@ -181,7 +184,7 @@ TEST(ReportMap, MarksEveryStopUntilThereAreTooMany) {
         hand_made_run(run, run % 2, random.uniform(5.0, 45.0), random.uniform(-15.0, 15.0)));
   }
   const std::size_t runs = many.runs.size();
-  const auto crowded = figures_of(map_section(compared(std::move(many))));
+  const auto crowded = figures_of(map_section(compared(std::move(many)), {}, {}));
   const Json& density =
       trace_named(crowded.at("map of stops, release points and barriers"), "stops");
   std::size_t counted = 0;

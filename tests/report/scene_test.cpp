@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "report/scene/scene_section.hpp"
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/markup.hpp"
+#include "tests/support/packed_numbers.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -17,28 +17,6 @@ namespace {
 using namespace report_detail;
 
 using Json = nlohmann::json;
-
-std::string bytes_of(const std::string& base64_text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : base64_text) {
-    if (c == '=') break;
-    bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
-    count += 6;
-    if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xff);
-  }
-  return bytes;
-}
-
-template <class T>
-std::vector<T> numbers(const Json& text) {
-  const std::string bytes = bytes_of(text);
-  std::vector<T> values(bytes.size() / sizeof(T));
-  std::memcpy(values.data(), bytes.data(), bytes.size());
-  return values;
-}
 
 /// The hand-made campaign with trajectories: run n slides from its start to its stop in n + 2 steps
 /// of 0.5 s.
@@ -77,7 +55,7 @@ TEST_F(Scene, HoldsEveryStateOnTheMapLessItsOrigin) {
   EXPECT_EQ(scene.runs_drawn, comparison.rows.size());
   EXPECT_EQ(scene.runs, comparison.rows.size());
   const Json json = Json::parse(scene.json);
-  const std::vector<float> frames = numbers<float>(json["frames"]);
+  const std::vector<float> frames = packed_numbers<float>(json["frames"]);
   const Vec3 origin(json["origin"][0], json["origin"][1], json["origin"][2]);
   ASSERT_EQ(json["runs"].size(), comparison.rows.size());
   std::size_t total = 0;
@@ -101,16 +79,16 @@ TEST_F(Scene, HoldsTheRealShapesAndTheGround) {
   const Comparison comparison = stored();
   const Json json = Json::parse(scene_data(comparison).json);
   ASSERT_EQ(json["bodies"].size(), 2u);
-  const std::vector<float> box = numbers<float>(json["bodies"][1]["vertices"]);
+  const std::vector<float> box = packed_numbers<float>(json["bodies"][1]["vertices"]);
   ASSERT_EQ(box.size(), 3u * 8u);
   float longest = 0.0f;
   for (std::size_t i = 0; i < box.size(); i += 3) longest = std::max(longest, box[i]);
   EXPECT_EQ(longest, 1.0f);  // half of L = 2
   EXPECT_EQ(json["bodies"][1]["group"], "elongated");
   const Terrain& terrain = comparison.results[0].terrain;
-  EXPECT_EQ(numbers<std::uint32_t>(json["terrain"]["triangles"]).size(),
+  EXPECT_EQ(packed_numbers<std::uint32_t>(json["terrain"]["triangles"]).size(),
             3 * terrain.surface.triangles.size());
-  EXPECT_EQ(numbers<std::uint16_t>(json["terrain"]["zones"]), terrain.zone);
+  EXPECT_EQ(packed_numbers<std::uint16_t>(json["terrain"]["zones"]), terrain.zone);
   EXPECT_EQ(json["tints"].size(), comparison.results[0].zone_names.size());
   EXPECT_EQ(json["barriers"].size(), comparison.lines.size());
 }
@@ -118,20 +96,20 @@ TEST_F(Scene, HoldsTheRealShapesAndTheGround) {
 TEST_F(Scene, ThinsRunsAndGroundToItsLimits) {
   const Comparison comparison = stored();
   const SceneData whole = scene_data(comparison);
-  const std::size_t frames = numbers<float>(Json::parse(whole.json)["frames"]).size() / 8;
+  const std::size_t frames = packed_numbers<float>(Json::parse(whole.json)["frames"]).size() / 8;
   const SceneData half = scene_data(comparison, {.frames = (frames + 1) / 2});
   EXPECT_EQ(half.runs_drawn, (whole.runs_drawn + 1) / 2);
   EXPECT_EQ(half.runs, whole.runs);
   const Json coarse =
       Json::parse(scene_data(comparison, {.triangles = 1, .grid = 12}).json)["terrain"];
-  const std::size_t triangles = numbers<std::uint32_t>(coarse["triangles"]).size() / 3;
+  const std::size_t triangles = packed_numbers<std::uint32_t>(coarse["triangles"]).size() / 3;
   EXPECT_GT(triangles, 0u);
-  EXPECT_EQ(numbers<std::uint16_t>(coarse["zones"]).size(), triangles);
+  EXPECT_EQ(packed_numbers<std::uint16_t>(coarse["zones"]).size(), triangles);
   // The slope is z = -x / 2 on the map, so it is in the grid.
   const Json full = Json::parse(whole.json);
   const double x0 = double(full["origin"][0]) - kMapOrigin.x(),
                z0 = double(full["origin"][2]) - kMapOrigin.z();
-  const std::vector<float> vertices = numbers<float>(coarse["vertices"]);
+  const std::vector<float> vertices = packed_numbers<float>(coarse["vertices"]);
   for (std::size_t i = 0; i < vertices.size(); i += 3) {
     EXPECT_NEAR(vertices[i + 2] + z0, -0.5 * (vertices[i] + x0), 1e-3);
   }

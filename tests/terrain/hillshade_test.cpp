@@ -43,7 +43,6 @@ struct Pixels {
   }
 };
 
-bool is_red(const std::array<int, 3>& c) { return c[0] > 150 && c[1] < 80 && c[2] < 80; }
 bool is_black(const std::array<int, 3>& c) { return c[0] < 60 && c[1] < 60 && c[2] < 60; }
 
 class Hillshade : public testing::Test {
@@ -72,9 +71,9 @@ TEST_F(Hillshade, ShowsZonesReleasePointsAndBarriersWhereTheyAre) {
   const auto at = [&](double x, double y) {
     return picture.at(static_cast<int>(50.0 * (x + 0.4)), static_cast<int>(50.0 * (10.4 - y)));
   };
-  EXPECT_TRUE(is_red(at(3.0, 8.0)));
-  EXPECT_FALSE(is_red(at(8.0, 3.0))) << "mirrored";
-  EXPECT_FALSE(is_red(at(3.0, 2.0))) << "upside down";
+  EXPECT_TRUE(is_black(at(3.0, 8.0)));
+  EXPECT_FALSE(is_black(at(8.0, 3.0))) << "mirrored";
+  EXPECT_FALSE(is_black(at(3.0, 2.0))) << "upside down";
   EXPECT_TRUE(is_black(at(15.0, 5.0)));
   EXPECT_TRUE(is_black(at(15.0, 1.1)));
   EXPECT_FALSE(is_black(at(15.0, 0.8)));
@@ -85,6 +84,37 @@ TEST_F(Hillshade, ShowsZonesReleasePointsAndBarriersWhereTheyAre) {
   EXPECT_GT(east[0], east[1]);
   // Off the ground: transparent.
   EXPECT_EQ(picture.indices.at(5), 0);
+}
+
+// Of 20.8 m the largest round length within a fifth is 2 m, 100 pixels: a black and a white half.
+TEST_F(Hillshade, HasAScaleBarAndAnArrowToTheNorth) {
+  write_hillshade(folder_ / "map.png", ground(), {}, {}, 1040);
+  const Pixels picture(folder_ / "map.png");
+  const auto blacks = [&](int left, int right, int row) {
+    std::vector<int> columns;
+    for (int column = left; column < right; ++column) {
+      if (is_black(picture.at(column, row))) columns.push_back(column);
+    }
+    return columns;
+  };
+  // The bar is the lowest row with ink in the lower left quarter.
+  std::size_t longest = 0;
+  for (int row = picture.height / 2; row < picture.height; ++row) {
+    const std::vector<int> ink = blacks(0, picture.width / 2, row);
+    if (ink.empty()) continue;
+    longest = std::max(longest, static_cast<std::size_t>(ink.back() - ink.front() + 1));
+  }
+  EXPECT_NEAR(static_cast<double>(longest), 100.0, 2.0);
+  // The arrow is a triangle with its tip up, over an N.
+  std::vector<std::size_t> widths;
+  for (int row = 0; row < picture.height / 2; ++row) {
+    const std::vector<int> ink = blacks(picture.width / 2, picture.width, row);
+    if (!ink.empty()) widths.push_back(ink.size());
+  }
+  ASSERT_GT(widths.size(), 25u);
+  EXPECT_LE(widths.front(), 2u);
+  EXPECT_TRUE(std::is_sorted(widths.begin(), widths.begin() + 15));
+  EXPECT_GE(widths[14], 12u);
 }
 
 TEST_F(Hillshade, AMarkInAnotherPlaceIsRefused) {

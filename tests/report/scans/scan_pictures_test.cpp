@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "report/scans/mesh_picture.hpp"
+#include "report/blocks/mesh_picture.hpp"
 #include "report/scans/repair_sections.hpp"
 #include "report/scans/scan_page.hpp"
 #include "report/scans/scan_pictures.hpp"

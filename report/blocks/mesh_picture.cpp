@@ -1,4 +1,4 @@
-#include "report/scans/mesh_picture.hpp"
+#include "report/blocks/mesh_picture.hpp"
 
 #include <algorithm>
 #include <cmath>

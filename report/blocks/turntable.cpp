@@ -1,0 +1,154 @@
+#include "report/blocks/turntable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "library/unscaled.hpp"
+#include "mesh/triangle_tree.hpp"
+#include "mesh/weld.hpp"
+#include "report/blocks/block_pictures.hpp"
+#include "report/charts/palette.hpp"
+#include "report/html/assets.hpp"
+#include "report/html/html_page.hpp"
+#include "report/html/packed_numbers.hpp"
+#include "report/html/page_script.hpp"
+#include "report/scene/three_library.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Corners that look as round as finer ones.
+constexpr int kSkinSegments = 2;
+constexpr double kMostPieces = 200.0;  // of a side, in a byte
+constexpr double kSteps = 32767.0, kShareSteps = 127.0;
+
+/// The mesh, or one of at most so many triangles whose vertices are some of its own.
+TriangleMesh coarser(const TriangleMesh& mesh, std::size_t most) {
+  if (mesh.triangles.size() <= most) return mesh;
+  constexpr double kFirst = 1.2, kGrowth = 1.15;
+  double distance = kFirst * std::sqrt(surface_area(mesh) / static_cast<double>(most));
+  TriangleMesh joined = welded(mesh, distance);
+  while (joined.triangles.size() > most) joined = welded(mesh, distance *= kGrowth);
+  return joined;
+}
+
+Json mesh_json(const TriangleMesh& mesh, const Vec3& centre, double size) {
+  std::vector<std::int16_t> vertices;
+  for (const Vec3& vertex : mesh.vertices) {
+    for (int axis = 0; axis < 3; ++axis) {
+      vertices.push_back(static_cast<std::int16_t>(
+          std::lround(kSteps * std::clamp((vertex - centre)[axis] / size, -1.0, 1.0))));
+    }
+  }
+  std::vector<std::uint32_t> corners;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    corners.insert(corners.end(), t.begin(), t.end());
+  }
+  return {{"vertices", packed<std::int16_t>(vertices)},
+          {"triangles", packed<std::uint32_t>(corners)}};
+}
+
+/// Distances of a block's surface from its scan, between the corners of its triangles too.
+Json deviation_json(const TriangleMesh& skin, const TriangleMesh& scan, double reach, double step) {
+  const TriangleTree tree(scan);
+  std::uint32_t hint = 0;
+  std::vector<std::uint8_t> pieces;
+  std::vector<std::int8_t> shares;
+  for (const TriangleMesh::Triangle& triangle : skin.triangles) {
+    const Vec3 &a = skin.vertices[triangle[0]], &b = skin.vertices[triangle[1]],
+               &c = skin.vertices[triangle[2]];
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    const int n = static_cast<int>(std::clamp(std::ceil(longest / step), 1.0, kMostPieces));
+    pieces.push_back(static_cast<std::uint8_t>(n));
+    for (int row = 0; row <= n; ++row) {
+      for (int column = 0; column <= row; ++column) {
+        const Vec3 place = a + (b - a) * (static_cast<double>(row - column) / n) +
+                           (c - a) * (static_cast<double>(column) / n);
+        const TriangleTree::Signed found = tree.signed_closest(place, hint);
+        hint = found.triangle;
+        shares.push_back(static_cast<std::int8_t>(
+            std::lround(kShareSteps * std::clamp(found.distance / reach, -1.0, 1.0))));
+      }
+    }
+  }
+  Json colours = Json::array();
+  for (const Rgb& colour : kDeviationColours) colours.push_back(colour_text(colour));
+  return {{"reach", reach},
+          {"colours", colours},
+          {"pieces", packed<std::uint8_t>(pieces)},
+          {"shares", packed<std::int8_t>(shares)}};
+}
+
+Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+}  // namespace
+
+void TurntableLimits::check() const {
+  if (scan_triangles < 100) {
+    throw InputError("scan_triangles = " + std::to_string(scan_triangles) +
+                     ": must be 100 or more");
+  }
+  if (!(deviation_cells >= 1.0 && deviation_cells <= kMostPieces)) {
+    throw InputError("deviation_cells = " + with_digits(deviation_cells, 6) + ": must be 1 to 200");
+  }
+}
+
+std::string turntable_json(const Block& block, const TurntableLimits& limits) {
+  limits.check();
+  const TriangleMesh skin = skin_mesh(block.body, kSkinSegments);
+  TriangleMesh scan;
+  if (!block.from_core) scan = coarser(block.surface, limits.scan_triangles);
+  const Vec3 centre = block.box.centre;
+  double size = 0.0;
+  for (const TriangleMesh* mesh : {&skin, static_cast<const TriangleMesh*>(&scan)}) {
+    for (const Vec3& vertex : mesh->vertices) size = std::max(size, (vertex - centre).norm());
+  }
+  Json axes = Json::array();
+  for (int axis = 0; axis < 3; ++axis) axes.push_back(vector_json(block.box.axes.col(axis)));
+  Json json = {{"name", block.id},
+               {"unit", is_unscaled(block) ? "units" : "m"},
+               {"size", size},
+               {"centre", vector_json(centre)},
+               {"block", mesh_json(skin, centre, size)},
+               {"box",
+                {{"centre", vector_json(block.box.centre)},
+                 {"axes", axes},
+                 {"lengths", vector_json(block.box.lengths)}}}};
+  if (!scan.triangles.empty()) json["scan"] = mesh_json(scan, centre, size);
+  if (!scan.triangles.empty() && block.deviation.hausdorff > 0.0) {
+    json["deviation"] = deviation_json(skin, block.surface, block.deviation.hausdorff,
+                                       block.box.lengths[0] / limits.deviation_cells);
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string turntable_view(const std::string& source) {
+  return fill(assets::turntable_html, {{"source", source}});
+}
+
+std::string turntable_script() {
+  if (!three_is_installed()) return paragraph(no_three_text("write the pages again"));
+  return script_element(assets::unpack_js) + three_scripts() + script_element(assets::turntable_js);
+}
+
+std::string turntable_section(const Block& block) {
+  const std::string title = "In 3-D";
+  if (!three_is_installed()) {
+    return section(title, paragraph(no_three_text("write the pages again")));
+  }
+  const std::string id = "block-data";
+  return section(title, paragraph("Drag to turn, use the wheel to come closer, drag with the right "
+                                  "button to move.") +
+                            turntable_view(id)) +
+         packed_element(id, turntable_json(block)) + turntable_script();
+}
+
+}  // namespace clast::report_detail

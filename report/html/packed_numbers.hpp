@@ -1,0 +1,19 @@
+#pragma once
+/// Arrays of numbers inside a page.
+#include <bit>
+#include <span>
+#include <string>
+
+#include "core/png.hpp"
+
+namespace clast::report_detail {
+
+static_assert(std::endian::native == std::endian::little, "browsers read little-endian arrays");
+
+/// The bytes of an array in base64, which scripts read with `clastBytes` of unpack.js.
+template <class T>
+std::string packed(std::span<const T> values) {
+  return base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
+}
+
+}  // namespace clast::report_detail
