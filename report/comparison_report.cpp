@@ -22,7 +22,7 @@ FolderKind comparison_folder() {
     static const std::set<std::string> kFiles = {
         "runs.csv",        "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
         "ground_sets.csv", "profiles.csv", "measured.csv",  "stops.gpkg",   "differences.csv",
-        "provenance.json", "report.html",  "ensemble.csv",  "stays.csv",    "realisations.csv"};
+        "provenance.json", "report.html", "report.pdf",  "ensemble.csv",  "stays.csv",    "realisations.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";

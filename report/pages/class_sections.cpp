@@ -54,9 +54,8 @@ std::string class_section(const Comparison& comparison) {
     table.row(std::move(cells));
   }
   return section("Shape classes side by side",
-                 paragraph("Compact and elongated after Garcia et al. (2022), two-letter classes "
-                           "after Sneed and Folk (1958). Runout and lateral angle are of the runs "
-                           "that came to rest; the share past a barrier is of all runs.") +
+                 paragraph("Compact and elongated by s_c. Runout and lateral angle of runs at rest, "
+                           "shares past barriers of all runs.") +
                      table.html());
 }
 
@@ -85,9 +84,9 @@ std::string block_section(const Comparison& comparison) {
                mean_and_std(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
                mean_and_std(deposit.lateral, 1, kDegrees), fixed(fastest, 1)});
   }
-  return section("Blocks", paragraph("L, I, S are the sides of the smallest box around the block. "
-                                     "A click on a column's head sorts the table.") +
-                               shapes.html() + stops.html());
+  return section("Blocks", folded("Shapes: L, I, S are the sides of the smallest box",
+                                  shapes.html()) +
+                               folded("Runs of every block", stops.html()));
 }
 
 std::string runout_section(const Comparison& comparison) {
@@ -116,9 +115,8 @@ std::string runout_section(const Comparison& comparison) {
                            cumulative_traces(series_of(comparison, GroupKind::kBlock, along)));
   }
   return section(
-      "Runout", paragraph("Horizontal distance from each run's own release point to its stop along "
-                          "the downslope direction; runs at rest, their number in brackets.") +
-                    charts + "</div>\n");
+      "Runout", paragraph("Runout of the runs at rest, their number in brackets.") + charts +
+                    "</div>\n");
 }
 
 }  // namespace clast::report_detail

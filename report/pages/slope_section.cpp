@@ -126,10 +126,8 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
         cut_along_the_mean_path(comparison, bins, group, "The ground along the mean path: " + name);
   }
   return section(
-      title, paragraph("Of the runs that come by at a distance, each counted once with its "
-                       "largest value there; profiles.csv has the numbers, also of every block. "
-                       "Runs that stop earlier do not count further on. The cut follows the "
-                       "mean place of the runs at each distance.") +
+      title, paragraph("Of the runs that come so far, each with its largest value there. The cut "
+                       "follows the mean path.") +
                  charts + "</div>\n");
 }
 

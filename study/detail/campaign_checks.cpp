@@ -51,8 +51,7 @@ void tell_of_scales(const PreparedCampaign& prepared, std::vector<std::string>& 
   if (prepared.campaign.blocks.draw) return;
   for (const BlockSummary& block : prepared.header.blocks) {
     if (block.scale == 1.0) continue;
-    warnings.push_back("block " + block.id + " is scaled by " + with_digits(block.scale, 4) +
-                       " to " + with_digits(block.mass, 4) + " kg");
+    warnings.push_back(scale_in_words(block));
   }
 }
 

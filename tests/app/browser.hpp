@@ -16,8 +16,10 @@ inline void expect_browser() {
 /// What a page tells of itself: `probe` is a script that is put at its end and writes JSON into an
 /// element <pre id="probe">. Also expects that nothing is said to the console and nothing is asked
 /// of the network. Null where the script did not come to its end.
+/// @param window  width and height, px
 inline nlohmann::json probed(const fs::path& path, const std::string& probe,
-                             const ScratchFolder& folder) {
+                             const ScratchFolder& folder,
+                             const std::string& window = "1280,800") {
   std::string page = read_text_file(path);
   page.replace(page.rfind("</body>"), 7, probe);
   write_text_file(folder / "page.html", page);
@@ -36,6 +38,7 @@ inline nlohmann::json probed(const fs::path& path, const std::string& probe,
       "--enable-logging=stderr",
       "--host-resolver-rules=MAP * ~NOTFOUND",
       "--user-data-dir=" + (folder / "profile").string(),
+      "--window-size=" + window,
       "--virtual-time-budget=20000",  // what is drawn later than the page
       "--dump-dom",
       "file://" + (folder / "page.html").string()};
