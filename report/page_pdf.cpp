@@ -24,8 +24,9 @@ class BrowserProfile {
     std::error_code code;
     std::string name = (fs::temp_directory_path(code) / "clast-browser-XXXXXX").string();
     if (code || ::mkdtemp(name.data()) == nullptr) {
-      throw InputError("a folder for the browser can't be made in the one for temporary files; "
-                       "name one that can be written to in TMPDIR");
+      throw InputError(
+          "a folder for the browser can't be made in the one for temporary files; "
+          "name one that can be written to in TMPDIR");
     }
     folder_ = name;
   }
@@ -78,14 +79,14 @@ void print_page(const fs::path& page, const fs::path& pdf, const fs::path& brows
       "--disable-background-networking", "--disable-component-update", "--disable-sync",
       // Nothing but the page is read, and nothing asked of the network.
       "--host-resolver-rules=MAP * ~NOTFOUND", "--user-data-dir=" + profile.folder().string(),
-      "--window-size=794,1123",         // A4, px
+      "--window-size=794,1123",       // A4, px
       "--virtual-time-budget=60000",  // charts are drawn after the page
       "--no-pdf-header-footer", "--print-to-pdf=" + fs::absolute(pdf).string()};
   // The browser refuses to run for root with its own protection.
   if (::geteuid() == 0) words.push_back("--no-sandbox");
   words.push_back("file://" + report_detail::link_to(fs::absolute(page).string()));
-  const ChildEnd end = run_child(words, {{"HOME", profile.folder().string()}},
-                                 profile.folder() / "log", seconds);
+  const ChildEnd end =
+      run_child(words, {{"HOME", profile.folder().string()}}, profile.folder() / "log", seconds);
   if (end.timed_out) {
     throw InputError(browser.string() + " did not print the report within " +
                      with_digits(seconds, 3) + " s; print report.html by hand");

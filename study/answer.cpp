@@ -8,9 +8,9 @@
 namespace clast {
 namespace {
 
-constexpr std::uint64_t kSeed = 20220310;         // any is good; a fixed one repeats the interval
-constexpr std::size_t kMostDrawn = 20'000'000;    // numbers for one interval
-constexpr double kSamePlace = 1e-6;               // m
+constexpr std::uint64_t kSeed = 20220310;       // any is good; a fixed one repeats the interval
+constexpr std::size_t kMostDrawn = 20'000'000;  // numbers for one interval
+constexpr double kSamePlace = 1e-6;             // m
 constexpr std::size_t kFewestClustersToDraw = 2;
 
 using File = std::optional<std::uint32_t>;
@@ -114,8 +114,8 @@ GapAnswer gap_between(const Comparison& comparison, const RunoutAnswer& a, const
   gap.standing = standing_of(*difference);
   if (difference->interval) {
     const Interval& of = *difference->interval;
-    const bool same_order = comparison.groups[gap.farther].rows ==
-                            comparison.groups[difference->first].rows;
+    const bool same_order =
+        comparison.groups[gap.farther].rows == comparison.groups[difference->first].rows;
     gap.interval = same_order ? of : Interval{-of.high, -of.low};
   }
   return gap;
@@ -206,8 +206,7 @@ Statement statement_of(const Comparison& comparison, const File& file) {
   for (const std::size_t row : comparison.groups[all].rows) {
     clusters.of(comparison.rows[row]);
     statement.of_realisations =
-        statement.of_realisations ||
-        comparison.results[comparison.rows[row].file].stay.has_value();
+        statement.of_realisations || comparison.results[comparison.rows[row].file].stay.has_value();
   }
   statement.clusters = clusters.count();
   for (const std::size_t group : groups_in(comparison, GroupKind::kGarcia, file)) {
@@ -215,8 +214,7 @@ Statement statement_of(const Comparison& comparison, const File& file) {
   }
   if (statement.classes.size() > 1) {
     const RunoutAnswer &a = statement.classes[0], &b = statement.classes[1];
-    statement.gap =
-        gap_between(comparison, a, b, class_difference(comparison, a.group, b.group));
+    statement.gap = gap_between(comparison, a, b, class_difference(comparison, a.group, b.group));
   }
   statement.passages = passages_of(comparison, statement);
   statement.ground = ground_of(comparison, file);
@@ -241,8 +239,7 @@ Answer answer(const Comparison& comparison) {
       share_points(comparison.results[*answer.statements[0].file],
                    comparison.results[*answer.statements[1].file])) {
     const RunoutAnswer &a = answer.statements[0].all, &b = answer.statements[1].all;
-    answer.files =
-        gap_between(comparison, a, b, runout_difference(comparison, a.group, b.group));
+    answer.files = gap_between(comparison, a, b, runout_difference(comparison, a.group, b.group));
   }
   return answer;
 }

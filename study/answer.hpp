@@ -64,8 +64,8 @@ struct PassageAnswer {
 
 /// The range of an outcome over the draws of uncertain ground.
 struct GroundBand {
-  std::string outcome;          ///< "mean runout", m, or "past BARRIER", a share
-  std::size_t members = 0;      ///< draws
+  std::string outcome;           ///< "mean runout", m, or "past BARRIER", a share
+  std::size_t members = 0;       ///< draws
   double low = 0.0, high = 0.0;  ///< that nine draws of ten lie between
 };
 

@@ -80,8 +80,8 @@ struct BarrierGroup {
   std::size_t crossed = 0;
   std::size_t backward = 0;  ///< runs that passed backward first, counted or not; of a ring none
   double probability = 0.0;
-  Interval interval;  ///< 95 %, of the probability, as `clustered_share_interval`
-  Summary height, clearance, speed;          ///< m, m, m/s
+  Interval interval;                 ///< 95 %, of the probability, as `clustered_share_interval`
+  Summary height, clearance, speed;  ///< m, m, m/s
   Summary translational, rotational, total;  ///< J
   Summary rotation_rate;                     ///< rad/s
 };
@@ -170,8 +170,8 @@ std::optional<double> reassigned_share(const EnergyLedger& energy);
 /// rarely know to 10 %; a few per cent are the price of contacts that begin and end, in most runs.
 inline constexpr double kNotableReassigned = 0.1;
 
-/// Adds what a reader of the tables must know to `warnings` and `cautions`: unfinished or lost runs,
-/// unequal masses, poor energy balance. What the campaign asked for is no warning. Called by
+/// Adds what a reader of the tables must know to `warnings` and `cautions`: unfinished or lost
+/// runs, unequal masses, poor energy balance. What the campaign asked for is no warning. Called by
 /// `compare`.
 void add_warnings(Comparison& comparison);
 

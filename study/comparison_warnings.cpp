@@ -37,10 +37,9 @@ void warn_of_unfinished(Comparison& comparison) {
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     if (results.runs.size() >= results.planned_runs) continue;
-    const std::string unfinished =
-        "file " + std::to_string(file + 1) +
-        " is unfinished: " + of(results.runs.size(), results.planned_runs) +
-        " planned runs are stored";
+    const std::string unfinished = "file " + std::to_string(file + 1) + " is unfinished: " +
+                                   of(results.runs.size(), results.planned_runs) +
+                                   " planned runs are stored";
     warn(comparison,
          unfinished + "; if it is a shard, join it with the others with `merge_results`",
          "F" + unfinished.substr(1) + ".");
@@ -56,13 +55,11 @@ void warn_of_lost_runs(Comparison& comparison) {
         static_cast<double>(count) >= kTurningShare * static_cast<double>(all.started);
     warn(comparison, happened + advice, turning ? happened + "." : "");
   };
-  const std::string too_short =
-      "; they are in no deposit statistics, so runout may be too short";
+  const std::string too_short = "; they are in no deposit statistics, so runout may be too short";
   count_of(all.stops.error, "ended with an error", "; they are in no deposit statistics");
   count_of(all.stops.max_time, "were still moving at max_time" + too_short,
            ". Raise [run] max_time_s");
-  count_of(all.stops.left_terrain, "left the surveyed terrain" + too_short,
-           ". Extend the terrain");
+  count_of(all.stops.left_terrain, "left the surveyed terrain" + too_short, ". Extend the terrain");
   std::size_t below = 0, unbalanced = 0;
   for (const RunRow& row : comparison.rows) {
     if (row.record->result.below_ground) ++below;
@@ -207,8 +204,7 @@ void warn_of_slopes(Comparison& comparison) {
     if (texts.empty()) return;
     comparison.warnings.insert(comparison.warnings.end(), texts.begin(), texts.end());
     const std::vector<std::string> names(zones.begin(), zones.end());
-    comparison.cautions.push_back(
-        {"On the ground of " + listed(names) + " " + effect, texts});
+    comparison.cautions.push_back({"On the ground of " + listed(names) + " " + effect, texts});
   };
   add(sliding_texts, sliding_zones,
       "the slope is too steep for friction to stop a block, so an effect of shape can vanish.");
@@ -253,8 +249,8 @@ void warn_of_measured(Comparison& comparison) {
       warn(comparison, found + " (first: " + first + ")", turning ? found + "." : "");
     }
   };
-  name("name a block that no run has, so they are in the group \"all\" alone",
-       false, [&](const MeasuredStop& stop) {
+  name("name a block that no run has, so they are in the group \"all\" alone", false,
+       [&](const MeasuredStop& stop) {
          return blocks.contains(stop.block) ? std::string() : stop.block;
        });
   name("have a shape that is neither compact nor elongated, so they are in no group of a shape",
@@ -268,14 +264,16 @@ void warn_of_measured(Comparison& comparison) {
     grounds.push_back(
         {results.terrain.frame.map(extent.low), results.terrain.frame.map(extent.high)});
   }
-  name("lie off the terrain; check their map system and units", true, [&](const MeasuredStop& stop) {
-    const bool over = std::any_of(grounds.begin(), grounds.end(), [&](const Bounds& ground) {
-      return (stop.place.array() >= ground.low.head<2>().array()).all() &&
-             (stop.place.array() <= ground.high.head<2>().array()).all();
-    });
-    return over ? std::string()
-                : "x " + with_digits(stop.place.x(), 9) + ", y " + with_digits(stop.place.y(), 9);
-  });
+  name("lie off the terrain; check their map system and units", true,
+       [&](const MeasuredStop& stop) {
+         const bool over = std::any_of(grounds.begin(), grounds.end(), [&](const Bounds& ground) {
+           return (stop.place.array() >= ground.low.head<2>().array()).all() &&
+                  (stop.place.array() <= ground.high.head<2>().array()).all();
+         });
+         return over ? std::string()
+                     : "x " + with_digits(stop.place.x(), 9) + ", y " +
+                           with_digits(stop.place.y(), 9);
+       });
 }
 
 /// A barrier drawn the wrong way must not make what lies behind it look safe.
@@ -330,9 +328,9 @@ void add_warnings(Comparison& comparison) {
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     for (const std::string& warning : results.warnings) {
-      const bool asked = std::any_of(
-          results.blocks.begin(), results.blocks.end(),
-          [&](const BlockSummary& block) { return warning == scale_in_words(block); });
+      const bool asked =
+          std::any_of(results.blocks.begin(), results.blocks.end(),
+                      [&](const BlockSummary& block) { return warning == scale_in_words(block); });
       if (asked) continue;
       if (!in_all_files(warning)) {
         warn(comparison, "file " + std::to_string(file + 1) + ": " + warning);

@@ -220,7 +220,8 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
       break;
   }
   return means + ", which can be chance" +
-         (difference.tests > 1 ? " among " + std::to_string(difference.tests) + " differences" : "");
+         (difference.tests > 1 ? " among " + std::to_string(difference.tests) + " differences"
+                               : "");
 }
 
 }  // namespace clast

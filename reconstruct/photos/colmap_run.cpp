@@ -172,9 +172,8 @@ class ColmapJob {
   bool try_step(const std::string& what, const std::string& command,
                 const std::vector<std::string>& arguments) {
     if (stage_) stage_(what);
-    const ChildEnd end =
-        run_child(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
-                                 work_ / (command + ".log"), options_.seconds);
+    const ChildEnd end = run_child(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
+                                   work_ / (command + ".log"), options_.seconds);
     if (end.timed_out) {
       throw InputError("colmap " + command + " was ended after " +
                        with_digits(options_.seconds / 60.0, 3) +

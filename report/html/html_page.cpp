@@ -184,8 +184,8 @@ std::string section(std::string_view title, std::string_view body) {
 }
 
 std::string folded(std::string_view line, std::string_view body) {
-  return "<details class=\"fold\"><summary>" + escaped(line) + "</summary>\n" +
-         std::string(body) + "</details>\n";
+  return "<details class=\"fold\"><summary>" + escaped(line) + "</summary>\n" + std::string(body) +
+         "</details>\n";
 }
 
 std::string paragraph(std::string_view text) { return "<p>" + with_code(text) + "</p>\n"; }

@@ -29,12 +29,14 @@ constexpr std::array kTerms = {
          "simulation, such as wrong ground parameters, is not in them."},
     Term{"95 % interval", "interval", ""},
     Term{"p95", "p95", "The value that 95 % of the runs stay below."},
-    Term{"Cliff&#39;s delta", "delta",
-         "How much more often a run of the first group has the larger value than one of the second: "
-         "0 is as often as not, 1 always, -1 never. Below 0.15 is negligible, above 0.47 large."},
+    Term{
+        "Cliff&#39;s delta", "delta",
+        "How much more often a run of the first group has the larger value than one of the second: "
+        "0 is as often as not, 1 always, -1 never. Below 0.15 is negligible, above 0.47 large."},
     Term{"Hedges&#39; g", "hedges", "The difference in units of the spread of single runs."},
     Term{"KS distance", "ks",
-         "The largest distance between two cumulative curves (Kolmogorov and Smirnov), from 0 to 1."},
+         "The largest distance between two cumulative curves (Kolmogorov and Smirnov), from 0 to "
+         "1."},
     Term{"p (Holm)", "holm",
          "How often chance alone gives such a distance, after a correction for having looked at "
          "many differences. Below 0.05 the difference counts as found."},

@@ -154,10 +154,10 @@ std::string barrier_section(const Comparison& comparison) {
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
     html += "<h3>" + escaped(barrier.name) + "</h3>\n" + barrier_charts(comparison, line);
-    html += folded("Figures at " + barrier.name,
-                   "<p class=\"note\">" + escaped(place_of(barrier)) + "; " +
-                       directions_of(comparison, line) + ".</p>\n" +
-                       passage_table(comparison, line) + impact_table(comparison, line));
+    html += folded("Figures at " + barrier.name, "<p class=\"note\">" + escaped(place_of(barrier)) +
+                                                     "; " + directions_of(comparison, line) +
+                                                     ".</p>\n" + passage_table(comparison, line) +
+                                                     impact_table(comparison, line));
   }
   return section("Barriers", html);
 }

@@ -53,10 +53,11 @@ std::string class_section(const Comparison& comparison) {
     }
     table.row(std::move(cells));
   }
-  return section("Shape classes side by side",
-                 paragraph("Compact and elongated by s_c. Runout and lateral angle of runs at rest, "
-                           "shares past barriers of all runs.") +
-                     table.html());
+  return section(
+      "Shape classes side by side",
+      paragraph("Compact and elongated by s_c. Runout and lateral angle of runs at rest, "
+                "shares past barriers of all runs.") +
+          table.html());
 }
 
 std::string block_section(const Comparison& comparison) {
@@ -84,9 +85,9 @@ std::string block_section(const Comparison& comparison) {
                mean_and_std(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
                mean_and_std(deposit.lateral, 1, kDegrees), fixed(fastest, 1)});
   }
-  return section("Blocks", folded("Shapes: L, I, S are the sides of the smallest box",
-                                  shapes.html()) +
-                               folded("Runs of every block", stops.html()));
+  return section("Blocks",
+                 folded("Shapes: L, I, S are the sides of the smallest box", shapes.html()) +
+                     folded("Runs of every block", stops.html()));
 }
 
 std::string runout_section(const Comparison& comparison) {
@@ -114,9 +115,8 @@ std::string runout_section(const Comparison& comparison) {
     charts += plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},
                            cumulative_traces(series_of(comparison, GroupKind::kBlock, along)));
   }
-  return section(
-      "Runout", paragraph("Runout of the runs at rest, their number in brackets.") + charts +
-                    "</div>\n");
+  return section("Runout", paragraph("Runout of the runs at rest, their number in brackets.") +
+                               charts + "</div>\n");
 }
 
 }  // namespace clast::report_detail

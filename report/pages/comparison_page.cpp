@@ -26,8 +26,8 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
       deposit_section(comparison, deposits) + stay_section(comparison) +
       ensemble_section(comparison) + scene_section(comparison) + block_section(comparison) +
       quality_section(comparison) + provenance_section(comparison));
-  return report_page(title, script_element(assets::unpack_js) + contents(sections) + sections +
-                                charts_script());
+  return report_page(
+      title, script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
 }
 
 }  // namespace clast::report_detail

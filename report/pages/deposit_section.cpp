@@ -80,12 +80,13 @@ std::string deposit_section(const Comparison& comparison, const RealisationDepos
       paragraph("Mean thickness of the deposit over the realisations" +
                 std::string(several_files(comparison) ? " of all files" : "") + ", m.") +
           deposit_map(comparison, deposits.rasters) +
-          folded("Figures of the deposit",
-                 paragraph("Blocks that came to rest and were not removed. The crest is the highest "
-                           "start, the toe the stop farthest from it; H / L between them is the "
-                           "tangent of the travel angle. The bulk volume holds the gaps between "
-                           "blocks. Each realisation is a row of realisations.csv.") +
-                     table.html()));
+          folded(
+              "Figures of the deposit",
+              paragraph("Blocks that came to rest and were not removed. The crest is the highest "
+                        "start, the toe the stop farthest from it; H / L between them is the "
+                        "tangent of the travel angle. The bulk volume holds the gaps between "
+                        "blocks. Each realisation is a row of realisations.csv.") +
+                  table.html()));
 }
 
 }  // namespace clast::report_detail

@@ -67,12 +67,11 @@ std::string measured_section(const Comparison& comparison) {
     std::vector<Trace> traces;
     add_curve(group.simulated_curve, "simulated (" + std::to_string(group.simulated) + ")",
               kSimulatedColour, "", traces);
-    add_curve(group.curve, "measured (" + std::to_string(group.measured) + ")", kFieldColour,
-              "6 3", traces);
-    html += plotly_chart(
-        {title_of(comparison.groups[group.group]) + ": share that stops before", "runout, m",
-         "share of stops", true},
-        traces);
+    add_curve(group.curve, "measured (" + std::to_string(group.measured) + ")", kFieldColour, "6 3",
+              traces);
+    html += plotly_chart({title_of(comparison.groups[group.group]) + ": share that stops before",
+                          "runout, m", "share of stops", true},
+                         traces);
   }
   html += "</div>\n" + paragraph("Bands are 95 % intervals of each curve.");
   return section(title, html + folded("Figures and tests", measured_table(comparison)));

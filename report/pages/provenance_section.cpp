@@ -82,8 +82,8 @@ std::string released(const CampaignResults& results) {
               ? ", released at once as one mass"
               : ", released one after the other from " + counted(points, "point")) +
          " and left where they stop" +
-         (removed > 0 ? ", but for " + counted(removed, "block that was removed",
-                                               "blocks that were removed")
+         (removed > 0 ? ", but for " +
+                            counted(removed, "block that was removed", "blocks that were removed")
                       : "");
 }
 

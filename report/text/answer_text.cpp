@@ -11,8 +11,8 @@ namespace clast {
 using namespace report_detail;
 namespace {
 
-constexpr std::size_t kMostStatements = 3;  // in full
-constexpr std::size_t kMostOthers = 2;      // barriers beside the first
+constexpr std::size_t kMostStatements = 3;   // in full
+constexpr std::size_t kMostOthers = 2;       // barriers beside the first
 constexpr std::size_t kFewestForShare = 20;  // runs for "95 % stop before"
 
 std::string capital(std::string text) {
@@ -87,9 +87,9 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
   const std::string interval =
       gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) + ")" : "";
   const std::string prefix = at_rest_only(statement.all);
-  const std::string means =
-      a + " and " + b + " blocks run " + with_decimals(farther.mean, decimals) + " and " +
-      length_in_words(nearer.mean, decimals) + " on average";
+  const std::string means = a + " and " + b + " blocks run " +
+                            with_decimals(farther.mean, decimals) + " and " +
+                            length_in_words(nearer.mean, decimals) + " on average";
   switch (gap.standing) {
     case Standing::kTold:
       return prefix + a + " blocks run " + length_in_words(gap.gap, decimals) + " farther than " +
@@ -104,7 +104,8 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
                         " can be chance"
                   : "the difference can be chance" + interval);
     case Standing::kOneRealisation:
-      return prefix + means + " in the one realisation that was run, which can't tell what is chance";
+      return prefix + means +
+             " in the one realisation that was run, which can't tell what is chance";
     case Standing::kFewAtRest:
       break;
   }
@@ -138,7 +139,8 @@ std::string share_sentence(const Comparison& comparison, const PassageAnswer& pa
     const std::string text =
         "none of " + counted(passage.all.started, "run") + " " + words.pass + "es " + words.name;
     if (!passage.all.interval) return text;
-    return text + " (with more runs, up to " + share_in_words(passage.all.interval->high) + " might)";
+    return text + " (with more runs, up to " + share_in_words(passage.all.interval->high) +
+           " might)";
   }
   if (passage.classes.size() < 2) {
     return share_in_words(passage.all.share) + " of the blocks " + words.pass + " " + words.name +
@@ -167,8 +169,8 @@ std::string strength_of(const Comparison& comparison, const PassageAnswer& passa
 std::string passages_in_words(const Comparison& comparison, const Statement& statement) {
   if (statement.passages.empty()) return "";
   const PassageAnswer& first = statement.passages.front();
-  std::string text = capital(share_sentence(comparison, first)) + strength_of(comparison, first) +
-                     ".";
+  std::string text =
+      capital(share_sentence(comparison, first)) + strength_of(comparison, first) + ".";
   const std::size_t shown = std::min(statement.passages.size() - 1, kMostOthers);
   for (std::size_t i = 1; i <= shown; ++i) {
     text += " " + capital(share_sentence(comparison, statement.passages[i])) + ".";
@@ -183,17 +185,18 @@ std::string ground_in_words(const Statement& statement) {
   for (const GroundBand& band : statement.ground) {
     const bool runout = band.outcome == "mean runout";
     const Interval range{band.low, band.high};
-    text += text.empty() ? " Over " + std::to_string(band.members) + " draws of the ground, " : ", ";
-    text += runout ? "mean runout is " +
-                         lengths_in_words(range, decimals_of_length(band.high, range))
-                   : shares_in_words(range) + " go " + band.outcome;
+    text +=
+        text.empty() ? " Over " + std::to_string(band.members) + " draws of the ground, " : ", ";
+    text += runout
+                ? "mean runout is " + lengths_in_words(range, decimals_of_length(band.high, range))
+                : shares_in_words(range) + " go " + band.outcome;
   }
   return text.empty() ? "" : text + " (nine draws of ten).";
 }
 
 std::string sentence_of(const Comparison& comparison, const Statement& statement) {
-  const std::string runout = statement.gap ? gap_in_words(comparison, statement)
-                                           : mean_runout(comparison, statement);
+  const std::string runout =
+      statement.gap ? gap_in_words(comparison, statement) : mean_runout(comparison, statement);
   const std::string prefix =
       statement.file ? capital(file_name(comparison, *statement.file)) + ": " : "";
   const std::string passages = passages_in_words(comparison, statement);
@@ -242,10 +245,9 @@ KeyFigure runout_figure(const Comparison& comparison, const Statement& statement
   for (const RunoutAnswer& one : shown) {
     const int decimals = decimals_of_length(one.mean, one.interval);
     pair.add(one.stands() ? with_decimals(one.mean, decimals) : "?",
-             one.stands() && one.interval
-                 ? with_decimals(one.interval->low, decimals) + " to " +
-                       with_decimals(one.interval->high, decimals)
-                 : "");
+             one.stands() && one.interval ? with_decimals(one.interval->low, decimals) + " to " +
+                                                with_decimals(one.interval->high, decimals)
+                                          : "");
   }
   return {pair.values + " m", "mean runout" + class_names(comparison, statement), pair.ranges};
 }
@@ -364,11 +366,10 @@ std::vector<std::string> measured_sentences(const Comparison& comparison) {
                                                               : "block " + runs.key;
     const double gap = group.quartiles.median - group.simulated_quartiles.median;
     const int decimals = decimals_of_length(gap, group.median_difference);
-    const std::string medians = "half stopped before " +
-                                length_in_words(group.quartiles.median, decimals) +
-                                " in the field, " +
-                                length_in_words(group.simulated_quartiles.median, decimals) +
-                                " simulated";
+    const std::string medians =
+        "half stopped before " + length_in_words(group.quartiles.median, decimals) +
+        " in the field, " + length_in_words(group.simulated_quartiles.median, decimals) +
+        " simulated";
     const Interval& interval = group.median_difference;
     std::string verdict;
     switch (agreement(group)) {

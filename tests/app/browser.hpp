@@ -18,8 +18,7 @@ inline void expect_browser() {
 /// of the network. Null where the script did not come to its end.
 /// @param window  width and height, px
 inline nlohmann::json probed(const fs::path& path, const std::string& probe,
-                             const ScratchFolder& folder,
-                             const std::string& window = "1280,800") {
+                             const ScratchFolder& folder, const std::string& window = "1280,800") {
   std::string page = read_text_file(path);
   page.replace(page.rfind("</body>"), 7, probe);
   write_text_file(folder / "page.html", page);

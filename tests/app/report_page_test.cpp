@@ -188,8 +188,8 @@ TEST_F(ReportPage, FitsATelephone) {
 
 TEST_F(ReportPage, IsPrinted) {
   make_report();
-  const ProgramRun run = run_clast({"compare", "results.h5", "-o", "printed", "--pdf", "--summary"},
-                                   folder.path());
+  const ProgramRun run =
+      run_clast({"compare", "results.h5", "-o", "printed", "--pdf", "--summary"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "printed/report.pdf"));
   EXPECT_TRUE(contains(run.out, "mean runout"));

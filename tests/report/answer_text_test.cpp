@@ -82,7 +82,8 @@ TEST(AnswerText, OneClassHasADistanceInsteadOfADifference) {
 }
 
 TEST(AnswerText, AFewRunsHaveALargestValueOnly) {
-  const std::string text = sentences(made_up_results({.elongated = NAN, .points = 1, .runs_each = 5}));
+  const std::string text =
+      sentences(made_up_results({.elongated = NAN, .points = 1, .runs_each = 5}));
   EXPECT_TRUE(contains(text, ", at most "));
   EXPECT_FALSE(contains(text, "95 % stop"));
 }
@@ -134,14 +135,16 @@ TEST(AnswerText, FewPassagesAreCountedNotRanked) {
   }
   add_barrier(results, "road", farthest - 0.5);
   const std::string text = sentences(std::move(results));
-  EXPECT_TRUE(contains(text, "8 % of compact and 0 % of elongated blocks pass road, with 500 J and "
-                             "0.01 m."))
+  EXPECT_TRUE(contains(text,
+                       "8 % of compact and 0 % of elongated blocks pass road, with 500 J and "
+                       "0.01 m."))
       << text;
 }
 
 TEST(AnswerText, RingsAreReached) {
   CampaignResults results = made_up_results();
-  results.barriers = {{"house", {Vec2(38, -9), Vec2(60, -9), Vec2(60, 9), Vec2(38, 9), Vec2(38, -9)}}};
+  results.barriers = {
+      {"house", {Vec2(38, -9), Vec2(60, -9), Vec2(60, 9), Vec2(38, 9), Vec2(38, -9)}}};
   results.crossings = {hand_made_crossing(0, 0, 1.0, 2.0)};
   results.crossings[0].forward = false;  // into a ring that runs counter-clockwise
   const std::string text = sentences(std::move(results));
@@ -151,7 +154,8 @@ TEST(AnswerText, RingsAreReached) {
 }
 
 TEST(AnswerText, EveryFileHasItsSentence) {
-  CampaignResults first = made_up_results(), second = made_up_results({.compact = 80.0, .elongated = 60.0, .seed = 3});
+  CampaignResults first = made_up_results(),
+                  second = made_up_results({.compact = 80.0, .elongated = 60.0, .seed = 3});
   first.file = "hard.h5";
   second.file = "soft.h5";
   const Comparison comparison = compared(std::move(first), std::move(second));
@@ -174,7 +178,8 @@ TEST(AnswerText, MeasuredStopsHaveAVerdict) {
     write_text_file(folder / "seen.csv", table);
     std::vector<CampaignResults> all;
     all.push_back(made_up_results({.elongated = NAN}));
-    const Comparison comparison = compare(std::move(all), {.by = {}, .measured = folder / "seen.csv"});
+    const Comparison comparison =
+        compare(std::move(all), {.by = {}, .measured = folder / "seen.csv"});
     const std::string html = measured_section(comparison);
     EXPECT_EQ(unbalanced(html), "");
     return measured_sentences(comparison).at(0);

@@ -47,7 +47,8 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
   results.runs[5].result.stop_reason = StopReason::kLeftTerrain;
   const Comparison comparison = compared(results, results);
-  EXPECT_TRUE(contains(provenance_section(comparison), "2 realisations of 3 blocks, released at once"));
+  EXPECT_TRUE(
+      contains(provenance_section(comparison), "2 realisations of 3 blocks, released at once"));
   EXPECT_EQ(stay_section(comparison), "");
   RealisationDeposits deposits = realisation_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 4u);

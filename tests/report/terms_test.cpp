@@ -26,8 +26,9 @@ TEST(Terms, AreMarkedOnceInASectionAndExplainedAtTheEnd) {
 }
 
 TEST(Terms, AreWholeWordsOutsideScriptsAndTitles) {
-  const std::string plain = "<h2>Runout</h2><p>runouts</p><script>var runout='<p>runout</p>';"
-                            "</script><p><code>runout</code></p>";
+  const std::string plain =
+      "<h2>Runout</h2><p>runouts</p><script>var runout='<p>runout</p>';"
+      "</script><p><code>runout</code></p>";
   EXPECT_EQ(with_terms(plain), plain);
   const std::string html = with_terms("<p>A 95 % interval, Cliff&#39;s delta.</p>");
   EXPECT_TRUE(contains(html, ">95 % interval</span>"));
@@ -35,8 +36,9 @@ TEST(Terms, AreWholeWordsOutsideScriptsAndTitles) {
 }
 
 TEST(Contents, LinkToEverySection) {
-  const std::string html = contents("<header id=\"answer\"></header>" + section("Along the slope", "") +
-                                    section("What was run", "<p>x</p>"));
+  const std::string html =
+      contents("<header id=\"answer\"></header>" + section("Along the slope", "") +
+               section("What was run", "<p>x</p>"));
   EXPECT_TRUE(contains(html, "<a href=\"#answer\">Answer</a>"));
   EXPECT_TRUE(contains(html, "<a href=\"#along-the-slope\">Along the slope</a>"));
   EXPECT_TRUE(contains(html, "<a href=\"#what-was-run\">What was run</a>"));

@@ -159,9 +159,9 @@ TEST(Differences, AreSaidInASentence) {
   std::swap(back.first, back.second);
   std::swap(back.first_mean, back.second_mean);
   back.interval = Interval{-interval.high, -interval.low};
-  EXPECT_EQ(gap_in_words(back),
-            with_digits(runout.first_mean - runout.second_mean, 3) + " m less (" +
-                with_digits(interval.low, 3) + " to " + with_digits(interval.high, 3) + " m)");
+  EXPECT_EQ(gap_in_words(back), with_digits(runout.first_mean - runout.second_mean, 3) +
+                                    " m less (" + with_digits(interval.low, 3) + " to " +
+                                    with_digits(interval.high, 3) + " m)");
 }
 
 TEST(Differences, NameTheirQuantitiesForReaders) {

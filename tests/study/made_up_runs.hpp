@@ -35,9 +35,9 @@ inline CampaignResults made_up_results(const MadeUpRuns& asked = {}) {
     for (std::uint32_t block = 0; block < 2; ++block) {
       const double mean = block == 0 ? asked.compact : asked.elongated;
       for (int i = 0; i < asked.runs_each && std::isfinite(mean); ++i) {
-        results.runs.push_back(
-            hand_made_run(static_cast<std::uint32_t>(results.runs.size()), block,
-                          mean + places[point] + asked.scatter * random.normal(), 0.0));
+        results.runs.push_back(hand_made_run(static_cast<std::uint32_t>(results.runs.size()), block,
+                                             mean + places[point] + asked.scatter * random.normal(),
+                                             0.0));
         results.runs.back().point = point;
       }
     }
