@@ -114,9 +114,7 @@ GapAnswer gap_between(const Comparison& comparison, const RunoutAnswer& a, const
   gap.standing = standing_of(*difference);
   if (difference->interval) {
     const Interval& of = *difference->interval;
-    const bool same_order =
-        comparison.groups[gap.farther].rows == comparison.groups[difference->first].rows;
-    gap.interval = same_order ? of : Interval{-of.high, -of.low};
+    gap.interval = gap.farther == difference->first ? of : Interval{-of.high, -of.low};
   }
   return gap;
 }

@@ -1,5 +1,8 @@
-#include "report/html/html_page.hpp"
 #include "report/pages/report_sections.hpp"
+
+#include <cctype>
+
+#include "report/html/html_page.hpp"
 #include "report/text/answer_text.hpp"
 
 namespace clast::report_detail {
@@ -8,10 +11,24 @@ namespace {
 /// Cautions shown at once; of more, the others are folded.
 constexpr std::size_t kMostCautions = 3;
 
+/// Escaped, with numbers and units that stay on one line.
+std::string unbroken(const std::string& text) {
+  std::string html = escaped(text);
+  for (const std::string unit : {"%", "m", "kJ", "J", "kg"}) {
+    for (std::size_t at = 0; (at = html.find(" " + unit, at)) != html.npos; ++at) {
+      const std::size_t end = at + 1 + unit.size();
+      const bool number = at > 0 && std::isdigit(static_cast<unsigned char>(html[at - 1]));
+      const bool whole = end == html.size() || !std::isalnum(static_cast<unsigned char>(html[end]));
+      if (number && whole) html.replace(at, 1, "&nbsp;");
+    }
+  }
+  return html;
+}
+
 std::string figures_of(const Comparison& comparison, const Answer& answer) {
   std::string html = "<dl class=\"figures\">\n";
   for (const KeyFigure& figure : key_figures(comparison, answer)) {
-    html += "<div><dd class=\"value\">" + escaped(figure.value) + "</dd><dt>" +
+    html += "<div><dd class=\"value\">" + unbroken(figure.value) + "</dd><dt>" +
             escaped(figure.label) + "</dt>" +
             (figure.range.empty() ? "" : "<dd>(" + escaped(figure.range) + ")</dd>") + "</div>\n";
   }
@@ -44,7 +61,7 @@ std::string head_section(const Comparison& comparison, const Answer& answer) {
   std::string html = "<header id=\"answer\">\n<h1>Rockfall runs compared by shape</h1>\n";
   html += "<p class=\"lead\">" + escaped(runs_in_words(comparison)) + "</p>\n";
   for (const std::string& sentence : answer_sentences(comparison, answer)) {
-    html += "<p class=\"answer\">" + escaped(sentence) + "</p>\n";
+    html += "<p class=\"answer\">" + unbroken(sentence) + "</p>\n";
   }
   html += figures_of(comparison, answer);
   html += "<p class=\"note\">" + escaped(intervals_in_words(answer)) + "</p>\n";

@@ -59,7 +59,7 @@ std::string at_rest_only(const RunoutAnswer& all) {
 
 std::string mean_runout(const Comparison& comparison, const Statement& statement) {
   const RunoutAnswer& all = statement.all;
-  if (!all.stands()) {
+  if (all.at_rest == 0 || 2 * all.at_rest < all.started) {
     const std::string ends = other_ends(statement.stops);
     return (all.at_rest == 0 ? "no run" : "only " + std::to_string(all.at_rest)) + " of " +
            std::to_string(all.started) + " came to rest" + (ends.empty() ? "" : " (" + ends + ")") +
@@ -68,12 +68,15 @@ std::string mean_runout(const Comparison& comparison, const Statement& statement
   const std::size_t shown = statement.classes.size() == 1 ? statement.classes[0].group : all.group;
   const std::string who = blocks_of(comparison, shown);
   const int decimals = decimals_of_length(all.mean, all.interval);
-  std::string text = at_rest_only(all) + who + (who.starts_with("block ") ? " runs " : " run ") +
-                     length_in_words(all.mean, decimals) + " on average";
-  if (all.interval) text += " (" + lengths_in_words(*all.interval, decimals) + ")";
-  return text + (all.at_rest < kFewestForShare
-                     ? ", at most " + length_in_words(all.farthest, decimals)
-                     : "; 95 % stop before " + length_in_words(all.p95, decimals));
+  const std::string text = at_rest_only(all) + who +
+                           (who.starts_with("block ") ? " runs " : " run ") +
+                           length_in_words(all.mean, decimals);
+  if (!all.stands()) return text + " (" + counted(all.at_rest, "run") + ")";
+  return text + " on average" +
+         (all.interval ? " (" + lengths_in_words(*all.interval, decimals) + ")" : "") +
+         (all.at_rest < kFewestForShare
+              ? ", at most " + length_in_words(all.farthest, decimals)
+              : "; 95 % stop before " + length_in_words(all.p95, decimals));
 }
 
 std::string gap_in_words(const Comparison& comparison, const Statement& statement) {
@@ -110,10 +113,13 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
       break;
   }
   const std::string ends = other_ends(statement.stops);
-  return "runouts can't be compared: only " + std::to_string(farther.at_rest) + " of " +
+  if (ends.empty()) {
+    return "there are too few runs to compare runouts (" + std::to_string(farther.at_rest) + " " +
+           a + ", " + std::to_string(nearer.at_rest) + " " + b + ")";
+  }
+  return "runouts can't be compared: " + std::to_string(farther.at_rest) + " of " +
          std::to_string(farther.started) + " " + a + " and " + std::to_string(nearer.at_rest) +
-         " of " + std::to_string(nearer.started) + " " + b + " blocks came to rest" +
-         (ends.empty() ? "" : " (" + ends + ")");
+         " of " + std::to_string(nearer.started) + " " + b + " blocks came to rest (" + ends + ")";
 }
 
 /// What a barrier is called in a sentence, and what blocks do there.

@@ -66,7 +66,7 @@ var probe={width:innerWidth,height:innerHeight};
 function box(e){var r=e.getBoundingClientRect();return {left:r.left,top:r.top,right:r.right,bottom:r.bottom}}
 function scrolls(e){for(;e;e=e.parentElement)if(/auto|scroll|hidden/.test(getComputedStyle(e).overflowX)&&e!==document.documentElement&&e!==document.body)return true;return false}
 clastRun('plotly-code').then(function(){return clastCharts.drawAll()}).then(function(){
-  probe.answer=document.querySelector('.answer').textContent;
+  probe.answer=document.querySelector('.answer').textContent.replaceAll('\u00a0',' ');
   probe.sentence=box(document.querySelector('.answer'));
   probe.numbers=Array.from(document.querySelectorAll('.figures .value')).map(box);
   probe.cautions=Array.from(document.querySelectorAll('#answer .warnings > details > summary')).map(function(e){
