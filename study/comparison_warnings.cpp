@@ -8,6 +8,7 @@
 
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
+#include "study/block_scale.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {

@@ -18,11 +18,6 @@ namespace clast {
 using namespace study_detail;
 namespace fs = std::filesystem;
 
-std::string scale_in_words(const BlockSummary& block) {
-  return "block " + block.id + " is scaled by " + with_digits(block.scale, 4) + " to " +
-         with_digits(block.mass, 4) + " kg";
-}
-
 const StayRecord* CampaignResults::stay_of(std::uint32_t run) const {
   const auto found = std::lower_bound(
       stays.begin(), stays.end(), run,

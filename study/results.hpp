@@ -52,9 +52,6 @@ struct BlockSummary {
   const std::string& library_block() const { return library_id.empty() ? id : library_id; }
 };
 
-/// That a block has another size than in its library: "block B01 is scaled by 1.2 to 430 kg".
-std::string scale_in_words(const BlockSummary& block);
-
 /// What else is kept of a run whose block stayed among others.
 struct StayRecord {
   std::uint32_t run = 0;

@@ -6,6 +6,7 @@
 
 #include "core/version.hpp"
 #include "report/html/html_page.hpp"
+#include "study/block_scale.hpp"
 #include "study/block_stiffness.hpp"
 #include "study/ensemble_effects.hpp"
 

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
+#include "study/block_scale.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "terrain/terrain_fit.hpp"
 

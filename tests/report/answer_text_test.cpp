@@ -8,6 +8,7 @@
 #include "core/text_file.hpp"
 #include "report/pages/report_sections.hpp"
 #include "report/text/plain_numbers.hpp"
+#include "study/block_scale.hpp"
 #include "tests/study/made_up_runs.hpp"
 #include "tests/support/markup.hpp"
 #include "tests/support/refusal.hpp"
