@@ -122,19 +122,20 @@ std::map<std::string, double> mean_masses(const Comparison& comparison) {
 void warn_of_masses(Comparison& comparison) {
   const std::map<std::string, double> means = mean_masses(comparison);
   double low = INFINITY, high = 0.0;
-  std::string list;
+  std::string list, in_short;
   for (const auto& [name, mean] : means) {
     low = std::min(low, mean);
     high = std::max(high, mean);
     list += (list.empty() ? "" : ", ") + name + " " + with_digits(mean, 4) + " kg";
+    in_short += (in_short.empty() ? "" : ", ") + name + " " + with_digits(mean, 3) + " kg";
   }
   if (means.size() > 1 && high > low * (1.0 + kNotableMassDifference)) {
     warn(comparison,
          "mass differs between classes (mean block: " + list +
              "); differences between classes are of shape and mass together. Run with [blocks] "
              "scale = \"equal-mass\" to compare shapes alone",
-         "The classes differ in mass (" + list +
-             "): what differs between them is due to shape and mass together.");
+         "The classes differ in mass (" + in_short +
+             "): differences are of shape and mass together.");
   }
 }
 

@@ -39,7 +39,7 @@ const clastCharts = (() => {
   // A4 (px): a map takes the page, two charts stand side by side.
   const paper = (box) => {
     const alone = !box.closest('.charts'), map = box.classList.contains('map');
-    return {width: alone ? 680 : 334, height: map ? 560 : alone ? undefined : 270};
+    return {width: alone ? 680 : 334, height: map ? 430 : alone ? undefined : 300};
   };
   addEventListener('load', () => clastRun('plotly-code').catch(() => {}));
   addEventListener('beforeprint', () => {

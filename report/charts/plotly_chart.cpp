@@ -136,7 +136,7 @@ std::string plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces
 
 std::string interval_chart(const std::string& title, const std::string& label,
                            const std::vector<IntervalMark>& marks) {
-  constexpr int kRow = 34, kAround = 110;  // px
+  constexpr int kRow = 34, kAround = 120;  // px
   if (marks.empty()) return {};
   Json data = Json::array();
   for (const bool told : {true, false}) {
@@ -194,7 +194,7 @@ std::string interval_chart(const std::string& title, const std::string& label,
         {"categoryarray", order},
         {"gridcolor", "#eef1f4"}}},
       {"showlegend", true},
-      {"legend", {{"orientation", "h"}, {"y", 1.0}, {"yanchor", "bottom"}, {"x", 0.0}}},
+      {"legend", {{"orientation", "h"}, {"y", -0.25}, {"yanchor", "top"}}},
       {"hovermode", "closest"}};
   const Json figure = {{"data", data}, {"layout", layout}};
   return plotly_figure(title, "intervals",

@@ -247,9 +247,12 @@ std::string class_names(const Comparison& comparison, const Statement& statement
 KeyFigure runout_figure(const Comparison& comparison, const Statement& statement) {
   std::vector<RunoutAnswer> shown = statement.classes;
   if (shown.size() < 2) shown = {statement.all};
+  int decimals = 2;
+  for (const RunoutAnswer& one : shown) {
+    if (one.stands()) decimals = std::min(decimals, decimals_of_length(one.mean, one.interval));
+  }
   Pair pair;
   for (const RunoutAnswer& one : shown) {
-    const int decimals = decimals_of_length(one.mean, one.interval);
     pair.add(one.stands() ? with_decimals(one.mean, decimals) : "?",
              one.stands() && one.interval ? with_decimals(one.interval->low, decimals) + " to " +
                                                 with_decimals(one.interval->high, decimals)
