@@ -107,4 +107,41 @@ std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const Clu
   return Interval{quantile(differences, 0.025), quantile(differences, 0.975)};
 }
 
+std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_t clusters,
+                                       std::uint64_t seed, std::size_t draws) {
+  if (values.values.empty()) return std::nullopt;
+  std::vector<Sum> pieces = pieces_of(values, clusters);
+  std::erase_if(pieces, [](const Sum& piece) { return piece.count == 0; });
+  Random random(seed);
+  std::vector<double> means;
+  for (std::size_t draw = 0; draw < draws; ++draw) {
+    Sum sum;
+    for (std::size_t i = 0; i < pieces.size(); ++i) sum.add(pieces[random.below(pieces.size())]);
+    means.push_back(sum.mean());
+  }
+  std::sort(means.begin(), means.end());
+  return Interval{quantile(means, 0.025), quantile(means, 0.975)};
+}
+
+Interval clustered_share_interval(const ClusteredValues& hits, std::size_t clusters) {
+  const auto trials = static_cast<double>(hits.values.size());
+  if (hits.values.empty()) return {};
+  const double share = mean_of(hits.values);
+  double squares = 0.0, filled = 0.0;
+  if (clusters > 1) {
+    for (const Sum& piece : pieces_of(hits, clusters)) {
+      if (piece.count == 0) continue;
+      const double off = piece.sum - share * static_cast<double>(piece.count);
+      squares += off * off;
+      ++filled;
+    }
+  }
+  double independent = trials;
+  if (filled > 1.0 && squares > 0.0) {
+    const double variance = filled / (filled - 1.0) * squares / (trials * trials);
+    independent = std::min(trials, share * (1.0 - share) / variance);
+  }
+  return wilson_interval_of_share(share, independent);
+}
+
 }  // namespace clast

@@ -48,4 +48,18 @@ std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const Clu
                                              std::size_t clusters, std::uint64_t seed,
                                              std::size_t draws = 2000);
 
+/// 95 % interval of the mean of `values`, by the same bootstrap.
+/// @return none when there are no values
+/// @cite field2007
+std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_t clusters,
+                                       std::uint64_t seed, std::size_t draws = 2000);
+
+/// 95 % interval of a share whose trials come in clusters: Wilson's, for as many independent trials
+/// as would make the share vary as it does between clusters, and for no more than there are. Trials
+/// count as independent where all are of one cluster, and where the share is 0 or 1.
+/// @param hits  1 where it happened, else 0
+/// @return [0, 1] when there was no trial
+/// @cite wilson1927, korn1998
+Interval clustered_share_interval(const ClusteredValues& hits, std::size_t clusters);
+
 }  // namespace clast

@@ -20,9 +20,10 @@ using namespace report_detail;
 FolderKind comparison_folder() {
   const auto owns = [](const std::filesystem::path& file) {
     static const std::set<std::string> kFiles = {
-        "runs.csv",        "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
-        "ground_sets.csv", "profiles.csv", "measured.csv",  "stops.gpkg",   "differences.csv",
-        "provenance.json", "report.html",  "ensemble.csv",  "stays.csv",    "realisations.csv"};
+        "runs.csv",    "barriers.csv",    "crossings.csv",   "deposits.csv",
+        "impacts.csv", "ground_sets.csv", "profiles.csv",    "measured.csv",
+        "stops.gpkg",  "differences.csv", "provenance.json", "report.html",
+        "report.pdf",  "ensemble.csv",    "stays.csv",       "realisations.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";

@@ -278,6 +278,11 @@ std::uint32_t cluster_of(const CampaignResults& results, const RunRecord& run) {
   return results.stay ? run.run / results.stay->blocks_each : run.point;
 }
 
+std::uint32_t RunClusters::of(const RunRow& row) {
+  const std::pair key(row.file, cluster_of(results_[row.file], *row.record));
+  return numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size())).first->second;
+}
+
 const std::string& release_set_of(const CampaignResults& results, std::uint32_t point) {
   static const std::string none;
   if (point >= results.set_of_point.size()) return none;
@@ -300,9 +305,12 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
     row.lateral = measured.lateral;
   }
   if (!asked && !mean) {
-    comparison.warnings.push_back(
+    const std::string undefined =
         "downslope is undefined: the blocks stopped around their release points; runout and "
-        "lateral angle are along +x of the map. Give [run] downslope = [dx, dy] in the campaign");
+        "lateral angle are along +x of the map. Give [run] downslope = [dx, dy] in the campaign";
+    comparison.warnings.push_back(undefined);
+    comparison.cautions.push_back(
+        {"Downslope is undefined, so runout is along +x of the map.", {undefined}});
   }
 
   append_groups(comparison.rows, std::nullopt, comparison.groups);
@@ -327,9 +335,7 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
     compare_stops(comparison, *comparison.measured);
   }
 
-  for (std::string& warning : comparison_warnings(comparison)) {
-    comparison.warnings.push_back(std::move(warning));
-  }
+  add_warnings(comparison);
   return comparison;
 }
 

@@ -2,8 +2,10 @@
 /// Runs of one or more campaigns side by side, by block and by shape class.
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/statistics.hpp"
@@ -78,7 +80,8 @@ struct BarrierGroup {
   std::size_t crossed = 0;
   std::size_t backward = 0;  ///< runs that passed backward first, counted or not; of a ring none
   double probability = 0.0;
-  Summary height, clearance, speed;          ///< m, m, m/s
+  Interval interval;                 ///< 95 %, of the probability, as `clustered_share_interval`
+  Summary height, clearance, speed;  ///< m, m, m/s
   Summary translational, rotational, total;  ///< J
   Summary rotation_rate;                     ///< rad/s
 };
@@ -104,8 +107,27 @@ struct DepositGroup {
 /// those from one release point, which share its ground.
 std::uint32_t cluster_of(const CampaignResults& results, const RunRecord& run);
 
+/// Those clusters, numbered over all files.
+class RunClusters {
+ public:
+  explicit RunClusters(const std::vector<CampaignResults>& results) : results_(results) {}
+
+  std::uint32_t of(const RunRow& row);
+  std::size_t count() const { return numbers_.size(); }
+
+ private:
+  const std::vector<CampaignResults>& results_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
+};
+
 /// Name of the release set of a point; empty where there is one set.
 const std::string& release_set_of(const CampaignResults& results, std::uint32_t point);
+
+/// A warning that could turn an answer round.
+struct Caution {
+  std::string brief;               ///< a sentence
+  std::vector<std::string> texts;  ///< the warnings in full
+};
 
 /// Everything the tables and the report are made from. Rows point into `results`: moved, not
 /// copied.
@@ -127,6 +149,7 @@ struct Comparison {
   std::vector<Difference> differences;
   std::optional<MeasuredStops> measured;
   std::vector<std::string> warnings;  ///< for example "mass differs between classes"
+  std::vector<Caution> cautions;      ///< of the warnings
 };
 
 /// What to compare beyond blocks and classes.
@@ -147,8 +170,9 @@ std::optional<double> reassigned_share(const EnergyLedger& energy);
 /// rarely know to 10 %; a few per cent are the price of contacts that begin and end, in most runs.
 inline constexpr double kNotableReassigned = 0.1;
 
-/// What a reader of the tables must know: unfinished or lost runs, unequal masses, poor energy
-/// balance. Called by `compare`.
-std::vector<std::string> comparison_warnings(const Comparison& comparison);
+/// Adds what a reader of the tables must know to `warnings` and `cautions`: unfinished or lost
+/// runs, unequal masses, poor energy balance. What the campaign asked for is no warning. Called by
+/// `compare`.
+void add_warnings(Comparison& comparison);
 
 }  // namespace clast

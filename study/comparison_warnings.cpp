@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
+#include "study/block_scale.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {
@@ -17,33 +19,48 @@ constexpr double kNotableMassDifference = 0.01;
 /// Share of the dissipated energy that a run's balance may miss before it is named.
 constexpr double kNotableEnergyError = 0.01;
 
+/// From this share of the runs on, what happened to them could turn an answer round.
+constexpr double kTurningShare = 0.01;
+/// The same for energy that contacts lose or gain, which cancels in part over the runs.
+constexpr double kReassignedShare = 0.1;
+
 std::string of(std::size_t part, std::size_t all) {
   return std::to_string(part) + " of " + std::to_string(all);
 }
 
-void warn_of_unfinished(const Comparison& comparison, std::vector<std::string>& warnings) {
+/// Adds a warning without or with a caution about it.
+void warn(Comparison& comparison, const std::string& text, const std::string& brief = {}) {
+  comparison.warnings.push_back(text);
+  if (!brief.empty()) comparison.cautions.push_back({brief, {text}});
+}
+
+void warn_of_unfinished(Comparison& comparison) {
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     if (results.runs.size() >= results.planned_runs) continue;
-    warnings.push_back(
-        "file " + std::to_string(file + 1) +
-        " is unfinished: " + of(results.runs.size(), results.planned_runs) +
-        " planned runs are stored; if it is a shard, join it with the others with `merge_results`");
+    const std::string unfinished = "file " + std::to_string(file + 1) + " is unfinished: " +
+                                   of(results.runs.size(), results.planned_runs) +
+                                   " planned runs are stored";
+    warn(comparison,
+         unfinished + "; if it is a shard, join it with the others with `merge_results`",
+         "F" + unfinished.substr(1) + ".");
   }
 }
 
-void warn_of_lost_runs(const Comparison& comparison, std::vector<std::string>& warnings) {
+void warn_of_lost_runs(Comparison& comparison) {
   const DepositGroup& all = comparison.deposits.front();
-  const auto warn = [&](std::size_t count, const std::string& what) {
-    if (count > 0) warnings.push_back(of(count, all.started) + " runs " + what);
+  const auto count_of = [&](std::size_t count, const std::string& what, const std::string& advice) {
+    if (count == 0) return;
+    const std::string happened = of(count, all.started) + " runs " + what;
+    const bool turning =
+        static_cast<double>(count) >= kTurningShare * static_cast<double>(all.started);
+    warn(comparison, happened + advice, turning ? happened + "." : "");
   };
-  warn(all.stops.error, "ended with an error; they are in no deposit statistics");
-  warn(all.stops.max_time,
-       "were still moving at max_time; they are in no deposit statistics, so runout may be too "
-       "short. Raise [run] max_time_s");
-  warn(all.stops.left_terrain,
-       "left the surveyed terrain; they are in no deposit statistics, so runout may be too short. "
-       "Extend the terrain");
+  const std::string too_short = "; they are in no deposit statistics, so runout may be too short";
+  count_of(all.stops.error, "ended with an error", "; they are in no deposit statistics");
+  count_of(all.stops.max_time, "were still moving at max_time" + too_short,
+           ". Raise [run] max_time_s");
+  count_of(all.stops.left_terrain, "left the surveyed terrain" + too_short, ". Extend the terrain");
   std::size_t below = 0, unbalanced = 0;
   for (const RunRow& row : comparison.rows) {
     if (row.record->result.below_ground) ++below;
@@ -53,13 +70,12 @@ void warn_of_lost_runs(const Comparison& comparison, std::vector<std::string>& w
       ++unbalanced;
     }
   }
-  warn(below, "ended below ground; their stops can't be trusted");
-  warn(unbalanced,
-       "miss more than 1 % of the dissipated energy in their balance; try a smaller "
-       "[contact] time_step_s");
+  count_of(below, "ended below ground", "; their stops can't be trusted");
+  count_of(unbalanced, "miss more than 1 % of the dissipated energy in their balance",
+           "; try a smaller [contact] time_step_s");
 }
 
-void warn_of_reassigned(const Comparison& comparison, std::vector<std::string>& warnings) {
+void warn_of_reassigned(Comparison& comparison) {
   std::size_t count = 0;
   double largest = 0.0;
   const RunRow* worst = nullptr;
@@ -71,15 +87,21 @@ void warn_of_reassigned(const Comparison& comparison, std::vector<std::string>& 
     largest = std::max(largest, *share);
   }
   if (count == 0) return;
-  warnings.push_back(
+  const std::string happened =
       of(count, comparison.rows.size()) +
       " runs lose or gain more than 10 % of the energy they dissipate where contacts begin, end or "
-      "share their stiffness anew (at most " +
-      with_digits(100.0 * largest, 3) + " %, run " + std::to_string(worst->record->run) +
-      ", block " + worst->block->id +
-      "); it acts like that much more or less friction. Run some of them with half the [contact] "
-      "time_step_s "
-      "to see whether the results depend on it");
+      "share their stiffness anew";
+  const bool turning =
+      static_cast<double>(count) >= kReassignedShare * static_cast<double>(comparison.rows.size());
+  warn(comparison,
+       happened + " (at most " + with_digits(100.0 * largest, 3) + " %, run " +
+           std::to_string(worst->record->run) + ", block " + worst->block->id +
+           "); it acts like that much more or less friction. Run some of them with half the "
+           "[contact] time_step_s to see whether the results depend on it",
+       turning ? of(count, comparison.rows.size()) +
+                     " runs lose or gain more than 10 % of their energy by the way contacts are "
+                     "computed, as if friction were that much off."
+               : "");
 }
 
 /// Mean mass of the blocks of every Garcia class, each block once.
@@ -97,20 +119,23 @@ std::map<std::string, double> mean_masses(const Comparison& comparison) {
   return means;
 }
 
-void warn_of_masses(const Comparison& comparison, std::vector<std::string>& warnings) {
+void warn_of_masses(Comparison& comparison) {
   const std::map<std::string, double> means = mean_masses(comparison);
   double low = INFINITY, high = 0.0;
-  std::string list;
+  std::string list, in_short;
   for (const auto& [name, mean] : means) {
     low = std::min(low, mean);
     high = std::max(high, mean);
     list += (list.empty() ? "" : ", ") + name + " " + with_digits(mean, 4) + " kg";
+    in_short += (in_short.empty() ? "" : ", ") + name + " " + with_digits(mean, 3) + " kg";
   }
   if (means.size() > 1 && high > low * (1.0 + kNotableMassDifference)) {
-    warnings.push_back(
-        "mass differs between classes (mean block: " + list +
-        "); differences between classes are of shape and mass together. Run with [blocks] "
-        "scale = \"equal-mass\" to compare shapes alone");
+    warn(comparison,
+         "mass differs between classes (mean block: " + list +
+             "); differences between classes are of shape and mass together. Run with [blocks] "
+             "scale = \"equal-mass\" to compare shapes alone",
+         "The classes differ in mass (" + in_short +
+             "): differences are of shape and mass together.");
   }
 }
 
@@ -147,8 +172,10 @@ std::vector<std::optional<double>> zone_slopes(const CampaignResults& results) {
   return slopes;
 }
 
-void warn_of_slopes(const Comparison& comparison, std::vector<std::string>& warnings) {
+void warn_of_slopes(Comparison& comparison) {
   const auto degrees = [](double angle) { return with_digits(angle * 180.0 / kPi, 3) + " deg"; };
+  std::vector<std::string> sliding_texts, rolling_texts;
+  std::set<std::string> sliding_zones, rolling_zones;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     const std::vector<std::optional<double>> slopes = zone_slopes(results);
@@ -161,20 +188,34 @@ void warn_of_slopes(const Comparison& comparison, std::vector<std::string>& warn
           "zone " + results.zone_names[zone] + " slopes " + degrees(*slopes[zone]) +
           " on average, ";
       if (*slopes[zone] > sliding) {
-        warnings.push_back(where + "above atan mu = " + degrees(sliding) +
-                           ": geometry decides; nothing comes to rest by friction there, so an "
-                           "effect of shape can vanish");
+        sliding_zones.insert(results.zone_names[zone]);
+        sliding_texts.push_back(where + "above atan mu = " + degrees(sliding) +
+                                ": geometry decides; nothing comes to rest by friction there, so "
+                                "an effect of shape can vanish");
       } else if (*slopes[zone] > rolling) {
-        warnings.push_back(where + "between atan mu_R = " + degrees(rolling) +
-                           " and atan mu = " + degrees(sliding) +
-                           ": geometry decides; what rolls goes on and what slides stops, so an "
-                           "effect of shape looks larger than on other slopes");
+        rolling_zones.insert(results.zone_names[zone]);
+        rolling_texts.push_back(where + "between atan mu_R = " + degrees(rolling) +
+                                " and atan mu = " + degrees(sliding) +
+                                ": geometry decides; what rolls goes on and what slides stops, so "
+                                "an effect of shape looks larger than on other slopes");
       }
     }
   }
+  const auto add = [&](const std::vector<std::string>& texts, const std::set<std::string>& zones,
+                       const std::string& effect) {
+    if (texts.empty()) return;
+    comparison.warnings.insert(comparison.warnings.end(), texts.begin(), texts.end());
+    const std::vector<std::string> names(zones.begin(), zones.end());
+    comparison.cautions.push_back({"On the ground of " + listed(names) + " " + effect, texts});
+  };
+  add(sliding_texts, sliding_zones,
+      "the slope is too steep for friction to stop a block, so an effect of shape can vanish.");
+  add(rolling_texts, rolling_zones,
+      "what rolls goes on and what slides stops, so an effect of shape looks larger than on other "
+      "slopes.");
 }
 
-void warn_of_changed_blocks(const Comparison& comparison, std::vector<std::string>& warnings) {
+void warn_of_changed_blocks(Comparison& comparison) {
   std::map<std::string, const BlockSummary*> first;
   std::set<std::string> changed;
   for (const RunRow& row : comparison.rows) {
@@ -183,20 +224,21 @@ void warn_of_changed_blocks(const Comparison& comparison, std::vector<std::strin
     const bool same = known.mass == block.mass && known.axes.L == block.axes.L &&
                       known.axes.I == block.axes.I && known.axes.S == block.axes.S;
     if (!same && changed.insert(block.id).second) {
-      warnings.push_back("block " + block.id +
-                         " has another mass or size in another file; its groups mix both");
+      const std::string mixed =
+          "block " + block.id + " has another mass or size in another file; its groups mix both";
+      warn(comparison, mixed, changed.size() == 1 ? "B" + mixed.substr(1) + "." : "");
     }
   }
 }
 
 /// Measured stops with a name that nothing simulated has, which are in no group but `all`, and
 /// those far from every terrain: of another map system, or a slip.
-void warn_of_measured(const Comparison& comparison, std::vector<std::string>& warnings) {
+void warn_of_measured(Comparison& comparison) {
   if (!comparison.measured) return;
   std::set<std::string> blocks;
   for (const RunRow& row : comparison.rows) blocks.insert(row.block->id);
   const std::vector<MeasuredStop>& stops = comparison.measured->stops;
-  const auto name = [&](const std::string& what, const auto& unknown) {
+  const auto name = [&](const std::string& what, bool turning, const auto& unknown) {
     std::size_t count = 0;
     std::string first;
     for (const MeasuredStop& stop : stops) {
@@ -205,16 +247,16 @@ void warn_of_measured(const Comparison& comparison, std::vector<std::string>& wa
       if (count++ == 0) first = text;
     }
     if (count > 0) {
-      warnings.push_back(of(count, stops.size()) + " measured stops " + what + " (first: " + first +
-                         ")");
+      const std::string found = of(count, stops.size()) + " measured stops " + what;
+      warn(comparison, found + " (first: " + first + ")", turning ? found + "." : "");
     }
   };
-  name("name a block that no run has, so they are in the group \"all\" alone",
+  name("name a block that no run has, so they are in the group \"all\" alone", false,
        [&](const MeasuredStop& stop) {
          return blocks.contains(stop.block) ? std::string() : stop.block;
        });
   name("have a shape that is neither compact nor elongated, so they are in no group of a shape",
-       [&](const MeasuredStop& stop) {
+       false, [&](const MeasuredStop& stop) {
          const bool known = stop.shape == "compact" || stop.shape == "elongated";
          return known ? std::string() : stop.shape;
        });
@@ -224,18 +266,20 @@ void warn_of_measured(const Comparison& comparison, std::vector<std::string>& wa
     grounds.push_back(
         {results.terrain.frame.map(extent.low), results.terrain.frame.map(extent.high)});
   }
-  name("lie off the terrain; check their map system and units", [&](const MeasuredStop& stop) {
-    const bool over = std::any_of(grounds.begin(), grounds.end(), [&](const Bounds& ground) {
-      return (stop.place.array() >= ground.low.head<2>().array()).all() &&
-             (stop.place.array() <= ground.high.head<2>().array()).all();
-    });
-    return over ? std::string()
-                : "x " + with_digits(stop.place.x(), 9) + ", y " + with_digits(stop.place.y(), 9);
-  });
+  name("lie off the terrain; check their map system and units", true,
+       [&](const MeasuredStop& stop) {
+         const bool over = std::any_of(grounds.begin(), grounds.end(), [&](const Bounds& ground) {
+           return (stop.place.array() >= ground.low.head<2>().array()).all() &&
+                  (stop.place.array() <= ground.high.head<2>().array()).all();
+         });
+         return over ? std::string()
+                     : "x " + with_digits(stop.place.x(), 9) + ", y " +
+                           with_digits(stop.place.y(), 9);
+       });
 }
 
 /// A barrier drawn the wrong way must not make what lies behind it look safe.
-void warn_of_directions(const Comparison& comparison, std::vector<std::string>& warnings) {
+void warn_of_directions(Comparison& comparison) {
   for (const BarrierGroup& group : comparison.barriers) {
     const BarrierLine& line = comparison.lines[group.line];
     const Group& runs = comparison.groups[group.group_index];
@@ -248,12 +292,14 @@ void warn_of_directions(const Comparison& comparison, std::vector<std::string>& 
       if (row.barrier != group.line || row.crossing->forward) continue;
       most = std::max(most, row.crossing->translational_energy + row.crossing->rotational_energy);
     }
-    warnings.push_back("barrier " + line.name +
-                       " counts only crossings from the left of its line to the right, but " +
-                       std::to_string(group.backward) + " of " + std::to_string(group.started) +
-                       " runs crossed it the other way first, with up to " +
-                       with_digits(most / 1000.0, 4) +
-                       " kJ; swap its points, or leave direction out to count both ways");
+    const std::string crossed = of(group.backward, group.started) +
+                                " runs crossed it the other way first, with up to " +
+                                with_digits(most / 1000.0, 4) + " kJ";
+    warn(comparison,
+         "barrier " + line.name +
+             " counts only crossings from the left of its line to the right, but " + crossed +
+             "; swap its points, or leave direction out to count both ways",
+         "Barrier " + line.name + " counts one direction only, but " + crossed + ".");
   }
 }
 
@@ -265,16 +311,15 @@ std::optional<double> reassigned_share(const EnergyLedger& energy) {
   return std::abs(energy.reassigned) / dissipated;
 }
 
-std::vector<std::string> comparison_warnings(const Comparison& comparison) {
-  std::vector<std::string> warnings;
-  warn_of_directions(comparison, warnings);  // it turns an answer round
-  warn_of_unfinished(comparison, warnings);
-  warn_of_lost_runs(comparison, warnings);
-  warn_of_reassigned(comparison, warnings);
-  warn_of_masses(comparison, warnings);
-  warn_of_slopes(comparison, warnings);
-  warn_of_changed_blocks(comparison, warnings);
-  warn_of_measured(comparison, warnings);
+void add_warnings(Comparison& comparison) {
+  warn_of_directions(comparison);
+  warn_of_unfinished(comparison);
+  warn_of_lost_runs(comparison);
+  warn_of_reassigned(comparison);
+  warn_of_masses(comparison);
+  warn_of_slopes(comparison);
+  warn_of_changed_blocks(comparison);
+  warn_of_measured(comparison);
   // What all files warn of is said once.
   const auto in_all_files = [&](const std::string& warning) {
     return std::all_of(
@@ -283,15 +328,19 @@ std::vector<std::string> comparison_warnings(const Comparison& comparison) {
         });
   };
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
-    for (const std::string& warning : comparison.results[file].warnings) {
+    const CampaignResults& results = comparison.results[file];
+    for (const std::string& warning : results.warnings) {
+      const bool asked =
+          std::any_of(results.blocks.begin(), results.blocks.end(),
+                      [&](const BlockSummary& block) { return warning == scale_in_words(block); });
+      if (asked) continue;
       if (!in_all_files(warning)) {
-        warnings.push_back("file " + std::to_string(file + 1) + ": " + warning);
+        warn(comparison, "file " + std::to_string(file + 1) + ": " + warning);
       } else if (file == 0) {
-        warnings.push_back(warning);
+        warn(comparison, warning);
       }
     }
   }
-  return warnings;
 }
 
 }  // namespace clast

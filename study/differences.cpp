@@ -61,24 +61,8 @@ std::vector<Quantity> quantities(const Comparison& comparison) {
   return all;
 }
 
-// Clusters of runs, numbered over all files.
-class Clusters {
- public:
-  explicit Clusters(const Comparison& comparison) : comparison_(comparison) {}
-
-  std::uint32_t of(const RunRow& row) {
-    const std::pair key(row.file, cluster_of(comparison_.results[row.file], *row.record));
-    return numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size())).first->second;
-  }
-  std::size_t count() const { return numbers_.size(); }
-
- private:
-  const Comparison& comparison_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
-};
-
 ClusteredValues values_of(const Comparison& comparison, const Group& group,
-                          const Quantity& quantity, Clusters& clusters) {
+                          const Quantity& quantity, RunClusters& clusters) {
   ClusteredValues values;
   for (const std::size_t row : group.rows) {
     const std::optional<double> value = quantity.value(row);
@@ -101,7 +85,7 @@ bool are_points_alone(const ClusteredValues& a, const ClusteredValues& b) {
 
 std::optional<Difference> difference_of(const Comparison& comparison, std::size_t first,
                                         std::size_t second, const Quantity& quantity) {
-  Clusters clusters(comparison);
+  RunClusters clusters(comparison.results);
   const ClusteredValues a = values_of(comparison, comparison.groups[first], quantity, clusters);
   const ClusteredValues b = values_of(comparison, comparison.groups[second], quantity, clusters);
   if (a.values.size() < kFewest || b.values.size() < kFewest) return std::nullopt;
@@ -173,31 +157,71 @@ std::vector<Difference> differences(const Comparison& comparison) {
   return found;
 }
 
-std::string in_words(const Difference& difference, const Comparison& comparison) {
-  const std::string& a = comparison.groups[difference.first].name;
-  const std::string& b = comparison.groups[difference.second].name;
-  const double gap = difference.first_mean - difference.second_mean;
-  std::string words =
-      difference.quantity + " of " + a + " is " + with_digits(difference.first_mean, 3) +
-      " on average (" + std::to_string(difference.first_runs) + " runs), of " + b + " " +
-      with_digits(difference.second_mean, 3) + " (" + std::to_string(difference.second_runs) +
-      "): a difference of " + with_digits(gap, 3);
-  if (difference.interval) {
-    words += " (95 % interval " + with_digits(difference.interval->low, 3) + " to " +
-             with_digits(difference.interval->high, 3) + ", " +
-             (!difference.by_runs ? "from " + std::to_string(difference.points) + " release points"
-              : difference.points > 1 ? "from the runs of one release point each"
-                                      : "from the runs of one release point") +
-             ")";
+std::optional<Difference> runout_difference(const Comparison& comparison, std::size_t first,
+                                            std::size_t second) {
+  std::optional<Difference> found =
+      difference_of(comparison, first, second, quantities(comparison).front());
+  if (found) {
+    found->p_holm = found->p_value;
+    found->tests = 1;
   }
-  words += ". The effect is " + std::string(words_for_delta(difference.cliffs_delta)) +
-           " (Cliff's delta " + with_digits(difference.cliffs_delta, 3) + "). ";
-  const std::string evidence = "Kolmogorov-Smirnov D " + with_digits(difference.ks_distance, 3) +
-                               ", p " + with_digits(difference.p_holm, 2) +
-                               " after Holm's correction for " + std::to_string(difference.tests) +
-                               (difference.tests == 1 ? " test" : " tests") + ").";
-  return words + (difference.found() ? "The distributions differ (" : "No difference is shown (") +
-         evidence;
+  return found;
+}
+
+Evidence evidence_of(const Difference& difference) {
+  if (!difference.found()) return Evidence::kNotTold;
+  const std::optional<Interval>& interval = difference.interval;
+  const bool apart = interval && (interval->low > 0.0 || interval->high < 0.0);
+  return apart ? Evidence::kTold : Evidence::kOtherSpread;
+}
+
+QuantityWords words_of_quantity(const std::string& quantity) {
+  const std::size_t blank = quantity.rfind(' ');
+  const std::string barrier = blank == quantity.npos ? "" : " at " + quantity.substr(0, blank);
+  const std::string name = blank == quantity.npos ? quantity : quantity.substr(blank + 1);
+  if (name == "runout_m") return {"runout", "m"};
+  if (name == "lateral_deg") return {"lateral angle", "deg"};
+  if (name == "path_length_m") return {"path length", "m"};
+  if (name == "max_speed_m_s") return {"largest speed", "m/s"};
+  if (name == "speed_m_s") return {"speed" + barrier, "m/s"};
+  if (name == "total_energy_j") return {"energy" + barrier, "kJ", 1e-3};
+  if (name == "height_m") return {"height" + barrier, "m"};
+  return {quantity, ""};
+}
+
+std::string gap_in_words(const Difference& difference) {
+  const QuantityWords words = words_of_quantity(difference.quantity);
+  const double gap = words.factor * (difference.first_mean - difference.second_mean);
+  const double sign = gap < 0.0 ? -1.0 : 1.0;
+  std::string text =
+      with_digits(sign * gap, 3) + " " + words.unit + (gap < 0.0 ? " less" : " more");
+  if (!difference.interval) return text;
+  double low = sign * words.factor * difference.interval->low;
+  double high = sign * words.factor * difference.interval->high;
+  if (low > high) std::swap(low, high);
+  return text + " (" + with_digits(low, 3) + " to " + with_digits(high, 3) + " " + words.unit + ")";
+}
+
+std::string in_words(const Difference& difference, const Comparison& comparison) {
+  const QuantityWords words = words_of_quantity(difference.quantity);
+  const auto mean = [&](double value) {
+    return with_digits(words.factor * value, 3) + " " + words.unit;
+  };
+  const std::string means = words.name + ": " + comparison.groups[difference.first].name + " " +
+                            mean(difference.first_mean) + " on average, " +
+                            comparison.groups[difference.second].name + " " +
+                            mean(difference.second_mean) + "; " + gap_in_words(difference);
+  switch (evidence_of(difference)) {
+    case Evidence::kTold:
+      return means;
+    case Evidence::kOtherSpread:
+      return means + ", which can be chance, but the values are spread differently";
+    case Evidence::kNotTold:
+      break;
+  }
+  return means + ", which can be chance" +
+         (difference.tests > 1 ? " among " + std::to_string(difference.tests) + " differences"
+                               : "");
 }
 
 }  // namespace clast

@@ -44,6 +44,33 @@ inline constexpr std::size_t kMostGroups = 12;
 /// group has fewer than three values are left out.
 std::vector<Difference> differences(const Comparison& comparison);
 
+/// The runouts of any two groups, alone: `p_holm` is `p_value`.
+/// @return none where a group has fewer than three runs at rest
+std::optional<Difference> runout_difference(const Comparison& comparison, std::size_t first,
+                                            std::size_t second);
+
+/// What a difference means.
+enum class Evidence {
+  kTold,         ///< the means differ by more than chance gives
+  kOtherSpread,  ///< values are distributed in another way, the means can't be told apart
+  kNotTold,      ///< it can be chance
+};
+
+/// Told where the test, corrected for all that were made, is below 5 % and the interval excludes
+/// zero.
+Evidence evidence_of(const Difference& difference);
+
+/// A quantity as readers know it: "EC11 total_energy_j" is "energy at EC11", in kJ.
+struct QuantityWords {
+  std::string name;
+  std::string unit;
+  double factor = 1.0;  ///< on values
+};
+QuantityWords words_of_quantity(const std::string& quantity);
+
+/// "13.2 m more (10.1 to 17 m)", or "less": of the first group.
+std::string gap_in_words(const Difference& difference);
+
 /// A sentence to quote.
 std::string in_words(const Difference& difference, const Comparison& comparison);
 

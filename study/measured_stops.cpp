@@ -113,7 +113,7 @@ struct BootstrapIntervals {
 /// Measured stops are drawn one by one, simulated ones by whole clusters (`cluster_of`); by runs
 /// where there is one cluster only.
 BootstrapIntervals bootstrapped(const std::vector<double>& seen,
-                                const std::map<std::uint64_t, std::vector<double>>& by_cluster) {
+                                const std::map<std::uint32_t, std::vector<double>>& by_cluster) {
   constexpr std::uint64_t kSeed = 20220310;  // any is good; a fixed one gives the same interval
   constexpr std::size_t kDraws = 1000, kMostDrawn = 20'000'000;
   std::vector<std::vector<double>> clusters;
@@ -149,7 +149,36 @@ BootstrapIntervals bootstrapped(const std::vector<double>& seen,
   return {interval(medians), interval(distances)};
 }
 
+constexpr std::size_t kMostPoints = 100;  // of a curve
+
+/// At every value of the sample, or at so many.
+StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters) {
+  std::vector<double> sorted = stops.values;
+  std::sort(sorted.begin(), sorted.end());
+  StopCurve curve;
+  const std::size_t points = std::min(kMostPoints, sorted.size());
+  for (std::size_t i = 0; i < points; ++i) {
+    const double at = sorted[points == 1 ? 0 : i * (sorted.size() - 1) / (points - 1)];
+    if (!curve.runout.empty() && curve.runout.back() == at) continue;
+    ClusteredValues before{{}, stops.clusters};
+    for (const double value : stops.values) before.values.push_back(value <= at ? 1.0 : 0.0);
+    const Interval interval = clustered_share_interval(before, clusters);
+    curve.runout.push_back(at);
+    curve.share.push_back(summarise(before.values).mean);
+    curve.low.push_back(interval.low);
+    curve.high.push_back(interval.high);
+  }
+  return curve;
+}
+
 }  // namespace
+
+Agreement agreement(const MeasuredGroup& group) {
+  if (group.measured < kFewestMeasured) return Agreement::kFew;
+  if (group.median_difference.low > 0.0) return Agreement::kFarther;
+  if (group.median_difference.high < 0.0) return Agreement::kNearer;
+  return group.p_holm < 0.05 ? Agreement::kOtherSpread : Agreement::kAgree;
+}
 
 MeasuredStops read_measured_stops(const std::filesystem::path& path) {
   const std::string file = path.string(), bytes = read_text_file(path);
@@ -189,7 +218,9 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     const Group& group = comparison.groups[g];
     if (group.file) continue;
     std::vector<double> seen, lateral, simulated;
-    std::map<std::uint64_t, std::vector<double>> by_cluster;
+    std::map<std::uint32_t, std::vector<double>> by_cluster;
+    RunClusters clusters(comparison.results);
+    std::vector<std::uint32_t> cluster_of_run;
     for (const MeasuredStop& stop : measured.stops) {
       if (!belongs(stop, group)) continue;
       seen.push_back(stop.runout);
@@ -199,9 +230,8 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
       const RunRow& run = comparison.rows[row];
       if (run.record->result.stop_reason != StopReason::kRest) continue;
       simulated.push_back(run.runout);
-      by_cluster[std::uint64_t{run.file} << 32 |
-                 cluster_of(comparison.results[run.file], *run.record)]
-          .push_back(run.runout);
+      cluster_of_run.push_back(clusters.of(run));
+      by_cluster[cluster_of_run.back()].push_back(run.runout);
     }
     if (seen.empty() || simulated.empty()) continue;
     const TestResult test = *two_sample_ks(seen, simulated);
@@ -209,7 +239,9 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     measured.groups.push_back(
         {g, seen.size(), simulated.size(), summarise(seen), summarise(lateral), quartiles_of(seen),
          summarise(simulated).mean, quartiles_of(simulated), intervals.median_difference,
-         *cliffs_delta(seen, simulated), test.statistic, intervals.ks_distance, test.p_value, 1.0});
+         *cliffs_delta(seen, simulated), test.statistic, intervals.ks_distance, test.p_value, 1.0,
+         curve_of({seen, std::vector<std::uint32_t>(seen.size(), 0)}, 1),
+         curve_of({simulated, cluster_of_run}, clusters.count())});
     p_values.push_back(test.p_value);
   }
   const std::vector<double> corrected = holm(p_values);

@@ -29,6 +29,12 @@ struct Quartiles {
   double high = 0.0;
 };
 
+/// Shares of a sample of stops that lie before a runout, with 95 % intervals of each.
+struct StopCurve {
+  std::vector<double> runout;  ///< m, rising
+  std::vector<double> share, low, high;
+};
+
 /// Measured stops of a group against the simulated deposits of the same group.
 struct MeasuredGroup {
   std::size_t group = 0;  ///< into Comparison::groups
@@ -44,7 +50,21 @@ struct MeasuredGroup {
   Interval ks_interval;  ///< 95 %, of the distance
   double p_value = 1.0;
   double p_holm = 1.0;  ///< corrected for all groups
+  StopCurve curve, simulated_curve;
 };
+
+/// How field and simulation go together.
+enum class Agreement {
+  kAgree,        ///< no difference is seen
+  kFarther,      ///< the median is farther in the field
+  kNearer,       ///< ... less far in the field
+  kOtherSpread,  ///< medians agree, the distributions do not
+  kFew,          ///< fewer than `kFewestMeasured` stops
+};
+inline constexpr std::size_t kFewestMeasured = 5;
+
+/// By the interval of the difference of the medians, then by the test.
+Agreement agreement(const MeasuredGroup& group);
 
 struct MeasuredStops {
   std::filesystem::path file;

@@ -2,6 +2,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/option_flags.hpp"
@@ -10,7 +13,9 @@
 #include "core/output_folder.hpp"
 #include "core/printable.hpp"
 #include "report/comparison_report.hpp"
+#include "report/page_pdf.hpp"
 #include "report/scene/vtk_animation.hpp"
+#include "report/text/answer_text.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {
@@ -24,17 +29,46 @@ struct CompareArgs {
   std::string measured;
   std::size_t animated = 0;
   bool replace = false;
+  bool summary = false;
+  bool pdf = false;
 };
 
-void compare_results(const CompareArgs& args) {
-  if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
-  OutputFolder folder(args.folder, comparison_folder(), args.replace);
+Comparison read_and_compare(const CompareArgs& args) {
   std::vector<CampaignResults> results;
   for (const std::string& file : args.results) results.push_back(read_results(file));
   CompareOptions options;
   options.by = args.by;
   if (!args.measured.empty()) options.measured = args.measured;
-  const Comparison comparison = compare(std::move(results), options);
+  return compare(std::move(results), options);
+}
+
+void print_warnings(const Comparison& comparison) {
+  for (const std::string& warning : comparison.warnings) {
+    std::cerr << "clast: warning: " << shown(warning) << "\n";
+  }
+}
+
+void print_lines(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::cout << printable(line) << "\n";
+}
+
+/// The report as PDF beside the page; where that fails, why.
+std::optional<std::string> print_report(const std::filesystem::path& folder,
+                                        const std::filesystem::path& browser) {
+  try {
+    print_page(folder / "report.html", folder / "report.pdf", browser);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
+void compare_results(const CompareArgs& args) {
+  if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
+  std::filesystem::path browser;
+  if (args.pdf) browser = find_browser();
+  OutputFolder folder(args.folder, comparison_folder(), args.replace);
+  const Comparison comparison = read_and_compare(args);
   std::vector<std::filesystem::path> written = write_comparison(comparison, folder.temporary());
   if (args.animated > 0) {
     const std::filesystem::path animation =
@@ -46,20 +80,33 @@ void compare_results(const CompareArgs& args) {
     }
     written.insert(written.begin(), animation);
   }
-  folder.commit();
-  for (const std::string& warning : comparison.warnings) {
-    std::cerr << "clast: warning: " << shown(warning) << "\n";
+  std::optional<std::string> no_pdf;
+  if (args.pdf) {
+    no_pdf = print_report(folder.temporary(), browser);
+    if (!no_pdf) written.insert(written.end() - 1, folder.temporary() / "report.pdf");
   }
-  for (const Difference& difference : comparison.differences) {
-    // Classes are what the study is about; the rest is in the table.
-    if (comparison.groups[difference.first].kind == GroupKind::kGarcia && difference.found()) {
-      std::cout << printable(in_words(difference, comparison)) << "\n";
-    }
+  folder.commit();
+  print_warnings(comparison);
+  const Answer answered = answer(comparison);
+  if (args.summary) {
+    print_lines(first_screen(comparison, answered));
+  } else {
+    print_lines(answer_sentences(comparison, answered));
+    print_lines(measured_sentences(comparison));
   }
   for (const std::filesystem::path& file : written) {
     const std::filesystem::path name = file.lexically_relative(folder.temporary());
     std::cout << printable((std::filesystem::path(args.folder) / name).string()) << "\n";
   }
+  if (no_pdf) {
+    throw InputError(args.folder + " has the report, but not as PDF: " + *no_pdf);
+  }
+}
+
+/// The first screen alone; no folder is written.
+void print_summary(const CompareArgs& args) {
+  const Comparison comparison = read_and_compare(args);
+  print_lines(first_screen(comparison, answer(comparison)));
 }
 
 }  // namespace
@@ -92,12 +139,21 @@ void add_compare(CLI::App& app) {
                    "Table of stops observed in the field (columns x and y, m; optionally start_x, "
                    "start_y, block, shape), compared with the simulated ones")
       ->type_name("CSV");
+  command->add_flag("--pdf", args->pdf,
+                    "Write the report as report.pdf too (needs Chromium or Chrome)");
+  command->add_flag("--summary", args->summary,
+                    "Print the first screen of the report as text; without --output nothing is "
+                    "written");
   command->footer(
       "Writes tables (runs, barriers, crossings, deposits, impacts, differences, profiles, ...), "
       "map "
       "layers and report.html,\nwhose path comes last. Units are in the column names.\n"
       "Example:\n  clast compare compact.h5 elongated.h5 -o comparison --by release_set");
-  command->callback([args] { compare_results(*args); });
+  command->callback([args, command] {
+    const bool writes = command->count("--output") > 0 || args->pdf || args->animated > 0;
+    if (args->summary && !writes) return print_summary(*args);
+    compare_results(*args);
+  });
 }
 
 }  // namespace clast

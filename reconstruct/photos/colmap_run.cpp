@@ -8,11 +8,11 @@
 #include <set>
 #include <sstream>
 
+#include "core/child_process.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
-#include "reconstruct/photos/detail/child_process.hpp"
 #include "reconstruct/photos/detail/photo_image.hpp"
 #include "reconstruct/photos/model_files.hpp"
 #include "reconstruct/photos/photo_masks.hpp"
@@ -172,9 +172,8 @@ class ColmapJob {
   bool try_step(const std::string& what, const std::string& command,
                 const std::vector<std::string>& arguments) {
     if (stage_) stage_(what);
-    const photos_detail::ChildEnd end =
-        photos_detail::run_child(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
-                                 work_ / (command + ".log"), options_.seconds);
+    const ChildEnd end = run_child(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
+                                   work_ / (command + ".log"), options_.seconds);
     if (end.timed_out) {
       throw InputError("colmap " + command + " was ended after " +
                        with_digits(options_.seconds / 60.0, 3) +
@@ -295,7 +294,7 @@ PhotoModel colmap_cameras(const fs::path& folder, const ColmapOptions& options,
     judge({model}, files.size(), options);
     return finished(std::move(model));
   }
-  const fs::path program = photos_detail::program_named(options.program);
+  const fs::path program = program_named(options.program);
   if (program.empty()) {
     throw InputError("cameras of photos are found by the program colmap, and " + options.program +
                      " isn't there: install the package colmap (Debian, Ubuntu: apt-get install "

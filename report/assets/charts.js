@@ -36,8 +36,25 @@ const clastCharts = (() => {
     }
   }, {rootMargin: '300px'});
   for (const box of boxes) watcher.observe(box);
-  // Paper waits for nothing: the library must be there by then, and draws at once.
+  // Paper waits for nothing: the library must be there by then, and draws at once, in the widths of
+  // A4 (px): a map takes the page, two charts stand side by side.
+  const paper = (box) => {
+    const alone = !box.closest('.charts'), map = box.classList.contains('map');
+    return {width: alone ? 680 : 334, height: map ? 430 : alone ? undefined : 300};
+  };
   addEventListener('load', () => clastRun('plotly-code').catch(() => {}));
-  addEventListener('beforeprint', () => window.Plotly && boxes.forEach(plot));
+  addEventListener('beforeprint', () => {
+    if (!window.Plotly) return;
+    for (const box of boxes) {
+      if (box.closest('details:not([open])')) continue;
+      plot(box);
+      const {width, height} = paper(box), before = box.layout;
+      box.onScreen = {autosize: true, width: null, height: before.height};
+      Plotly.relayout(box, {autosize: false, width, height: height || before.height});
+    }
+  });
+  addEventListener('afterprint', () => {
+    for (const box of boxes) if (box.onScreen) Plotly.relayout(box, box.onScreen);
+  });
   return {draw, drawAll};
 })();

@@ -21,3 +21,47 @@ for (const head of document.querySelectorAll('th')) {
     sort();
   });
 }
+
+// What a marked word means, beside it while it is pointed at, has the focus or was tapped.
+{
+  const hint = document.createElement('div');
+  hint.className = 'hint';
+  hint.setAttribute('role', 'tooltip');
+  hint.hidden = true;
+  document.body.append(hint);
+  const show = (word) => {
+    hint.textContent = document.getElementById(word.getAttribute('aria-describedby')).textContent;
+    hint.hidden = false;
+    const place = word.getBoundingClientRect(), size = hint.getBoundingClientRect();
+    const below = place.bottom + 6 + size.height < innerHeight;
+    hint.style.left = Math.max(8, Math.min(place.left, innerWidth - size.width - 8)) + 'px';
+    hint.style.top = (below ? place.bottom + 6 : Math.max(8, place.top - size.height - 6)) + 'px';
+  };
+  const hide = () => { hint.hidden = true; };
+  for (const word of document.querySelectorAll('.term')) {
+    for (const kind of ['pointerenter', 'focus', 'click']) {
+      word.addEventListener(kind, () => show(word));
+    }
+    for (const kind of ['pointerleave', 'blur']) word.addEventListener(kind, hide);
+  }
+  addEventListener('keydown', (event) => { if (event.key === 'Escape') hide(); });
+  addEventListener('scroll', () => {
+    const word = document.activeElement;
+    if (word && word.classList.contains('term') && !hint.hidden) show(word);
+    else hide();
+  }, {passive: true});
+}
+
+// The section that is in view, in the contents.
+{
+  const links = new Map(Array.from(document.querySelectorAll('nav.contents a'),
+                                   (link) => [link.hash.slice(1), link]));
+  const current = new IntersectionObserver((entries) => {
+    for (const {isIntersecting, target} of entries) {
+      if (!isIntersecting) continue;
+      for (const link of links.values()) link.removeAttribute('aria-current');
+      links.get(target.id).setAttribute('aria-current', 'true');
+    }
+  }, {rootMargin: '-10% 0px -80% 0px'});
+  for (const id of links.keys()) current.observe(document.getElementById(id));
+}

@@ -71,6 +71,12 @@ Json trace_json(const Trace& trace, const ChartAxes& axes) {
     json["line"]["dash"] = dash;
   }
   if (trace.filled) json["fill"] = "tonexty";
+  if (!trace.named) {
+    json["showlegend"] = false;
+    json["hoverinfo"] = "skip";
+    json.erase("hovertemplate");
+    json["line"]["width"] = 0;
+  }
   return json;
 }
 
@@ -79,12 +85,7 @@ Json layout_json(const ChartAxes& axes, const std::vector<Trace>& traces) {
     return trace.kind == Trace::Kind::kBars;
   });
   Json layout = {{"height", kHeight},
-                 {"margin", {{"l", 62}, {"r", 14}, {"t", 38}, {"b", 46}}},
-                 {"title",
-                  {{"text", "<b>" + plain(axes.title) + "</b>"},
-                   {"font", {{"size", 14}}},
-                   {"x", 0.01},
-                   {"xanchor", "left"}}},
+                 {"margin", {{"l", 62}, {"r", 14}, {"t", 30}, {"b", 46}}},
                  {"font",
                   {{"family", "system-ui,Segoe UI,Roboto,Helvetica Neue,Arial,sans-serif"},
                    {"size", 12},
@@ -130,12 +131,82 @@ std::string plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces
   if (data.empty()) return {};
   const Json figure = {{"data", data}, {"layout", layout_json(axes, traces)}};
   return plotly_figure(axes.title, "lines",
-                       figure.dump(-1, ' ', false, Json::error_handler_t::replace));
+                       figure.dump(-1, ' ', false, Json::error_handler_t::replace), axes.title);
 }
 
-std::string plotly_figure(const std::string& label, const std::string& style, std::string json) {
+std::string interval_chart(const std::string& title, const std::string& label,
+                           const std::vector<IntervalMark>& marks) {
+  constexpr int kRow = 34, kAround = 120;  // px
+  if (marks.empty()) return {};
+  Json data = Json::array();
+  for (const bool told : {true, false}) {
+    Json names = Json::array(), values = Json::array(), above = Json::array(),
+         below = Json::array(), notes = Json::array();
+    for (const IntervalMark& mark : marks) {
+      if (mark.told != told) continue;
+      names.push_back(plain(shortened(mark.name, kMostCharacters)));
+      values.push_back(short_number(mark.value));
+      above.push_back(short_number(mark.high - mark.value));
+      below.push_back(short_number(mark.value - mark.low));
+      notes.push_back(plain(mark.note));
+    }
+    if (names.empty()) continue;
+    const char* colour = told ? "#0072B2" : "#7b8794";
+    data.push_back({{"type", "scatter"},
+                    {"mode", "markers"},
+                    {"name", told ? "told from chance" : "can be chance"},
+                    {"x", values},
+                    {"y", names},
+                    {"text", notes},
+                    {"hovertemplate", "%{text}<extra></extra>"},
+                    {"error_x",
+                     {{"type", "data"},
+                      {"symmetric", false},
+                      {"array", above},
+                      {"arrayminus", below},
+                      {"color", colour},
+                      {"thickness", 2},
+                      {"width", 5}}},
+                    {"marker",
+                     {{"size", 10},
+                      {"color", told ? colour : "#ffffff"},
+                      {"line", {{"color", colour}, {"width", 2}}}}}});
+  }
+  Json order = Json::array();
+  for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
+    order.push_back(plain(shortened(mark->name, kMostCharacters)));
+  }
+  const Json layout = {
+      {"height", kAround + kRow * static_cast<int>(marks.size())},
+      {"margin", {{"l", 10}, {"r", 14}, {"t", 30}, {"b", 46}}},
+      {"font",
+       {{"family", "system-ui,Segoe UI,Roboto,Helvetica Neue,Arial,sans-serif"},
+        {"size", 12},
+        {"color", "#1d2733"}}},
+      {"xaxis",
+       {{"title", {{"text", plain(label)}, {"standoff", 6}}},
+        {"gridcolor", "#e2e6ea"},
+        {"zeroline", true},
+        {"zerolinecolor", "#1d2733"}}},
+      {"yaxis",
+       {{"automargin", true},
+        {"categoryorder", "array"},
+        {"categoryarray", order},
+        {"gridcolor", "#eef1f4"}}},
+      {"showlegend", true},
+      {"legend", {{"orientation", "h"}, {"y", -0.25}, {"yanchor", "top"}}},
+      {"hovermode", "closest"}};
+  const Json figure = {{"data", data}, {"layout", layout}};
+  return plotly_figure(title, "intervals",
+                       figure.dump(-1, ' ', false, Json::error_handler_t::replace), title);
+}
+
+std::string plotly_figure(const std::string& label, const std::string& style, std::string json,
+                          const std::string& title) {
   if (!plotly_is_installed()) return {};
-  return "<figure><div class=\"chart " + style + "\" role=\"img\" aria-label=\"" + escaped(label) +
+  return "<figure>" +
+         (title.empty() ? std::string() : "<div class=\"title\">" + escaped(title) + "</div>") +
+         "<div class=\"chart " + style + "\" role=\"img\" aria-label=\"" + escaped(label) +
          "\"></div>" + json_element("class=\"chart-data\"", std::move(json)) + "</figure>\n";
 }
 

@@ -25,6 +25,7 @@ struct Trace {
   std::vector<std::string> notes = {};  ///< of each point, plain text; shown with the point
   bool filled = false;                  ///< the area down to the trace before it
   bool shown = true;                    ///< else only once its legend entry is clicked
+  bool named = true;                    ///< has a legend entry; else it belongs to the one after it
 };
 
 struct ChartAxes {
@@ -35,14 +36,29 @@ struct ChartAxes {
   bool equal_scales = false;  ///< of both axes, as on a map
 };
 
+/// A value with its interval, a row of `interval_chart`.
+struct IntervalMark {
+  std::string name;  ///< plain text
+  double value = 0.0;
+  double low = 0.0, high = 0.0;
+  bool told = false;  ///< filled, else open
+  std::string note;   ///< shown with the mark, plain text
+};
+
 /// The place of a chart in the page and what is drawn there. Empty without traces that have points,
 /// and where plotly.js is not installed: `charts_script` then says so.
 std::string plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces);
 
+/// Intervals below each other, the first on top, with a line at zero. Empty as `plotly_chart`.
+std::string interval_chart(const std::string& title, const std::string& label,
+                           const std::vector<IntervalMark>& marks);
+
 /// The same for a figure written by hand: JSON with `data` and `layout` as plotly.js reads them,
 /// and optionally `config`.
 /// @param style  class of the element beside "chart"
-std::string plotly_figure(const std::string& label, const std::string& style, std::string json);
+/// @param title  plain text above the chart; it breaks into lines where a chart could not
+std::string plotly_figure(const std::string& label, const std::string& style, std::string json,
+                          const std::string& title = {});
 
 /// plotly.js and what draws the charts of a page when they come into view; once, after the charts.
 /// Where plotly.js is not installed, a sentence that says what to do.

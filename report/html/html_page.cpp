@@ -1,6 +1,7 @@
 #include "report/html/html_page.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "report/html/assets.hpp"
@@ -18,6 +19,21 @@ std::string with_code(std::string_view text) {
     html.replace(end, 1, "</code>").replace(begin, 1, "<code>");
   }
   return html;
+}
+
+/// "Along the slope" to "along-the-slope".
+std::string anchor(std::string_view title) {
+  std::string id;
+  for (const char c : title) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte)) {
+      id += static_cast<char>(std::tolower(byte));
+    } else if (!id.empty() && id.back() != '-') {
+      id += '-';
+    }
+  }
+  while (!id.empty() && id.back() == '-') id.pop_back();
+  return id;
 }
 
 }  // namespace
@@ -175,7 +191,13 @@ std::string fill(std::string_view skeleton, const std::map<std::string, std::str
 }
 
 std::string section(std::string_view title, std::string_view body) {
-  return "<section>\n<h2>" + escaped(title) + "</h2>\n" + std::string(body) + "</section>\n";
+  return "<section id=\"" + anchor(title) + "\">\n<h2>" + escaped(title) + "</h2>\n" +
+         std::string(body) + "</section>\n";
+}
+
+std::string folded(std::string_view line, std::string_view body) {
+  return "<details class=\"fold\"><summary>" + escaped(line) + "</summary>\n" + std::string(body) +
+         "</details>\n";
 }
 
 std::string paragraph(std::string_view text) { return "<p>" + with_code(text) + "</p>\n"; }

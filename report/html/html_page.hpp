@@ -59,8 +59,10 @@ std::string svg_file(const std::string& svg);
 /// An HTML asset with every {{name}} in it replaced by its value, which is HTML.
 std::string fill(std::string_view skeleton, const std::map<std::string, std::string>& values);
 
-/// "<section><h2>title</h2>body</section>"
+/// "<section id=title><h2>title</h2>body</section>", with the id in small letters and dashes.
 std::string section(std::string_view title, std::string_view body);
+/// What is seen once its one line is clicked: plain text, and HTML below it.
+std::string folded(std::string_view line, std::string_view body);
 /// Plain text, escaped here; what stands between backticks is shown as code.
 std::string paragraph(std::string_view text);
 /// A picture with a line below it.

@@ -39,7 +39,7 @@ std::string passage_table(const Comparison& comparison, std::size_t line) {
                    "clearance max, m"},
                   1);
   for (const BarrierGroup* group : shown_groups(comparison, line)) {
-    const Interval interval = wilson_interval(group->crossed, group->started);
+    const Interval& interval = group->interval;
     std::vector<std::string> cells = {
         short_name(comparison.groups[group->group_index]), std::to_string(group->started),
         std::to_string(group->crossed), percent(group->probability),
@@ -101,6 +101,16 @@ std::string directions_of(const Comparison& comparison, std::size_t line) {
          " the other way";
 }
 
+/// "from (16.25, 50) to (16.25, 110) m"
+std::string place_of(const BarrierLine& barrier) {
+  std::string points;
+  for (const Vec2& point : barrier.through) {
+    points += (points.empty() ? "From (" : " to (") + fixed(point.x(), 2) + ", " +
+              fixed(point.y(), 2) + ")";
+  }
+  return points + " m";
+}
+
 std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   std::vector<const Crossing*> first(comparison.rows.size(), nullptr);
   bool any = false;
@@ -128,7 +138,7 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
                  return (c.translational_energy + c.rotational_energy) / 1000.0;
                }) +
          chart(comparison.lines[line].name + ": crossings above a height",
-               "height of the centre above ground, m", [](const Crossing& c) { return c.height; }) +
+               "height above ground, m", [](const Crossing& c) { return c.height; }) +
          chart(comparison.lines[line].name + ": crossings faster than a speed", "speed, m/s",
                [](const Crossing& c) { return c.velocity.norm(); }) +
          "</div>\n";
@@ -139,22 +149,15 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
 std::string barrier_section(const Comparison& comparison) {
   if (comparison.lines.empty()) return {};
   std::string html = paragraph(
-      "First crossing of each run, in either direction unless the campaign asks for one; of a ring "
-      "the first entry (in) and the first exit (out). Probability is runs with a crossing over "
-      "runs started, "
-      "with Wilson's 95 % interval. Height is of the centre of mass, clearance of the lowest point "
-      "of the block, both above the ground under it. Energy is translational plus rotational.");
+      "Each run counts at its first crossing. Height is of the centre of mass above the ground; "
+      "energy is of motion and rotation together.");
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
-    std::string points;
-    for (const Vec2& point : barrier.through) {
-      points +=
-          (points.empty() ? "(" : " to (") + fixed(point.x(), 2) + ", " + fixed(point.y(), 2) + ")";
-    }
-    html += "<h3>" + escaped(barrier.name) + "</h3>\n<p class=\"note\">from " + points + " m; " +
-            directions_of(comparison, line) + "</p>\n";
-    html += passage_table(comparison, line) + impact_table(comparison, line) +
-            barrier_charts(comparison, line);
+    html += "<h3>" + escaped(barrier.name) + "</h3>\n" + barrier_charts(comparison, line);
+    html += folded("Figures at " + barrier.name, "<p class=\"note\">" + escaped(place_of(barrier)) +
+                                                     "; " + directions_of(comparison, line) +
+                                                     ".</p>\n" + passage_table(comparison, line) +
+                                                     impact_table(comparison, line));
   }
   return section("Barriers", html);
 }

@@ -53,11 +53,11 @@ std::string class_section(const Comparison& comparison) {
     }
     table.row(std::move(cells));
   }
-  return section("Shape classes side by side",
-                 paragraph("Compact and elongated after Garcia et al. (2022), two-letter classes "
-                           "after Sneed and Folk (1958). Runout and lateral angle are of the runs "
-                           "that came to rest; the share past a barrier is of all runs.") +
-                     table.html());
+  return section(
+      "Shape classes side by side",
+      paragraph("Compact and elongated by s_c. Runout and lateral angle of runs at rest, "
+                "shares past barriers of all runs.") +
+          table.html());
 }
 
 std::string block_section(const Comparison& comparison) {
@@ -85,9 +85,9 @@ std::string block_section(const Comparison& comparison) {
                mean_and_std(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
                mean_and_std(deposit.lateral, 1, kDegrees), fixed(fastest, 1)});
   }
-  return section("Blocks", paragraph("L, I, S are the sides of the smallest box around the block. "
-                                     "A click on a column's head sorts the table.") +
-                               shapes.html() + stops.html());
+  return section("Blocks",
+                 folded("Shapes: L, I, S are the sides of the smallest box", shapes.html()) +
+                     folded("Runs of every block", stops.html()));
 }
 
 std::string runout_section(const Comparison& comparison) {
@@ -104,7 +104,7 @@ std::string runout_section(const Comparison& comparison) {
   std::string charts = "<div class=\"charts\">\n";
   charts += plotly_chart({"Runout by class", "runout, m", "share of runs", true},
                          histogram_traces(by_class));
-  charts += plotly_chart({"Lateral angle by class", "angle, deg (+ to the right looking downslope)",
+  charts += plotly_chart({"Lateral angle by class", "angle, deg (+ to the right)",
                           "share of runs", true},
                          histogram_traces(series_of(comparison, GroupKind::kGarcia, lateral)));
   charts += plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
@@ -115,10 +115,8 @@ std::string runout_section(const Comparison& comparison) {
     charts += plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},
                            cumulative_traces(series_of(comparison, GroupKind::kBlock, along)));
   }
-  return section(
-      "Runout", paragraph("Horizontal distance from each run's own release point to its stop along "
-                          "the downslope direction; runs at rest, their number in brackets.") +
-                    charts + "</div>\n");
+  return section("Runout", paragraph("Runout of the runs at rest, their number in brackets.") +
+                               charts + "</div>\n");
 }
 
 }  // namespace clast::report_detail

@@ -2,8 +2,10 @@
 
 #include "report/charts/plotly_chart.hpp"
 #include "report/html/assets.hpp"
+#include "report/html/contents.hpp"
 #include "report/html/page_script.hpp"
 #include "report/html/report_page.hpp"
+#include "report/html/terms.hpp"
 #include "report/pages/report_sections.hpp"
 #include "report/scene/scene_section.hpp"
 
@@ -17,15 +19,16 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
   if (comparison.results.size() > 1) {
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
-  return report_page(title, script_element(assets::unpack_js) + head_section(comparison) +
-                                class_section(comparison) +
-                                map_section(comparison, paths, deposits.rasters) +
-                                scene_section(comparison) + deposit_section(comparison, deposits) +
-                                runout_section(comparison) + stay_section(comparison) +
-                                slope_section(comparison, bins) + differences_section(comparison) +
-                                ensemble_section(comparison) + barrier_section(comparison) +
-                                block_section(comparison) + quality_section(comparison) +
-                                provenance_section(comparison) + charts_script());
+  const std::string sections = with_terms(
+      head_section(comparison, answer(comparison)) +
+      map_section(comparison, paths, deposits.rasters) + class_section(comparison) +
+      differences_section(comparison) + measured_section(comparison) + runout_section(comparison) +
+      barrier_section(comparison) + slope_section(comparison, bins) +
+      deposit_section(comparison, deposits) + stay_section(comparison) +
+      ensemble_section(comparison) + scene_section(comparison) + block_section(comparison) +
+      quality_section(comparison) + provenance_section(comparison));
+  return report_page(
+      title, script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
 }
 
 }  // namespace clast::report_detail

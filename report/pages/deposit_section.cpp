@@ -77,18 +77,16 @@ std::string deposit_section(const Comparison& comparison, const RealisationDepos
   }
   return section(
       "The deposit",
-      paragraph("Over realisations: all blocks of one that came to rest and were not removed. "
-                "Their centre of mass is taken where they started and where they lie. The crest is "
-                "the highest start, the toe the stop farthest from it in plan; H / L between them "
-                "is the tangent of the travel angle (Heim's Fahrb\xC3\xB6schung). The bulk volume "
-                "lies between the ground and the tops of the blocks. Each realisation is a row of "
-                "realisations.csv.") +
-          table.html() +
-          paragraph("Thickness of the deposit in metres, mean over all realisations" +
-                    std::string(several_files(comparison) ? " of all files" : "") +
-                    "; a realisation without a block in a cell counts as zero there. "
-                    "rasters/Deposit_mean.tif has it for a GIS.") +
-          deposit_map(comparison, deposits.rasters));
+      paragraph("Mean thickness of the deposit over the realisations" +
+                std::string(several_files(comparison) ? " of all files" : "") + ", m.") +
+          deposit_map(comparison, deposits.rasters) +
+          folded(
+              "Figures of the deposit",
+              paragraph("Blocks that came to rest and were not removed. The crest is the highest "
+                        "start, the toe the stop farthest from it; H / L between them is the "
+                        "tangent of the travel angle. The bulk volume holds the gaps between "
+                        "blocks. Each realisation is a row of realisations.csv.") +
+                  table.html()));
 }
 
 }  // namespace clast::report_detail

@@ -1,32 +1,14 @@
+#include <algorithm>
+#include <cmath>
 #include <map>
 
-#include <algorithm>
-
 #include "core/number_text.hpp"
+#include "report/charts/plotly_chart.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_sections.hpp"
 
 namespace clast::report_detail {
 namespace {
-
-std::string measured_table(const Comparison& comparison) {
-  HtmlTable table(
-      {"group", "measured", "simulated", "measured runout mean, m", "simulated runout mean, m",
-       "measured median, m", "simulated median, m", "difference of medians, m", "95 % from",
-       "95 % to", "Cliff's delta", "KS distance", "p (Holm)"},
-      1);
-  for (const MeasuredGroup& group : comparison.measured->groups) {
-    table.row({comparison.groups[group.group].name, std::to_string(group.measured),
-               std::to_string(group.simulated), fixed(group.runout.mean, 1),
-               fixed(group.simulated_runout, 1), fixed(group.quartiles.median, 1),
-               fixed(group.simulated_quartiles.median, 1),
-               fixed(group.quartiles.median - group.simulated_quartiles.median, 1),
-               fixed(group.median_difference.low, 1), fixed(group.median_difference.high, 1),
-               with_digits(group.cliffs_delta, 3), with_digits(group.ks_distance, 3),
-               with_digits(group.p_holm, 2)});
-  }
-  return "<h3>Against stops measured in the field</h3>\n" + table.html();
-}
 
 /// Kinds of groups that are too many to be compared pair by pair.
 std::string too_many_groups(const Comparison& comparison) {
@@ -40,22 +22,92 @@ std::string too_many_groups(const Comparison& comparison) {
   std::string html;
   for (const auto& [kind, number_of] : count) {
     if (number_of <= kMostGroups) continue;
-    html += paragraph(std::to_string(number_of) + " " + kind + " are more than the " +
-                      std::to_string(kMostGroups) +
-                      " that are compared pair by pair: so many tests would find nothing after "
-                      "their correction. Compare a selection, or group by a column.");
+    html +=
+        paragraph(std::to_string(number_of) + " " + kind + " are more than the " +
+                  std::to_string(kMostGroups) +
+                  " that are compared pair by pair. Compare a selection, or group by a column.");
   }
   return html;
 }
 
-}  // namespace
+/// One picture: the pairs of one kind, each quantity a row.
+struct Picture {
+  std::string title;  ///< "compact against elongated"
+  std::vector<const Difference*> rows;
+};
 
-std::string differences_section(const Comparison& comparison) {
+/// Classes in all quantities, values of columns in runout.
+std::vector<Picture> pictures_of(const Comparison& comparison) {
+  std::vector<Picture> pictures;
+  for (const Difference& one : comparison.differences) {
+    const Group& first = comparison.groups[one.first];
+    const Group& second = comparison.groups[one.second];
+    const bool classes = first.kind == GroupKind::kGarcia;
+    if (!classes && !(first.kind == GroupKind::kColumn && one.quantity == "runout_m")) continue;
+    const std::string title =
+        classes ? first.key + " against " + second.key : "runout by " + first.column;
+    if (pictures.empty() || pictures.back().title != title) pictures.push_back({title, {}});
+    pictures.back().rows.push_back(&one);
+  }
+  return pictures;
+}
+
+/// What a row of a picture is called.
+std::string row_name(const Comparison& comparison, const Difference& one) {
+  const Group &first = comparison.groups[one.first], &second = comparison.groups[one.second];
+  return first.kind == GroupKind::kGarcia ? words_of_quantity(one.quantity).name
+                                          : first.key + " against " + second.key;
+}
+
+std::string chart_of(const Comparison& comparison, const Picture& picture) {
+  std::vector<IntervalMark> marks;
+  for (const Difference* one : picture.rows) {
+    // An angle to either side has no size to be a share of.
+    const double size = 0.5 * (std::abs(one->first_mean) + std::abs(one->second_mean));
+    if (one->quantity == "lateral_deg" || !one->interval || !(size > 0.0)) continue;
+    const double unit = 100.0 / size;
+    marks.push_back({row_name(comparison, *one), unit * (one->first_mean - one->second_mean),
+                     unit * one->interval->low, unit * one->interval->high,
+                     evidence_of(*one) == Evidence::kTold, in_words(*one, comparison)});
+  }
+  return interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
+}
+
+/// "Told from chance: runout 13 m more (10 to 17 m), ..."
+std::string words_for(const Comparison& comparison, const Picture& picture) {
+  std::string told, spread, chance;
+  const auto add = [](std::string& list, const std::string& item) {
+    list += (list.empty() ? "" : "; ") + item;
+  };
+  for (const Difference* one : picture.rows) {
+    const std::string name = row_name(comparison, *one);
+    switch (evidence_of(*one)) {
+      case Evidence::kTold:
+        add(told, name + " " + gap_in_words(*one));
+        break;
+      case Evidence::kOtherSpread:
+        add(spread, name);
+        break;
+      case Evidence::kNotTold:
+        add(chance, name);
+        break;
+    }
+  }
+  std::string html;
+  const auto line = [&](const std::string& head, const std::string& list) {
+    if (!list.empty()) html += "<p><b>" + head + "</b> " + escaped(list) + ".</p>\n";
+  };
+  line(escaped(picture.title) + ", more than chance:", told);
+  line("Equal on average, but spread differently:", spread);
+  line("Can be chance:", chance);
+  return html;
+}
+
+std::string table_of(const Comparison& comparison) {
   HtmlTable table(
       {"first", "second", "quantity", "first mean", "second mean", "difference", "95 % from",
        "95 % to", "Cliff's delta", "Hedges' g", "KS distance", "p (Holm)", "found"},
       3);
-  std::string sentences;
   for (const Difference& one : comparison.differences) {
     const Group& first = comparison.groups[one.first];
     // Pairs of blocks are many; the table differences.csv has them.
@@ -68,29 +120,33 @@ std::string differences_section(const Comparison& comparison) {
                with_digits(one.cliffs_delta, 3), one.hedges_g ? with_digits(*one.hedges_g, 3) : "-",
                with_digits(one.ks_distance, 3), with_digits(one.p_holm, 2),
                one.found() ? "yes" : "no"});
-    if (first.kind == GroupKind::kGarcia) sentences += paragraph(in_words(one, comparison));
   }
-  std::string html;
+  return table.html();
+}
+
+/// How intervals and tests were made.
+std::string method_of(const Comparison& comparison) {
   const bool stay = std::any_of(comparison.results.begin(), comparison.results.end(),
                                 [](const CampaignResults& results) { return results.stay; });
-  if (!sentences.empty()) {
-    if (stay) {
-      html += paragraph(
-          "Blocks that stay in each other's way depend on each other: in what follows a "
-          "realisation "
-          "counts as one release point.");
-    }
-    html += paragraph(
-        "Intervals are from drawing whole release points, effect sizes from all pairs of runs, and "
-        "p from Kolmogorov's and Smirnov's distance after Holm's correction for all tests of the "
-        "same kind of group: the share of random permutations that give as large a distance, in "
-        "which the "
-        "runs of a point that both groups have are exchanged, and the points that only one has go "
-        "to one of the groups as a whole. All pairs, also of blocks, are in differences.csv.");
-    html += too_many_groups(comparison);
-    html += table.html() + sentences;
+  return paragraph("Intervals are from drawing whole " +
+                   std::string(stay ? "realisations" : "release points") +
+                   " again and again, since runs of one depend on each other. A difference counts "
+                   "as found where shuffling the runs gives as large a KS distance in less than "
+                   "5 % of the cases, after Holm's correction for all tests of the same kind. "
+                   "Pairs of blocks are in differences.csv.");
+}
+
+}  // namespace
+
+std::string differences_section(const Comparison& comparison) {
+  const std::vector<Picture> pictures = pictures_of(comparison);
+  std::string html = too_many_groups(comparison);
+  for (const Picture& picture : pictures) {
+    html += words_for(comparison, picture) + chart_of(comparison, picture);
   }
-  if (comparison.measured) html += measured_table(comparison);
+  if (!pictures.empty()) {
+    html += folded("Tests and corrections", method_of(comparison) + table_of(comparison));
+  }
   return html.empty() ? html : section("Differences", html);
 }
 

@@ -90,11 +90,10 @@ std::string ensemble_section(const Comparison& comparison) {
   }
   return section(
       "Uncertain ground",
-      sentences + table.html() +
-          paragraph("Every run was simulated on each draw of the ground, so draws differ "
-                    "in nothing else. The share of variance is what one parameter "
-                    "explains alone, from 40 draws on. All figures are in "
-                    "ensemble.csv."));
+      sentences +
+          folded("Every parameter",
+                 table.html() + paragraph("Every run was simulated on each draw of the ground. The "
+                                          "share of variance is given from 40 draws on.")));
 }
 
 }  // namespace clast::report_detail

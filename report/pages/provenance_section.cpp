@@ -6,15 +6,13 @@
 
 #include "core/version.hpp"
 #include "report/html/html_page.hpp"
+#include "study/block_scale.hpp"
 #include "study/block_stiffness.hpp"
 #include "study/ensemble_effects.hpp"
 #include "study/ground_fields.hpp"
 
 namespace clast::report_detail {
 namespace {
-
-/// More blocks than this are shown when asked for.
-constexpr std::size_t kMostOpen = 20;
 
 /// Stiffness and time step of every block.
 std::string stiffness_table(const CampaignResults& results) {
@@ -29,10 +27,8 @@ std::string stiffness_table(const CampaignResults& results) {
     table.row(row);
   };
   for (const BlockStiffness& block : blocks) add(block);
-  if (blocks.size() <= kMostOpen) return table.html();
-  add(over_all(blocks));
-  return "<details><summary>Stiffness and time step of " + std::to_string(blocks.size()) +
-         " blocks</summary>" + table.html() + "</details>\n";
+  if (blocks.size() > 1) add(over_all(blocks));
+  return table.html();
 }
 
 /// The ground parameters that runs had: of every zone, and of block groups where theirs differ.
@@ -72,6 +68,73 @@ std::string ground_table(const CampaignResults& results) {
                                      : "");
 }
 
+std::string released(const CampaignResults& results) {
+  const std::size_t points = results.release_points.size();
+  if (!results.stay) {
+    const std::size_t members = ensemble_members(results);
+    const std::size_t sets = results.blocks.size() * points * members;
+    return counted(results.blocks.size(), "block") + " \xC3\x97 " + counted(points, "point") +
+           " \xC3\x97 " + counted(sets > 0 ? results.planned_runs / sets : 0, "orientation") +
+           (members > 1 ? " \xC3\x97 " + counted(members, "draw") + " of the ground" : "");
+  }
+  const auto removed = static_cast<std::size_t>(
+      std::count_if(results.stays.begin(), results.stays.end(),
+                    [](const StayRecord& stay) { return std::isfinite(stay.removed_at); }));
+  return counted(results.planned_runs / results.stay->blocks_each, "realisation") + " of " +
+         counted(results.stay->blocks_each, "block") +
+         (results.stay->at_once
+              ? ", released at once as one mass"
+              : ", released one after the other from " + counted(points, "point")) +
+         " and left where they stop" +
+         (removed > 0 ? ", but for " +
+                            counted(removed, "block that was removed", "blocks that were removed")
+                      : "");
+}
+
+/// What holds for all runs of a file.
+std::string settings_of(const Comparison& comparison, const CampaignResults& results) {
+  std::string html = "<dl class=\"facts\">\n";
+  html += fact("Runs", std::to_string(results.runs.size()) + " of " +
+                           std::to_string(results.planned_runs) + " planned");
+  html += fact("Released", released(results));
+  html += fact("Contact law", "energy restitution, weights " + name_of(results.weights));
+  const std::vector<std::string> cells =
+      stiffness_cells(over_all(stiffness_by_block(results, results.runs)));
+  html += fact("Stiffness and time step", "k_n " + cells[0] + " N/m, step " + cells[3] + " s");
+  html += fact("Downslope (x, y)",
+               fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +
+                   (comparison.downslope_asked ? " (as asked)" : " (mean release to stop)"));
+  html += fact("Coordinates", results.frame.crs.empty() ? "map frame of the terrain, no CRS given"
+                                                        : results.frame.crs);
+  return html + fact("Simulated with", "clast " + results.program_version) + "</dl>\n";
+}
+
+std::string scales_of(const CampaignResults& results) {
+  std::string text;
+  for (const BlockSummary& block : results.blocks) {
+    if (block.scale == 1.0) continue;
+    if (block.library_block() != block.id) return "";  // drawn ones are too many
+    text += (text.empty() ? "As asked, " : ", ") + scale_in_words(block);
+  }
+  return text.empty() ? "" : paragraph(text + ".");
+}
+
+/// What else was warned of.
+std::string notes_of(const Comparison& comparison) {
+  std::string items;
+  std::size_t count = 0;
+  for (const std::string& warning : comparison.warnings) {
+    const bool above = std::any_of(
+        comparison.cautions.begin(), comparison.cautions.end(), [&](const Caution& caution) {
+          return std::count(caution.texts.begin(), caution.texts.end(), warning) > 0;
+        });
+    if (above) continue;
+    items += paragraph(warning);
+    ++count;
+  }
+  return items.empty() ? "" : folded(counted(count, "more warning"), items);
+}
+
 }  // namespace
 
 std::string provenance_section(const Comparison& comparison) {
@@ -81,22 +144,19 @@ std::string provenance_section(const Comparison& comparison) {
     html += "<h3>" +
             escaped("File " + std::to_string(file + 1) + ": " + results.file.filename().string()) +
             "</h3>\n";
-    html += paragraph(std::to_string(results.runs.size()) + " of " +
-                      std::to_string(results.planned_runs) + " planned runs, clast " +
-                      results.program_version + ".");
-    html += stiffness_table(results);
-    html += ground_table(results);
-    html += "<p>Campaign SHA-256 <code>" + escaped(results.campaign_sha256) +
-            "</code></p>\n<ul class=\"note\">\n";
+    html += settings_of(comparison, results) + scales_of(results) + ground_table(results);
+    html += folded("Stiffness and time step of every block", stiffness_table(results));
+    std::string inputs = "<p>Campaign SHA-256 <code>" + escaped(results.campaign_sha256) +
+                         "</code></p>\n<ul class=\"note\">\n";
     for (const std::string& input : results.inputs) {
-      html += "<li><code>" + escaped(input) + "</code></li>\n";
+      inputs += "<li><code>" + escaped(input) + "</code></li>\n";
     }
-    html += "</ul>\n<details><summary>Campaign file</summary><pre>" +
-            escaped(results.campaign_text) + "</pre></details>\n";
+    html += folded("Input files", inputs + "</ul>\n");
+    html += folded("Campaign file", "<pre>" + escaped(results.campaign_text) + "</pre>");
   }
-  return section("What was run", html) + "<footer>Made by clast " + escaped(version()) +
-         ". Every figure here is in runs.csv, barriers.csv, crossings.csv and deposits.csv beside "
-         "this page; map layers are in stops.gpkg.</footer>\n";
+  return section("What was run", html + notes_of(comparison)) + "<footer>Made by clast " +
+         escaped(version()) +
+         ". All figures are in the tables beside this page, map layers in stops.gpkg.</footer>\n";
 }
 
 }  // namespace clast::report_detail

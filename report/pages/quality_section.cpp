@@ -53,12 +53,12 @@ std::string lost_runs(const Comparison& comparison) {
                name_of(result.stop_reason) + (result.below_ground ? ", below ground" : ""), story});
   }
   if (count == 0) return paragraph("Every run came to rest on the terrain.");
-  std::string html = "<h3>Runs that did not come to rest on the terrain</h3>\n" + table.html();
+  std::string html = table.html();
   if (count > kMostListed) {
     html += paragraph("The first " + std::to_string(kMostListed) + " of " + std::to_string(count) +
                       "; the others are in runs.csv.");
   }
-  return html;
+  return folded(counted(count, "run") + " did not come to rest on the terrain", html);
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ std::string quality_section(const Comparison& comparison) {
                 std::to_string(stops.left_terrain) + ", still moving at max_time " +
                 std::to_string(stops.max_time) + ", error " + std::to_string(stops.error) +
                 "; below ground " + std::to_string(below) + ".") +
-          table.html() + lost_runs(comparison));
+          folded("Energy balance, penetration and time", table.html()) + lost_runs(comparison));
 }
 
 }  // namespace clast::report_detail

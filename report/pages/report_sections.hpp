@@ -2,14 +2,15 @@
 /// The sections of the HTML report, in the order they are read.
 #include <string>
 
+#include "study/answer.hpp"
 #include "study/comparison.hpp"
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
 
 namespace clast::report_detail {
 
-/// Title, what was run with what, and the warnings.
-std::string head_section(const Comparison& comparison);
+/// Title, answer, large numbers, and what could turn the answer round.
+std::string head_section(const Comparison& comparison, const Answer& answer);
 /// Classes side by side: the figures the study is about.
 std::string class_section(const Comparison& comparison);
 /// The rasters of deposits over the relief; empty without layers.
@@ -29,15 +30,17 @@ std::string map_section(const Comparison& comparison, const MapRasters& paths,
 std::string runout_section(const Comparison& comparison);
 /// Energy and passing heights against distance, and the ground under the mean path.
 std::string slope_section(const Comparison& comparison, const std::vector<ProfileBin>& bins);
-/// How large and how sure the differences between classes are, and how measured stops compare.
+/// How large and how sure the differences between classes are, and how they were tested.
 std::string differences_section(const Comparison& comparison);
+/// Measured stops against simulated ones; empty without.
+std::string measured_section(const Comparison& comparison);
 /// What drawn ground parameters do to runout and barriers; empty without ensembles.
 std::string ensemble_section(const Comparison& comparison);
 /// A table and exceedance curves for every barrier.
 std::string barrier_section(const Comparison& comparison);
 /// Energy balance, penetration, and every run that did not come to rest.
 std::string quality_section(const Comparison& comparison);
-/// Inputs with hashes, contact settings, ground zones and the campaign files.
+/// Settings, ground, inputs with hashes, the campaign files, and the lesser warnings.
 std::string provenance_section(const Comparison& comparison);
 
 }  // namespace clast::report_detail

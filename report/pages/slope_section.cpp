@@ -75,7 +75,7 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
   }
   most.filled = true;
   most.notes = all.notes = counts_of(along);
-  ChartAxes axes{title, "distance from the release point along downslope, m",
+  ChartAxes axes{title, "distance along downslope, m",
                  "height on the map, m"};
   axes.equal_scales = true;
   return plotly_chart(axes, {ground, most, all});
@@ -108,13 +108,13 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
   for (const std::size_t all : groups_of(comparison, GroupKind::kAll)) {
     const std::optional<std::uint32_t> file = comparison.groups[all].file;
     const std::string where = file ? ", file " + std::to_string(*file + 1) : std::string();
-    const std::string distance = "distance from the release point along downslope, m";
+    const std::string distance = "distance along downslope, m";
     charts += against_distance(comparison, bins, file,
                                {"Energy against distance" + where, distance, "energy, kJ"},
                                &ProfileBin::energy, 1e-3);
     charts += against_distance(comparison, bins, file,
                                {"Passing height against distance" + where, distance,
-                                "height of the centre above ground, m"},
+                                "height above ground, m"},
                                &ProfileBin::height, 1.0);
     charts += against_distance(comparison, bins, file,
                                {"Speed against distance" + where, distance, "speed, m/s"},
@@ -126,10 +126,8 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
         cut_along_the_mean_path(comparison, bins, group, "The ground along the mean path: " + name);
   }
   return section(
-      title, paragraph("Of the runs that come by at a distance, each counted once with its "
-                       "largest value there; profiles.csv has the numbers, also of every block. "
-                       "Runs that stop earlier do not count further on. The cut follows the "
-                       "mean place of the runs at each distance.") +
+      title, paragraph("Of the runs that come so far, each with its largest value there. The cut "
+                       "follows the mean path.") +
                  charts + "</div>\n");
 }
 

@@ -75,10 +75,8 @@ std::string stay_section(const Comparison& comparison) {
   if (!any) return "";
   return section(
       "Blocks in each other's way",
-      paragraph("Blocks that a block touched during its own release, and how far later "
-                "blocks moved it from where it had stopped: it counts as moved on from a "
-                "tenth of its S. Stops are those at the end of the realisation, or where "
-                "a block lay when it was removed.") +
+      paragraph("How many others a block hit, and how far later blocks moved it on, from a tenth "
+                "of its S. Stops are those at the end.") +
           table.html());
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/version.hpp"
+#include "report/text/answer_text.hpp"
 #include "study/block_stiffness.hpp"
 
 namespace clast {
@@ -29,6 +30,7 @@ std::string provenance_json(const Comparison& comparison) {
   json["program_version"] = version();
   json["downslope"] = {comparison.downslope.x(), comparison.downslope.y()};
   json["downslope_from"] = comparison.downslope_asked ? "campaign" : "mean release-to-stop line";
+  json["answer"] = answer_sentences(comparison, answer(comparison));
   json["warnings"] = comparison.warnings;
   json["files"] = nlohmann::ordered_json::array();
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {

@@ -59,7 +59,6 @@ const std::string& group_name(const ComparisonRow<Item>& row) {
 
 const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
   using Row = BarrierGroup;
-  const auto interval = [](const Row& row) { return wilson_interval(row.crossed, row.started); };
   const auto statistics = [](const char* name, const char* unit, const char* meaning,
                              Summary Row::*summary) {
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
@@ -78,10 +77,10 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
          "ring 0",
          &Row::backward},
         {"probability", "", "`crossings` / `runs`", &Row::probability},
-        {"probability_low", "", "its 95 % confidence interval after Wilson",
-         [=](const Row& row) { return interval(row).low; }},
-        {"probability_high", "", "its 95 % confidence interval after Wilson",
-         [=](const Row& row) { return interval(row).high; }}},
+        {"probability_low", "", "its 95 % confidence interval",
+         [](const Row& row) { return row.interval.low; }},
+        {"probability_high", "", "its 95 % confidence interval",
+         [](const Row& row) { return row.interval.high; }}},
        statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
                   &Row::height),
        statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
+#include "study/block_scale.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "terrain/terrain_fit.hpp"
 
@@ -49,8 +50,7 @@ void tell_of_scales(const PreparedCampaign& prepared, std::vector<std::string>& 
   if (prepared.campaign.blocks.draw) return;
   for (const BlockSummary& block : prepared.header.blocks) {
     if (block.scale == 1.0) continue;
-    warnings.push_back("block " + block.id + " is scaled by " + with_digits(block.scale, 4) +
-                       " to " + with_digits(block.mass, 4) + " kg");
+    warnings.push_back(scale_in_words(block));
   }
 }
 

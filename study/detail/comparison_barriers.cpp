@@ -147,9 +147,13 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
     for (std::size_t g = 0; g < groups.size(); ++g) {
       std::size_t started = 0, backward = 0;
       std::vector<const Crossing*> crossings;
+      RunClusters clusters(results);
+      ClusteredValues hits;
       for (const std::size_t row : groups[g].rows) {
         if (std::find(files.begin(), files.end(), rows[row].file) == files.end()) continue;
         ++started;
+        hits.values.push_back(first[row] != nullptr ? 1.0 : 0.0);
+        hits.clusters.push_back(clusters.of(rows[row]));
         if (first[row] != nullptr) crossings.push_back(first[row]);
         const bool ring = compared.lines[line].of_ring();
         backward += !ring && any[row] != nullptr && !any[row]->forward;
@@ -165,6 +169,7 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
       group.crossed = crossings.size();
       group.backward = backward;
       group.probability = static_cast<double>(group.crossed) / static_cast<double>(started);
+      group.interval = clustered_share_interval(hits, clusters.count());
       compared.groups.push_back(std::move(group));
     }
   }

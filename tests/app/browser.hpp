@@ -16,9 +16,11 @@ inline void expect_browser() {
 /// What a page tells of itself: `probe` is a script that is put at its end and writes JSON into an
 /// element <pre id="probe">. Also expects that nothing is said to the console and nothing is asked
 /// of the network. Null where the script did not come to its end.
-/// @param width  of the page, px; windows are no narrower than 500, so it is then a frame in one
+/// @param width   of the page, px; windows are no narrower than 500, so it is then a frame in one
+/// @param window  width and height, px
 inline nlohmann::json probed(const fs::path& path, const std::string& probe,
-                             const ScratchFolder& folder, int width = 0) {
+                             const ScratchFolder& folder, int width = 0,
+                             const std::string& window = "1280,800") {
   std::string page = read_text_file(path);
   page.replace(page.rfind("</body>"), 7, probe);
   if (width > 0) {
@@ -51,6 +53,7 @@ onmessage=function(event){
       "--enable-logging=stderr",
       "--host-resolver-rules=MAP * ~NOTFOUND",
       "--user-data-dir=" + (folder / "profile").string(),
+      "--window-size=" + window,
       "--virtual-time-budget=20000",  // what is drawn later than the page
       "--dump-dom",
       "file://" + (folder / "page.html").string()};

@@ -60,6 +60,36 @@ function tell(){
 }
 </script></body>)";
 
+/// What a reader sees first, without scrolling, and whether anything is wider than the page.
+constexpr const char* kLook = R"(<script>
+var root=document.documentElement,probe={width:root.getBoundingClientRect().width,height:innerHeight};
+function box(e){var r=e.getBoundingClientRect();return {left:r.left,top:r.top,right:r.right,bottom:r.bottom}}
+function scrolls(e){for(;e;e=e.parentElement)if(/auto|scroll|hidden/.test(getComputedStyle(e).overflowX)&&e!==document.documentElement&&e!==document.body)return true;return false}
+clastRun('plotly-code').then(function(){return clastCharts.drawAll()}).then(function(){
+  probe.answer=document.querySelector('.answer').textContent.replaceAll('\u00a0',' ');
+  probe.sentence=box(document.querySelector('.answer'));
+  probe.numbers=Array.from(document.querySelectorAll('.figures .value')).map(box);
+  probe.cautions=Array.from(document.querySelectorAll('#answer .warnings > details > summary')).map(function(e){
+    var r=e.getBoundingClientRect();return r.height/parseFloat(getComputedStyle(e).lineHeight)});
+  probe.map=box(document.querySelector('.chart.map'));
+  probe.wide=Array.from(document.querySelectorAll('main *')).filter(function(e){
+    var r=e.getBoundingClientRect();
+    return r.width>0&&r.right>probe.width+1&&!scrolls(e.parentElement)&&!e.closest('svg')}).map(function(e){return e.tagName+'.'+e.className});
+  probe.titles=Array.from(document.querySelectorAll('h1,h2,h3,.title,summary')).filter(function(e){return e.scrollWidth>e.clientWidth+1}).map(function(e){return e.textContent});
+  var terms=document.querySelectorAll('.term'),hint=document.querySelector('.hint');
+  probe.terms=terms.length;
+  var seen=Array.from(terms).find(function(t){return !t.closest('details:not([open])')});
+  seen.focus();probe.hint=hint.hidden?'':hint.textContent;probe.hint_box=box(hint);
+  dispatchEvent(new KeyboardEvent('keydown',{key:'Escape'}));probe.hint_gone=hint.hidden;
+  probe.links=Array.from(document.querySelectorAll('nav.contents a')).filter(function(a){return document.getElementById(a.hash.slice(1))}).length;
+  probe.sections=document.querySelectorAll('main > section').length;
+}).then(tell,function(error){probe.failed=String(error);tell()});
+function tell(){
+  var told=document.createElement('pre');told.id='probe';told.textContent=JSON.stringify(probe);
+  document.body.appendChild(told);
+}
+</script></body>)";
+
 class ReportPage : public testing::Test {
  protected:
   void SetUp() override { expect_browser(); }
@@ -84,10 +114,16 @@ class ReportPage : public testing::Test {
     const ProgramRun run =
         run_clast({"simulate", "campaign.toml", "-o", "results.h5"}, folder.path());
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    ASSERT_EQ(run_clast({"compare", "results.h5", "-o", "report"}, folder.path()).exit_code, 0);
+    const ProgramRun compared = run_clast({"compare", "results.h5", "-o", "report"}, folder.path());
+    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    terminal = compared.out;
+  }
+  Json looked_at(const std::string& window, const std::string& style = {}) {
+    return probed(folder / "report" / "report.html", style + kLook, folder, 0, window);
   }
   Json used() { return probed(folder / "report" / "report.html", kProbe, folder); }
   ScratchFolder folder;
+  std::string terminal;  ///< what `compare` printed
 };
 
 TEST_F(ReportPage, DrawsItsChartsAndMovesItsBlocks) {
@@ -102,8 +138,8 @@ TEST_F(ReportPage, DrawsItsChartsAndMovesItsBlocks) {
   EXPECT_GT(double(probe["without_blocks"]), 1000) << "the ground is drawn";
   EXPECT_GT(double(probe["colours"]), 100) << "the picture is shaded";
   EXPECT_FALSE(probe.contains("failed")) << probe["failed"];
-  // Map, four of runouts, three along the slope, the cut, three of the barrier.
-  EXPECT_EQ(probe["charts"], 12);
+  // Map, differences, four of runouts, three along the slope, the cut, three of the barrier.
+  EXPECT_EQ(probe["charts"], 13);
   EXPECT_EQ(probe["inked"], probe["charts"]);
   EXPECT_EQ(probe["printed"], probe["charts"]) << "paper does not wait until a chart is seen";
   EXPECT_TRUE(probe["buttons_and_names"]);
@@ -114,6 +150,54 @@ TEST_F(ReportPage, DrawsItsChartsAndMovesItsBlocks) {
   const auto sorted = probe["sorted"].get<std::vector<double>>();
   EXPECT_TRUE(std::is_sorted(sorted.begin(), sorted.end()));
   EXPECT_EQ(probe["arrow"], "ascending");
+}
+
+TEST_F(ReportPage, AnswersOnItsFirstScreen) {
+  make_report();
+  const Json probe = looked_at("1280,800");
+  ASSERT_FALSE(probe.is_null()) << "the script of the page stopped";
+  EXPECT_FALSE(probe.contains("failed")) << probe["failed"];
+  const double height = probe["height"];
+  EXPECT_LE(height, 800.0);
+  // What the terminal says, too.
+  EXPECT_TRUE(contains(probe["answer"], " blocks "));
+  EXPECT_TRUE(contains(terminal, probe["answer"].get<std::string>()));
+  EXPECT_LT(double(probe["sentence"]["bottom"]), 0.4 * height);
+  ASSERT_GE(probe["numbers"].size(), 3u);
+  for (const Json& number : probe["numbers"]) EXPECT_LT(double(number["bottom"]), 0.6 * height);
+  for (const Json& lines : probe["cautions"]) EXPECT_LT(double(lines), 2.5) << "lines of a caution";
+  EXPECT_LT(double(probe["map"]["top"]), height - 100.0) << "a part of the map is seen";
+  EXPECT_EQ(probe["wide"], Json::array()) << "wider than the page";
+  EXPECT_GT(int(probe["terms"]), 2);
+  EXPECT_NE(probe["hint"], "") << "a word is explained where it has the focus";
+  EXPECT_TRUE(probe["hint_gone"]);
+  EXPECT_EQ(int(probe["links"]), int(probe["sections"]) + 1) << "each section, and the answer";
+}
+
+TEST_F(ReportPage, FitsATelephone) {
+  make_report();
+  // A window is no narrower than 500 px, a page is.
+  const Json probe = looked_at("400,800", "<style>html{width:400px}</style>");
+  ASSERT_FALSE(probe.is_null()) << "the script of the page stopped";
+  EXPECT_EQ(int(probe["width"]), 400);
+  EXPECT_EQ(probe["wide"], Json::array());
+  EXPECT_EQ(probe["titles"], Json::array()) << "titles that are cut";
+}
+
+TEST_F(ReportPage, IsPrinted) {
+  make_report();
+  const ProgramRun run =
+      run_clast({"compare", "results.h5", "-o", "printed", "--pdf", "--summary"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "printed/report.pdf"));
+  EXPECT_TRUE(contains(run.out, "mean runout"));
+  const std::string pdf = read_text_file(folder / "printed" / "report.pdf");
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  EXPECT_TRUE(contains(pdf, "/MediaBox [0 0 594.95"));  // A4 of 595.28 points, rounded to pixels
+  std::size_t pages = 0;
+  for (std::size_t at = 0; (at = pdf.find("/Type /Page\n", at)) != std::string::npos; ++at) ++pages;
+  EXPECT_GE(pages, 3u);
+  EXPECT_LE(pages, 9u);
 }
 
 }  // namespace

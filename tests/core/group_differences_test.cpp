@@ -99,6 +99,92 @@ TEST(Bootstrap, ClustersThatDifferWidenTheInterval) {
   EXPECT_NEAR(many.high, few.high, 1e-12);
 }
 
+TEST(Bootstrap, MeanOfOneClusterHasTheIntervalOfTheNormal) {
+  Random random(11);
+  ClusteredValues values;
+  for (int i = 0; i < 400; ++i) {
+    values.values.push_back(7.0 + 2.0 * random.normal());
+    values.clusters.push_back(0);
+  }
+  const Interval interval = *bootstrap_mean(values, 1, 5);
+  const double width = 2 * 1.96 * 2.0 / std::sqrt(400.0);
+  EXPECT_NEAR(interval.high - interval.low, width, 0.12 * width);
+  EXPECT_FALSE(bootstrap_mean({}, 1, 5));
+}
+
+TEST(Bootstrap, MeanOfRepeatedValuesIsNoSurerThanThatOfEachOnce) {
+  Random random(12);
+  ClusteredValues once, repeated;
+  for (std::uint32_t cluster = 0; cluster < 25; ++cluster) {
+    const double value = random.normal();
+    once.values.push_back(value);
+    once.clusters.push_back(cluster);
+    for (int i = 0; i < 8; ++i) {
+      repeated.values.push_back(value);
+      repeated.clusters.push_back(cluster);
+    }
+  }
+  const Interval a = *bootstrap_mean(once, 25, 3), b = *bootstrap_mean(repeated, 25, 3);
+  EXPECT_NEAR(a.low, b.low, 1e-12);
+  EXPECT_NEAR(a.high, b.high, 1e-12);
+}
+
+TEST(ClusteredShare, RepeatedTrialsCountOnce) {
+  ClusteredValues repeated;
+  for (std::uint32_t cluster = 0; cluster < 40; ++cluster) {
+    for (int i = 0; i < 10; ++i) {
+      repeated.values.push_back(cluster < 12 ? 1.0 : 0.0);
+      repeated.clusters.push_back(cluster);
+    }
+  }
+  // The variance of 40 clusters is taken with 39: it is worth 39 trials.
+  const Interval found = clustered_share_interval(repeated, 40);
+  const Interval expected = wilson_interval_of_share(0.3, 39.0);
+  EXPECT_NEAR(found.low, expected.low, 1e-12);
+  EXPECT_NEAR(found.high, expected.high, 1e-12);
+}
+
+TEST(ClusteredShare, IsWilsonsWhereThereIsNothingToLearnFromClusters) {
+  ClusteredValues none, one, even;
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    none.values.push_back(0.0);
+    none.clusters.push_back(i % 6);
+    one.values.push_back(i < 20 ? 1.0 : 0.0);
+    one.clusters.push_back(0);
+    even.values.push_back(i % 2);  // the same share in each cluster: no surer than runs alone
+    even.clusters.push_back(i / 10);
+  }
+  EXPECT_EQ(clustered_share_interval(none, 6).high, wilson_interval(0, 60).high);
+  EXPECT_EQ(clustered_share_interval(one, 1).low, wilson_interval(20, 60).low);
+  EXPECT_EQ(clustered_share_interval(even, 6).low, wilson_interval(30, 60).low);
+  EXPECT_EQ(clustered_share_interval({}, 3).high, 1.0);
+}
+
+TEST(ClusteredShare, CoversTheTruthNineteenTimesInTwenty) {
+  // 30 clusters of 10 trials whose chance is drawn for each cluster, 0.1 or 0.7.
+  Random random(21);
+  int covered = 0, by_runs = 0;
+  for (int study = 0; study < 400; ++study) {
+    ClusteredValues hits;
+    std::size_t count = 0;
+    for (std::uint32_t cluster = 0; cluster < 30; ++cluster) {
+      const double chance = random.uniform() < 0.5 ? 0.1 : 0.7;
+      for (int i = 0; i < 10; ++i) {
+        hits.values.push_back(random.uniform() < chance ? 1.0 : 0.0);
+        hits.clusters.push_back(cluster);
+        count += hits.values.back() > 0.0;
+      }
+    }
+    const auto holds = [](const Interval& interval) {
+      return interval.low <= 0.4 && 0.4 <= interval.high;
+    };
+    covered += holds(clustered_share_interval(hits, 30));
+    by_runs += holds(wilson_interval(count, 300));
+  }
+  EXPECT_GE(covered, 368);  // 380 of 400 less three standard deviations
+  EXPECT_LE(by_runs, 340) << "runs taken as independent promise too much";
+}
+
 TEST(Bootstrap, GroupsThatAreEmptyHaveNoInterval) {
   const ClusteredValues one{{1.0}, {0}};
   EXPECT_FALSE(bootstrap_difference(one, {}, 1, 1));

@@ -27,7 +27,7 @@ TEST(StaySection, SaysHowBlocksWereInEachOthersWay) {
   results.stays[5].blocks_hit = 1;
   results.stays[5].removed_at = 12.0;
   const Comparison comparison = compared(std::move(results));
-  const std::string head = head_section(comparison);
+  const std::string head = provenance_section(comparison);
   EXPECT_TRUE(contains(head, "2 realisations of 3 blocks"));
   EXPECT_TRUE(contains(head, "but for 1 block that was removed"));
   const std::string html = stay_section(comparison);
@@ -47,7 +47,8 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
   results.runs[5].result.stop_reason = StopReason::kLeftTerrain;
   const Comparison comparison = compared(results, results);
-  EXPECT_TRUE(contains(head_section(comparison), "2 realisations of 3 blocks, released at once"));
+  EXPECT_TRUE(
+      contains(provenance_section(comparison), "2 realisations of 3 blocks, released at once"));
   EXPECT_EQ(stay_section(comparison), "");
   RealisationDeposits deposits = realisation_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 4u);

@@ -1,4 +1,4 @@
-#include "reconstruct/photos/detail/child_process.hpp"
+#include "core/child_process.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -17,7 +17,7 @@
 
 #include "core/error.hpp"
 
-namespace clast::photos_detail {
+namespace clast {
 
 namespace {
 
@@ -121,4 +121,4 @@ ChildEnd run_child(const std::vector<std::string>& words,
   return end;
 }
 
-}  // namespace clast::photos_detail
+}  // namespace clast

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace clast::photos_detail {
+namespace clast {
 
 struct ChildEnd {
   int exit_code = -1;      ///< 128 + signal when it was killed
@@ -29,4 +29,4 @@ ChildEnd run_child(const std::vector<std::string>& words,
 /// that may be run.
 std::filesystem::path program_named(const std::string& name);
 
-}  // namespace clast::photos_detail
+}  // namespace clast

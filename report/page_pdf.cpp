@@ -1,0 +1,101 @@
+#include "report/page_pdf.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "core/child_process.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "report/html/html_page.hpp"
+
+namespace clast {
+
+namespace fs = std::filesystem;
+namespace {
+
+/// A folder of its own that is gone at the end.
+class BrowserProfile {
+ public:
+  BrowserProfile() {
+    std::error_code code;
+    std::string name = (fs::temp_directory_path(code) / "clast-browser-XXXXXX").string();
+    if (code || ::mkdtemp(name.data()) == nullptr) {
+      throw InputError(
+          "a folder for the browser can't be made in the one for temporary files; "
+          "name one that can be written to in TMPDIR");
+    }
+    folder_ = name;
+  }
+  ~BrowserProfile() {
+    std::error_code code;
+    fs::remove_all(folder_, code);
+  }
+  BrowserProfile(const BrowserProfile&) = delete;
+  BrowserProfile& operator=(const BrowserProfile&) = delete;
+
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+bool is_pdf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  char start[5] = {};
+  return stream.read(start, sizeof start) && std::string(start, sizeof start) == "%PDF-";
+}
+
+}  // namespace
+
+fs::path find_browser() {
+  const char* named = std::getenv("CLAST_BROWSER");
+  if (named && *named) {
+    const fs::path browser = program_named(named);
+    if (!browser.empty()) return browser;
+    throw InputError("CLAST_BROWSER names " + std::string(named) +
+                     ", which is no program; name Chromium or Chrome");
+  }
+  for (const char* name : {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
+                           "chrome", "microsoft-edge"}) {
+    const fs::path browser = program_named(name);
+    if (!browser.empty()) return browser;
+  }
+  throw InputError(
+      "there is no browser to print the report with; install Chromium (on Debian: apt install "
+      "chromium), name a browser in CLAST_BROWSER, or print report.html by hand");
+}
+
+void print_page(const fs::path& page, const fs::path& pdf, const fs::path& browser,
+                double seconds) {
+  const BrowserProfile profile;
+  std::error_code code;
+  fs::remove(pdf, code);
+  std::vector<std::string> words = {
+      browser.string(), "--headless", "--disable-gpu", "--disable-quic", "--no-first-run",
+      "--disable-background-networking", "--disable-component-update", "--disable-sync",
+      // Nothing but the page is read, and nothing asked of the network.
+      "--host-resolver-rules=MAP * ~NOTFOUND", "--user-data-dir=" + profile.folder().string(),
+      "--window-size=794,1123",       // A4, px
+      "--virtual-time-budget=60000",  // charts are drawn after the page
+      "--no-pdf-header-footer", "--print-to-pdf=" + fs::absolute(pdf).string()};
+  // The browser refuses to run for root with its own protection.
+  if (::geteuid() == 0) words.push_back("--no-sandbox");
+  words.push_back("file://" + report_detail::link_to(fs::absolute(page).string()));
+  const ChildEnd end =
+      run_child(words, {{"HOME", profile.folder().string()}}, profile.folder() / "log", seconds);
+  if (end.timed_out) {
+    throw InputError(browser.string() + " did not print the report within " +
+                     with_digits(seconds, 3) + " s; print report.html by hand");
+  }
+  if (!is_pdf(pdf)) {
+    fs::remove(pdf, code);
+    throw InputError(browser.string() + " wrote no PDF (exit code " +
+                     std::to_string(end.exit_code) + "); print report.html by hand");
+  }
+}
+
+}  // namespace clast

@@ -1,0 +1,80 @@
+#include "core/number_text.hpp"
+#include "report/charts/palette.hpp"
+#include "report/charts/plotly_chart.hpp"
+#include "report/html/html_page.hpp"
+#include "report/pages/report_sections.hpp"
+#include "report/text/answer_text.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+constexpr const char* kSimulatedColour = kDataColours[0];
+constexpr const char* kFieldColour = kDataColours[3];
+
+/// A curve over its band.
+void add_curve(const StopCurve& curve, const std::string& name, const std::string& colour,
+               const std::string& dash, std::vector<Trace>& traces) {
+  Trace low{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.low};
+  low.named = false;
+  Trace high{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.high};
+  high.named = false;
+  high.filled = true;
+  traces.push_back(std::move(low));
+  traces.push_back(std::move(high));
+  traces.push_back({name, colour, dash, Trace::Kind::kSteps, curve.runout, curve.share});
+}
+
+std::string title_of(const Group& group) {
+  return group.kind == GroupKind::kAll      ? "All blocks"
+         : group.kind == GroupKind::kGarcia ? group.key + " blocks"
+                                            : "Block " + group.key;
+}
+
+std::string measured_table(const Comparison& comparison) {
+  HtmlTable table(
+      {"group", "measured", "simulated", "measured runout mean, m", "simulated runout mean, m",
+       "measured median, m", "simulated median, m", "difference of medians, m", "95 % from",
+       "95 % to", "Cliff's delta", "KS distance", "p (Holm)"},
+      1);
+  for (const MeasuredGroup& group : comparison.measured->groups) {
+    table.row({comparison.groups[group.group].name, std::to_string(group.measured),
+               std::to_string(group.simulated), fixed(group.runout.mean, 1),
+               fixed(group.simulated_runout, 1), fixed(group.quartiles.median, 1),
+               fixed(group.simulated_quartiles.median, 1),
+               fixed(group.quartiles.median - group.simulated_quartiles.median, 1),
+               fixed(group.median_difference.low, 1), fixed(group.median_difference.high, 1),
+               with_digits(group.cliffs_delta, 3), with_digits(group.ks_distance, 3),
+               with_digits(group.p_holm, 2)});
+  }
+  return table.html();
+}
+
+}  // namespace
+
+std::string measured_section(const Comparison& comparison) {
+  if (!comparison.measured) return "";
+  const std::string title = "Measured against simulated";
+  if (comparison.measured->groups.empty()) {
+    return section(title, paragraph("No simulated run came to rest to compare the measured stops "
+                                    "with."));
+  }
+  std::string html;
+  for (const std::string& sentence : measured_sentences(comparison)) {
+    html += "<p class=\"verdict\">" + escaped(sentence) + "</p>\n";
+  }
+  html += "<div class=\"charts\">\n";
+  for (const MeasuredGroup& group : comparison.measured->groups) {
+    std::vector<Trace> traces;
+    add_curve(group.simulated_curve, "simulated (" + std::to_string(group.simulated) + ")",
+              kSimulatedColour, "", traces);
+    add_curve(group.curve, "measured (" + std::to_string(group.measured) + ")", kFieldColour, "6 3",
+              traces);
+    html += plotly_chart({title_of(comparison.groups[group.group]) + ": share that stops before",
+                          "runout, m", "share of stops", true},
+                         traces);
+  }
+  html += "</div>\n" + paragraph("Bands are 95 % intervals of each curve.");
+  return section(title, html + folded("Figures and tests", measured_table(comparison)));
+}
+
+}  // namespace clast::report_detail

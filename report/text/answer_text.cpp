@@ -1,0 +1,432 @@
+#include "report/text/answer_text.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/number_text.hpp"
+#include "report/text/plain_numbers.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+namespace {
+
+constexpr std::size_t kMostStatements = 3;   // in full
+constexpr std::size_t kMostOthers = 2;       // barriers beside the first
+constexpr std::size_t kFewestForShare = 20;  // runs for "95 % stop before"
+
+std::string capital(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// "file 2 (soft)".
+std::string file_name(const Comparison& comparison, std::uint32_t file) {
+  const std::string stem = comparison.results[file].file.stem().string();
+  return "file " + std::to_string(file + 1) + (stem.empty() ? "" : " (" + stem + ")");
+}
+
+/// Who runs: "compact blocks", "block B01", "the blocks".
+std::string blocks_of(const Comparison& comparison, std::size_t group) {
+  const Group& runs = comparison.groups[group];
+  const std::string& first = comparison.rows[runs.rows.front()].block->library_block();
+  const bool alone = std::all_of(runs.rows.begin(), runs.rows.end(), [&](std::size_t row) {
+    return comparison.rows[row].block->library_block() == first;
+  });
+  if (runs.kind == GroupKind::kGarcia) return runs.key + " blocks";
+  return alone ? "block " + first : "the blocks";
+}
+
+/// Why runs have no runout: "12 left the surveyed terrain, 3 were still moving".
+std::string other_ends(const StopCounts& stops) {
+  std::string text;
+  const auto add = [&](std::size_t count, const std::string& what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+  };
+  add(stops.left_terrain, "left the surveyed terrain");
+  add(stops.max_time, "were still moving when time was up");
+  add(stops.error, "failed");
+  return text;
+}
+
+/// "Of the 84 % of runs that came to rest, "; empty where all did.
+std::string at_rest_only(const RunoutAnswer& all) {
+  if (all.at_rest == all.started) return "";
+  return "among the " +
+         share_in_words(static_cast<double>(all.at_rest) / static_cast<double>(all.started)) +
+         " of runs that came to rest, ";
+}
+
+std::string mean_runout(const Comparison& comparison, const Statement& statement) {
+  const RunoutAnswer& all = statement.all;
+  if (all.at_rest == 0 || 2 * all.at_rest < all.started) {
+    const std::string ends = other_ends(statement.stops);
+    return (all.at_rest == 0 ? "no run" : "only " + std::to_string(all.at_rest)) + " of " +
+           std::to_string(all.started) + " came to rest" + (ends.empty() ? "" : " (" + ends + ")") +
+           ", so how far the blocks run isn't known";
+  }
+  const std::size_t shown = statement.classes.size() == 1 ? statement.classes[0].group : all.group;
+  const std::string who = blocks_of(comparison, shown);
+  const int decimals = decimals_of_length(all.mean, all.interval);
+  const std::string text = at_rest_only(all) + who +
+                           (who.starts_with("block ") ? " runs " : " run ") +
+                           length_in_words(all.mean, decimals);
+  if (!all.stands()) return text + " (" + counted(all.at_rest, "run") + ")";
+  return text + " on average" +
+         (all.interval ? " (" + lengths_in_words(*all.interval, decimals) + ")" : "") +
+         (all.at_rest < kFewestForShare
+              ? ", at most " + length_in_words(all.farthest, decimals)
+              : "; 95 % stop before " + length_in_words(all.p95, decimals));
+}
+
+std::string gap_in_words(const Comparison& comparison, const Statement& statement) {
+  const GapAnswer& gap = *statement.gap;
+  const auto of = [&](std::size_t group) -> const RunoutAnswer& {
+    return statement.classes[statement.classes[0].group == group ? 0 : 1];
+  };
+  const RunoutAnswer &farther = of(gap.farther), &nearer = of(gap.nearer);
+  const std::string &a = comparison.groups[gap.farther].key, &b = comparison.groups[gap.nearer].key;
+  const int decimals = decimals_of_length(gap.gap, gap.interval);
+  const std::string interval =
+      gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) + ")" : "";
+  const std::string prefix = at_rest_only(statement.all);
+  const std::string means = a + " and " + b + " blocks run " +
+                            with_decimals(farther.mean, decimals) + " and " +
+                            length_in_words(nearer.mean, decimals) + " on average";
+  switch (gap.standing) {
+    case Standing::kTold:
+      return prefix + a + " blocks run " + length_in_words(gap.gap, decimals) + " farther than " +
+             b + " ones" + interval;
+    case Standing::kOtherSpread:
+      return prefix + means + ", a difference that can be chance" + interval +
+             "; but their stops are spread differently";
+    case Standing::kNotTold:
+      return prefix + means + "; " +
+             (gap.interval && gap.interval->low > 0.0
+                  ? "among all that was compared, a difference like this" + interval +
+                        " can be chance"
+                  : "the difference can be chance" + interval);
+    case Standing::kOneRealisation:
+      return prefix + means +
+             " in the one realisation that was run, which can't tell what is chance";
+    case Standing::kFewAtRest:
+      break;
+  }
+  const std::string ends = other_ends(statement.stops);
+  if (ends.empty()) {
+    return "there are too few runs to compare runouts (" + std::to_string(farther.at_rest) + " " +
+           a + ", " + std::to_string(nearer.at_rest) + " " + b + ")";
+  }
+  return "runouts can't be compared: " + std::to_string(farther.at_rest) + " of " +
+         std::to_string(farther.started) + " " + a + " and " + std::to_string(nearer.at_rest) +
+         " of " + std::to_string(nearer.started) + " " + b + " blocks came to rest (" + ends + ")";
+}
+
+/// What a barrier is called in a sentence, and what blocks do there.
+struct BarrierWords {
+  std::string name;
+  std::string pass;  ///< "pass", "reach"
+};
+
+BarrierWords words_of(const Comparison& comparison, std::size_t line) {
+  const BarrierLine& barrier = comparison.lines[line];
+  if (!barrier.of_ring()) return {barrier.name, "pass"};
+  return {barrier.name.substr(0, barrier.name.rfind(" (")), "reach"};
+}
+
+std::string with_interval(const ShareAnswer& share) {
+  return share.interval ? " (" + shares_in_words(*share.interval) + ")" : "";
+}
+
+/// "34 % of compact and 2 % of elongated blocks pass EC22".
+std::string share_sentence(const Comparison& comparison, const PassageAnswer& passage) {
+  const BarrierWords words = words_of(comparison, passage.line);
+  if (passage.all.crossed == 0) {
+    const std::string text =
+        "none of " + counted(passage.all.started, "run") + " " + words.pass + "es " + words.name;
+    if (!passage.all.interval) return text;
+    return text + " (with more runs, up to " + share_in_words(passage.all.interval->high) +
+           " might)";
+  }
+  if (passage.classes.size() < 2) {
+    return share_in_words(passage.all.share) + " of the blocks " + words.pass + " " + words.name +
+           with_interval(passage.all);
+  }
+  return share_in_words(passage.classes[0].share) + " of " +
+         comparison.groups[passage.classes[0].group].key + " and " +
+         share_in_words(passage.classes[1].share) + " of " +
+         comparison.groups[passage.classes[1].group].key + " blocks " + words.pass + " " +
+         words.name;
+}
+
+/// "95 % pass below 43 kJ and 1.0 m".
+std::string strength_of(const Comparison& comparison, const PassageAnswer& passage) {
+  if (passage.all.crossed == 0) return "";
+  const std::string limits =
+      energy_in_words(passage.energy) + " and " + height_in_words(passage.height);
+  if (!passage.largest) {
+    return "; 95 % " + words_of(comparison, passage.line).pass + " it below " + limits;
+  }
+  return passage.all.crossed == 1
+             ? ", with " + limits
+             : ", the " + std::to_string(passage.all.crossed) + " of them with at most " + limits;
+}
+
+std::string passages_in_words(const Comparison& comparison, const Statement& statement) {
+  if (statement.passages.empty()) return "";
+  const PassageAnswer& first = statement.passages.front();
+  std::string text =
+      capital(share_sentence(comparison, first)) + strength_of(comparison, first) + ".";
+  const std::size_t shown = std::min(statement.passages.size() - 1, kMostOthers);
+  for (std::size_t i = 1; i <= shown; ++i) {
+    text += " " + capital(share_sentence(comparison, statement.passages[i])) + ".";
+  }
+  const std::size_t left = statement.passages.size() - 1 - shown;
+  if (left > 0) text += " " + counted(left, "more barrier") + " below.";
+  return text;
+}
+
+std::string ground_in_words(const Statement& statement) {
+  std::string text;
+  for (const GroundBand& band : statement.ground) {
+    const bool runout = band.outcome == "mean runout";
+    const Interval range{band.low, band.high};
+    text +=
+        text.empty() ? " Over " + std::to_string(band.members) + " draws of the ground, " : ", ";
+    text += runout
+                ? "mean runout is " + lengths_in_words(range, decimals_of_length(band.high, range))
+                : shares_in_words(range) + " go " + band.outcome;
+  }
+  return text.empty() ? "" : text + " (nine draws of ten).";
+}
+
+std::string sentence_of(const Comparison& comparison, const Statement& statement) {
+  const std::string runout =
+      statement.gap ? gap_in_words(comparison, statement) : mean_runout(comparison, statement);
+  const std::string prefix =
+      statement.file ? capital(file_name(comparison, *statement.file)) + ": " : "";
+  const std::string passages = passages_in_words(comparison, statement);
+  return prefix + (prefix.empty() ? capital(runout) : runout) + "." +
+         (passages.empty() ? "" : " " + passages) + ground_in_words(statement);
+}
+
+std::string files_in_words(const Comparison& comparison, const GapAnswer& gap) {
+  const std::string a = file_name(comparison, *comparison.groups[gap.farther].file);
+  const std::string b = file_name(comparison, *comparison.groups[gap.nearer].file);
+  const int decimals = decimals_of_length(gap.gap, gap.interval);
+  const std::string interval =
+      gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) + ")" : "";
+  if (gap.standing == Standing::kTold) {
+    return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " +
+           b + interval + ".";
+  }
+  if (gap.standing == Standing::kFewAtRest) return "";
+  return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " + b +
+         ", which can be chance" + interval + ".";
+}
+
+/// Values of the classes, or of all where there is one: "45 / 32 m".
+struct Pair {
+  std::string values, ranges;
+
+  void add(const std::string& value, const std::string& range) {
+    values += (values.empty() ? "" : " / ") + value;
+    if (!range.empty()) ranges += (ranges.empty() ? "" : " / ") + range;
+  }
+};
+
+std::string class_names(const Comparison& comparison, const Statement& statement) {
+  std::string names;
+  if (statement.classes.size() < 2) return names;
+  for (const RunoutAnswer& one : statement.classes) {
+    names += (names.empty() ? ", " : " / ") + comparison.groups[one.group].key;
+  }
+  return names;
+}
+
+KeyFigure runout_figure(const Comparison& comparison, const Statement& statement) {
+  std::vector<RunoutAnswer> shown = statement.classes;
+  if (shown.size() < 2) shown = {statement.all};
+  int decimals = 2;
+  for (const RunoutAnswer& one : shown) {
+    if (one.stands()) decimals = std::min(decimals, decimals_of_length(one.mean, one.interval));
+  }
+  Pair pair;
+  for (const RunoutAnswer& one : shown) {
+    pair.add(one.stands() ? with_decimals(one.mean, decimals) : "?",
+             one.stands() && one.interval ? with_decimals(one.interval->low, decimals) + " to " +
+                                                with_decimals(one.interval->high, decimals)
+                                          : "");
+  }
+  return {pair.values + " m", "mean runout" + class_names(comparison, statement), pair.ranges};
+}
+
+std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const Statement& statement) {
+  const PassageAnswer& passage = statement.passages.front();
+  const BarrierWords words = words_of(comparison, passage.line);
+  std::vector<ShareAnswer> shown = passage.classes;
+  if (shown.empty()) shown = {passage.all};
+  Pair pair;
+  for (const ShareAnswer& share : shown) {
+    std::string value = share_in_words(share.share), range;
+    if (share.interval) range = shares_in_words(*share.interval);
+    for (std::string* text : {&value, &range}) {
+      if (text->ends_with(" %")) text->resize(text->size() - 2);
+    }
+    pair.add(value, range);
+  }
+  std::vector<KeyFigure> figures = {
+      {pair.values + " %", words.pass + " " + words.name + class_names(comparison, statement),
+       pair.ranges}};
+  if (passage.all.crossed == 0) return figures;
+  const std::string limit = passage.largest
+                                ? "largest of " + counted(passage.all.crossed, "passage") + " at "
+                                : "95 % " + words.pass + " ";
+  const std::string end = passage.largest ? words.name : words.name + " below";
+  figures.push_back({energy_in_words(passage.energy), "energy: " + limit + end, ""});
+  figures.push_back({height_in_words(passage.height), "height: " + limit + end, ""});
+  return figures;
+}
+
+}  // namespace
+
+std::vector<std::string> answer_sentences(const Comparison& comparison, const Answer& answer) {
+  std::vector<std::string> sentences;
+  if (answer.files) {
+    const std::string between = files_in_words(comparison, *answer.files);
+    if (!between.empty()) sentences.push_back(between);
+  }
+  const std::size_t shown = std::min(answer.statements.size(), kMostStatements);
+  for (std::size_t i = 0; i < shown; ++i) {
+    sentences.push_back(sentence_of(comparison, answer.statements[i]));
+  }
+  if (shown < answer.statements.size()) {
+    sentences.push_back(counted(answer.statements.size() - shown, "more file") + " below.");
+  }
+  return sentences;
+}
+
+std::vector<KeyFigure> key_figures(const Comparison& comparison, const Answer& answer) {
+  constexpr std::size_t kMost = 4;
+  std::vector<KeyFigure> figures;
+  if (answer.statements.size() == 1) {
+    const Statement& statement = answer.statements.front();
+    figures.push_back(runout_figure(comparison, statement));
+    if (!statement.passages.empty()) {
+      for (KeyFigure& figure : barrier_figures(comparison, statement)) {
+        figures.push_back(std::move(figure));
+      }
+    } else if (statement.all.stands()) {
+      const int decimals = decimals_of_length(statement.all.farthest);
+      figures.push_back({length_in_words(statement.all.p95, decimals), "95 % stop before", ""});
+      figures.push_back({length_in_words(statement.all.farthest, decimals), "farthest stop", ""});
+    }
+    return figures;
+  }
+  for (const Statement& statement : answer.statements) {
+    if (figures.size() == kMost) break;
+    KeyFigure figure = runout_figure(comparison, statement);
+    figure.label = file_name(comparison, *statement.file) + ": " + figure.label;
+    figures.push_back(std::move(figure));
+    if (answer.statements.size() > 2 || statement.passages.empty()) continue;
+    figure = barrier_figures(comparison, statement).front();
+    figure.label = file_name(comparison, *statement.file) + ": " + figure.label;
+    figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+std::string runs_in_words(const Comparison& comparison) {
+  std::size_t blocks = 0, classes = 0;
+  for (const Group& group : comparison.groups) {
+    if (group.file) continue;
+    blocks += group.kind == GroupKind::kBlock;
+    classes += group.kind == GroupKind::kGarcia;
+  }
+  std::string text = counted(comparison.rows.size(), "run") + " of " + counted(blocks, "block") +
+                     " in " + counted(classes, "shape class", "shape classes");
+  const std::size_t files = comparison.results.size();
+  return files > 1 ? text + ", from " + counted(files, "file") : text;
+}
+
+std::string intervals_in_words(const Answer& answer) {
+  std::size_t fewest = SIZE_MAX;
+  bool realisations = false;
+  for (const Statement& statement : answer.statements) {
+    fewest = std::min(fewest, statement.clusters);
+    realisations = realisations || statement.of_realisations;
+  }
+  const std::string ranges = "Ranges in brackets are 95 % intervals";
+  if (realisations) {
+    return fewest == 1 ? "One realisation: no interval can be given for runouts and shares."
+                       : ranges + ", from " + std::to_string(fewest) + " realisations.";
+  }
+  if (fewest == 1) return ranges + " for this one release point; others may differ more.";
+  return ranges + ", from " + std::to_string(fewest) + " release points.";
+}
+
+std::vector<std::string> measured_sentences(const Comparison& comparison) {
+  std::vector<std::string> sentences;
+  if (!comparison.measured) return sentences;
+  for (const MeasuredGroup& group : comparison.measured->groups) {
+    const Group& runs = comparison.groups[group.group];
+    const std::string who = runs.kind == GroupKind::kAll      ? "all blocks"
+                            : runs.kind == GroupKind::kGarcia ? runs.key + " blocks"
+                                                              : "block " + runs.key;
+    const double gap = group.quartiles.median - group.simulated_quartiles.median;
+    const int decimals = decimals_of_length(gap, group.median_difference);
+    const std::string medians =
+        "half stopped before " + length_in_words(group.quartiles.median, decimals) +
+        " in the field, " + length_in_words(group.simulated_quartiles.median, decimals) +
+        " simulated";
+    const Interval& interval = group.median_difference;
+    std::string verdict;
+    switch (agreement(group)) {
+      case Agreement::kFew:
+        verdict = counted(group.measured, "measured stop") + ", too few to judge by; " + medians;
+        break;
+      case Agreement::kAgree:
+        verdict = "field and simulation agree; " + medians + " (a difference of " +
+                  lengths_in_words(interval, decimals) + ")";
+        break;
+      case Agreement::kFarther:
+        verdict = length_in_words(gap, decimals) + " farther in the field than simulated (" +
+                  lengths_in_words(interval, decimals) + ")";
+        break;
+      case Agreement::kNearer:
+        verdict = length_in_words(-gap, decimals) + " less far in the field than simulated (" +
+                  lengths_in_words({-interval.high, -interval.low}, decimals) + ")";
+        break;
+      case Agreement::kOtherSpread:
+        verdict = "the middle agrees, the spread does not; " + medians;
+        break;
+    }
+    sentences.push_back(capital(who) + ": " + verdict + ".");
+  }
+  return sentences;
+}
+
+std::vector<std::string> first_screen(const Comparison& comparison, const Answer& answer) {
+  std::vector<std::string> lines = {runs_in_words(comparison), ""};
+  const auto add = [&](const std::vector<std::string>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+  };
+  add(answer_sentences(comparison, answer));
+  lines.emplace_back();
+  std::size_t width = 0;
+  const std::vector<KeyFigure> figures = key_figures(comparison, answer);
+  for (const KeyFigure& figure : figures) width = std::max(width, figure.value.size());
+  for (const KeyFigure& figure : figures) {
+    lines.push_back("  " + figure.value + std::string(width - figure.value.size() + 2, ' ') +
+                    figure.label + (figure.range.empty() ? "" : " (" + figure.range + ")"));
+  }
+  lines.push_back(intervals_in_words(answer));
+  const std::vector<std::string> measured = measured_sentences(comparison);
+  if (!measured.empty()) add({"", "Measured stops against simulated ones:"});
+  add(measured);
+  if (!comparison.cautions.empty()) add({"", "What could turn this round:"});
+  for (const Caution& caution : comparison.cautions) lines.push_back("- " + caution.brief);
+  return lines;
+}
+
+}  // namespace clast

@@ -1,0 +1,49 @@
+#include "report/text/plain_numbers.hpp"
+
+#include <cmath>
+
+#include "core/number_text.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+std::string share_number(double share) {
+  const double percent = 100.0 * share;
+  const bool near_an_end = (percent > 0.0 && percent < 1.0) || (percent > 99.0 && percent < 100.0);
+  return with_decimals(percent, near_an_end ? 1 : 0);
+}
+
+}  // namespace
+
+int decimals_of_length(double length, const std::optional<Interval>& interval) {
+  const double size = interval ? 4.0 * (interval->high - interval->low) : std::abs(length);
+  return size >= 20.0 ? 0 : size >= 2.0 ? 1 : 2;
+}
+
+std::string length_in_words(double length, int decimals) {
+  return with_decimals(length, decimals) + " m";
+}
+
+std::string lengths_in_words(const Interval& interval, int decimals) {
+  return with_decimals(interval.low, decimals) + " to " + with_decimals(interval.high, decimals) +
+         " m";
+}
+
+std::string share_in_words(double share) { return share_number(share) + " %"; }
+
+std::string shares_in_words(const Interval& interval) {
+  return share_number(interval.low) + " to " + share_number(interval.high) + " %";
+}
+
+std::string energy_in_words(double joules) {
+  const double kilojoules = joules / 1000.0;
+  if (kilojoules >= 10.0) return with_decimals(kilojoules, 0) + " kJ";
+  if (kilojoules >= 1.0) return with_decimals(kilojoules, 1) + " kJ";
+  return joules >= 10.0 ? with_decimals(joules, 0) + " J" : with_digits(joules, 2) + " J";
+}
+
+std::string height_in_words(double metres) {
+  return with_decimals(metres, std::abs(metres) < 0.95 ? 2 : 1) + " m";
+}
+
+}  // namespace clast::report_detail

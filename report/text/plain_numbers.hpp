@@ -1,0 +1,27 @@
+#pragma once
+/// Numbers as sentences have them: with no more digits than are known.
+#include <optional>
+#include <string>
+
+#include "core/statistics.hpp"
+
+namespace clast::report_detail {
+
+/// Decimals that a length shall have: few where its interval is wide, else by its size.
+int decimals_of_length(double length, const std::optional<Interval>& interval = {});
+/// "13 m".
+std::string length_in_words(double length, int decimals);
+/// "10 to 17 m".
+std::string lengths_in_words(const Interval& interval, int decimals);
+
+/// "34 %"; a decimal where it is near none or all.
+std::string share_in_words(double share);
+/// "28 to 41 %".
+std::string shares_in_words(const Interval& interval);
+
+/// "43 kJ", "850 J".
+std::string energy_in_words(double joules);
+/// "1.0 m", "0.35 m".
+std::string height_in_words(double metres);
+
+}  // namespace clast::report_detail

@@ -1,0 +1,98 @@
+#pragma once
+/// What a comparison says, for a reader of its first lines: a few numbers with their intervals, and
+/// whether the data support them.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/comparison.hpp"
+
+namespace clast {
+
+/// What is known of which of two groups runs farther.
+enum class Standing {
+  kTold,            ///< their means differ by more than chance gives
+  kOtherSpread,     ///< runouts are distributed in another way, the means can't be told apart
+  kNotTold,         ///< it can be chance
+  kOneRealisation,  ///< of blocks that depend on each other there is one realisation only
+  kFewAtRest,       ///< too few runs of a group came to rest, or less than half of them
+};
+
+/// Where the runs of a group come to rest.
+struct RunoutAnswer {
+  std::size_t group = 0;  ///< into Comparison::groups
+  std::size_t started = 0;
+  std::size_t at_rest = 0;
+  double mean = 0.0;                 ///< of the runs at rest, m
+  std::optional<Interval> interval;  ///< 95 %, of the mean, m; none of one realisation
+  double p95 = 0.0;                  ///< 95 % of the runs at rest stop before, m
+  double farthest = 0.0;             ///< m
+
+  /// Enough runs came to rest for their mean to stand for the group.
+  bool stands() const { return at_rest >= 3 && 2 * at_rest >= started; }
+};
+
+/// Which of two groups runs farther.
+struct GapAnswer {
+  std::size_t farther = 0;  ///< into Comparison::groups: the one with the larger mean
+  std::size_t nearer = 0;
+  Standing standing = Standing::kFewAtRest;
+  double gap = 0.0;                  ///< mean of `farther` less that of `nearer`, m
+  std::optional<Interval> interval;  ///< 95 %, m; none of one realisation
+};
+
+/// How many runs of a group pass a barrier.
+struct ShareAnswer {
+  std::size_t group = 0;
+  std::size_t started = 0;
+  std::size_t crossed = 0;
+  double share = 0.0;
+  std::optional<Interval> interval;  ///< 95 %; none of one realisation
+};
+
+/// One barrier.
+struct PassageAnswer {
+  std::size_t line = 0;  ///< into Comparison::lines
+  ShareAnswer all;
+  std::vector<ShareAnswer> classes;  ///< those of Garcia that occur, if more than one
+  /// What 95 % of the passages stay below; from few of them, the largest.
+  double energy = 0.0;  ///< J
+  double height = 0.0;  ///< of the centre above the ground, m
+  bool largest = false;
+};
+
+/// The range of an outcome over the draws of uncertain ground.
+struct GroundBand {
+  std::string outcome;           ///< "mean runout", m, or "past BARRIER", a share
+  std::size_t members = 0;       ///< draws
+  double low = 0.0, high = 0.0;  ///< that nine draws of ten lie between
+};
+
+/// What is said of the runs of one file, or of all of them.
+struct Statement {
+  std::optional<std::uint32_t> file;
+  StopCounts stops;
+  RunoutAnswer all;
+  std::vector<RunoutAnswer> classes;    ///< those of Garcia that occur
+  std::optional<GapAnswer> gap;         ///< between the first two classes
+  std::vector<PassageAnswer> passages;  ///< the last that is passed on the way down comes first
+  std::vector<GroundBand> ground;
+  /// Independent places, or realisations, behind the intervals.
+  std::size_t clusters = 0;
+  bool of_realisations = false;
+};
+
+struct Answer {
+  /// One for all files where each class has files of its own, else one for each file.
+  std::vector<Statement> statements;
+  /// Between two files with the same release points.
+  std::optional<GapAnswer> files;
+};
+
+/// Passages from which on 95 % of them mean something.
+inline constexpr std::size_t kFewestPassages = 20;
+
+Answer answer(const Comparison& comparison);
+
+}  // namespace clast

@@ -1,0 +1,242 @@
+// The first screen in words, for every kind of campaign.
+#include "report/text/answer_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/text_file.hpp"
+#include "report/pages/report_sections.hpp"
+#include "report/text/plain_numbers.hpp"
+#include "study/block_scale.hpp"
+#include "tests/study/made_up_runs.hpp"
+#include "tests/support/markup.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+using namespace report_detail;
+
+std::string sentences(const Comparison& comparison) {
+  std::string text;
+  for (const std::string& sentence : answer_sentences(comparison, answer(comparison))) {
+    text += sentence + "\n";
+  }
+  return text;
+}
+
+std::string sentences(CampaignResults results) { return sentences(compared(std::move(results))); }
+
+TEST(PlainNumbers, HaveTheDigitsThatAreKnown) {
+  EXPECT_EQ(decimals_of_length(13.2, Interval{10.0, 17.0}), 0);
+  EXPECT_EQ(decimals_of_length(13.2, Interval{13.0, 14.0}), 1);
+  EXPECT_EQ(decimals_of_length(1.32, Interval{1.25, 1.4}), 2);
+  EXPECT_EQ(decimals_of_length(130.0), 0);
+  EXPECT_EQ(lengths_in_words({-1.2, 5.4}, 0), "-1 to 5 m");
+  EXPECT_EQ(share_in_words(0.34), "34 %");
+  EXPECT_EQ(share_in_words(0.0), "0 %");
+  EXPECT_EQ(share_in_words(0.004), "0.4 %");
+  EXPECT_EQ(share_in_words(0.997), "99.7 %") << "nearly all is not all";
+  EXPECT_EQ(shares_in_words({0.004, 0.051}), "0.4 to 5 %");
+  EXPECT_EQ(energy_in_words(1'075'300.0), "1075 kJ");
+  EXPECT_EQ(energy_in_words(43'200.0), "43 kJ");
+  EXPECT_EQ(energy_in_words(4320.0), "4.3 kJ");
+  EXPECT_EQ(energy_in_words(432.0), "432 J");
+  EXPECT_EQ(height_in_words(1.04), "1.0 m");
+  EXPECT_EQ(height_in_words(0.354), "0.35 m");
+}
+
+TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
+  CampaignResults results = made_up_results();
+  add_barrier(results, "EC22", 38.0);
+  const Comparison comparison = compared(std::move(results));
+  const Statement statement = answer(comparison).statements.at(0);
+  const GapAnswer& gap = *statement.gap;
+  const PassageAnswer& passage = statement.passages.at(0);
+  const int decimals = decimals_of_length(gap.gap, gap.interval);
+  EXPECT_EQ(sentences(comparison),
+            "Compact blocks run " + length_in_words(gap.gap, decimals) +
+                " farther than elongated ones (" + lengths_in_words(*gap.interval, decimals) +
+                "). " + share_in_words(passage.classes[0].share) + " of compact and " +
+                share_in_words(passage.classes[1].share) +
+                " of elongated blocks pass EC22; 95 % pass it below " +
+                energy_in_words(passage.energy) + " and " + height_in_words(passage.height) +
+                ".\n");
+}
+
+TEST(AnswerText, SaysWhenItCanBeChance) {
+  const std::string text =
+      sentences(made_up_results({.compact = 30.0, .elongated = 30.0, .seed = 4}));
+  EXPECT_TRUE(contains(text, "blocks run "));
+  EXPECT_TRUE(contains(text, "can be chance"));
+  EXPECT_FALSE(contains(text, "farther"));
+}
+
+TEST(AnswerText, OneClassHasADistanceInsteadOfADifference) {
+  const std::string text = sentences(made_up_results({.elongated = NAN}));
+  EXPECT_TRUE(text.starts_with("Block round<1> runs ")) << text;
+  EXPECT_TRUE(contains(text, " m on average ("));
+  EXPECT_TRUE(contains(text, "95 % stop before "));
+  EXPECT_FALSE(contains(text, "elongated"));
+}
+
+TEST(AnswerText, AFewRunsHaveALargestValueOnly) {
+  const std::string text =
+      sentences(made_up_results({.elongated = NAN, .points = 1, .runs_each = 5}));
+  EXPECT_TRUE(contains(text, ", at most "));
+  EXPECT_FALSE(contains(text, "95 % stop"));
+}
+
+TEST(AnswerText, RunsThatEndEarlyAreSaid) {
+  CampaignResults some = made_up_results();
+  for (RunRecord& run : some.runs) {
+    if (run.run % 10 == 0) run.result.stop_reason = StopReason::kLeftTerrain;
+  }
+  EXPECT_TRUE(contains(sentences(std::move(some)),
+                       "Among the 90 % of runs that came to rest, compact blocks run "));
+  CampaignResults all = made_up_results();
+  for (RunRecord& run : all.runs) run.result.stop_reason = StopReason::kLeftTerrain;
+  EXPECT_TRUE(contains(sentences(all),
+                       "Runouts can't be compared: 0 of 96 compact and 0 of 96 elongated "
+                       "blocks came to rest (192 left the surveyed terrain)."));
+  std::erase_if(all.runs, [](const RunRecord& run) { return run.block == 1; });
+  EXPECT_TRUE(contains(sentences(std::move(all)),
+                       "No run of 96 came to rest (96 left the surveyed terrain), so how far the "
+                       "blocks run isn't known."));
+}
+
+TEST(AnswerText, OneRealisationIsNotEvidence) {
+  CampaignResults results = made_up_results();
+  add_barrier(results, "foot", 30.0);
+  results.stay = {results.planned_runs, {0.01, 0.5, 0.3}, true};
+  for (const RunRecord& run : results.runs) results.stays.push_back({.run = run.run});
+  const Comparison comparison = compared(std::move(results));
+  EXPECT_TRUE(contains(sentences(comparison), "in the one realisation that was run"));
+  EXPECT_FALSE(contains(sentences(comparison), "farther"));
+  EXPECT_TRUE(contains(intervals_in_words(answer(comparison)), "One realisation: no interval"));
+  for (const KeyFigure& figure : key_figures(comparison, answer(comparison))) {
+    EXPECT_EQ(figure.range, "") << figure.label;
+  }
+}
+
+TEST(AnswerText, NobodyPassesIsNotNever) {
+  CampaignResults results = made_up_results();
+  add_barrier(results, "road", 500.0);
+  EXPECT_TRUE(contains(sentences(std::move(results)),
+                       "None of 192 runs passes road (with more runs, up to 2 % might)."));
+}
+
+TEST(AnswerText, FewPassagesAreCountedNotRanked) {
+  CampaignResults results = made_up_results({.points = 1, .runs_each = 12});
+  double farthest = 0.0;
+  for (const RunRecord& run : results.runs) {
+    farthest = std::max(farthest, run.result.final_state.position.x());
+  }
+  add_barrier(results, "road", farthest - 0.5);
+  const std::string text = sentences(std::move(results));
+  EXPECT_TRUE(contains(text,
+                       "8 % of compact and 0 % of elongated blocks pass road, with 500 J and "
+                       "0.01 m."))
+      << text;
+}
+
+TEST(AnswerText, RingsAreReached) {
+  CampaignResults results = made_up_results();
+  results.barriers = {
+      {"house", {Vec2(38, -9), Vec2(60, -9), Vec2(60, 9), Vec2(38, 9), Vec2(38, -9)}}};
+  results.crossings = {hand_made_crossing(0, 0, 1.0, 2.0)};
+  results.crossings[0].forward = false;  // into a ring that runs counter-clockwise
+  const std::string text = sentences(std::move(results));
+  EXPECT_TRUE(contains(text, "elongated blocks reach house, with 650 J and 1.0 m.")) << text;
+  EXPECT_FALSE(contains(text, "(in)"));
+  EXPECT_FALSE(contains(text, "(out)"));
+}
+
+TEST(AnswerText, EveryFileHasItsSentence) {
+  CampaignResults first = made_up_results(),
+                  second = made_up_results({.compact = 80.0, .elongated = 60.0, .seed = 3});
+  first.file = "hard.h5";
+  second.file = "soft.h5";
+  const Comparison comparison = compared(std::move(first), std::move(second));
+  const std::string text = sentences(comparison);
+  EXPECT_TRUE(contains(text, "File 1 (hard): compact blocks run "));
+  EXPECT_TRUE(contains(text, "File 2 (soft): compact blocks run "));
+  EXPECT_TRUE(contains(text, " farther in file 2 (soft) than in file 1 (hard) ("));
+  EXPECT_LE(key_figures(comparison, answer(comparison)).size(), 4u);
+}
+
+TEST(AnswerText, MeasuredStopsHaveAVerdict) {
+  const auto verdict = [](double shift, std::size_t stops) {
+    const ScratchFolder folder;
+    Random random(3);
+    std::string table = "x,y\n";
+    for (std::size_t i = 0; i < stops; ++i) {
+      table += std::to_string(kMapOrigin.x() + 40.0 + shift + 5.0 * random.normal()) + "," +
+               std::to_string(kMapOrigin.y()) + "\n";
+    }
+    write_text_file(folder / "seen.csv", table);
+    std::vector<CampaignResults> all;
+    all.push_back(made_up_results({.elongated = NAN}));
+    const Comparison comparison =
+        compare(std::move(all), {.by = {}, .measured = folder / "seen.csv"});
+    const std::string html = measured_section(comparison);
+    EXPECT_EQ(unbalanced(html), "");
+    return measured_sentences(comparison).at(0);
+  };
+  EXPECT_TRUE(contains(verdict(0.0, 30), "All blocks: field and simulation agree"));
+  EXPECT_TRUE(contains(verdict(25.0, 30), " farther in the field than simulated ("));
+  EXPECT_TRUE(contains(verdict(-25.0, 30), " less far in the field than simulated ("));
+  EXPECT_TRUE(contains(verdict(25.0, 3), "3 measured stops, too few to judge by"));
+}
+
+TEST(AnswerText, StandsWhatIsAlmostEmpty) {
+  CampaignResults results = hand_made_results();
+  results.runs.resize(1);
+  results.crossings.clear();
+  results.barriers.clear();
+  const Comparison one = compared(results);
+  EXPECT_EQ(sentences(one), "Block round<1> runs 10 m (1 run).\n");
+  EXPECT_TRUE(contains(sentences(hand_made_results()),
+                       "There are too few runs to compare runouts (4 compact, 2 elongated)."));
+  for (const std::string& line : first_screen(one, answer(one))) {
+    EXPECT_EQ(line.find("nan"), std::string::npos) << line;
+  }
+  results.runs[0].result = ReleaseResult();
+  results.runs[0].result.stop_reason = StopReason::kError;
+  results.runs[0].result.final_state.position = Vec3::Constant(NAN);
+  const Comparison failed = compared(std::move(results));
+  EXPECT_TRUE(contains(sentences(failed), "No run of 1 came to rest (1 failed)"));
+}
+
+TEST(AnswerText, TheFirstScreenHasTheCautionsAndNoSettings) {
+  const Comparison comparison = compared(hand_made_results());
+  std::string text;
+  for (const std::string& line : first_screen(comparison, answer(comparison))) text += line + "\n";
+  EXPECT_TRUE(contains(text, "- The classes differ in mass (compact 300 kg, elongated 500 kg)"));
+  for (const char* setting : {"k_n", "1e-05", "clast 0"}) {
+    EXPECT_EQ(text.find(setting), std::string::npos) << setting;
+  }
+  const std::string html = head_section(comparison, answer(comparison));
+  EXPECT_EQ(unbalanced(html), "");
+  EXPECT_TRUE(contains(html, "<p class=\"answer\">"));
+  EXPECT_EQ(html.find("k_n"), std::string::npos);
+}
+
+TEST(AnswerText, WhatTheCampaignAskedForIsNoWarning) {
+  CampaignResults results = hand_made_results();
+  results.blocks[0].scale = 1.25;
+  results.warnings = {scale_in_words(results.blocks[0]), "block long: its underside was not seen"};
+  const Comparison comparison = compared(std::move(results));
+  for (const std::string& warning : comparison.warnings) {
+    EXPECT_EQ(warning.find("is scaled by"), std::string::npos);
+  }
+  const std::string html = provenance_section(comparison);
+  EXPECT_TRUE(contains(html, "As asked, block round&lt;1&gt; is scaled by 1.25 to 300 kg."));
+  EXPECT_TRUE(contains(html, "its underside was not seen"));
+  EXPECT_EQ(head_section(comparison, answer(comparison)).find("underside"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace clast
