@@ -10,7 +10,8 @@ namespace clast {
 /// Trials with more and fewer vertices until a tenth fewer are known not to do.
 class LightestBlockSearch {
  public:
-  /// Simplifies the scan once, to the most vertices a block is given. All three must outlive the search.
+  /// Simplifies the scan once, to the most vertices a block is given. All three must outlive the
+  /// search.
   /// @param source  of the block; how many vertices it got is added to its options
   LightestBlockSearch(const std::string& id, const ScanSurface& scan, const BlockSource& source);
 

@@ -137,8 +137,8 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
                [](const Crossing& c) {
                  return (c.translational_energy + c.rotational_energy) / 1000.0;
                }) +
-         chart(comparison.lines[line].name + ": crossings above a height",
-               "height above ground, m", [](const Crossing& c) { return c.height; }) +
+         chart(comparison.lines[line].name + ": crossings above a height", "height above ground, m",
+               [](const Crossing& c) { return c.height; }) +
          chart(comparison.lines[line].name + ": crossings faster than a speed", "speed, m/s",
                [](const Crossing& c) { return c.velocity.norm(); }) +
          "</div>\n";

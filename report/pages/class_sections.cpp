@@ -104,9 +104,9 @@ std::string runout_section(const Comparison& comparison) {
   std::string charts = "<div class=\"charts\">\n";
   charts += plotly_chart({"Runout by class", "runout, m", "share of runs", true},
                          histogram_traces(by_class));
-  charts += plotly_chart({"Lateral angle by class", "angle, deg (+ to the right)",
-                          "share of runs", true},
-                         histogram_traces(series_of(comparison, GroupKind::kGarcia, lateral)));
+  charts +=
+      plotly_chart({"Lateral angle by class", "angle, deg (+ to the right)", "share of runs", true},
+                   histogram_traces(series_of(comparison, GroupKind::kGarcia, lateral)));
   charts += plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
                          cumulative_traces(by_class));
   // Colours and dashes distinguish two dozen curves.

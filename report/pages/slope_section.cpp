@@ -75,8 +75,7 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
   }
   most.filled = true;
   most.notes = all.notes = counts_of(along);
-  ChartAxes axes{title, "distance along downslope, m",
-                 "height on the map, m"};
+  ChartAxes axes{title, "distance along downslope, m", "height on the map, m"};
   axes.equal_scales = true;
   return plotly_chart(axes, {ground, most, all});
 }
@@ -112,10 +111,10 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
     charts += against_distance(comparison, bins, file,
                                {"Energy against distance" + where, distance, "energy, kJ"},
                                &ProfileBin::energy, 1e-3);
-    charts += against_distance(comparison, bins, file,
-                               {"Passing height against distance" + where, distance,
-                                "height above ground, m"},
-                               &ProfileBin::height, 1.0);
+    charts += against_distance(
+        comparison, bins, file,
+        {"Passing height against distance" + where, distance, "height above ground, m"},
+        &ProfileBin::height, 1.0);
     charts += against_distance(comparison, bins, file,
                                {"Speed against distance" + where, distance, "speed, m/s"},
                                &ProfileBin::speed, 1.0);

@@ -128,14 +128,14 @@ struct SceneRuns {
   double duration = 0.0;      ///< s, of the longest
 };
 
-SceneRuns scene_runs(const Comparison& comparison, const Readers& readers, const Drawable& all,
-                     const Bodies& bodies, const Vec3& origin, std::size_t most_frames) {
+SceneRuns scene_runs(const Comparison& comparison, const StoredRuns& all, const Bodies& bodies,
+                     const Vec3& origin, std::size_t most_frames) {
   SceneRuns scene;
   const std::size_t every = (all.frames + most_frames - 1) / most_frames;
   for (std::size_t i = 0; i < all.rows.size(); i += every) {
     const RunRow& row = comparison.rows[all.rows[i]];
     const CampaignResults& results = comparison.results[row.file];
-    const Trajectory trajectory = readers[row.file]->read(row.record->run);
+    const Trajectory trajectory = all.trajectory(row);
     scene.runs.push_back({{"name", run_name(comparison, row)},
                           {"body", bodies.first[row.file] + row.record->block},
                           {"first", scene.frames.size() / 8},
@@ -192,7 +192,7 @@ SceneData scene_data(const Comparison& comparison, const SceneLimits& limits) {
   scene.runs = all.rows.size();
   if (all.rows.empty()) return scene;
   const Bodies bodies = bodies_of(comparison);
-  const SceneRuns drawn = scene_runs(comparison, readers, all, bodies, origin, limits.frames);
+  const SceneRuns drawn = scene_runs(comparison, all, bodies, origin, limits.frames);
   scene.runs_drawn = drawn.runs.size();
   scene.json = Json{{"origin", {origin.x(), origin.y(), origin.z()}},
                     {"terrain", terrain_json(first.terrain, first.frame.origin - origin, limits)},

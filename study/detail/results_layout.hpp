@@ -64,7 +64,8 @@ void visit_stiffness(const Visit& visit) {
         [](auto& r) -> decltype(auto) { return (r.stiffness.normal); });
   visit("tangential_stiffness_n_m", "N/m", used,
         [](auto& r) -> decltype(auto) { return (r.stiffness.tangential); });
-  visit("rolling_stiffness_n_m_rad", "N m/rad", "k_r on zones that state no rolling length, determined for the run or given; on the others "
+  visit("rolling_stiffness_n_m_rad", "N m/rad",
+        "k_r on zones that state no rolling length, determined for the run or given; on the others "
         "it is k_n a^2",
         [](auto& r) -> decltype(auto) { return (r.stiffness.rolling); });
   visit("time_step_s", "s", "time step of impacts as used, determined for the run or given",
