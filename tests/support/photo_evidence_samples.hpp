@@ -59,10 +59,10 @@ inline PhotoScan scan_of(const std::vector<Photo>& photos) {
 }
 
 /// Cameras every 10 degrees but for one gap, a blurred photo, a lone one, five markers and a board.
-struct Evidence {
+struct EvidenceSample {
   PhotoScan scan;
   FieldBlock block;
-  Evidence() {
+  EvidenceSample() {
     std::vector<Photo> photos;
     for (int i = 0; i < 33; ++i) {
       photos.push_back(camera("img_" + std::to_string(i), 10.0 * i * kDegree, 0.4));

@@ -47,7 +47,7 @@ TEST(SurfaceViews, PairsCountWhatBothSee) {
 }
 
 TEST(PhotoEvidence, SaysWhatBecameOfEachMarker) {
-  const Evidence made;
+  const EvidenceSample made;
   const PhotoEvidence evidence = photo_evidence(made.scan, made.block, "z");
   ASSERT_EQ(evidence.markers.size(), 5u);
   const auto of = [&](int id) {

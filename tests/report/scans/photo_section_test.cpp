@@ -11,7 +11,7 @@ namespace clast {
 namespace {
 
 TEST(PhotoSection, HoldsRingCoverageMarkersAndScale) {
-  const Evidence made;
+  const EvidenceSample made;
   const PhotoEvidence evidence = photo_evidence(made.scan, made.block, "z");
   const std::string html = photo_section(made.scan, evidence, made.block.scan.mesh);
   EXPECT_EQ(unbalanced(html), "");
@@ -30,7 +30,7 @@ TEST(PhotoSection, HoldsRingCoverageMarkersAndScale) {
 }
 
 TEST(PhotoSection, WithoutAScaleItSaysSo) {
-  Evidence made;
+  EvidenceSample made;
   made.scan.scale.reset();
   made.scan.metric = false;
   const PhotoEvidence evidence = photo_evidence(made.scan, made.block, "z");
