@@ -49,6 +49,7 @@ void warn_of_unfinished(Comparison& comparison) {
 
 void warn_of_lost_runs(Comparison& comparison) {
   const DepositGroup& all = comparison.deposits.front();
+  // What the caution says too, and what it leaves to the warning.
   const auto count_of = [&](std::size_t count, const std::string& what, const std::string& advice) {
     if (count == 0) return;
     const std::string happened = of(count, all.started) + " runs " + what;
@@ -56,11 +57,13 @@ void warn_of_lost_runs(Comparison& comparison) {
         static_cast<double>(count) >= kTurningShare * static_cast<double>(all.started);
     warn(comparison, happened + advice, turning ? happened + "." : "");
   };
-  const std::string too_short = "; they are in no deposit statistics, so runout may be too short";
-  count_of(all.stops.error, "ended with an error", "; they are in no deposit statistics");
+  const std::string in_none = "; they are in no deposit statistics";
+  const std::string too_short = ", so runout may be too short";
+  count_of(all.stops.error, "ended with an error", in_none);
   count_of(all.stops.max_time, "were still moving at max_time" + too_short,
-           ". Raise [run] max_time_s");
-  count_of(all.stops.left_terrain, "left the surveyed terrain" + too_short, ". Extend the terrain");
+           in_none + ". Raise [run] max_time_s");
+  count_of(all.stops.left_terrain, "left the surveyed terrain" + too_short,
+           in_none + ". Extend the terrain");
   std::size_t below = 0, unbalanced = 0;
   for (const RunRow& row : comparison.rows) {
     if (row.record->result.below_ground) ++below;
@@ -127,7 +130,8 @@ void warn_of_masses(Comparison& comparison) {
     low = std::min(low, mean);
     high = std::max(high, mean);
     list += (list.empty() ? "" : ", ") + name + " " + with_digits(mean, 4) + " kg";
-    in_short += (in_short.empty() ? "" : ", ") + name + " " + with_digits(mean, 3) + " kg";
+    in_short += (in_short.empty() ? "" : ", ") + name + " " +
+                (mean < 1000.0 ? with_digits(mean, 3) : with_decimals(mean, 0)) + " kg";
   }
   if (means.size() > 1 && high > low * (1.0 + kNotableMassDifference)) {
     warn(comparison,

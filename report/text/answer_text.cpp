@@ -33,8 +33,8 @@ std::string blocks_of(const Comparison& comparison, std::size_t group) {
   const bool alone = std::all_of(runs.rows.begin(), runs.rows.end(), [&](std::size_t row) {
     return comparison.rows[row].block->library_block() == first;
   });
-  if (runs.kind == GroupKind::kGarcia) return runs.key + " blocks";
-  return alone ? "block " + first : "the blocks";
+  if (alone) return "block " + first;
+  return runs.kind == GroupKind::kGarcia ? runs.key + " blocks" : "the blocks";
 }
 
 /// Why runs have no runout: "12 left the surveyed terrain, 3 were still moving".
@@ -107,8 +107,7 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
                         " can be chance"
                   : "the difference can be chance" + interval);
     case Standing::kOneRealisation:
-      return prefix + means +
-             " in the one realisation that was run, which can't tell what is chance";
+      return prefix + means + "; one realisation can't tell what is chance";
     case Standing::kFewAtRest:
       break;
   }
@@ -147,6 +146,10 @@ std::string share_sentence(const Comparison& comparison, const PassageAnswer& pa
     if (!passage.all.interval) return text;
     return text + " (with more runs, up to " + share_in_words(passage.all.interval->high) +
            " might)";
+  }
+  if (passage.all.crossed == passage.all.started) {
+    return "all " + counted(passage.all.started, "run") + " " + words.pass + " " + words.name +
+           with_interval(passage.all);
   }
   if (passage.classes.size() < 2) {
     return share_in_words(passage.all.share) + " of the blocks " + words.pass + " " + words.name +

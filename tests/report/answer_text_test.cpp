@@ -113,7 +113,7 @@ TEST(AnswerText, OneRealisationIsNotEvidence) {
   results.stay = {results.planned_runs, {0.01, 0.5, 0.3}, true};
   for (const RunRecord& run : results.runs) results.stays.push_back({.run = run.run});
   const Comparison comparison = compared(std::move(results));
-  EXPECT_TRUE(contains(sentences(comparison), "in the one realisation that was run"));
+  EXPECT_TRUE(contains(sentences(comparison), "; one realisation can't tell what is chance."));
   EXPECT_FALSE(contains(sentences(comparison), "farther"));
   EXPECT_TRUE(contains(intervals_in_words(answer(comparison)), "One realisation: no interval"));
   for (const KeyFigure& figure : key_figures(comparison, answer(comparison))) {
@@ -126,6 +126,13 @@ TEST(AnswerText, NobodyPassesIsNotNever) {
   add_barrier(results, "road", 500.0);
   EXPECT_TRUE(contains(sentences(std::move(results)),
                        "None of 192 runs passes road (with more runs, up to 2 % might)."));
+}
+
+TEST(AnswerText, EverybodyPassesIsSaidOnce) {
+  CampaignResults results = made_up_results();
+  add_barrier(results, "road", 1.0);
+  EXPECT_TRUE(
+      contains(sentences(std::move(results)), "All 192 runs pass road (98 to 100 %); 95 %"));
 }
 
 TEST(AnswerText, FewPassagesAreCountedNotRanked) {
@@ -197,7 +204,7 @@ TEST(AnswerText, StandsWhatIsAlmostEmpty) {
   results.crossings.clear();
   results.barriers.clear();
   const Comparison one = compared(results);
-  EXPECT_EQ(sentences(one), "Block round<1> runs 10 m (1 run).\n");
+  EXPECT_EQ(sentences(one), "Block round<1> runs 10.0 m (1 run).\n");
   EXPECT_TRUE(contains(sentences(hand_made_results()),
                        "There are too few runs to compare runouts (4 compact, 2 elongated)."));
   for (const std::string& line : first_screen(one, answer(one))) {

@@ -85,10 +85,13 @@ TEST(HtmlReport, AnEnsembleIsNeitherMoreOrientationsNorFixedParameters) {
     results.runs[member].ground_set = member;
     results.runs[member + 3].ground_set = member;
   }
-  const std::string html = report_of(compared(std::move(results)));
+  const Comparison comparison = compared(std::move(results));
+  const std::string html = report_of(comparison);
   EXPECT_TRUE(contains(html, "1 orientation \xC3\x97 3 draws of the ground"));
   EXPECT_TRUE(contains(html, "0.500 to 0.700"));
-  EXPECT_TRUE(contains(html, "Over 3 draws of the ground the mean runout is"));
+  EXPECT_TRUE(
+      contains(ensemble_section(comparison), "Over 3 draws of the ground the mean runout is"));
+  EXPECT_TRUE(contains(html, "Over 3 draws of the ground, mean runout is"));
 }
 
 TEST(HtmlReport, RefersToNothingOutsideItself) {
