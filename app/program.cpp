@@ -26,11 +26,6 @@ const CLI::App* named_command(const CLI::App* app) {
   return app;
 }
 
-std::string full_name(const CLI::App* command) {
-  const CLI::App* parent = command->get_parent();
-  return parent ? full_name(parent) + " " + command->get_name() : command->get_name();
-}
-
 /// What CLI11 says, or, where a command was expected, that there is no such command.
 std::string described(const CLI::ParseError& error, const CLI::App& command) {
   const std::vector<std::string> rest = command.remaining();
@@ -65,7 +60,7 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     const CLI::App* command = named_command(&app);
-    std::cerr << "clast: " << shown(described(error, *command)) << "\nSee: " << full_name(command)
+    std::cerr << "clast: " << shown(described(error, *command)) << "\nSee: " << full_name(*command)
               << " --help\n";
     return kMisused;
   }
@@ -81,6 +76,11 @@ int checked(int exit_code) {
 }
 
 }  // namespace
+
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent ? full_name(*parent) + " " + command.get_name() : command.get_name();
+}
 
 int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
   // A file that grows beyond `ulimit -f` then fails as on a full disk, with a message.

@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/manual_page.hpp"
+#include "app/program.hpp"
 #include "app/shell_completion.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
@@ -66,8 +67,10 @@ void help(const CLI::App& app, const HelpSource& reconstruct, const HelpArgs& ar
   } else if (!args.command.empty() && args.command.front() == "reconstruct") {
     reconstruct.show();
   } else {
+    // Not `help` of the command: that follows the commands that were typed, and so explains itself.
     const CLI::App& command = find_command(app, args.command);
-    std::cout << command.help(args.command.empty() ? "" : command.get_parent()->get_name());
+    std::cout << command.get_formatter()->make_help(&command, full_name(command),
+                                                    CLI::AppFormatMode::Normal);
   }
 }
 

@@ -22,7 +22,8 @@ constexpr double kUpperShare = 0.7;    ///< of the longest descent, from ground 
 constexpr double kMarginShare = 0.04;  ///< of the terrain, that releases keep from its border
 /// Apparent, of the whole way down, highest first: what blocks that hardly roll overcome goes for
 /// all.
-constexpr std::array<double, 4> kFrictions = {0.65, 0.5, 0.35, 0.15};
+constexpr std::array<double, 5> kFrictions = {0.75, 0.65, 0.5, 0.35, 0.15};
+constexpr double kFootFriction = 0.65;     ///< at most, for a way that goes on beyond the foot
 constexpr double kReliefShare = 0.4;       ///< of the terrain's relief, that a way down should have
 constexpr std::size_t kMostStarts = 4000;  ///< tried
 constexpr double kNearlyBest = 0.9;        ///< of the longest descent is as good
@@ -210,7 +211,7 @@ ProposedPlaces propose_places(const Terrain& terrain, double block_length) {
   const double friction = follow(starts, grid, box.high.z() - box.low.z());
   const double steep = keep_steep(starts);
   const Start start = best_of(std::move(starts));
-  const std::vector<Vec3> path = fall_path(grid, start.place, friction);
+  const std::vector<Vec3> path = fall_path(grid, start.place, std::min(friction, kFootFriction));
   if (path.size() < 3) {
     throw InputError("at the steepest ground of the terrain there is no way down; is it a pit?");
   }
