@@ -168,8 +168,7 @@ std::string campaign_text(const CampaignProposal& proposal, const std::string& l
       "before you use its results. Paths are relative to this file, lengths in metres, x and y on "
       "the map; every key is in docs/formats.md.");
   text +=
-      "#   clast check FILE                         says whether it would run\n"
-      "#   clast simulate FILE --dry-run            estimates the time, draws results.map.svg\n"
+      "#   clast check FILE      says whether it would run, and what would\n"
       "#   clast simulate FILE -o results.h5\n"
       "#   clast compare results.h5 -o report\n";
   for (const std::string& doubt : proposal.doubts) text += "#\n" + comment("NOTE: " + doubt);

@@ -129,6 +129,9 @@ class NewCampaigns : public testing::Test {
       EXPECT_FALSE(run.result.below_ground);
     }
     EXPECT_GT(moved, results.runs.size() / 2);
+  }
+  static void expect_the_barrier_is_crossed(const CampaignResults& results) {
+    expect_most_come_down(results);
     EXPECT_FALSE(results.crossings.empty());
   }
 
@@ -145,7 +148,7 @@ TEST_F(NewCampaigns, RunOnALargeSlope) {
   EXPECT_EQ(prepared.runs.size(), 3u * 5u * 16u);
   EXPECT_TRUE(prepared.header.warnings.empty()) << testing::PrintToString(prepared.header.warnings);
   EXPECT_TRUE(contains(text(), "library            = \"blocks.h5\"")) << text();
-  expect_most_come_down(run());
+  expect_the_barrier_is_crossed(run());
 }
 
 TEST_F(NewCampaigns, SaySoWhereZonesNameNoGround) {
@@ -165,6 +168,7 @@ TEST_F(NewCampaigns, SaySoWhereZonesNameNoGround) {
   ASSERT_EQ(proposal.doubts.size(), 1u);
   EXPECT_TRUE(contains(proposal.doubts[0], "3 ground zones are taken for scree"));
   EXPECT_TRUE(contains(text(), "NOTE: 3 ground zones"));
+  // On ground that is only guessed to be scree they may stop before the barrier.
   expect_most_come_down(run());
 }
 
