@@ -151,8 +151,10 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   std::set<fs::path> seen;
   for (const std::string& input : inputs) {
     std::error_code code;
+    fs::path named = input;
+    if (!named.has_filename() && named.has_relative_path()) named = named.parent_path();
     const std::vector<fs::path> paths =
-        fs::is_directory(input, code) ? scans_in(input) : std::vector<fs::path>{input};
+        fs::is_directory(named, code) ? scans_in(named) : std::vector<fs::path>{named};
     for (const fs::path& path : paths) {
       const fs::path canonical = fs::weakly_canonical(path, code);
       if (!seen.insert(code ? path : canonical).second) continue;
