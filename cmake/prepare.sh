@@ -18,7 +18,7 @@ packages=(g++ cmake ninja-build libeigen3-dev libboost-dev libcgal-dev libassimp
           libjs-three python3-plotly libopenmpi-dev openmpi-bin)
 case "${1-}" in
   program) ;;
-  tests) packages+=(libgtest-dev chromium colmap nodejs) ;;
+  tests) packages+=(libgtest-dev chromium colmap nodejs groff-base) ;;
   *) printf 'usage: %s program|tests\n' "$0" >&2; exit 2 ;;
 esac
 

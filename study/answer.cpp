@@ -84,14 +84,14 @@ RunoutAnswer runout_of(const Comparison& comparison, std::size_t group) {
 
 Standing standing_of(const Difference& difference) {
   switch (evidence_of(difference)) {
-    case Evidence::kTold:
-      return Standing::kTold;
+    case Evidence::kMoreThanChance:
+      return Standing::kMoreThanChance;
     case Evidence::kOtherSpread:
       return Standing::kOtherSpread;
-    case Evidence::kNotTold:
+    case Evidence::kCanBeChance:
       break;
   }
-  return Standing::kNotTold;
+  return Standing::kCanBeChance;
 }
 
 GapAnswer gap_between(const Comparison& comparison, const RunoutAnswer& a, const RunoutAnswer& b,

@@ -12,9 +12,9 @@ namespace clast {
 
 /// What is known of which of two groups runs farther.
 enum class Standing {
-  kTold,            ///< their means differ by more than chance gives
-  kOtherSpread,     ///< runouts are distributed in another way, the means can't be told apart
-  kNotTold,         ///< it can be chance
+  kMoreThanChance,  ///< their means differ by more than chance gives
+  kOtherSpread,  ///< runouts are distributed in another way, the means do not differ beyond chance
+  kCanBeChance,  ///< it can be chance
   kOneRealisation,  ///< of blocks that depend on each other there is one realisation only
   kFewAtRest,       ///< too few runs of a group came to rest, or less than half of them
 };

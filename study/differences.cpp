@@ -169,10 +169,10 @@ std::optional<Difference> runout_difference(const Comparison& comparison, std::s
 }
 
 Evidence evidence_of(const Difference& difference) {
-  if (!difference.found()) return Evidence::kNotTold;
+  if (!difference.found()) return Evidence::kCanBeChance;
   const std::optional<Interval>& interval = difference.interval;
   const bool apart = interval && (interval->low > 0.0 || interval->high < 0.0);
-  return apart ? Evidence::kTold : Evidence::kOtherSpread;
+  return apart ? Evidence::kMoreThanChance : Evidence::kOtherSpread;
 }
 
 QuantityWords words_of_quantity(const std::string& quantity) {
@@ -212,11 +212,11 @@ std::string in_words(const Difference& difference, const Comparison& comparison)
                             comparison.groups[difference.second].name + " " +
                             mean(difference.second_mean) + "; " + gap_in_words(difference);
   switch (evidence_of(difference)) {
-    case Evidence::kTold:
+    case Evidence::kMoreThanChance:
       return means;
     case Evidence::kOtherSpread:
       return means + ", which can be chance, but the values are spread differently";
-    case Evidence::kNotTold:
+    case Evidence::kCanBeChance:
       break;
   }
   return means + ", which can be chance" +

@@ -51,13 +51,13 @@ std::optional<Difference> runout_difference(const Comparison& comparison, std::s
 
 /// What a difference means.
 enum class Evidence {
-  kTold,         ///< the means differ by more than chance gives
-  kOtherSpread,  ///< values are distributed in another way, the means can't be told apart
-  kNotTold,      ///< it can be chance
+  kMoreThanChance,  ///< the means differ by more than chance gives
+  kOtherSpread,  ///< values are distributed in another way, the means do not differ beyond chance
+  kCanBeChance,  ///< it can be chance
 };
 
-/// Told where the test, corrected for all that were made, is below 5 % and the interval excludes
-/// zero.
+/// More than chance where the test, corrected for all that were made, is below 5 % and the interval
+/// excludes zero.
 Evidence evidence_of(const Difference& difference);
 
 /// A quantity as readers know it: "EC11 total_energy_j" is "energy at EC11", in kJ.

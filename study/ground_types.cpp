@@ -55,7 +55,7 @@ const std::vector<GroundType>& types() {
       {"soil hard",
        "compact soil with stones, tracks",
        restitution_of(0.38),
-       {0.70, 0.45, 0.80},
+       {0.70, 0.40, 0.80},
        {0.27, 0.18, 0.35},
        "mu: Garcia et al. (2022); mu_R: halfway between their rocky and vegetated slopes, not "
        "measured; e_n^2: R_n 0.38 of Rockyfor3D, compact soil with large rock fragments; lower "

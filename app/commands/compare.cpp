@@ -16,6 +16,7 @@
 #include "report/page_pdf.hpp"
 #include "report/scene/vtk_animation.hpp"
 #include "report/text/answer_text.hpp"
+#include "report/text/measured_text.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {

@@ -40,7 +40,9 @@ const clastCharts = (() => {
   // A4 (px): a map takes the page, two charts stand side by side.
   const paper = (box) => {
     const alone = !box.closest('.charts'), map = box.classList.contains('map');
-    return {width: alone ? 680 : 334, height: map ? 430 : alone ? undefined : 300};
+    // Below the curves their names take lines of their own.
+    const beside = 232 + 14 * Math.max(0, box.data.length - 2);
+    return {width: alone ? 680 : 334, height: map ? 430 : alone ? undefined : beside};
   };
   addEventListener('load', () => clastRun('plotly-code').catch(() => {}));
   addEventListener('beforeprint', () => {

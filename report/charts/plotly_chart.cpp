@@ -139,11 +139,11 @@ std::string interval_chart(const std::string& title, const std::string& label,
   constexpr int kRow = 34, kAround = 120;  // px
   if (marks.empty()) return {};
   Json data = Json::array();
-  for (const bool told : {true, false}) {
+  for (const bool clear : {true, false}) {
     Json names = Json::array(), values = Json::array(), above = Json::array(),
          below = Json::array(), notes = Json::array();
     for (const IntervalMark& mark : marks) {
-      if (mark.told != told) continue;
+      if (mark.clear != clear) continue;
       names.push_back(plain(shortened(mark.name, kMostCharacters)));
       values.push_back(short_number(mark.value));
       above.push_back(short_number(mark.high - mark.value));
@@ -151,10 +151,10 @@ std::string interval_chart(const std::string& title, const std::string& label,
       notes.push_back(plain(mark.note));
     }
     if (names.empty()) continue;
-    const char* colour = told ? "#0072B2" : "#7b8794";
+    const char* colour = clear ? "#0072B2" : "#7b8794";
     data.push_back({{"type", "scatter"},
                     {"mode", "markers"},
-                    {"name", told ? "told from chance" : "can be chance"},
+                    {"name", clear ? "more than chance" : "can be chance"},
                     {"x", values},
                     {"y", names},
                     {"text", notes},
@@ -169,7 +169,7 @@ std::string interval_chart(const std::string& title, const std::string& label,
                       {"width", 5}}},
                     {"marker",
                      {{"size", 10},
-                      {"color", told ? colour : "#ffffff"},
+                      {"color", clear ? colour : "#ffffff"},
                       {"line", {{"color", colour}, {"width", 2}}}}}});
   }
   Json order = Json::array();

@@ -41,8 +41,8 @@ struct IntervalMark {
   std::string name;  ///< plain text
   double value = 0.0;
   double low = 0.0, high = 0.0;
-  bool told = false;  ///< filled, else open
-  std::string note;   ///< shown with the mark, plain text
+  bool clear = false;  ///< more than chance: filled, else open
+  std::string note;    ///< shown with the mark, plain text
 };
 
 /// The place of a chart in the page and what is drawn there. Empty without traces that have points,

@@ -68,27 +68,27 @@ std::string chart_of(const Comparison& comparison, const Picture& picture) {
     const double unit = 100.0 / size;
     marks.push_back({row_name(comparison, *one), unit * (one->first_mean - one->second_mean),
                      unit * one->interval->low, unit * one->interval->high,
-                     evidence_of(*one) == Evidence::kTold, in_words(*one, comparison)});
+                     evidence_of(*one) == Evidence::kMoreThanChance, in_words(*one, comparison)});
   }
   return interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
 }
 
-/// "Told from chance: runout 13 m more (10 to 17 m), ..."
+/// "More than chance: runout 13 m more (10 to 17 m), ..."
 std::string words_for(const Comparison& comparison, const Picture& picture) {
-  std::string told, spread, chance;
+  std::string clear, spread, chance;
   const auto add = [](std::string& list, const std::string& item) {
     list += (list.empty() ? "" : "; ") + item;
   };
   for (const Difference* one : picture.rows) {
     const std::string name = row_name(comparison, *one);
     switch (evidence_of(*one)) {
-      case Evidence::kTold:
-        add(told, name + " " + gap_in_words(*one));
+      case Evidence::kMoreThanChance:
+        add(clear, name + " " + gap_in_words(*one));
         break;
       case Evidence::kOtherSpread:
         add(spread, name);
         break;
-      case Evidence::kNotTold:
+      case Evidence::kCanBeChance:
         add(chance, name);
         break;
     }
@@ -97,7 +97,7 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
   const auto line = [&](const std::string& head, const std::string& list) {
     if (!list.empty()) html += "<p><b>" + head + "</b> " + escaped(list) + ".</p>\n";
   };
-  line(escaped(picture.title) + ", more than chance:", told);
+  line(escaped(picture.title) + ", more than chance:", clear);
   line("Equal on average, but spread differently:", spread);
   line("Can be chance:", chance);
   return html;

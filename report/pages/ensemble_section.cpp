@@ -5,6 +5,7 @@
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
+#include "report/text/capital.hpp"
 #include "study/ensemble_effects.hpp"
 #include "study/ground_fields.hpp"
 
@@ -57,8 +58,7 @@ std::string sentence(const Comparison& comparison, const std::vector<ParameterEf
             " most clearly with the " + in_words(most->parameter) + " of " + most->zone +
             " (rank correlation " + fixed(most->correlation->statistic, 2) + ")";
   }
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
+  return capital(text) + ".";
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "report/charts/plotly_chart.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_sections.hpp"
-#include "report/text/answer_text.hpp"
+#include "report/text/measured_text.hpp"
 
 namespace clast::report_detail {
 namespace {

@@ -1,9 +1,10 @@
 #include "report/text/answer_text.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/number_text.hpp"
+#include "report/text/capital.hpp"
+#include "report/text/measured_text.hpp"
 #include "report/text/plain_numbers.hpp"
 
 namespace clast {
@@ -14,11 +15,6 @@ namespace {
 constexpr std::size_t kMostStatements = 3;   // in full
 constexpr std::size_t kMostOthers = 2;       // barriers beside the first
 constexpr std::size_t kFewestForShare = 20;  // runs for "95 % stop before"
-
-std::string capital(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
 
 /// "file 2 (soft)".
 std::string file_name(const Comparison& comparison, std::uint32_t file) {
@@ -94,13 +90,13 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
                             with_decimals(farther.mean, decimals) + " and " +
                             length_in_words(nearer.mean, decimals) + " on average";
   switch (gap.standing) {
-    case Standing::kTold:
+    case Standing::kMoreThanChance:
       return prefix + a + " blocks run " + length_in_words(gap.gap, decimals) + " farther than " +
              b + " ones" + interval;
     case Standing::kOtherSpread:
       return prefix + means + ", a difference that can be chance" + interval +
              "; but their stops are spread differently";
-    case Standing::kNotTold:
+    case Standing::kCanBeChance:
       return prefix + means + "; " +
              (gap.interval && gap.interval->low > 0.0
                   ? "among all that was compared, a difference like this" + interval +
@@ -219,7 +215,7 @@ std::string files_in_words(const Comparison& comparison, const GapAnswer& gap) {
   const int decimals = decimals_of_length(gap.gap, gap.interval);
   const std::string interval =
       gap.interval ? " (" + lengths_in_words(*gap.interval, decimals) + ")" : "";
-  if (gap.standing == Standing::kTold) {
+  if (gap.standing == Standing::kMoreThanChance) {
     return "Blocks run " + length_in_words(gap.gap, decimals) + " farther in " + a + " than in " +
            b + interval + ".";
   }
@@ -366,47 +362,6 @@ std::string intervals_in_words(const Answer& answer) {
   }
   if (fewest == 1) return ranges + " for this one release point; others may differ more.";
   return ranges + ", from " + std::to_string(fewest) + " release points.";
-}
-
-std::vector<std::string> measured_sentences(const Comparison& comparison) {
-  std::vector<std::string> sentences;
-  if (!comparison.measured) return sentences;
-  for (const MeasuredGroup& group : comparison.measured->groups) {
-    const Group& runs = comparison.groups[group.group];
-    const std::string who = runs.kind == GroupKind::kAll      ? "all blocks"
-                            : runs.kind == GroupKind::kGarcia ? runs.key + " blocks"
-                                                              : "block " + runs.key;
-    const double gap = group.quartiles.median - group.simulated_quartiles.median;
-    const int decimals = decimals_of_length(gap, group.median_difference);
-    const std::string medians =
-        "half stopped before " + length_in_words(group.quartiles.median, decimals) +
-        " in the field, " + length_in_words(group.simulated_quartiles.median, decimals) +
-        " simulated";
-    const Interval& interval = group.median_difference;
-    std::string verdict;
-    switch (agreement(group)) {
-      case Agreement::kFew:
-        verdict = counted(group.measured, "measured stop") + ", too few to judge by; " + medians;
-        break;
-      case Agreement::kAgree:
-        verdict = "field and simulation agree; " + medians + " (a difference of " +
-                  lengths_in_words(interval, decimals) + ")";
-        break;
-      case Agreement::kFarther:
-        verdict = length_in_words(gap, decimals) + " farther in the field than simulated (" +
-                  lengths_in_words(interval, decimals) + ")";
-        break;
-      case Agreement::kNearer:
-        verdict = length_in_words(-gap, decimals) + " less far in the field than simulated (" +
-                  lengths_in_words({-interval.high, -interval.low}, decimals) + ")";
-        break;
-      case Agreement::kOtherSpread:
-        verdict = "the middle agrees, the spread does not; " + medians;
-        break;
-    }
-    sentences.push_back(capital(who) + ": " + verdict + ".");
-  }
-  return sentences;
 }
 
 std::vector<std::string> first_screen(const Comparison& comparison, const Answer& answer) {

@@ -26,9 +26,6 @@ std::string runs_in_words(const Comparison& comparison);
 /// What the intervals rest on: "Ranges in brackets are 95 % intervals, from 16 release points."
 std::string intervals_in_words(const Answer& answer);
 
-/// How measured stops agree with simulated ones, a sentence for each group.
-std::vector<std::string> measured_sentences(const Comparison& comparison);
-
 /// The first screen as lines of plain text, cautions included.
 std::vector<std::string> first_screen(const Comparison& comparison, const Answer& answer);
 

@@ -1,5 +1,6 @@
 // The first screen in words, for every kind of campaign.
 #include "report/text/answer_text.hpp"
+#include "report/text/measured_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@ TEST(Answer, ADifferenceThatIsThereIsToldWithItsInterval) {
     const Answer found = answer(comparison);
     const GapAnswer& gap = only(found).gap.value();
     EXPECT_EQ(comparison.groups[gap.farther].key, "compact");
-    EXPECT_EQ(gap.standing, Standing::kTold) << seed;
+    EXPECT_EQ(gap.standing, Standing::kMoreThanChance) << seed;
     ASSERT_TRUE(gap.interval);
     inside += gap.interval->low <= 10.0 && 10.0 <= gap.interval->high ? 1 : 0;
     EXPECT_EQ(only(found).clusters, 8u);
@@ -38,14 +38,14 @@ TEST(Answer, TheFartherClassIsNamedFirstAndItsGapIsPositive) {
 }
 
 TEST(Answer, WhatIsNotThereIsSeldomTold) {
-  int told = 0;
+  int found = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Comparison comparison =
         compared(made_up_results({.compact = 30.0, .elongated = 30.0, .seed = seed}));
     const GapAnswer gap = *only(answer(comparison)).gap;
-    told += gap.standing == Standing::kTold ? 1 : 0;
+    found += gap.standing == Standing::kMoreThanChance ? 1 : 0;
   }
-  EXPECT_LE(told, 5) << "of 40";
+  EXPECT_LE(found, 5) << "of 40";
 }
 
 TEST(Answer, AnotherSpreadAroundTheSameMeanIsNoOtherRunout) {
@@ -148,7 +148,7 @@ TEST(Answer, FilesOfOneClassEachAreComparedAsOneStudy) {
   const Answer found = answer(comparison);
   ASSERT_EQ(found.statements.size(), 1u);
   EXPECT_FALSE(found.files);
-  EXPECT_EQ(only(found).gap->standing, Standing::kTold);
+  EXPECT_EQ(only(found).gap->standing, Standing::kMoreThanChance);
   EXPECT_EQ(comparison.groups[only(found).gap->farther].key, "compact");
 }
 
@@ -163,13 +163,13 @@ TEST(Answer, SitesAreNotMixed) {
   ASSERT_EQ(found.statements.size(), 2u);
   for (const Statement& statement : found.statements) {
     EXPECT_EQ(comparison.groups[statement.gap->farther].key, "compact");
-    EXPECT_EQ(statement.gap->standing, Standing::kTold);
+    EXPECT_EQ(statement.gap->standing, Standing::kMoreThanChance);
     EXPECT_NEAR(statement.gap->gap, 10.0, 3.0);
   }
   // The same release points: how far the two differ can be said.
   ASSERT_TRUE(found.files);
   EXPECT_EQ(comparison.groups[found.files->farther].file, 1u);
-  EXPECT_EQ(found.files->standing, Standing::kTold);
+  EXPECT_EQ(found.files->standing, Standing::kMoreThanChance);
 }
 
 TEST(Answer, UncertainGroundGivesARange) {

@@ -1,0 +1,52 @@
+#include "report/text/measured_text.hpp"
+
+#include "core/number_text.hpp"
+#include "report/text/capital.hpp"
+#include "report/text/plain_numbers.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+
+std::vector<std::string> measured_sentences(const Comparison& comparison) {
+  std::vector<std::string> sentences;
+  if (!comparison.measured) return sentences;
+  for (const MeasuredGroup& group : comparison.measured->groups) {
+    const Group& runs = comparison.groups[group.group];
+    const std::string who = runs.kind == GroupKind::kAll      ? "all blocks"
+                            : runs.kind == GroupKind::kGarcia ? runs.key + " blocks"
+                                                              : "block " + runs.key;
+    const double gap = group.quartiles.median - group.simulated_quartiles.median;
+    const int decimals = decimals_of_length(gap, group.median_difference);
+    const std::string medians =
+        "half stopped before " + length_in_words(group.quartiles.median, decimals) +
+        " in the field, " + length_in_words(group.simulated_quartiles.median, decimals) +
+        " simulated";
+    const Interval& interval = group.median_difference;
+    std::string verdict;
+    switch (agreement(group)) {
+      case Agreement::kFew:
+        verdict = counted(group.measured, "measured stop") + ", too few to judge by; " + medians;
+        break;
+      case Agreement::kAgree:
+        verdict = "field and simulation agree; " + medians + " (a difference of " +
+                  lengths_in_words(interval, decimals) + ")";
+        break;
+      case Agreement::kFarther:
+        verdict = length_in_words(gap, decimals) + " farther in the field than simulated (" +
+                  lengths_in_words(interval, decimals) + ")";
+        break;
+      case Agreement::kNearer:
+        verdict = length_in_words(-gap, decimals) + " less far in the field than simulated (" +
+                  lengths_in_words({-interval.high, -interval.low}, decimals) + ")";
+        break;
+      case Agreement::kOtherSpread:
+        verdict = "the middle agrees, the spread does not; " + medians;
+        break;
+    }
+    sentences.push_back(capital(who) + ": " + verdict + ".");
+  }
+  return sentences;
+}
+
+}  // namespace clast
