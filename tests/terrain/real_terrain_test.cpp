@@ -188,7 +188,8 @@ TEST(RealTerrain, CompressedLidarIsRefusedWithAWayOut) {
   const std::string message =
       refusal(TerrainOptions{.surface = {test_data("terrain/lidr_topography.laz")}});
   EXPECT_TRUE(contains(message, "lidr_topography.laz"));
-  EXPECT_TRUE(contains(message, "compressed (LAZ), which can't be read; unpack it first"));
+  EXPECT_TRUE(contains(message, "compressed (LAZ), which can't be read; save it as LAS first"));
+  EXPECT_TRUE(contains(message, "pdal translate cloud.laz cloud.las"));
 }
 
 }  // namespace
