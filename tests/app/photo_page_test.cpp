@@ -66,7 +66,7 @@ TEST_F(PhotoPage, TheRockHasItsRingItsCoverageAndTheScaleOfItsBoard) {
   EXPECT_GT(double(block["mass_kg"]), 300.0);
   EXPECT_TRUE(contains(block["warnings"].dump(), "scale by board: 3 of 3 lengths agree, to 0.00"));
 
-  const fs::path page = folder / "pages" / "blocks" / "images.html";
+  const fs::path page = folder / "pages" / "blocks" / "synthetic_rock.html";
   const std::string html = read_text_file(page);
   EXPECT_EQ(unbalanced(html), "");
   expect_self_contained(html);
@@ -88,7 +88,7 @@ TEST_F(PhotoPage, ABoulderWithoutAScaleHasNoMassAnywhere) {
   for (const auto& warning : block["warnings"]) {
     EXPECT_FALSE(contains(std::string(warning), " kg")) << warning;
   }
-  const std::string html = read_text_file(folder / "pages" / "blocks" / "images.html");
+  const std::string html = read_text_file(folder / "pages" / "blocks" / "nlesc_rock.html");
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_EQ(count_of(html, "none: unscaled"), 1u);
   EXPECT_FALSE(std::regex_search(html, std::regex("[0-9] kg|[0-9] (m|cm|mm)<")));
