@@ -1,11 +1,5 @@
 #include "reconstruct/simplify.hpp"
 
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,8 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "mesh/detail/cgal_mesh.hpp"
-#include "mesh/edge_collapse.hpp"
+#include "mesh/decimation.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
 #include "reconstruct/detail/components.hpp"
@@ -25,55 +18,15 @@ namespace clast {
 
 namespace {
 
-namespace Simplification = CGAL::Surface_mesh_simplification;
-
 /// Targets tried in turn, as multiples of the one asked for, when a simplified mesh crosses itself:
 /// tunnels of a porous scan need vertices to stay open.
 constexpr double kMultiples[] = {1.0, 1.25, 1.5, 2.0};
-/// Share of the volume that drawing crossing triangles together may change.
-constexpr double kVolumeKept = 1e-3;
-/// Rounds of collapsing what crosses before more vertices are tried.
-constexpr int kUntanglings = 20;
 /// So many times the vertices a simplified mesh may have once what crosses was filled anew.
 constexpr double kMostRefill = 2.0;
 /// And so much of its volume may change: the body that is made of it is scaled to the scan's.
 constexpr double kRefillVolume = 0.01;
 /// Triangles at one vertex of a surface that is simplified within seconds.
 constexpr std::uint32_t kMostAround = 500;
-
-/// Edges of a closed mesh with `vertices` vertices: V - E + F = chi and 3 F = 2 E.
-std::size_t edges_of(std::size_t vertices, long euler) {
-  return static_cast<std::size_t>(3 * (static_cast<long>(vertices) - euler));
-}
-
-TriangleMesh collapsed_to(const mesh_detail::CgalMesh& start, std::size_t edges) {
-  using Placement = Simplification::LindstromTurk_placement<mesh_detail::CgalMesh>;
-  mesh_detail::CgalMesh mesh = start;
-  Simplification::edge_collapse(
-      mesh, Simplification::Count_stop_predicate<mesh_detail::CgalMesh>(edges + 1),
-      CGAL::parameters::get_cost(Simplification::LindstromTurk_cost<mesh_detail::CgalMesh>())
-          .get_placement(Placement())
-          .filter(Simplification::Bounded_normal_change_filter<>()));
-  return mesh_detail::from_cgal(mesh);
-}
-
-/// Draws crossing triangles together until none is left; none when that doesn't end or would cost
-/// more than a sliver of the block.
-std::optional<TriangleMesh> untangled(TriangleMesh mesh) {
-  const double volume = signed_volume(mesh);
-  for (int round = 0; round < kUntanglings; ++round) {
-    std::vector<std::uint32_t> crossing;
-    for (const auto& pair : crossing_triangles(mesh)) {
-      crossing.insert(crossing.end(), pair.begin(), pair.end());
-    }
-    if (crossing.empty()) {
-      const double change = std::abs(signed_volume(mesh) - volume);
-      return change <= kVolumeKept * volume ? std::optional(std::move(mesh)) : std::nullopt;
-    }
-    if (collapse_edges_of(mesh, crossing) == 0) break;
-  }
-  return std::nullopt;
-}
 
 /// The last way: what still crosses is cut out and filled anew, which closes a tunnel that is too
 /// narrow for the number of vertices. None where that doesn't help, or changes more than a sliver.
@@ -135,13 +88,12 @@ TriangleMesh simplified(const TriangleMesh& mesh, const SimplifyOptions& options
   const Vec3 origin = 0.5 * (box.low + box.high);
   TriangleMesh centred = mesh;
   for (Vec3& vertex : centred.vertices) vertex -= origin;
-  const mesh_detail::CgalMesh start = mesh_detail::to_cgal(centred);
 
   TriangleMesh first;
   for (const double multiple : kMultiples) {
     const auto target = std::max<std::size_t>(
         4, static_cast<std::size_t>(multiple * static_cast<double>(options.target_vertices)));
-    TriangleMesh fewer = collapsed_to(start, edges_of(target, report.euler_characteristic));
+    TriangleMesh fewer = decimated(centred, target);
     if (first.triangles.empty()) first = fewer;
     for (Vec3& vertex : fewer.vertices) vertex += origin;
     if (std::optional<TriangleMesh> sound = untangled(fewer)) return std::move(*sound);
