@@ -2,6 +2,7 @@
 
 #include "classify/surface_indices.hpp"
 #include "mesh/remeshing.hpp"
+#include "shapes/outer_skin.hpp"
 
 namespace clast {
 
@@ -22,8 +23,8 @@ std::optional<Equilibria> block_equilibria(const Block& block) {
 }
 
 Roundness block_roundness(const Block& block, double edge_length) {
-  // A core's own surface has none of the rounding.
-  const TriangleMesh surface = block.from_core ? skin_mesh(block.body) : block.surface;
+  // A core's own surface has none of the rounding; nor may the skin cross itself at reflex edges.
+  const TriangleMesh surface = block.from_core ? outer_skin(block.body) : block.surface;
   return roundness(remeshed(surface, edge_length));
 }
 

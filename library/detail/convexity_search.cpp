@@ -1,0 +1,104 @@
+#include "library/detail/convexity_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "library/block_variation.hpp"
+#include "massprops/sphero.hpp"
+#include "shapes/convex_hull.hpp"
+#include "shapes/hull_blend.hpp"
+
+namespace clast::library_detail {
+namespace {
+
+/// What is nearer to a target than this is on it.
+constexpr double kSameConvexity = 1e-6;
+constexpr double kGoodEnough = 2e-4;
+constexpr double kVolumeAccuracy = 1e-4;
+constexpr int kSteps = 30;
+
+/// Convexities of the bodies of a blend.
+class BlendConvexity {
+ public:
+  BlendConvexity(const HullBlend& blend, const SpheroPolyhedron& hull)
+      : blend_(blend),
+        radius_(hull.radius),
+        hull_volume_(sphero_mass_properties(hull, 1.0).volume) {}
+
+  SpheroPolyhedron body(double part, std::size_t turns) const {
+    return sphero_polyhedron(blend_.at(part, turns), radius_);
+  }
+  double at(double part, std::size_t turns) const {
+    return sphero_mass_properties(body(part, turns), 1.0, kVolumeAccuracy).volume / hull_volume_;
+  }
+
+ private:
+  const HullBlend& blend_;
+  double radius_, hull_volume_;
+};
+
+/// The fewest turned edges with which the target can be reached.
+std::size_t fewest_turns(const BlendConvexity& convexity, std::size_t all, double target) {
+  if (convexity.at(1.0, 0) >= target) return 0;
+  std::size_t below = 0, enough = all;
+  while (enough - below > 1) {
+    const std::size_t middle = below + (enough - below) / 2;
+    (convexity.at(1.0, middle) >= target ? enough : below) = middle;
+  }
+  return enough;
+}
+
+HullBlend blend_of(const SpheroPolyhedron& body, double target) {
+  try {
+    return HullBlend(core_mesh(body));
+  } catch (const GeometryError& error) {
+    throw GeometryError("a convexity of " + with_digits(target, 4) + " can't be reached: " +
+                        error.what() + "; the nearest are its own and 1, its hull");
+  }
+}
+
+}  // namespace
+
+SpheroPolyhedron body_of_convexity(const SpheroPolyhedron& body, double own, double target) {
+  if (std::abs(target - own) <= kSameConvexity) return body;
+  if (!(target <= 1.0 && target > own)) {
+    throw GeometryError("a convexity of " + with_digits(target, 4) +
+                        " can't be reached: hollows can be filled, from its own " +
+                        with_digits(own, 4) + " to 1");
+  }
+  const SpheroPolyhedron hull = sphero_polyhedron(convex_hull(body.vertices), body.radius);
+  if (target > 1.0 - kSameConvexity) return hull;
+  const HullBlend blend = blend_of(body, target);
+  const BlendConvexity convexity(blend, hull);
+  const std::size_t turns = fewest_turns(convexity, blend.turns(), target);
+  // False position with halving (Illinois), since the volume is close to a cubic in the part.
+  double low = 0.0, high = 1.0;
+  double below = (turns == 0 ? own : convexity.at(0.0, turns)) - target;
+  double above = convexity.at(1.0, turns) - target;
+  if (below > 0.0 || above < 0.0) {
+    return std::abs(above) <= kVariationTolerance * target ? convexity.body(1.0, turns) : hull;
+  }
+  double part = 1.0;
+  int side = 0;  // which bound moved last
+  for (int step = 0; step < kSteps; ++step) {
+    part = above > below ? low - below * (high - low) / (above - below) : 0.5 * (low + high);
+    const double gap = convexity.at(part, turns) - target;
+    if (std::abs(gap) <= kGoodEnough * target) break;
+    if (gap > 0.0) {
+      high = part;
+      above = gap;
+      if (side == 1) below *= 0.5;
+      side = 1;
+    } else {
+      low = part;
+      below = gap;
+      if (side == -1) above *= 0.5;
+      side = -1;
+    }
+  }
+  return convexity.body(part, turns);
+}
+
+}  // namespace clast::library_detail

@@ -1,0 +1,188 @@
+#include "library/detail/varied_body.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "classify/surface_indices.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "library/detail/convexity_search.hpp"
+#include "massprops/principal_frame.hpp"
+#include "massprops/sphero.hpp"
+#include "mesh/decimation.hpp"
+#include "shapes/surface_detail.hpp"
+
+namespace clast::library_detail {
+namespace {
+
+constexpr double kLargestRadiusShare = 0.4;
+constexpr double kSameShare = 1e-9;
+constexpr int kRadiusRounds = 20;
+constexpr std::size_t kFewestVertices = 8;
+constexpr int kMomentRounds = 40;
+constexpr double kSameMoments = 1e-9;
+
+void refuse_round_bodies(const Block& parent) {
+  if (!parent.body.faces.empty()) return;
+  throw GeometryError("it is a ball or a capsule, which has neither faces nor detail to vary");
+}
+
+double radius_share(const SpheroPolyhedron& body) {
+  return body.radius / smallest_box(body).lengths[2];
+}
+
+/// Stretched to the block's own ratios, with the radius that is `share` of S.
+VariedBody with_form_of(const Block& parent, SpheroPolyhedron body, double share) {
+  const BoxRatios ratios = box_ratios(parent.box);
+  StretchedBody result;
+  // The box turns a little with the radius, and with it S.
+  for (int round = 0; round < kRadiusRounds; ++round) {
+    const double S = smallest_box(body).lengths[2];
+    if (std::abs(body.radius - share * S) > kSameShare * S) {
+      body.radius = share * (S - 2.0 * body.radius) / (1.0 - 2.0 * share);
+    }
+    result = stretched_to(body, ratios);
+    if (std::abs(radius_share(result.body) / share - 1.0) < kVariationTolerance / 10.0) break;
+    if (share == 0.0) break;
+    body = result.body;
+  }
+  return {std::move(result.body), ""};
+}
+
+/// Principal second moments of the volume over the volume, m^2, ascending.
+Vec3 spread(const MassProperties& properties) {
+  const Vec3 moments = principal_frame(properties).moments / properties.mass;
+  const double half = 0.5 * moments.sum();
+  return {half - moments[2], half - moments[1], half - moments[0]};
+}
+
+}  // namespace
+
+VariedBody varied_body(const Block& parent, const StretchTo& wanted) {
+  refuse_round_bodies(parent);
+  StretchedBody stretched = stretched_to(parent.body, wanted.ratios);
+  if (stretched.gap > kVariationTolerance) {
+    const BoxRatios nearest = box_ratios(smallest_box(stretched.body));
+    throw GeometryError("I/L = " + with_digits(wanted.ratios.i_l, 4) + " and S/L = " +
+                        with_digits(wanted.ratios.s_l, 4) + " can't be reached; the nearest are " +
+                        with_digits(nearest.i_l, 4) + " and " + with_digits(nearest.s_l, 4));
+  }
+  const Vec3& s = stretched.stretch;
+  return {std::move(stretched.body), "stretch=" + with_digits(s[0], 4) + "," +
+                                         with_digits(s[1], 4) + "," + with_digits(s[2], 4)};
+}
+
+VariedBody varied_body(const Block& parent, const ConvexityOf& wanted) {
+  refuse_round_bodies(parent);
+  const double own = convexity(parent.body, parent.mass.volume);
+  return {body_of_convexity(parent.body, own, wanted.convexity),
+          "parent_convexity=" + with_digits(own, 4)};
+}
+
+VariedBody varied_body(const Block& parent, const RoundingOf& wanted) {
+  refuse_round_bodies(parent);
+  if (!(wanted.radius_share >= 0.0 && wanted.radius_share <= kLargestRadiusShare)) {
+    throw InputError("a radius of " + with_digits(wanted.radius_share, 4) +
+                     " of S can't be reached: must be from 0 to " +
+                     with_digits(kLargestRadiusShare, 2));
+  }
+  const double own = radius_share(parent.body);
+  const std::string figures = "parent_radius_share=" + with_digits(own, 4);
+  if (std::abs(wanted.radius_share - own) <= kSameShare) return {parent.body, figures};
+  return {with_form_of(parent, parent.body, wanted.radius_share).body, figures};
+}
+
+VariedBody varied_body(const Block& parent, const VertexCount& wanted) {
+  refuse_round_bodies(parent);
+  const std::size_t own = parent.body.vertices.size();
+  if (wanted.vertices < kFewestVertices || wanted.vertices > own) {
+    throw InputError(counted(wanted.vertices, "vertex", "vertices") + " can't be reached: from " +
+                     std::to_string(kFewestVertices) + " to the " + std::to_string(own) +
+                     " it has can; more come from its scan, by reconstruct");
+  }
+  const std::string figures = "parent_vertices=" + std::to_string(own);
+  if (wanted.vertices == own) return {parent.body, figures};
+  TriangleMesh core = core_mesh(parent.body);
+  // About its middle, or map coordinates would cost digits.
+  for (Vec3& vertex : core.vertices) vertex -= parent.box.centre;
+  std::optional<TriangleMesh> fewer = untangled(decimated(core, wanted.vertices));
+  if (!fewer || !(signed_volume(*fewer) > 0.0)) {
+    throw GeometryError("with " + std::to_string(wanted.vertices) +
+                        " vertices its core would cross itself; ask for more");
+  }
+  for (Vec3& vertex : fewer->vertices) vertex += parent.box.centre;
+  return {
+      with_form_of(parent, sphero_polyhedron(*fewer, parent.body.radius), radius_share(parent.body))
+          .body,
+      figures};
+}
+
+VariedBody varied_body(const Block& parent, const DetailTimes& wanted) {
+  refuse_round_bodies(parent);
+  const DetailOptions options = {wanted.gain, wanted.degree};
+  if (wanted.gain == 1.0) return {parent.body, "coarse_form=unchanged"};
+  const DetailedSurface surface = with_detail(core_mesh(parent.body), options);
+  const bool harmonics = surface.coarse == CoarseForm::kHarmonics;
+  return {with_form_of(parent, sphero_polyhedron(surface.mesh, parent.body.radius),
+                       radius_share(parent.body))
+              .body,
+          std::string("coarse_form=") + (harmonics ? "spherical_harmonics" : "bilaplacian")};
+}
+
+VariedBody varied_body(const Block& parent, const ReferenceTo& wanted) {
+  const double share =
+      std::min(parent.body.faces.empty() ? 0.0 : radius_share(parent.body), kLargestRadiusShare);
+  return {
+      reference_body(
+          wanted.form,
+          {.ratios = box_ratios(parent.box), .radius_share = share, .exponent = wanted.exponent}),
+      wanted.form == ReferenceForm::kSuperellipsoid ? "exponent=" + with_digits(wanted.exponent, 4)
+                                                    : ""};
+}
+
+VariedBody varied_body(const Block& parent, const InertiaTwin& wanted) {
+  const Vec3 target = spread(parent.mass);
+  const double side = parent.body.faces.empty() ? 0.0 : radius_share(parent.body);
+  const double share = std::min(side, kLargestRadiusShare);
+  // Half-axes a of an ellipsoid have a^2/5, half-sides of a box a^2/3; the order is that of z, y,
+  // x.
+  const double part = wanted.form == ReferenceForm::kEllipsoid ? 5.0 : 3.0;
+  const Vec3 half = (part * target).cwiseSqrt();
+  const BoxRatios ratios = {half[1] / half[2], half[0] / half[2]};
+  SpheroPolyhedron body =
+      scaled(reference_body(wanted.form, {.ratios = ratios, .radius_share = share}), 2.0 * half[2]);
+  double gap = 1.0;
+  for (int round = 0; round < kMomentRounds && gap > kSameMoments; ++round) {
+    const Vec3 now = spread(sphero_mass_properties(body, 1.0));
+    const Vec3 factors = target.cwiseQuotient(now).cwiseSqrt();
+    gap = (factors - Vec3::Ones()).cwiseAbs().maxCoeff();
+    // x is the longest: the largest spread.
+    for (Vec3& v : body.vertices) v = v.cwiseProduct(Vec3(factors[2], factors[1], factors[0]));
+  }
+  if (gap > kVariationTolerance) {
+    throw GeometryError("no " + name_of(wanted.form) + " with a radius of " +
+                        with_digits(share, 4) + " of S has its principal moments; the nearest is " +
+                        percent(gap) + " off in length");
+  }
+  return {std::move(body), ""};
+}
+
+VariedBody varied_body(const Block& parent, const DrawnForm& wanted) {
+  refuse_round_bodies(parent);
+  Block filled = parent;
+  std::string figures;
+  if (wanted.convexity) {
+    const double own = convexity(parent.body, parent.mass.volume);
+    if (*wanted.convexity > own) {
+      filled.body = body_of_convexity(parent.body, own, *wanted.convexity);
+    }
+    figures = " parent_convexity=" + with_digits(own, 4);
+  }
+  VariedBody stretched = varied_body(filled, StretchTo{wanted.ratios});
+  stretched.figures += figures;
+  return stretched;
+}
+
+}  // namespace clast::library_detail

@@ -1,0 +1,218 @@
+// Twins of a block, and series of them.
+#include "library/block_variation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "classify/form_grid.hpp"
+#include "classify/surface_indices.hpp"
+#include "core/error.hpp"
+#include "library/block_measures.hpp"
+#include "library/block_series.hpp"
+#include "library/make_block.hpp"
+#include "tests/library/block_samples.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/rock_mesh.hpp"
+
+namespace clast {
+namespace {
+
+const BlockSource kSource = {"blocks.h5", std::string(64, 'b'), "", ""};
+
+Block rock(const std::string& id = "R 1%") {
+  const SpheroPolyhedron body = sphero_polyhedron(rock_mesh(3, Vec3(1.0, 0.7, 0.5), 3, 0.3), 0.02);
+  BlockOptions options;
+  options.density = 2600.0;
+  return make_block(id, body, {"rock.ply", std::string(64, 'a'), "", ""}, options);
+}
+
+Block varied(const Variation& variation, KeptSize keep = KeptSize::kMass) {
+  return vary_block("V", rock(), variation, kSource, {.keep = keep});
+}
+
+double convexity_of(const Block& block) { return convexity(block.body, block.mass.volume); }
+
+void expect_near(double value, double target) {
+  EXPECT_NEAR(value, target, kVariationTolerance * target);
+}
+
+TEST(BlockVariation, StretchesReachFormVolumeAndClass) {
+  const Block parent = rock();
+  for (const Axes& axes : sneed_folk_grid(4, 0.25)) {
+    const Block twin = varied(StretchTo{{axes.I / axes.L, axes.S / axes.L}});
+    expect_near(twin.axes().I / twin.axes().L, axes.I);
+    expect_near(twin.axes().S / twin.axes().L, axes.S);
+    EXPECT_NEAR(twin.mass.volume / parent.mass.volume, 1.0, 5e-4);
+    EXPECT_NEAR(twin.mass.mass / parent.mass.mass, 1.0, 5e-4);
+    EXPECT_EQ(garcia_class(twin.axes()), garcia_class(axes));
+    EXPECT_NEAR(convexity_of(twin), convexity_of(parent), 0.01) << "detail is kept";
+  }
+}
+
+TEST(BlockVariation, AreTheBlockItselfAtItsOwnFigures) {
+  const Block parent = rock();
+  const double share = parent.body.radius / parent.axes().S;
+  for (const Variation& own :
+       {Variation{StretchTo{box_ratios(parent.box)}}, Variation{ConvexityOf{convexity_of(parent)}},
+        Variation{RoundingOf{share}}, Variation{VertexCount{parent.body.vertices.size()}},
+        Variation{DetailTimes{.gain = 1.0, .degree = 4}}}) {
+    const Block twin = varied(own);
+    EXPECT_EQ(twin.body.vertices, parent.body.vertices) << kind_of(own);
+    EXPECT_EQ(twin.body.radius, parent.body.radius) << kind_of(own);
+    EXPECT_EQ(twin.mass.mass, parent.mass.mass) << kind_of(own);
+    EXPECT_EQ(twin.mass.inertia, parent.mass.inertia) << kind_of(own);
+  }
+}
+
+TEST(BlockVariation, FillHollowsToAConvexityAndKeepTheForm) {
+  const Block parent = rock();
+  ASSERT_LT(convexity_of(parent), 0.95);
+  for (const double target : {0.95, 0.98, 0.995, 1.0}) {
+    const Block twin = varied(ConvexityOf{target});
+    expect_near(convexity_of(twin), target);
+    EXPECT_LT(ratio_gap(box_ratios(twin.box), box_ratios(parent.box)), 1e-6);
+    EXPECT_NEAR(twin.mass.volume / parent.mass.volume, 1.0, 5e-4);
+  }
+  const std::string said = refusal<GeometryError>([] { varied(ConvexityOf{0.5}); });
+  EXPECT_TRUE(contains(said, "block R 1%: a convexity of 0.5 can't be reached")) << said;
+  EXPECT_TRUE(contains(said, "from its own 0.8")) << said;
+}
+
+TEST(BlockVariation, RoundEdgesAtConstantVolumeAndForm) {
+  const Block parent = rock();
+  for (const double share : {0.02, 0.1, 0.2, 0.3}) {
+    const Block twin = varied(RoundingOf{share});
+    expect_near(twin.body.radius / twin.axes().S, share);
+    EXPECT_LT(ratio_gap(box_ratios(twin.box), box_ratios(parent.box)), kVariationTolerance);
+    EXPECT_NEAR(twin.mass.volume / parent.mass.volume, 1.0, 5e-4);
+  }
+  EXPECT_EQ(varied(RoundingOf{0.0}).body.radius, 0.0);
+  EXPECT_TRUE(contains(refusal([] { varied(RoundingOf{0.5}); }), "from 0 to 0.4"));
+}
+
+// As Wadell measures it, on one length of edges: of a convex block, and of one with hollows.
+TEST(BlockVariation, AreRounderTheLargerTheRadiusIs) {
+  const Block convex = varied(ConvexityOf{1.0});
+  for (const Block& parent : {convex, rock()}) {
+    double before = 0.0;
+    for (const double share : {0.15, 0.2, 0.3}) {
+      const Block twin = vary_block("V", parent, RoundingOf{share}, kSource);
+      const double wadell = block_roundness(twin, 0.06 * twin.axes().L).value;
+      EXPECT_GT(wadell, before) << share;
+      before = wadell;
+    }
+  }
+}
+
+TEST(BlockVariation, SimplifyToAsManyVerticesAsAreAskedFor) {
+  const Block parent = rock();
+  for (const std::size_t count : {8u, 30u}) {
+    const Block twin = varied(VertexCount{count});
+    EXPECT_EQ(twin.body.vertices.size(), count);
+    EXPECT_LT(ratio_gap(box_ratios(twin.box), box_ratios(parent.box)), kVariationTolerance);
+    EXPECT_NEAR(twin.mass.volume / parent.mass.volume, 1.0, 5e-4);
+  }
+  EXPECT_TRUE(contains(refusal([] { varied(VertexCount{2000}); }), "from 8 to the 92 it has"));
+}
+
+TEST(BlockVariation, ReferencesHaveMassAndFormOfTheBlock) {
+  const Block parent = rock();
+  for (const ReferenceForm form : {ReferenceForm::kBox, ReferenceForm::kEllipsoid}) {
+    const Block twin = varied(ReferenceTo{form});
+    EXPECT_LT(ratio_gap(box_ratios(twin.box), box_ratios(parent.box)), kVariationTolerance);
+    EXPECT_NEAR(twin.mass.mass / parent.mass.mass, 1.0, 5e-4);
+    EXPECT_NEAR(convexity_of(twin), 1.0, 1e-9);
+  }
+  const Block ball = varied(ReferenceTo{ReferenceForm::kSphere});
+  EXPECT_NEAR(4.0 / 3.0 * kPi * std::pow(ball.body.radius, 3.0), parent.mass.volume, 1e-9);
+  const Block long_box = varied(ReferenceTo{ReferenceForm::kBox}, KeptSize::kLength);
+  EXPECT_NEAR(long_box.axes().L, parent.axes().L, 1e-9);
+}
+
+TEST(BlockVariation, TwinsOfEqualInertiaHaveMassAndPrincipalMoments) {
+  const Block parent = rock();
+  for (const ReferenceForm form : {ReferenceForm::kEllipsoid, ReferenceForm::kBox}) {
+    const Block twin = varied(InertiaTwin{form});
+    EXPECT_NEAR(twin.mass.mass / parent.mass.mass, 1.0, 1e-9);
+    EXPECT_NEAR(twin.density * twin.mass.volume, parent.mass.mass, 1e-6);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(twin.principal.moments[k] / parent.principal.moments[k], 1.0, 1e-6);
+    }
+  }
+}
+
+TEST(BlockVariation, SayWhatWasDone) {
+  const Block twin = varied(StretchTo{{0.8, 0.5}});
+  EXPECT_EQ(twin.source.file, "blocks.h5");
+  EXPECT_EQ(twin.source.sha256, std::string(64, 'b'));
+  EXPECT_TRUE(contains(twin.source.options,
+                       "vary=stretch parent=R%201%25 parent_sha256=" + std::string(64, 'a') +
+                           " keep=mass i_l=0.8 s_l=0.5 stretch="));
+  const std::optional<VariationRecord> record = read_variation(twin);
+  ASSERT_TRUE(record);
+  EXPECT_EQ(record->kind, "stretch");
+  EXPECT_EQ(record->parent, "R 1%");
+  EXPECT_EQ(record->form->i_l, 0.8);
+  EXPECT_EQ(read_variation(varied(ConvexityOf{0.97}))->step, 0.97);
+  EXPECT_EQ(read_variation(varied(ReferenceTo{ReferenceForm::kEota221}))->reference, "eota-221");
+  EXPECT_FALSE(read_variation(rock()));
+}
+
+TEST(BlockVariation, BallsAndUnknownNamesAreRefused) {
+  SpheroPolyhedron body;
+  body.vertices = {Vec3::Zero()};
+  body.radius = 0.5;
+  const Block ball = make_block("ball", body, kSource, {});
+  EXPECT_TRUE(
+      contains(refusal<GeometryError>([&] { vary_block("V", ball, RoundingOf{0.1}, kSource); }),
+               "block ball: it is a ball or a capsule"));
+  EXPECT_TRUE(contains(refusal([] { kept_size("weight"); }), "\"weight\""));
+  EXPECT_TRUE(contains(refusal([] { varied(StretchTo{{0.8, NAN}}); }), "block R 1%: S/L = nan"));
+}
+
+TEST(BlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) {
+  const Block parent = rock();
+  const Block* const one = &parent;
+  const std::vector<Variation> wanted = {StretchTo{{0.9, 0.6}}, ConvexityOf{0.2}, VertexCount{20}};
+  const auto requests = variations_of({&one, 1}, wanted);
+  ASSERT_EQ(requests.size(), 3u);
+  EXPECT_EQ(requests[0].id, "R 1%_il0.9_sl0.6");
+  const BlockSeries alone = make_series(requests, kSource, {{}, 1});
+  const BlockSeries both = make_series(requests, kSource, {{}, 2});
+  ASSERT_EQ(alone.blocks.size(), 2u);
+  ASSERT_EQ(alone.failed.size(), 1u);
+  EXPECT_TRUE(contains(alone.failed[0], "convexity of 0.2"));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(alone.blocks[i].body.vertices, both.blocks[i].body.vertices);
+    EXPECT_EQ(alone.blocks[i].mass.inertia, both.blocks[i].mass.inertia);
+  }
+}
+
+TEST(BlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
+  const Block parent = rock();
+  const Block* const one = &parent;
+  std::vector<DrawnBlock> population;
+  for (int i = 0; i < 12; ++i) {
+    population.push_back({{1.0 + 0.1 * i, 0.8 + 0.02 * i, 0.4 + 0.01 * i}, std::nullopt});
+  }
+  const DrawnSeries drawn = draw_series({&one, 1}, population, 5, 7, "D");
+  const BlockSeries series = make_series(drawn.requests, kSource);
+  ASSERT_EQ(series.blocks.size(), 5u) << series.failed.front();
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto& wanted = std::get<DrawnForm>(drawn.requests[i].variation);
+    EXPECT_EQ(series.blocks[i].id, "D000" + std::to_string(i + 1));
+    expect_near(series.blocks[i].axes().L, wanted.length);
+    expect_near(series.blocks[i].axes().S / series.blocks[i].axes().L, wanted.ratios.s_l);
+  }
+  const DrawnSeries again = draw_series({&one, 1}, population, 5, 7, "D");
+  EXPECT_EQ(std::get<DrawnForm>(again.requests[4].variation).length,
+            std::get<DrawnForm>(drawn.requests[4].variation).length);
+  EXPECT_TRUE(contains(refusal([&] {
+                         draw_series({&one, 1}, {population.data(), 3}, 5, 7, "D");
+                       }),
+                       "3 blocks are too few"));
+}
+
+}  // namespace
+}  // namespace clast
