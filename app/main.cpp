@@ -27,6 +27,7 @@ void add_commands(CLI::App& app, char** argv) {
     clast::run_companion(argv);
   });
   clast::add_cut(app);
+  clast::add_vary(app);
   clast::add_show(app);
   clast::add_classify(app);
   clast::add_export(app);

@@ -13,6 +13,7 @@ namespace clast {
 
 void add_reconstruct(CLI::App& app);
 void add_cut(CLI::App& app);
+void add_vary(CLI::App& app);
 void add_show(CLI::App& app);
 void add_classify(CLI::App& app);
 void add_export(CLI::App& app);

@@ -50,6 +50,10 @@ const clastGallery = (() => {
     const button = event.target.closest('button.open');
     if (button) open(button.closest('.card'));
   });
+  document.querySelector('.series-tables')?.addEventListener('click', (event) => {
+    const cell = event.target.closest('button.cell');
+    if (cell) open(cards.find((card) => card.dataset.source === cell.dataset.source));
+  });
   dialog.querySelector('button.close').addEventListener('click', () => dialog.close());
   // A click beside the dialog closes it too.
   dialog.addEventListener('click', (event) => event.target === dialog && dialog.close());

@@ -12,6 +12,7 @@
 #include "core/version.hpp"
 #include "library/unscaled.hpp"
 #include "report/blocks/block_pictures.hpp"
+#include "report/blocks/series_matrix.hpp"
 #include "report/blocks/turntable.hpp"
 #include "report/html/assets.hpp"
 #include "report/html/html_page.hpp"
@@ -155,7 +156,7 @@ std::filesystem::path write_gallery(std::span<const Block* const> blocks, const 
                      counted(blocks.size(), "block") +
                      "; a click on a picture shows the block in 3-D, with all its numbers</p>\n";
   if (const std::string note = unscaled_note(blocks); !note.empty()) body += paragraph(note);
-  body += bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";
+  body += series_matrices(blocks) + bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";
   body +=
       "<dialog class=\"block\"><button type=\"button\" class=\"close\" "
       "aria-label=\"close\">\xC3\x97</button><h2></h2>\n" +

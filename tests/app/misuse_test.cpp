@@ -30,8 +30,8 @@ class Capture {
 };
 
 void add_commands(CLI::App& app) {
-  for (const auto add : {add_reconstruct, add_cut, add_show, add_classify, add_export, add_library,
-                         add_terrain, add_new, add_check, add_simulate, add_compare}) {
+  for (const auto add : {add_reconstruct, add_cut, add_vary, add_show, add_classify, add_export,
+                         add_library, add_terrain, add_new, add_check, add_simulate, add_compare}) {
     add(app);
   }
 }
@@ -243,6 +243,20 @@ TEST_F(Misuse, NumbersOfOtherCommandsOutsideTheirRangesAreRefusedWithThem) {
                           {"--units"},
                           {"--threads"},
                           {"--joints", "60/90/VALUE"}},
+                         kNoBlock, true);
+  expect_numbers_refused({"vary", "x.h5"},
+                         {{"--seed"},
+                          {"--least"},
+                          {"--convexity"},
+                          {"--rounding"},
+                          {"--vertices"},
+                          {"--detail"},
+                          {"--degree"},
+                          {"--exponent"},
+                          {"--draw"},
+                          {"--threads"},
+                          {"--to", "0.8,VALUE"},
+                          {"--grid", "zingg:VALUE"}},
                          kNoBlock, true);
   expect_numbers_refused({"simulate", "x.toml"}, {{"--threads"}}, kNoBlock, true);
   expect_numbers_refused({"compare", "x.h5"}, {{"--animate"}}, kNoBlock, true);

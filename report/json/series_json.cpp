@@ -1,0 +1,61 @@
+#include "report/json/series_json.hpp"
+
+#include "classify/schemes.hpp"
+#include "classify/surface_indices.hpp"
+#include "library/unscaled.hpp"
+
+namespace clast {
+namespace {
+
+nlohmann::ordered_json body_json(const Block& block) {
+  const VariationRecord record = read_variation(block).value_or(VariationRecord{});
+  const bool metric = !is_unscaled(block);
+  nlohmann::ordered_json json = {
+      {"id", block.id}, {"parent", record.parent}, {"kind", record.kind}};
+  json["reference"] = nullptr;
+  if (!record.reference.empty()) json["reference"] = record.reference;
+  json["target_I_over_L"] = nullptr;
+  json["target_S_over_L"] = nullptr;
+  json["target"] = nullptr;
+  if (record.form) {
+    json["target_I_over_L"] = record.form->i_l;
+    json["target_S_over_L"] = record.form->s_l;
+  } else if (record.reference.empty()) {
+    json["target"] = record.step;
+  }
+  const BoxRatios ratios = box_ratios(block.box);
+  json["I_over_L"] = ratios.i_l;
+  json["S_over_L"] = ratios.s_l;
+  json["convexity"] = convexity(block.body, block.mass.volume);
+  json["radius_share_of_S"] = block.body.radius / block.box.lengths[2];
+  json["vertices"] = block.body.vertices.size();
+  json[metric ? "L_m" : "L_units"] = block.box.lengths[0];
+  json[metric ? "volume_m3" : "volume_units3"] = block.mass.volume;
+  json["mass_kg"] = metric ? nlohmann::ordered_json(block.mass.mass) : nlohmann::ordered_json();
+  json["sneed_folk"] = sneed_folk_class(block.axes());
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json series_json(const BlockSeries& series, const std::optional<CopulaFit>& fit) {
+  nlohmann::ordered_json json;
+  json["bodies"] = nlohmann::ordered_json::array();
+  for (const Block& block : series.blocks) json["bodies"].push_back(body_json(block));
+  json["failed"] = series.failed;
+  json["fit"] = nullptr;
+  if (!fit) return json;
+  nlohmann::ordered_json pairs = nlohmann::ordered_json::array();
+  for (const RankCorrelation& pair : fit->correlations) {
+    pairs.push_back({{"first", pair.first},
+                     {"second", pair.second},
+                     {"population", pair.population},
+                     {"drawn", pair.drawn}});
+  }
+  json["fit"] = {{"largest_difference", fit->largest_difference},
+                 {"weakened", fit->weakened},
+                 {"rank_correlations", pairs}};
+  return json;
+}
+
+}  // namespace clast

@@ -1,0 +1,13 @@
+#pragma once
+/// Series of varied blocks, as JSON.
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "library/block_series.hpp"
+
+namespace clast {
+
+/// What `clast vary --json` prints (docs/formats.md).
+nlohmann::ordered_json series_json(const BlockSeries& series, const std::optional<CopulaFit>& fit);
+
+}  // namespace clast

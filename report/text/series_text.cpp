@@ -1,0 +1,55 @@
+#include "report/text/series_text.hpp"
+
+#include "classify/schemes.hpp"
+#include "classify/surface_indices.hpp"
+#include "core/number_text.hpp"
+#include "library/unscaled.hpp"
+
+namespace clast {
+namespace {
+
+double convexity_of(const Block& block) { return convexity(block.body, block.mass.volume); }
+
+std::string what_of(const VariationRecord& record) {
+  if (!record.reference.empty()) return record.reference;
+  if (record.form) {
+    return record.kind + " to " + with_digits(record.form->i_l, 4) + ", " +
+           with_digits(record.form->s_l, 4);
+  }
+  return record.kind + " " + with_digits(record.step, 4);
+}
+
+}  // namespace
+
+TextTable series_table(std::span<const Block> blocks) {
+  TextTable table;
+  table.headings = {"id",        "varied",    "I/L",     "S/L",
+                    "convexity", "volume m3", "mass kg", "Sneed and Folk"};
+  for (const Block& block : blocks) {
+    const BoxRatios ratios = box_ratios(block.box);
+    const bool metric = !is_unscaled(block);
+    table.rows.push_back({block.id, what_of(read_variation(block).value_or(VariationRecord{})),
+                          with_decimals(ratios.i_l, 4), with_decimals(ratios.s_l, 4),
+                          with_decimals(convexity_of(block), 4),
+                          rounded(block.mass.volume) + (metric ? "" : " u"),
+                          metric ? rounded(block.mass.mass) : "", sneed_folk_class(block.axes())});
+  }
+  return table;
+}
+
+std::string described_fit(const CopulaFit& fit) {
+  std::string text = "Fit: distribution functions of population and bodies drawn differ by " +
+                     with_decimals(fit.largest_difference, 3) +
+                     " at most; rank correlations, population and drawn:\n";
+  for (const RankCorrelation& pair : fit.correlations) {
+    text += "  " + pair.first + " and " + pair.second + ": " + with_decimals(pair.population, 2) +
+            ", " + with_decimals(pair.drawn, 2) + "\n";
+  }
+  if (fit.weakened > 0.0) {
+    text += "  correlations weakened by " + percent(fit.weakened, 0) +
+            ", since those of the population are not possible together\n";
+  }
+  return text;
+}
+
+}  // namespace clast

@@ -1,0 +1,17 @@
+#pragma once
+/// Series of varied blocks as text.
+#include <span>
+#include <string>
+
+#include "core/text_table.hpp"
+#include "library/block_series.hpp"
+
+namespace clast {
+
+/// A row per body: id, what was varied, I/L, S/L, convexity, volume, mass, class.
+TextTable series_table(std::span<const Block> blocks);
+
+/// How well drawn bodies stand for their population, a line for each correlation.
+std::string described_fit(const CopulaFit& fit);
+
+}  // namespace clast
