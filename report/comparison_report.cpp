@@ -20,10 +20,10 @@ using namespace report_detail;
 FolderKind comparison_folder() {
   const auto owns = [](const std::filesystem::path& file) {
     static const std::set<std::string> kFiles = {
-        "runs.csv",    "barriers.csv",    "crossings.csv",   "deposits.csv",
-        "impacts.csv", "ground_sets.csv", "profiles.csv",    "measured.csv",
-        "stops.gpkg",  "differences.csv", "provenance.json", "report.html",
-        "report.pdf",  "ensemble.csv",    "stays.csv",       "realisations.csv"};
+        "runs.csv",         "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
+        "ground_sets.csv",  "profiles.csv", "measured.csv",  "stops.gpkg",   "differences.csv",
+        "provenance.json",  "report.html",  "report.pdf",    "ensemble.csv", "stays.csv",
+        "realisations.csv", "effects.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
@@ -50,6 +50,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("impacts.csv", impacts_csv(comparison));
   write("ground_sets.csv", ground_sets_csv(comparison));
   write("ensemble.csv", ensemble_csv(comparison));
+  write("effects.csv", effects_csv(comparison));
   write("stays.csv", stays_csv(comparison));
   const RealisationDeposits deposits = realisation_deposits(comparison);
   write("realisations.csv", realisations_csv(deposits));

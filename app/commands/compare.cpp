@@ -16,6 +16,7 @@
 #include "report/page_pdf.hpp"
 #include "report/scene/vtk_animation.hpp"
 #include "report/text/answer_text.hpp"
+#include "report/text/effects_text.hpp"
 #include "report/text/measured_text.hpp"
 #include "study/comparison.hpp"
 
@@ -32,6 +33,7 @@ struct CompareArgs {
   bool replace = false;
   bool summary = false;
   bool pdf = false;
+  bool effects = false;
 };
 
 Comparison read_and_compare(const CompareArgs& args) {
@@ -51,6 +53,10 @@ void print_warnings(const Comparison& comparison) {
 
 void print_lines(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::cout << printable(line) << "\n";
+}
+
+void print_effects(const CompareArgs& args, const Comparison& comparison) {
+  if (args.effects) print_lines(effects_sentences(design_effects(comparison)));
 }
 
 /// The report as PDF beside the page; where that fails, why.
@@ -95,6 +101,7 @@ void compare_results(const CompareArgs& args) {
     print_lines(answer_sentences(comparison, answered));
     print_lines(measured_sentences(comparison));
   }
+  print_effects(args, comparison);
   for (const std::filesystem::path& file : written) {
     const std::filesystem::path name = file.lexically_relative(folder.temporary());
     std::cout << printable((std::filesystem::path(args.folder) / name).string()) << "\n";
@@ -108,6 +115,7 @@ void compare_results(const CompareArgs& args) {
 void print_summary(const CompareArgs& args) {
   const Comparison comparison = read_and_compare(args);
   print_lines(first_screen(comparison, answer(comparison)));
+  print_effects(args, comparison);
 }
 
 }  // namespace
@@ -140,6 +148,10 @@ void add_compare(CLI::App& app) {
                    "Table of stops observed in the field (columns x and y, m; optionally start_x, "
                    "start_y, block, shape), compared with the simulated ones")
       ->type_name("CSV");
+  command->add_flag("--effects", args->effects,
+                    "Print what share of the variance of runout, lateral angle, energy and passing "
+                    "is due to form, mass, orientation and release point, where every combination "
+                    "was run");
   command->add_flag("--pdf", args->pdf,
                     "Write the report as report.pdf too (needs Chromium or Chrome)");
   command->add_flag("--summary", args->summary,

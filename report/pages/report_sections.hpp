@@ -36,6 +36,8 @@ std::string differences_section(const Comparison& comparison);
 std::string measured_section(const Comparison& comparison);
 /// What drawn ground parameters do to runout and barriers; empty without ensembles.
 std::string ensemble_section(const Comparison& comparison);
+/// What the variance of outcomes is due to; empty where no campaign runs every combination.
+std::string effects_section(const Comparison& comparison);
 /// A table and exceedance curves for every barrier.
 std::string barrier_section(const Comparison& comparison);
 /// Energy balance, penetration, and every run that did not come to rest.

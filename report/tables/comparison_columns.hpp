@@ -3,6 +3,7 @@
 /// runs.csv. A test compares them with docs/formats.md.
 #include <vector>
 
+#include "study/design_effects.hpp"
 #include "study/ensemble_effects.hpp"
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
@@ -33,10 +34,20 @@ struct RunStay {
   const StayRecord& stay;
 };
 
+/// The share of one factor, or of all interactions, in the variance of an outcome.
+struct EffectShare {
+  const DesignEffects& effects;
+  const OutcomeEffects& outcome;
+  std::string factor;  ///< "interactions" for these
+  std::size_t levels;  ///< 0 for these
+  const VarianceShare& share;
+};
+
 const TableColumns<BarrierGroup>& barrier_columns();
 const TableColumns<ComparisonRow<CrossingRow>>& crossing_columns();
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns();
 const TableColumns<ComparisonRow<Difference>>& difference_columns();
+const TableColumns<EffectShare>& effect_columns();
 const TableColumns<ComparisonRow<ParameterEffect>>& ensemble_columns();
 const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns();
 const TableColumns<ComparisonRow<RunImpact>>& impact_columns();

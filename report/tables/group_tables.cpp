@@ -168,6 +168,32 @@ const TableColumns<ComparisonRow<Difference>>& report_detail::difference_columns
   return columns;
 }
 
+const TableColumns<EffectShare>& report_detail::effect_columns() {
+  using Row = EffectShare;
+  const char* estimated = "of the population that the levels were drawn from; 95 % interval";
+  static const TableColumns<Row> columns = {
+      {"file", "", "number of the results file",
+       [](const Row& row) { return std::uint64_t{row.effects.file + 1}; }},
+      {"outcome", "", "`runout`, `lateral angle`, `largest energy` or `passing NAME` of a barrier",
+       [](const Row& row) { return row.outcome.outcome; }},
+      {"mean", "m, rad, J or share", "over all runs",
+       [](const Row& row) { return row.outcome.mean; }},
+      {"standard_deviation", "m, rad, J or share", "of the runs",
+       [](const Row& row) { return row.outcome.deviation; }},
+      {"factor", "",
+       "`form`, `mass`, `block`, `orientation`, `release point`, `ground`, or `interactions` of "
+       "these",
+       [](const Row& row) { return row.factor; }},
+      {"levels", "", "of the factor; 0 for interactions",
+       [](const Row& row) { return std::uint64_t{row.levels}; }},
+      {"share_of_design", "", "first-order Sobol index of the runs as they are, exact",
+       [](const Row& row) { return row.share.of_design; }},
+      {"share", "", estimated, [](const Row& row) { return row.share.estimate; }},
+      {"share_low", "", estimated, [](const Row& row) { return row.share.interval.low; }},
+      {"share_high", "", estimated, [](const Row& row) { return row.share.interval.high; }}};
+  return columns;
+}
+
 const TableColumns<ComparisonRow<ParameterEffect>>& report_detail::ensemble_columns() {
   using Row = ComparisonRow<ParameterEffect>;
   using Effect = ParameterEffect;
@@ -345,6 +371,21 @@ std::string measured_csv(const Comparison& comparison) {
 
 std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
   return csv_of(profile_columns(), rows_of(comparison, bins));
+}
+
+std::string effects_csv(const Comparison& comparison) {
+  const std::vector<DesignEffects> all = design_effects(comparison);
+  std::vector<EffectShare> shares;
+  for (const DesignEffects& effects : all) {
+    for (const OutcomeEffects& outcome : effects.outcomes) {
+      for (std::size_t f = 0; f < effects.factors.size(); ++f) {
+        shares.push_back({effects, outcome, effects.factors[f].name, effects.factors[f].levels,
+                          outcome.shares.factors[f]});
+      }
+      shares.push_back({effects, outcome, "interactions", 0, outcome.shares.interactions});
+    }
+  }
+  return csv_of(effect_columns(), shares);
 }
 
 std::string ensemble_csv(const Comparison& comparison) {

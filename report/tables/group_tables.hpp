@@ -15,6 +15,9 @@ std::string deposits_csv(const Comparison& comparison);
 std::string differences_csv(const Comparison& comparison);
 /// A row for each group that has measured stops; the header alone without measured stops.
 std::string measured_csv(const Comparison& comparison);
+/// A row for each outcome and factor of campaigns that run every combination; the header alone
+/// without one.
+std::string effects_csv(const Comparison& comparison);
 /// A row for each drawn ground parameter and outcome; the header alone without ensembles.
 std::string ensemble_csv(const Comparison& comparison);
 /// @param bins  `profiles` of the comparison

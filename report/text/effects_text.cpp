@@ -1,0 +1,52 @@
+#include "report/text/effects_text.hpp"
+
+#include "core/number_text.hpp"
+#include "report/text/capital.hpp"
+
+namespace clast {
+namespace {
+
+using namespace report_detail;
+
+std::string whole_percent(double share) { return with_decimals(100.0 * share, 0); }
+
+std::string share_text(const VarianceShare& share) {
+  return whole_percent(share.estimate) + " % (" + whole_percent(share.interval.low) + " to " +
+         whole_percent(share.interval.high) + ")";
+}
+
+std::string sentence(const DesignEffects& effects, const OutcomeEffects& outcome) {
+  // Of "passing NAME", which has no unit, without one.
+  const std::string article = outcome.unit.empty() ? "" : "the ";
+  std::string text;
+  for (std::size_t f = 0; f < effects.factors.size(); ++f) {
+    const VarianceShare& share = outcome.shares.factors[f];
+    text += (f == 0 ? "" : ", ") + effects.factors[f].name;
+    text += f == 0 ? " explains " + share_text(share) + " of the variance of " + article +
+                         outcome.outcome
+                   : " " + share_text(share);
+  }
+  if (effects.factors.size() > 1) {
+    text += "; " + share_text(outcome.shares.interactions) + " is in how they act together";
+  }
+  return text + ".";
+}
+
+}  // namespace
+
+std::vector<std::string> effects_sentences(const std::vector<DesignEffects>& effects) {
+  std::vector<std::string> sentences;
+  for (const DesignEffects& file : effects) {
+    const std::string where =
+        effects.size() > 1 ? "file " + std::to_string(file.file + 1) + ": " : "";
+    if (!file.refusal.empty()) {
+      sentences.push_back(capital(where + "the variance has no shares: " + file.refusal + "."));
+    }
+    for (const OutcomeEffects& outcome : file.outcomes) {
+      sentences.push_back(capital(where + sentence(file, outcome)));
+    }
+  }
+  return sentences;
+}
+
+}  // namespace clast

@@ -1,0 +1,14 @@
+#pragma once
+/// What the variance of outcomes is due to, in words.
+#include <string>
+#include <vector>
+
+#include "study/design_effects.hpp"
+
+namespace clast {
+
+/// A sentence for each outcome of each file, the runout first: "Form explains 22 % (15 to 29) of
+/// the variance of the runout, ..."; or why a file has none.
+std::vector<std::string> effects_sentences(const std::vector<DesignEffects>& effects);
+
+}  // namespace clast

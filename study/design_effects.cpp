@@ -1,0 +1,225 @@
+#include "study/design_effects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/number_text.hpp"
+
+namespace clast {
+namespace {
+
+/// Masses that differ by less are one.
+constexpr double kSameMass = 5e-3;
+constexpr double kSameTurn = 1e-6;  ///< rad
+
+/// The level of every run of a file, by one factor.
+struct FactorLevels {
+  std::string name;
+  std::vector<std::size_t> of_run;
+  std::size_t count = 0;
+};
+
+/// Levels numbered in the order of their keys.
+template <class Key>
+FactorLevels levels_by(const std::string& name, const std::vector<const RunRow*>& rows,
+                       const std::function<Key(const RunRow&)>& key) {
+  std::map<Key, std::size_t> numbers;
+  for (const RunRow* row : rows) numbers.emplace(key(*row), 0);
+  std::size_t next = 0;
+  for (auto& [value, number] : numbers) number = next++;
+  FactorLevels levels{name, {}, numbers.size()};
+  for (const RunRow* row : rows) levels.of_run.push_back(numbers.at(key(*row)));
+  return levels;
+}
+
+/// The masses of the blocks that fell, each within 0.5 % of the first of its kind.
+std::vector<double> distinct_masses(const std::vector<const RunRow*>& rows) {
+  std::set<double> all;
+  for (const RunRow* row : rows) all.insert(row->block->mass);
+  std::vector<double> distinct;
+  for (const double mass : all) {
+    if (distinct.empty() || mass > distinct.back() * (1.0 + kSameMass)) distinct.push_back(mass);
+  }
+  return distinct;
+}
+
+/// Form and mass where they are crossed, else the block.
+std::vector<FactorLevels> block_factors(const std::vector<const RunRow*>& rows) {
+  const std::vector<double> masses = distinct_masses(rows);
+  const FactorLevels form = levels_by<std::string>(
+      "form", rows, [](const RunRow& row) { return row.block->library_block(); });
+  const FactorLevels mass = levels_by<std::size_t>("mass", rows, [&](const RunRow& row) {
+    const auto above = std::upper_bound(masses.begin(), masses.end(), row.block->mass);
+    return static_cast<std::size_t>(above - masses.begin());
+  });
+  const FactorLevels block =
+      levels_by<std::uint32_t>("block", rows, [](const RunRow& row) { return row.record->block; });
+  std::set<std::pair<std::size_t, std::size_t>> met;
+  for (std::size_t i = 0; i < rows.size(); ++i) met.emplace(form.of_run[i], mass.of_run[i]);
+  const std::size_t combinations = form.count * mass.count;
+  const bool crossed = met.size() == combinations && block.count == combinations;
+  return crossed ? std::vector{form, mass} : std::vector{block};
+}
+
+std::vector<FactorLevels> factors_of(const std::vector<const RunRow*>& rows,
+                                     const CampaignResults& results) {
+  std::vector<FactorLevels> factors = block_factors(rows);
+  factors.push_back(levels_by<std::uint32_t>(
+      "orientation", rows, [](const RunRow& row) { return row.record->orientation; }));
+  factors.push_back(levels_by<std::uint32_t>("release point", rows,
+                                             [](const RunRow& row) { return row.record->point; }));
+  factors.push_back(levels_by<std::uint32_t>("ground", rows, [&](const RunRow& row) {
+    return results.ground_sets.empty() ? 0u : results.ground_sets[row.record->ground_set].member;
+  }));
+  std::erase_if(factors, [](const FactorLevels& factor) { return factor.count < 2; });
+  return factors;
+}
+
+/// Where each run stands in the full design, the last factor's level changing fastest; empty where
+/// a combination is missing or comes twice.
+std::vector<std::size_t> places_in(const std::vector<FactorLevels>& factors, std::size_t runs) {
+  std::size_t combinations = 1;
+  for (const FactorLevels& factor : factors) {
+    if (combinations > runs) return {};
+    combinations *= factor.count;
+  }
+  if (combinations != runs) return {};
+  std::vector<std::size_t> places;
+  std::vector<bool> taken(runs, false);
+  for (std::size_t i = 0; i < runs; ++i) {
+    std::size_t place = 0;
+    for (const FactorLevels& factor : factors) place = place * factor.count + factor.of_run[i];
+    if (taken[place]) return {};
+    taken[place] = true;
+    places.push_back(place);
+  }
+  return places;
+}
+
+/// Do runs of one block with one orientation number start differently turned? Then orientations
+/// were drawn anew for each point. Of one point only the campaign says so: blocks may differ, since
+/// a file of orientations turns their scans and not their principal axes.
+bool has_fresh_orientations(const std::vector<const RunRow*>& rows,
+                            const CampaignResults& results) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Quat> known;
+  std::map<std::uint32_t, Quat> of_number;
+  bool blocks_differ = false;
+  for (const RunRow* row : rows) {
+    const RunRecord& run = *row->record;
+    const Quat& turn = run.start.orientation;
+    const auto [at, fresh] = known.try_emplace({run.block, run.orientation}, turn);
+    if (at->second.angularDistance(turn) > kSameTurn) return true;
+    const auto first = of_number.try_emplace(run.orientation, turn).first;
+    blocks_differ = blocks_differ || first->second.angularDistance(turn) > kSameTurn;
+  }
+  return blocks_differ && results.release_points.size() == 1 &&
+         results.campaign_text.find("fresh") != std::string::npos;
+}
+
+std::string refusal_of(const std::vector<FactorLevels>& factors, std::size_t runs) {
+  std::string text;
+  std::size_t combinations = 1;
+  for (const FactorLevels& factor : factors) {
+    text += (text.empty() ? "" : ", ") + factor.name + " " + std::to_string(factor.count);
+    combinations *= factor.count;
+  }
+  return "its " + counted(runs, "run") + " are not every combination once (" + text + ": " +
+         std::to_string(combinations) +
+         " combinations); give all blocks the same release points "
+         "and orientations, and let it finish";
+}
+
+/// Values of all runs of a file, in their order.
+struct Outcome {
+  std::string name, unit;
+  std::vector<double> values;
+};
+
+std::vector<Outcome> outcomes_of(const Comparison& comparison, std::uint32_t file,
+                                 const std::vector<const RunRow*>& rows) {
+  std::vector<Outcome> outcomes = {
+      {"runout", "m", {}}, {"lateral angle", "rad", {}}, {"largest energy", "J", {}}};
+  for (const RunRow* row : rows) {
+    outcomes[0].values.push_back(row->runout);
+    outcomes[1].values.push_back(row->lateral);
+    const double speed = row->record->result.max_speed;
+    outcomes[2].values.push_back(0.5 * row->block->mass * speed * speed);
+  }
+  for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
+    const BarrierLine& barrier = comparison.lines[line];
+    if (std::find(barrier.files.begin(), barrier.files.end(), file) == barrier.files.end()) {
+      continue;
+    }
+    std::set<const RunRow*> passed;
+    for (const CrossingRow& crossing : comparison.crossings) {
+      if (crossing.counted && crossing.barrier == line) {
+        passed.insert(&comparison.rows[crossing.row]);
+      }
+    }
+    Outcome outcome{"passing " + barrier.name, "", {}};
+    for (const RunRow* row : rows) outcome.values.push_back(passed.contains(row) ? 1.0 : 0.0);
+    outcomes.push_back(std::move(outcome));
+  }
+  return outcomes;
+}
+
+DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
+  DesignEffects effects;
+  effects.file = file;
+  const CampaignResults& results = comparison.results[file];
+  if (results.stay) {
+    effects.refusal = "its blocks stay among others, so that runs depend on each other";
+    return effects;
+  }
+  std::vector<const RunRow*> rows;
+  for (const RunRow& row : comparison.rows) {
+    if (row.file == file) rows.push_back(&row);
+  }
+  if (has_fresh_orientations(rows, results)) {
+    effects.refusal =
+        "its orientations are drawn anew for each block and point, so that none is met twice; set "
+        "fresh = false in [release]";
+    return effects;
+  }
+  const std::vector<FactorLevels> factors = factors_of(rows, results);
+  if (factors.empty()) {
+    effects.refusal = "there is nothing in it that differs from run to run";
+    return effects;
+  }
+  const std::vector<std::size_t> places = places_in(factors, rows.size());
+  if (places.empty()) {
+    effects.refusal = refusal_of(factors, rows.size());
+    return effects;
+  }
+  std::vector<std::size_t> levels;
+  for (const FactorLevels& factor : factors) {
+    effects.factors.push_back({factor.name, factor.count});
+    levels.push_back(factor.count);
+  }
+  for (const Outcome& outcome : outcomes_of(comparison, file, rows)) {
+    std::vector<double> values(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) values[places[i]] = outcome.values[i];
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    if (*least == *most) continue;  // nothing to explain
+    const Summary summary = summarise(values);
+    effects.outcomes.push_back(
+        {outcome.name, outcome.unit, summary.mean, summary.std, variance_shares(values, levels)});
+  }
+  return effects;
+}
+
+}  // namespace
+
+std::vector<DesignEffects> design_effects(const Comparison& comparison) {
+  std::vector<DesignEffects> effects;
+  for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
+    effects.push_back(effects_of(comparison, file));
+  }
+  return effects;
+}
+
+}  // namespace clast

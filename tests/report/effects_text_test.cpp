@@ -1,0 +1,53 @@
+// What the variance is due to, in words.
+#include "report/text/effects_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace clast {
+namespace {
+
+VarianceShare share(double estimate, double low, double high) {
+  return {estimate, estimate, {low, high}};
+}
+
+DesignEffects effects() {
+  DesignEffects file;
+  file.factors = {{"form", 6}, {"orientation", 8}};
+  file.outcomes = {
+      {"runout",
+       "m",
+       20.0,
+       5.0,
+       {25.0, {share(0.22, 0.15, 0.294), share(0.31, 0.1, 0.5)}, share(0.47, 0.3, 0.6)}},
+      {"passing N1",
+       "",
+       0.5,
+       0.5,
+       {0.25, {share(1.0, 0.9, 1.0), share(0.0, 0.0, 0.1)}, share(0.0, 0.0, 0.1)}}};
+  return file;
+}
+
+TEST(EffectsText, SaysWhatEachFactorExplains) {
+  const std::vector<std::string> sentences = effects_sentences({effects()});
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_EQ(sentences[0],
+            "Form explains 22 % (15 to 29) of the variance of the runout, orientation 31 % (10 to "
+            "50); 47 % (30 to 60) is in how they act together.");
+  EXPECT_TRUE(
+      sentences[1].starts_with("Form explains 100 % (90 to 100) of the variance of passing "
+                               "N1, orientation 0 %"));
+}
+
+TEST(EffectsText, NamesTheFileWhereThereAreSeveralAndSaysWhyThereIsNothing) {
+  DesignEffects second;
+  second.file = 1;
+  second.refusal = "its 11 runs are not every combination once";
+  const std::vector<std::string> sentences = effects_sentences({effects(), second});
+  ASSERT_EQ(sentences.size(), 3u);
+  EXPECT_TRUE(sentences[0].starts_with("File 1: form explains"));
+  EXPECT_EQ(sentences[2],
+            "File 2: the variance has no shares: its 11 runs are not every combination once.");
+}
+
+}  // namespace
+}  // namespace clast
