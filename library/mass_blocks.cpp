@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
@@ -12,7 +13,6 @@
 namespace clast {
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
 /// Thin pieces get a smaller radius, down to this share of what is asked for.
 constexpr double kLeastShare = 0.125;
 
@@ -20,9 +20,9 @@ std::string options_text(const MassBlockOptions& options) {
   std::string text = "joints=";
   for (const JointSet& set : options.joints) {
     if (text.back() != '=') text += ",";
-    text += with_digits(set.dip * kDegrees, 6) + "/" +
-            with_digits(set.dip_direction * kDegrees, 6) + "/" + with_digits(set.spacing, 6) + "/" +
-            with_digits(set.scatter, 6);
+    text += with_digits(set.dip * kDegreesPerRadian, 6) + "/" +
+            with_digits(set.dip_direction * kDegreesPerRadian, 6) + "/" +
+            with_digits(set.spacing, 6) + "/" + with_digits(set.scatter, 6);
   }
   return text + " least_volume_m3=" + with_digits(options.cutting.least_volume, 6) +
          " seed=" + std::to_string(options.cutting.seed);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
@@ -109,7 +110,7 @@ class Cutting {
   std::optional<ConvexCell> inside(const ConvexCell& cell) const {
     std::optional<ConvexCell> largest;
     for (const double angle : kSameDirections) {
-      std::optional<ConvexCell> part = trimmed(cell, std::cos(angle * kPi / 180.0));
+      std::optional<ConvexCell> part = trimmed(cell, std::cos(angle * kRadiansPerDegree));
       if (part && (!largest || part->volume() > largest->volume())) largest = std::move(part);
     }
     if (!largest || tree_.signed_distance(largest->centre()) >= 0.0) return std::nullopt;
@@ -241,8 +242,7 @@ JointSet read_joint_set(const std::string& text) {
   check(1, "dip direction", 0.0, 360.0, " degrees");
   check(2, "spacing", 1e-3, 1000.0, " m");
   check(3, "scatter", 0.0, 3.0 * numbers[2], " m, three times the spacing");
-  constexpr double kDegree = kPi / 180.0;
-  return {numbers[0] * kDegree, numbers[1] * kDegree, numbers[2], numbers[3]};
+  return {numbers[0] * kRadiansPerDegree, numbers[1] * kRadiansPerDegree, numbers[2], numbers[3]};
 }
 
 CutMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets,

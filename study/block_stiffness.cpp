@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/angle.hpp"
 #include "core/number_text.hpp"
 #include "study/detail/results_layout.hpp"
 
@@ -41,7 +42,7 @@ void include_rolling(BlockStiffness& block, const RunRecord& run, double smalles
     block.values[kRolling].range.include(k_r);
     const double limit =
         zone.rolling_friction * 0.5 * smallest_side * run.stiffness.normal * run.impact_depth;
-    if (limit > 0.0) block.values[kRollingLimit].range.include(180.0 / kPi * limit / k_r);
+    if (limit > 0.0) block.values[kRollingLimit].range.include(kDegreesPerRadian * limit / k_r);
   }
 }
 

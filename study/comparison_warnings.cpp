@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/angle.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "study/block_scale.hpp"
@@ -177,7 +178,9 @@ std::vector<std::optional<double>> zone_slopes(const CampaignResults& results) {
 }
 
 void warn_of_slopes(Comparison& comparison) {
-  const auto degrees = [](double angle) { return with_digits(angle * 180.0 / kPi, 3) + " deg"; };
+  const auto degrees = [](double angle) {
+    return with_digits(angle * kDegreesPerRadian, 3) + " deg";
+  };
   std::vector<std::string> sliding_texts, rolling_texts;
   std::set<std::string> sliding_zones, rolling_zones;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {

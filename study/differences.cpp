@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "core/angle.hpp"
 #include "core/clustered_test.hpp"
 #include "core/number_text.hpp"
 #include "study/comparison.hpp"
@@ -36,7 +37,7 @@ std::vector<Quantity> quantities(const Comparison& comparison) {
   std::vector<Quantity> all = {
       of_row("runout_m", StopReason::kRest, [](const RunRow& row) { return row.runout; }),
       of_row("lateral_deg", StopReason::kRest,
-             [](const RunRow& row) { return row.lateral * 180.0 / kPi; }),
+             [](const RunRow& row) { return row.lateral * kDegreesPerRadian; }),
       of_row("path_length_m", StopReason::kRest,
              [](const RunRow& row) { return row.record->result.path_length; }),
       of_row("max_speed_m_s", StopReason::kError,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
@@ -101,7 +102,7 @@ std::vector<ProposedGround> propose_ground(const std::vector<std::string>& zones
 
 std::vector<std::string> doubts_of(const CampaignProposal& proposal) {
   std::vector<std::string> doubts;
-  const double slope = proposal.places.release_slope * 180.0 / kPi;
+  const double slope = proposal.places.release_slope * kDegreesPerRadian;
   if (slope < 25.0) {
     doubts.push_back("the steepest ground is " + with_decimals(slope, 0) +
                      " degrees, on which many blocks stop where they land");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "classify/form.hpp"
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "study/stored_columns.hpp"
@@ -14,8 +15,6 @@ namespace clast {
 namespace {
 
 using Row = ComparisonRow<RunRow>;
-
-constexpr double kDegrees = 180.0 / kPi;
 
 const CampaignResults& results_of(const Row& row) { return row.comparison.results[row->file]; }
 
@@ -55,7 +54,7 @@ TableColumns<Row> own_columns() {
                             &RunRow::stop),
        {{"runout_m", "m", "along downslope, see [theory](theory.md#statistics)", &RunRow::runout},
         {"lateral_deg", "deg", "from downslope, see [theory](theory.md#statistics)",
-         [](const Row& r) { return r->lateral * kDegrees; }},
+         [](const Row& r) { return r->lateral * kDegreesPerRadian; }},
         {"file", "", "number of the results file",
          [](const Row& r) { return std::uint64_t{r->file} + 1; }},
         {"stop_reason", "", "`rest`, `left_terrain`, `max_time`, `error`",

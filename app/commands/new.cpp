@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/option_flags.hpp"
+#include "core/angle.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/printable.hpp"
@@ -26,7 +27,7 @@ void print_proposal(const CampaignProposal& proposal) {
   const ProposedPlaces& places = proposal.places;
   std::cout << counted(proposal.blocks.count, "block") << ", "
             << counted(places.release_points, "release point") << " on ground of "
-            << with_decimals(places.release_slope * 180.0 / kPi, 0) << " degrees, "
+            << with_decimals(places.release_slope * kDegreesPerRadian, 0) << " degrees, "
             << counted(proposal.orientations, "orientation") << ": "
             << counted(proposal.blocks.count * places.release_points * proposal.orientations, "run")
             << "\nbarrier \"foot\" " << with_decimals(places.descent, 0) << " m below, "

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/up_axis.hpp"
@@ -23,7 +24,7 @@ constexpr double kHardlyOpen = 0.01;
 constexpr double kNotedTilt = 1.0;  ///< degrees; a turn by less is not noted
 
 double degrees_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / kPi;
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegreesPerRadian;
 }
 
 /// From the file's units and axes.

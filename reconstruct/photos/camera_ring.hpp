@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/angle.hpp"
 #include "reconstruct/photos/photo_scan.hpp"
 
 namespace clast {
@@ -25,7 +26,7 @@ struct RingGap {
 };
 
 /// Wider ones are named: photos are best 10 to 15 degrees apart.
-inline constexpr double kWideGap = 20.0 * kPi / 180.0;
+inline constexpr double kWideGap = 20.0 * kRadiansPerDegree;
 
 struct CameraRing {
   Vec3 middle = Vec3::Zero();     ///< of the block, in its frame

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <set>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 
 namespace clast {
 
 namespace {
-
-constexpr double kDegrees = 180.0 / kPi;
 
 struct Partner {
   std::size_t photo;
@@ -89,7 +88,7 @@ std::vector<std::size_t> choose_partners(const std::vector<Partner>& partners, s
   std::string apart;
   if (!nearest.empty()) {
     std::sort(nearest.begin(), nearest.end());
-    apart = ": neighbours are " + with_digits(nearest[nearest.size() / 2] * kDegrees, 2) +
+    apart = ": neighbours are " + with_digits(nearest[nearest.size() / 2] * kDegreesPerRadian, 2) +
             " degrees apart";
   }
   throw InputError("only " + std::to_string(pairs) + " pairs among " + std::to_string(photos) +

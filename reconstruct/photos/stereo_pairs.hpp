@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/angle.hpp"
 #include "core/fields.hpp"
 #include "reconstruct/photos/photo_region.hpp"
 
@@ -16,9 +17,9 @@ struct StereoPair {
 
 /// Neighbours: far enough apart to give a depth, near enough to look alike. Angles in rad.
 struct PairOptions {
-  double least_angle = 6.0 * kPi / 180.0;
-  double best_angle = 15.0 * kPi / 180.0;
-  double largest_angle = 32.0 * kPi / 180.0;
+  double least_angle = 6.0 * kRadiansPerDegree;
+  double best_angle = 15.0 * kRadiansPerDegree;
+  double largest_angle = 32.0 * kRadiansPerDegree;
   std::size_t partners = 2;  ///< that each photo looks for
   /// Pairs that see a side of the block: below, no side is known safely.
   std::size_t fewest_pairs = 6;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/angle.hpp"
 #include "core/output_file.hpp"
 #include "core/version.hpp"
 #include "report/maps/detail/gdal_output.hpp"
@@ -147,7 +148,7 @@ void write_measured(Layer layer, const MeasuredStops& measured) {
     feature->SetField("block", stop.block.c_str());
     feature->SetField("shape", stop.shape.c_str());
     feature->SetField("runout_m", stop.runout);
-    feature->SetField("lateral_deg", stop.lateral * 180.0 / kPi);
+    feature->SetField("lateral_deg", stop.lateral * kDegreesPerRadian);
     layer.add(std::move(feature), OGRPoint(stop.place.x(), stop.place.y()));
   }
 }

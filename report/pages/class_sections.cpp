@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/angle.hpp"
 #include "report/charts/plotly_chart.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
@@ -43,7 +44,7 @@ std::string class_section(const Comparison& comparison) {
                                       measured(deposit.runout.median, deposit.runout, 1),
                                       measured(deposit.runout.p95, deposit.runout, 1),
                                       measured(deposit.runout.max, deposit.runout, 1),
-                                      mean_and_std(deposit.lateral, 1, kDegrees)};
+                                      mean_and_std(deposit.lateral, 1, kDegreesPerRadian)};
     for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
       std::string cell = "-";
       for (const BarrierGroup& barrier : comparison.barriers) {
@@ -83,7 +84,7 @@ std::string block_section(const Comparison& comparison) {
                std::to_string(deposit.stops.rest), std::to_string(deposit.stops.left_terrain),
                std::to_string(deposit.stops.max_time), std::to_string(deposit.stops.error),
                mean_and_std(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
-               mean_and_std(deposit.lateral, 1, kDegrees), fixed(fastest, 1)});
+               mean_and_std(deposit.lateral, 1, kDegreesPerRadian), fixed(fastest, 1)});
   }
   return section("Blocks",
                  folded("Shapes: L, I, S are the sides of the smallest box", shapes.html()) +
@@ -98,7 +99,8 @@ std::string runout_section(const Comparison& comparison) {
     return at_rest(row) ? std::optional(comparison.rows[row].runout) : std::nullopt;
   };
   const auto lateral = [&](std::size_t row) {
-    return at_rest(row) ? std::optional(comparison.rows[row].lateral * kDegrees) : std::nullopt;
+    return at_rest(row) ? std::optional(comparison.rows[row].lateral * kDegreesPerRadian)
+                        : std::nullopt;
   };
   const std::vector<Series> by_class = series_of(comparison, GroupKind::kGarcia, along);
   std::string charts = "<div class=\"charts\">\n";

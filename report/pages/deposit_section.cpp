@@ -1,6 +1,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/angle.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
@@ -35,7 +36,9 @@ const std::vector<Quantity>& quantities() {
       {"crest to toe: drop H, m", 2, [](const Row& row) { return row.crest.z() - row.toe.z(); }},
       {"crest to toe: H / L", 3, [](const Row& row) { return drop_ratio(row.crest, row.toe); }},
       {"crest to toe: travel angle, \xC2\xB0", 1,
-       [](const Row& row) { return kDegrees * std::atan(drop_ratio(row.crest, row.toe)); }},
+       [](const Row& row) {
+         return kDegreesPerRadian * std::atan(drop_ratio(row.crest, row.toe));
+       }},
       {"area, m\xC2\xB2", 1, &Row::area},
       {"bulk volume, m\xC2\xB3", 2, &Row::bulk_volume},
       {"largest thickness, m", 2, &Row::thickness}};

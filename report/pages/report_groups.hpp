@@ -10,8 +10,6 @@
 
 namespace clast::report_detail {
 
-inline constexpr double kDegrees = 180.0 / kPi;
-
 bool several_files(const Comparison& comparison);
 /// Groups of one kind: per file when there are several files, so that sites do not mix.
 std::vector<std::size_t> groups_of(const Comparison& comparison, GroupKind kind);

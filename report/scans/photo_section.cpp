@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "report/html/html_page.hpp"
@@ -33,7 +34,7 @@ constexpr std::array<ViewColour, 5> kViewColours = {{{0, {213, 94, 0}, "none"},
                                                      {5, {65, 148, 190}, "5 to 9"},
                                                      {10, {34, 70, 148}, "10 or more"}}};
 
-std::string degrees(double angle) { return fixed(angle * 180.0 / kPi, 0) + "\xC2\xB0"; }
+std::string degrees(double angle) { return fixed(angle * kDegreesPerRadian, 0) + "\xC2\xB0"; }
 
 /// From metres about the middle of the block to the page.
 struct Plan {
@@ -135,8 +136,8 @@ std::string photo_table(const CameraRing& ring, const std::string& unit) {
       {"photo", "state", "pairs", "azimuth, deg", "elevation, deg", "distance, " + unit}, 2);
   for (const CameraSeat& seat : ring.seats) {
     table.row({seat.name, state_of(seat), std::to_string(seat.pairs),
-               fixed(seat.azimuth * 180.0 / kPi, 1), fixed(seat.elevation * 180.0 / kPi, 1),
-               significant(seat.distance, 3)});
+               fixed(seat.azimuth * kDegreesPerRadian, 1),
+               fixed(seat.elevation * kDegreesPerRadian, 1), significant(seat.distance, 3)});
   }
   return "<details><summary>Every photo</summary>" + table.html() + "</details>\n";
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/angle.hpp"
 #include "report/tables/comparison_columns.hpp"
 #include "study/ground_fields.hpp"
 
@@ -9,8 +10,6 @@ namespace clast {
 
 using namespace report_detail;
 namespace {
-
-constexpr double kDegrees = 180.0 / kPi;
 
 struct Statistic {
   const char* name;
@@ -45,9 +44,12 @@ TableColumns<Row> summary_columns(const std::vector<Statistic>& statistics, cons
 }
 
 Summary in_degrees(const Summary& angle) {
-  return {angle.count,          angle.mean * kDegrees,
-          angle.std * kDegrees, angle.median * kDegrees,
-          angle.p95 * kDegrees, angle.max * kDegrees};
+  return {angle.count,
+          angle.mean * kDegreesPerRadian,
+          angle.std * kDegreesPerRadian,
+          angle.median * kDegreesPerRadian,
+          angle.p95 * kDegreesPerRadian,
+          angle.max * kDegreesPerRadian};
 }
 
 template <class Item>
@@ -318,7 +320,7 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& report_detail::ground_set_columns(
 const TableColumns<RealisationDeposit>& report_detail::realisation_columns() {
   using Row = RealisationDeposit;
   const auto degrees = [](const Vec3& from, const Vec3& to) {
-    return kDegrees * std::atan(drop_ratio(from, to));
+    return kDegreesPerRadian * std::atan(drop_ratio(from, to));
   };
   static const auto columns = joined<Row>(
       {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }},

@@ -1,6 +1,7 @@
 // The text of a proposed campaign.
 #include <algorithm>
 
+#include "core/angle.hpp"
 #include "core/number_text.hpp"
 #include "study/new_campaign.hpp"
 
@@ -69,7 +70,7 @@ std::string plan(const MapPoint& point) {
   return "[" + with_decimals(point.x(), 3) + ", " + with_decimals(point.y(), 3) + "]";
 }
 
-std::string degrees(double angle) { return with_decimals(angle * 180.0 / kPi, 0); }
+std::string degrees(double angle) { return with_decimals(angle * kDegreesPerRadian, 0); }
 
 std::string blocks_text(const ProposedBlocks& blocks, const std::string& library) {
   std::string text = "[blocks]\n" + entry("library", quoted(library), "");

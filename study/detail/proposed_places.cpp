@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "study/detail/fall_paths.hpp"
@@ -14,7 +15,6 @@ namespace clast {
 using namespace study_detail;
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 /// Slopes that are tried, steepest first: blocks start by themselves on the first two, on the first
 /// also where mu is 0.7 and more, and below the last they come to rest where they land.
 constexpr std::array<double, 7> kSlopes = {38.0, 35.0, 30.0, 25.0, 20.0, 15.0, 10.0};  // degrees
@@ -53,7 +53,7 @@ std::vector<Start> starts_with(const GroundGrid& grid, double margin) {
   return starts;
 }
 
-double tangent(double degrees) { return std::tan(degrees * kDegree); }
+double tangent(double degrees) { return std::tan(degrees * kRadiansPerDegree); }
 
 double descent_of(const std::vector<Vec3>& path) {
   return path.empty() ? 0.0 : path.front().z() - path.back().z();
@@ -203,7 +203,7 @@ ProposedPlaces propose_places(const Terrain& terrain, double block_length) {
       })->slope;
   if (steepest < tangent(kSlopes.back())) {
     throw InputError("the steepest ground of the terrain has " +
-                     with_decimals(std::atan(steepest) / kDegree, 1) +
+                     with_decimals(std::atan(steepest) * kDegreesPerRadian, 1) +
                      " degrees, on which no block starts; add the slope above it, or write the "
                      "campaign by hand, with velocity_m_s in [release]");
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "terrain/terrain_input.hpp"
@@ -28,7 +29,7 @@ ZoneRule::Condition condition_of(const std::string& text, const std::string& rul
                      "\" is no rule; write for example rock=slope>60, scree=height<1450&slope>=30 "
                      "(degrees, m) or soil=else");
   }
-  condition.bound = condition.of_slope ? *bound * kPi / 180.0 : *bound;
+  condition.bound = condition.of_slope ? *bound * kRadiansPerDegree : *bound;
   return condition;
 }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "core/angle.hpp"
 #include "core/text_file.hpp"
 #include "dem/rigid_body.hpp"
 #include "tests/support/reference_data.hpp"
@@ -76,7 +77,7 @@ TEST(PublishedFlights, AreFollowed) {
   }
   EXPECT_GT(compared, 200u);
   EXPECT_LT(worst_spin, 1e-3);
-  EXPECT_LT(worst_angle, 0.1 * kPi / 180.0);
+  EXPECT_LT(worst_angle, 0.1 * kRadiansPerDegree);
   EXPECT_LT(worst_height, 2e-3);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/angle.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {
@@ -84,7 +85,7 @@ TEST_P(StaticLimit, HoldsBelowAndSlidesAbove) {
   const auto& [friction, law] = GetParam();
   const double limit = std::atan(friction);
   for (const double degrees : {-0.3, 0.3}) {
-    const double slope = limit + degrees * kPi / 180.0;
+    const double slope = limit + degrees * kRadiansPerDegree;
     const TerrainSurface terrain = ground(plane_mesh(60.0, 20, slope));
     const RigidBody body = box(1000.0, {1.0, 1.0, 0.2});
     ReleaseSettings settings = stiff_settings(body, 1e8, 20.0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "core/angle.hpp"
 #include "massprops/solid.hpp"
 #include "mesh/sub_mesh.hpp"
 #include "mesh/triangle_tree.hpp"
@@ -25,7 +26,7 @@ std::vector<Vec3> cameras() {
   std::vector<Vec3> found;
   for (const auto& [count, degrees] : {std::pair{24, 22.0}, {12, 52.0}}) {
     for (int i = 0; i < count; ++i) {
-      const double around = 2.0 * kPi * i / count, up = degrees * kPi / 180.0;
+      const double around = 2.0 * kPi * i / count, up = degrees * kRadiansPerDegree;
       found.emplace_back(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around),
                          std::sin(up));
     }

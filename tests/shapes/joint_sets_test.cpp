@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "mesh/mesh_topology.hpp"
@@ -17,12 +18,10 @@
 namespace clast {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
-
 TEST(JointSet, IsWrittenAsGeologistsDo) {
   const JointSet set = read_joint_set("65/095/1.2/0.3");
-  EXPECT_NEAR(set.dip, 65.0 * kDegree, 1e-12);
-  EXPECT_NEAR(set.dip_direction, 95.0 * kDegree, 1e-12);
+  EXPECT_NEAR(set.dip, 65.0 * kRadiansPerDegree, 1e-12);
+  EXPECT_NEAR(set.dip_direction, 95.0 * kRadiansPerDegree, 1e-12);
   EXPECT_EQ(set.spacing, 1.2);
   EXPECT_EQ(set.scatter, 0.3);
   EXPECT_EQ(read_joint_set("0/0/2").scatter, 0.0);
@@ -116,7 +115,8 @@ TEST(CutByJoints, ThreeUprightSetsCutABoxIntoBoxes) {
 // Spacing and scatter of one set, from the volumes of the slabs that it cuts from a long beam.
 TEST(CutByJoints, SpacingsHaveTheMeanAndTheScatterAskedFor) {
   const TriangleMesh beam = box_mesh({4000.0, 1.0, 1.0});
-  const std::vector<JointSet> sets = {{90.0 * kDegree, 90.0 * kDegree, 2.0, 0.8}};
+  const std::vector<JointSet> sets = {
+      {90.0 * kRadiansPerDegree, 90.0 * kRadiansPerDegree, 2.0, 0.8}};
   const CutMass cut = cut_by_joints(beam, sets);
   double sum = 0.0, squares = 0.0;
   for (const TriangleMesh& slab : cut.blocks) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/angle.hpp"
 #include "core/number_text.hpp"
 #include "core/random.hpp"
 #include "core/text_file.hpp"
@@ -14,7 +15,7 @@ struct FacingSlope {
   int cells = 100;      ///< along each side
   double cell = 1.0;    ///< m
   double facing = 0.0;  ///< direction of the way down, counter-clockwise from x, rad
-  double slope = 38.0 * kPi / 180.0;
+  double slope = 38.0 * kRadiansPerDegree;
   double foot = 0.1;  ///< where the slope ends, in half sides downhill of the middle
   Vec2 corner = Vec2(652000.0, 5203000.0);  ///< map, m
 

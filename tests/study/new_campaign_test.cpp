@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/angle.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/results.hpp"
 #include "terrain/terrain_file.hpp"
@@ -41,7 +42,7 @@ void expect_sensible(const ProposedPlaces& places, const Terrain& terrain,
     EXPECT_NEAR(release.z(), slope.height(plan(release)), 0.5);
   }
   EXPECT_NEAR(places.release_slope, slope.slope, 0.05);
-  EXPECT_GT(places.downslope.dot(slope.downhill()), std::cos(15.0 * kPi / 180.0));
+  EXPECT_GT(places.downslope.dot(slope.downhill()), std::cos(15.0 * kRadiansPerDegree));
 
   const Vec2 along = plan(places.barrier_to) - plan(places.barrier_from);
   EXPECT_GT(along.norm(), 0.2 * places.distance);
@@ -58,7 +59,7 @@ class SlopesFacing : public testing::TestWithParam<int> {};
 
 TEST_P(SlopesFacing, GetReleasesAboveAndABarrierAtTheFoot) {
   const ScratchFolder folder;
-  const FacingSlope slope{.facing = GetParam() * kPi / 180.0};
+  const FacingSlope slope{.facing = GetParam() * kRadiansPerDegree};
   write_slope(folder / "slope.asc", slope);
   const Terrain terrain = terrain_of(folder / "slope.asc");
   const ProposedPlaces places = propose_places(terrain, 1.0);
@@ -72,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(NewCampaign, SlopesFacing,
 // A slope without a foot: the barrier lies before the ground ends.
 TEST(NewCampaign, ASlopeWithoutAFootHasTheBarrierOnTheGround) {
   const ScratchFolder folder;
-  const FacingSlope slope{.facing = 0.5, .slope = 33.0 * kPi / 180.0, .foot = 2.0};
+  const FacingSlope slope{.facing = 0.5, .slope = 33.0 * kRadiansPerDegree, .foot = 2.0};
   write_slope(folder / "slope.asc", slope);
   const Terrain terrain = terrain_of(folder / "slope.asc");
   const ProposedPlaces places = propose_places(terrain, 0.8);

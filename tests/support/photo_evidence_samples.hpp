@@ -5,12 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "core/angle.hpp"
 #include "reconstruct/photos/photo_evidence.hpp"
 #include "tests/support/made_up_markers.hpp"
 
 namespace clast {
-
-inline constexpr double kDegree = kPi / 180.0;
 
 /// Outward cubes of side 1 about the places, of 12 triangles each: -x, +x, -y, +y, -z, +z by twos.
 inline TriangleMesh cubes(const std::vector<Vec3>& places) {
@@ -65,10 +64,10 @@ struct EvidenceSample {
   EvidenceSample() {
     std::vector<Photo> photos;
     for (int i = 0; i < 33; ++i) {
-      photos.push_back(camera("img_" + std::to_string(i), 10.0 * i * kDegree, 0.4));
+      photos.push_back(camera("img_" + std::to_string(i), 10.0 * i * kRadiansPerDegree, 0.4));
     }
-    photos.push_back(camera("blur", 5.0 * kDegree, 0.4));
-    photos.push_back(camera("<lone>", 15.0 * kDegree, 0.9));
+    photos.push_back(camera("blur", 5.0 * kRadiansPerDegree, 0.4));
+    photos.push_back(camera("<lone>", 15.0 * kRadiansPerDegree, 0.9));
     scan = scan_of(photos);
     for (std::size_t i = 0; i + 1 < 33; ++i) scan.cloud.pairs.push_back({i, i + 1, 0.17});
     scan.cloud.blurred = {33};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.hpp"
 #include "core/random.hpp"
 #include "dem/stiffness.hpp"
 #include "tests/support/test_bodies.hpp"
@@ -12,7 +13,7 @@
 
 namespace clast {
 
-inline constexpr double kTestedSlope = 36.0 * kPi / 180.0;
+inline constexpr double kTestedSlope = 36.0 * kRadiansPerDegree;
 inline const std::vector<GroundParameters> kTestedZones = {{0.01, 0.70, 0.18}};
 
 /// @param cells  per side, even: 2 cells^2 triangles centred on the origin, falling along +x to the

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/angle.hpp"
 #include "report/charts/marks.hpp"
 #include "report/charts/palette.hpp"
 #include "report/html/html_page.hpp"
@@ -28,7 +29,7 @@ std::string stop_note(const Comparison& comparison, const RunRow& row) {
                  std::to_string(row.record->orientation)) +
          "<br>" + name_of(result.stop_reason) + " after " + fixed(result.duration, 1) +
          " s, runout " + fixed(row.runout, 1) + " m, lateral " +
-         fixed(row.lateral * 180.0 / kPi, 1) + " deg<br>z " + fixed(row.stop.z(), 2) + " m";
+         fixed(row.lateral * kDegreesPerRadian, 1) + " deg<br>z " + fixed(row.stop.z(), 2) + " m";
 }
 
 Json points_trace(const std::string& name) {

@@ -1,5 +1,6 @@
 #include "report/scans/json/photo_json.hpp"
 
+#include "core/angle.hpp"
 #include "core/utf8.hpp"
 
 namespace clast {
@@ -8,25 +9,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegrees = 180.0 / kPi;
-
 Json ring_json(const CameraRing& ring, const std::string& unit) {
   Json seats = Json::array(), gaps = Json::array();
   for (const CameraSeat& seat : ring.seats) {
     seats.push_back({{"photo", as_utf8(seat.name)},
-                     {"azimuth_deg", seat.azimuth * kDegrees},
-                     {"elevation_deg", seat.elevation * kDegrees},
+                     {"azimuth_deg", seat.azimuth * kDegreesPerRadian},
+                     {"elevation_deg", seat.elevation * kDegreesPerRadian},
                      {"distance" + unit, seat.distance},
                      {"pairs", seat.pairs},
                      {"blurred", seat.blurred}});
   }
   for (const RingGap& gap : ring.gaps) {
     gaps.push_back(
-        {{"from_deg", gap.from * kDegrees},
-         {"width_deg", gap.width * kDegrees},
+        {{"from_deg", gap.from * kDegreesPerRadian},
+         {"width_deg", gap.width * kDegreesPerRadian},
          {"between", {as_utf8(ring.seats[gap.first].name), as_utf8(ring.seats[gap.second].name)}}});
   }
-  return {{"cameras", seats}, {"gaps", gaps}, {"largest_gap_deg", ring.largest_gap * kDegrees}};
+  return {{"cameras", seats},
+          {"gaps", gaps},
+          {"largest_gap_deg", ring.largest_gap * kDegreesPerRadian}};
 }
 
 Json marker_json(const MarkerUse& marker, const std::string& unit) {

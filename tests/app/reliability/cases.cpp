@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/angle.hpp"
 #include "core/digest.hpp"
 #include "core/number_text.hpp"
 #include "tests/support/cloud_sample.hpp"
@@ -16,7 +17,6 @@ namespace clast::reliability {
 namespace {
 
 constexpr double kPercent = 0.01;
-constexpr double kDegree = kPi / 180.0;
 
 using Amounts = std::vector<double>;
 
@@ -146,7 +146,7 @@ std::vector<Kind> lost_kinds() {
        "degrees about its direction",
        {30.0, 45.0, 60.0},
        [](const Body& body, double amount, Random& random) {
-         return of(body, without_side(body.fine, random.direction(), kDegree * amount));
+         return of(body, without_side(body.fine, random.direction(), kRadiansPerDegree * amount));
        }},
       {"cut by a plane",
        "% of the height",

@@ -1,12 +1,11 @@
 /// Seats of made-up cameras.
 #include "reconstruct/photos/camera_ring.hpp"
+#include "core/angle.hpp"
 
 #include <gtest/gtest.h>
 
 namespace clast {
 namespace {
-
-constexpr double kDegree = kPi / 180.0;
 
 TEST(CameraRing, SeatsAndTheLargestGapAreThoseTheCamerasWerePutAt) {
   PhotoScan scan;
@@ -16,9 +15,9 @@ TEST(CameraRing, SeatsAndTheLargestGapAreThoseTheCamerasWerePutAt) {
                               Quat(Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, -1.0).normalized()))};
   const Vec3 middle = block_from_model * scan.cloud.region.centre;
   for (const double azimuth : {0.0, 30.0, 60.0, 90.0, 120.0, -120.0, -90.0, -60.0, -30.0}) {
-    const Vec3 out(std::cos(20.0 * kDegree) * std::cos(azimuth * kDegree),
-                   std::cos(20.0 * kDegree) * std::sin(azimuth * kDegree),
-                   std::sin(20.0 * kDegree));
+    const Vec3 out(std::cos(20.0 * kRadiansPerDegree) * std::cos(azimuth * kRadiansPerDegree),
+                   std::cos(20.0 * kRadiansPerDegree) * std::sin(azimuth * kRadiansPerDegree),
+                   std::sin(20.0 * kRadiansPerDegree));
     const Vec3 centre = block_from_model.inverse() * (middle + 2.0 * out);
     scan.model.photos.push_back({"p", {}, 0, {-centre, Quat::Identity()}});
   }
@@ -26,21 +25,21 @@ TEST(CameraRing, SeatsAndTheLargestGapAreThoseTheCamerasWerePutAt) {
   scan.cloud.blurred = {3};
   const CameraRing ring = camera_ring(scan, block_from_model);
   ASSERT_EQ(ring.seats.size(), 9u);
-  EXPECT_NEAR(ring.seats[5].azimuth, -120.0 * kDegree, 1e-12);
-  EXPECT_NEAR(ring.seats[5].elevation, 20.0 * kDegree, 1e-12);
+  EXPECT_NEAR(ring.seats[5].azimuth, -120.0 * kRadiansPerDegree, 1e-12);
+  EXPECT_NEAR(ring.seats[5].elevation, 20.0 * kRadiansPerDegree, 1e-12);
   EXPECT_NEAR(ring.seats[5].distance, 2.0, 1e-12);
   EXPECT_EQ(ring.seats[0].pairs, 1u);
   EXPECT_EQ(ring.seats[4].pairs, 2u);
   EXPECT_TRUE(ring.seats[3].blurred);
-  EXPECT_NEAR(ring.largest_gap, 120.0 * kDegree, 1e-12);
+  EXPECT_NEAR(ring.largest_gap, 120.0 * kRadiansPerDegree, 1e-12);
   EXPECT_NEAR(std::abs(ring.gap_middle), kPi, 1e-12);
   // Every 30 degrees is wide; the widest goes from the fifth seat to the sixth, past 180 degrees.
   ASSERT_EQ(ring.gaps.size(), 9u);
   const RingGap& widest = ring.gaps.back();
   EXPECT_EQ(widest.first, 4u);
   EXPECT_EQ(widest.second, 5u);
-  EXPECT_NEAR(widest.from, 120.0 * kDegree, 1e-12);
-  EXPECT_NEAR(widest.width, 120.0 * kDegree, 1e-12);
+  EXPECT_NEAR(widest.from, 120.0 * kRadiansPerDegree, 1e-12);
+  EXPECT_NEAR(widest.width, 120.0 * kRadiansPerDegree, 1e-12);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 /// What pairs look through, with depths of a ball on a plane that are exact.
 #include "reconstruct/photos/detail/looked_through.hpp"
+#include "core/angle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,6 @@
 
 namespace clast::photos_detail {
 namespace {
-
-constexpr double kDegree = kPi / 180.0;
 
 /// A ball of radius 1 about the origin that stands on the plane z = -1.
 double distance_to_scene(const Vec3& from, const Vec3& way) {
@@ -53,7 +52,7 @@ class LookedThrough : public testing::Test {
   LookedThrough() {
     for (int i = 0; i < 12; ++i) {
       for (const double up : {22.0, 50.0}) {
-        pairs_.push_back(pair_from(30.0 * i * kDegree, up * kDegree));
+        pairs_.push_back(pair_from(30.0 * i * kRadiansPerDegree, up * kRadiansPerDegree));
       }
     }
     for (const PairDepths& pair : pairs_) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/angle.hpp"
 #include "tests/support/markup.hpp"
 #include "tests/support/photo_evidence_samples.hpp"
 #include "tests/support/refusal.hpp"
@@ -11,8 +12,9 @@ namespace clast {
 namespace {
 
 TEST(SurfaceViews, EachSideIsSeenFromItsOwnSideAndWhatLiesBehindIsNot) {
-  PhotoScan scan = scan_of({camera("east", 0.0, 0.0), camera("north", 90.0 * kDegree, 0.0),
-                            camera("spare", 180.0 * kDegree, 0.0)});
+  PhotoScan scan =
+      scan_of({camera("east", 0.0, 0.0), camera("north", 90.0 * kRadiansPerDegree, 0.0),
+               camera("spare", 180.0 * kRadiansPerDegree, 0.0)});
   scan.cloud.pairs = {{0, 1, 1.0}};  // the third was not compared
   // The second cube stands behind the first as seen from the east.
   const TriangleMesh surface = cubes({{0.6, 0.0, 0.0}, {-0.6, 0.0, 0.0}});
@@ -35,7 +37,8 @@ TEST(SurfaceViews, EachSideIsSeenFromItsOwnSideAndWhatLiesBehindIsNot) {
 }
 
 TEST(SurfaceViews, PairsCountWhatBothSee) {
-  PhotoScan scan = scan_of({camera("a", 30.0 * kDegree, 0.5), camera("b", 50.0 * kDegree, 0.5)});
+  PhotoScan scan = scan_of(
+      {camera("a", 30.0 * kRadiansPerDegree, 0.5), camera("b", 50.0 * kRadiansPerDegree, 0.5)});
   scan.cloud.pairs = {{0, 1, 0.3}};
   const TriangleMesh surface = cubes({Vec3::Zero()});
   // In another frame than that of the cameras.

@@ -5,13 +5,12 @@
 
 #include <cmath>
 
+#include "core/angle.hpp"
 #include "core/random.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {
 namespace {
-
-constexpr double kDegree = kPi / 180.0;
 
 /// Cameras in a ring at a height angle, looking at a place.
 void add_ring(PhotoModel& model, int count, double elevation, const Vec3& at = Vec3::Zero()) {
@@ -42,7 +41,7 @@ TEST(StereoPairs, EveryPhotoOfARingIsPairedWithItsNeighboursOnBothSides) {
   ASSERT_EQ(pairs.size(), 24u);
   std::vector<int> partners(24);
   for (const StereoPair& pair : pairs) {
-    EXPECT_NEAR(pair.angle, 15.0 * kDegree, 1e-9);
+    EXPECT_NEAR(pair.angle, 15.0 * kRadiansPerDegree, 1e-9);
     ++partners[pair.first];
     ++partners[pair.second];
   }
