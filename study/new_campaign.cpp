@@ -11,6 +11,7 @@
 #include "library/unscaled.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/detail/campaign_checks.hpp"
+#include "study/detail/trial_runs.hpp"
 #include "terrain/terrain_input.hpp"
 
 namespace clast {
@@ -160,6 +161,23 @@ CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& te
   return proposal;
 }
 
+/// Reads and prepares the campaign with the lowest height of release at which no block starts in
+/// the ground.
+PreparedCampaign prepare_proposal(OutputFile& output, CampaignProposal& proposal,
+                                  const std::string& library,
+                                  const std::vector<std::string>& surface) {
+  for (const double height : kDropHeights) {
+    proposal.drop_height = height;
+    output.write(campaign_text(proposal, library, surface));
+    try {
+      return prepare_campaign(read_campaign(output.temporary()));
+    } catch (const SimulationError&) {  // a start in the ground
+      if (height == kDropHeights.back()) throw;
+    }
+  }
+  throw SimulationError("no height of release was tried");
+}
+
 CampaignProposal write_new_campaign(const fs::path& library, const std::vector<fs::path>& surface,
                                     const fs::path& target, const OutputRules& rules) {
   OutputFile output(target, rules);
@@ -167,16 +185,10 @@ CampaignProposal write_new_campaign(const fs::path& library, const std::vector<f
   const fs::path folder = fs::weakly_canonical(fs::absolute(output.target())).parent_path();
   std::vector<std::string> surface_paths;
   for (const fs::path& path : surface) surface_paths.push_back(relative_path(path, folder));
-  for (const double height : kDropHeights) {
-    proposal.drop_height = height;
-    output.write(campaign_text(proposal, relative_path(library, folder), surface_paths));
-    try {
-      prepare_campaign(read_campaign(output.temporary()));
-      break;
-    } catch (const SimulationError&) {  // a start in the ground
-      if (height == kDropHeights.back()) throw;
-    }
-  }
+  const std::string blocks = relative_path(library, folder);
+  const PreparedCampaign prepared = prepare_proposal(output, proposal, blocks, surface_paths);
+  try_campaign(prepared, proposal);
+  output.write(campaign_text(proposal, blocks, surface_paths));
   output.commit();
   return proposal;
 }

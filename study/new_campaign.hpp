@@ -25,10 +25,23 @@ struct ProposedPlaces {
   double margin = 0.0;             ///< m
   /// Ends of a line across the way down, at the foot of the slope or, where it has none, before
   /// the ground ends; blocks cross it from left to right.
+  std::string barrier_name = "foot";
   MapPoint barrier_from = MapPoint::Zero(), barrier_to = MapPoint::Zero();
   double descent = 0.0;            ///< from the releases to the barrier, m
   double distance = 0.0;           ///< the same in the plan, m
   Vec2 downslope = Vec2::UnitX();  ///< of unit length, from the releases to the barrier
+  /// From the middle of the releases, as a point mass would slide; local frame, m.
+  std::vector<Vec3> way_down;
+  double block_length = 0.0;  ///< L of the longest block, m
+};
+
+/// What some runs of a proposed campaign did.
+struct TrialRuns {
+  std::size_t count = 0;
+  std::size_t passed = 0;  ///< the barrier at the foot of the slope
+  /// That half of them go along `downslope` in the plan, m.
+  double median_distance = 0.0;
+  bool moved_barrier = false;  ///< to that distance, since hardly any passed it at the foot
 };
 
 /// What a zone is taken for.
@@ -53,13 +66,18 @@ struct CampaignProposal {
   std::vector<ProposedGround> ground;  ///< of every zone of the terrain
   std::size_t orientations = 1;        ///< at each release point
   double drop_height = 1.0;            ///< of the lowest skin point above the ground, m
-  std::vector<std::string> doubts;     ///< what its user must know, in words
+  TrialRuns trial;
+  std::vector<std::string> doubts;  ///< what its user must know, in words
 };
 
 /// @param block_length  L of the longest block, m
 /// @throws InputError  no ground is steep enough for blocks to start on, or all of it is too near
 ///                     to the border
 ProposedPlaces propose_places(const Terrain& terrain, double block_length);
+
+/// Puts the barrier across the way down at this distance from the releases in the plan, m, or at
+/// the end of that way.
+void place_barrier(const Terrain& terrain, double distance, ProposedPlaces& places);
 
 /// @throws InputError  as `propose_places`; or the library holds no block that fits the terrain
 CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& terrain);
@@ -69,7 +87,9 @@ CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& te
 std::string campaign_text(const CampaignProposal& proposal, const std::string& library,
                           const std::vector<std::string>& surface);
 
-/// Writes a campaign that `simulate` accepts: it is read and prepared before it gets its name.
+/// Writes a campaign that `simulate` accepts: it is read, prepared and tried with a few runs before
+/// it gets its name. Where these stop above the foot of the slope, the barrier is placed where half
+/// of them have passed.
 /// Paths in it are relative to its folder.
 /// @param surface  as in `TerrainOptions`; zones are those of a terrain file, else there is one
 /// @throws InputError  an input can't be read, or as `propose_campaign` or `OutputFile`

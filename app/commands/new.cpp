@@ -30,8 +30,8 @@ void print_proposal(const CampaignProposal& proposal) {
             << with_decimals(places.release_slope * kDegreesPerRadian, 0) << " degrees, "
             << counted(proposal.orientations, "orientation") << ": "
             << counted(proposal.blocks.count * places.release_points * proposal.orientations, "run")
-            << "\nbarrier \"foot\" " << with_decimals(places.descent, 0) << " m below, "
-            << with_decimals(places.distance, 0) << " m away\n";
+            << "\nbarrier \"" << places.barrier_name << "\" " << with_decimals(places.descent, 0)
+            << " m below, " << with_decimals(places.distance, 0) << " m away\n";
   TextTable ground{{"zone", "taken for", "e_n^2", "mu", "mu_R"}, {}};
   for (const ProposedGround& zone : proposal.ground) {
     ground.rows.push_back({zone.zone, zone.type.name + (zone.by_name ? "" : " (a guess)"),
@@ -75,9 +75,9 @@ void add_new(CLI::App& app) {
   command->add_flag("--replace", args->replace, "Replace an existing campaign file");
   command->footer(
       "Release points are proposed on steep ground in the upper part of the terrain, a barrier "
-      "across the way\ndown at the foot; ground parameters are usual ones of the kind of ground "
-      "that a zone's name says (rock,\ntalus, scree, soil hard, soil medium, soil soft), else "
-      "those of scree: see docs/parameters.md.\n"
+      "across the way\ndown at the foot, or higher where few of 16 trial runs get there. Ground "
+      "parameters are usual ones of the\nkind of ground that a zone's name says (rock, talus, "
+      "scree, soil hard, soil medium, soil soft), else\nthose of scree: see docs/parameters.md.\n"
       "Example:\n"
       "  clast new campaign --library blocks.h5 --terrain slope.h5 -o campaign.toml");
   command->callback([args] { write_campaign(*args); });

@@ -154,7 +154,7 @@ std::string barrier_text(const ProposedPlaces& places) {
              with_decimals(places.descent, 0) + " m below the releases and " +
              with_decimals(places.distance, 0) +
              " m away. Move it to what is to be protected, and add others.") +
-         "[[barrier]]\n" + entry("name", "\"foot\"", "") +
+         "[[barrier]]\n" + entry("name", quoted(places.barrier_name), "") +
          entry("from", plan(places.barrier_from), "") + entry("to", plan(places.barrier_to), "");
 }
 

@@ -139,10 +139,10 @@ MapPoint on_map(const Terrain& terrain, const GroundGrid& grid, const Vec2& plac
 
 /// Points on a line through the start, across the slope.
 void propose_releases(const Terrain& terrain, const GroundGrid& grid, const Start& start,
-                      double block_length, double way, double steep, ProposedPlaces& places) {
+                      double way, double steep, ProposedPlaces& places) {
   const Vec2 uphill = grid.slope(start.place)->gradient.normalized();
   const Vec2 across(-uphill.y(), uphill.x());
-  const double apart = 2.0 * block_length;
+  const double apart = 2.0 * places.block_length;
   const auto good = [&](const Vec2& place) {
     const auto ground = grid.slope(place);
     return ground && grid.covered(place, places.margin) && ground->gradient.norm() >= 0.8 * steep;
@@ -158,19 +158,19 @@ void propose_releases(const Terrain& terrain, const GroundGrid& grid, const Star
   places.release_from = places.release_to = on_map(terrain, grid, start.place);
 }
 
-void propose_barrier(const Terrain& terrain, const GroundGrid& grid, const std::vector<Vec3>& path,
-                     double block_length, ProposedPlaces& places) {
-  std::size_t foot = foot_of(path);
-  const double clear = std::max(block_length, grid.cell());
-  while (foot > 1 && !grid.covered(path[foot].head<2>(), clear)) --foot;
-  const Vec2 start = path.front().head<2>(), place = path[foot].head<2>();
+void place_barrier_at(const Terrain& terrain, const GroundGrid& grid, std::size_t at,
+                      ProposedPlaces& places) {
+  const std::vector<Vec3>& path = places.way_down;
+  const double clear = std::max(places.block_length, grid.cell());
+  while (at > 1 && !grid.covered(path[at].head<2>(), clear)) --at;
+  const Vec2 start = path.front().head<2>(), place = path[at].head<2>();
   places.distance = (place - start).norm();
-  places.descent = path.front().z() - path[foot].z();
+  places.descent = path.front().z() - path[at].z();
   if (places.distance > 0.0) places.downslope = (place - start) / places.distance;
   const Vec2 left(-places.downslope.y(), places.downslope.x());
   const double releases = (places.release_to - places.release_from).head<2>().norm();
   const double most =
-      std::max(kBarrierShare * places.distance, 0.5 * releases + 2.0 * block_length);
+      std::max(kBarrierShare * places.distance, 0.5 * releases + 2.0 * places.block_length);
   const auto ground = [&](const Vec2& at) { return grid.covered(at, 0.0) && grid.slope(at); };
   const double to_left = std::max(clear, reach(place, left, grid.cell(), most, ground));
   const double to_right = std::max(clear, reach(place, Vec2(-left), grid.cell(), most, ground));
@@ -179,13 +179,20 @@ void propose_barrier(const Terrain& terrain, const GroundGrid& grid, const std::
   places.barrier_to = on_map(terrain, grid, place + to_left * left);
 }
 
+GroundGrid grid_of(const Terrain& terrain, double block_length) {
+  const Bounds box = bounds(terrain.surface);
+  const double extent = (box.high - box.low).head<2>().maxCoeff();
+  return GroundGrid(terrain, std::max(extent / 150.0, block_length / 2.0));
+}
+
 }  // namespace
 
 ProposedPlaces propose_places(const Terrain& terrain, double block_length) {
   const Bounds box = bounds(terrain.surface);
   const double extent = (box.high - box.low).head<2>().maxCoeff();
-  const GroundGrid grid(terrain, std::max(extent / 150.0, block_length / 2.0));
+  const GroundGrid grid = grid_of(terrain, block_length);
   ProposedPlaces places;
+  places.block_length = block_length;
   places.margin = std::max(2.0 * block_length, kMarginShare * extent);
   std::vector<Start> starts = starts_with(grid, places.margin);
   while (starts.empty() && places.margin > block_length) {
@@ -211,15 +218,22 @@ ProposedPlaces propose_places(const Terrain& terrain, double block_length) {
   const double friction = follow(starts, grid, box.high.z() - box.low.z());
   const double steep = keep_steep(starts);
   const Start start = best_of(std::move(starts));
-  const std::vector<Vec3> path = fall_path(grid, start.place, std::min(friction, kFootFriction));
-  if (path.size() < 3) {
+  places.way_down = fall_path(grid, start.place, std::min(friction, kFootFriction));
+  if (places.way_down.size() < 3) {
     throw InputError("at the steepest ground of the terrain there is no way down; is it a pit?");
   }
-  const double way = (path.back() - path.front()).head<2>().norm();
+  const double way = (places.way_down.back() - places.way_down.front()).head<2>().norm();
   places.release_slope = std::atan(start.slope);
-  propose_releases(terrain, grid, start, block_length, way, steep, places);
-  propose_barrier(terrain, grid, path, block_length, places);
+  propose_releases(terrain, grid, start, way, steep, places);
+  place_barrier_at(terrain, grid, foot_of(places.way_down), places);
   return places;
+}
+
+void place_barrier(const Terrain& terrain, double distance, ProposedPlaces& places) {
+  const std::vector<Vec3>& path = places.way_down;
+  std::size_t at = 1;
+  while (at + 1 < path.size() && (path[at] - path.front()).head<2>().norm() < distance) ++at;
+  place_barrier_at(terrain, grid_of(terrain, places.block_length), at, places);
 }
 
 }  // namespace clast

@@ -166,11 +166,39 @@ TEST_F(NewCampaigns, SaySoWhereZonesNameNoGround) {
     EXPECT_EQ(zone.type.name, default_ground_type().name);
   }
   EXPECT_TRUE(contains(text(), "[ground.gray]") && contains(text(), "no kind of ground"));
-  ASSERT_EQ(proposal.doubts.size(), 1u);
+  ASSERT_FALSE(proposal.doubts.empty());
   EXPECT_TRUE(contains(proposal.doubts[0], "3 ground zones are taken for scree"));
   EXPECT_TRUE(contains(text(), "NOTE: 3 ground zones"));
-  // On ground that is only guessed to be scree they may stop before the barrier.
-  expect_most_come_down(run());
+  expect_the_barrier_is_crossed(run());
+}
+
+// Soft soil stops blocks on the slope: a barrier at its foot would count none.
+TEST_F(NewCampaigns, HaveTheBarrierWhereHalfPassIfNoneGetsToTheFoot) {
+  write_slope(folder / "slope.asc", {.cells = 400});
+  const double foot = write("slope.asc").places.distance;
+  Terrain terrain = terrain_of(folder / "slope.asc");
+  terrain.zone_names = {"swamp, soft soil"};
+  write_terrain(folder / "soft.h5", terrain);
+  const CampaignProposal proposal = write("soft.h5");
+  EXPECT_EQ(proposal.trial.count, 16u);
+  EXPECT_LT(proposal.trial.passed, 4u);
+  ASSERT_TRUE(proposal.trial.moved_barrier);
+  EXPECT_EQ(proposal.places.barrier_name, "halfway");
+  EXPECT_LT(proposal.places.distance, 0.9 * foot);
+  ASSERT_EQ(proposal.doubts.size(), 1u);
+  EXPECT_TRUE(contains(proposal.doubts[0], "pass the foot of the slope")) << proposal.doubts[0];
+  EXPECT_TRUE(contains(text(), "name               = \"halfway\"")) << text();
+  const CampaignResults results = run();
+  EXPECT_GT(results.crossings.size(), results.runs.size() / 4);
+  EXPECT_LT(results.crossings.size(), 3 * results.runs.size() / 4);
+}
+
+TEST_F(NewCampaigns, KeepTheBarrierAtTheFootWherePartOfThemPassIt) {
+  write_slope(folder / "slope.asc", {.cells = 400, .facing = 2.2});
+  const CampaignProposal proposal = write("slope.asc");
+  EXPECT_GE(proposal.trial.passed, 4u);
+  EXPECT_FALSE(proposal.trial.moved_barrier);
+  EXPECT_EQ(proposal.places.barrier_name, "foot");
 }
 
 TEST_F(NewCampaigns, TakeGroundFromTheNamesOfZones) {
