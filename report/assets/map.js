@@ -1,12 +1,12 @@
 // Maps: one layer at a time over the relief, paths, north arrow and scale bar. `clastMaps` is there
 // for the console and for tests.
 const clastMaps = (() => {
-  const narrow = 600;  // px; a map that is narrower has its colour bar inside
+  const narrow = 600;  // px; a map that is narrower has its colours in a row below it
 
   const numbers = (base64) => new Float32Array(clastBytes(base64).buffer);
 
   // Cells in the colours of their classes; what the pointer shows is the value itself.
-  function rasterTrace(layer, origin, inside, {xaxis, yaxis}) {
+  function rasterTrace(layer, origin, {xaxis, yaxis}) {
     const values = numbers(layer.values), count = layer.breaks.length;
     const classes = [], shown = [];
     for (let first = 0; first < values.length; first += layer.columns) {
@@ -16,10 +16,8 @@ const clastMaps = (() => {
       shown.push(row.map((value) => isNaN(value) ? null : value / layer.unit_size));
     }
     const right = xaxis.domain[1], [bottom, top] = yaxis.domain, height = top - bottom;
-    const place = inside ?
-        {x: right - .01, xanchor: 'right', y: bottom + .01, yanchor: 'bottom', len: .7 * height} :
-        {x: right + .01, xanchor: 'left', y: bottom + .5 * height, yanchor: 'middle',
-         len: .7 * height};
+    const place = {x: right + .01, xanchor: 'left', y: bottom + .5 * height, yanchor: 'middle',
+                   len: .7 * height};
     return {
       type: 'heatmap', meta: 'raster', name: layer.title, hoverongaps: false,
       x0: origin[0] + layer.x0, dx: layer.cell, y0: origin[1] + layer.y0, dy: -layer.cell,
@@ -34,6 +32,17 @@ const clastMaps = (() => {
         bgcolor: 'rgba(255,255,255,.85)', xpad: 6,
       },
     };
+  }
+
+  // The same classes in a row: the number is the upper limit of its colour.
+  function colourRow(layer) {
+    const cells = layer.numbers.map((number, k) => {
+      const cell = document.createElement('span');
+      cell.style.borderTopColor = layer.colours[k];
+      cell.textContent = number;
+      return cell;
+    });
+    return [...cells, layer.unit];
   }
 
   function pathTraces(data) {
@@ -108,8 +117,7 @@ const clastMaps = (() => {
       const needed = wanted || name !== 'stops' ? await read() : null;
       const layer = name !== 'stops' && needed.layers.find((one) => one.name === name);
       if (layer && !layers[name]) {
-        layers[name] = rasterTrace(layer, data.origin, box.clientWidth < narrow,
-            box._fullLayout);
+        layers[name] = rasterTrace(layer, data.origin, box._fullLayout);
       }
       if (wanted) paths = paths || pathTraces(data);
       for (const trace of marks) {
@@ -124,9 +132,13 @@ const clastMaps = (() => {
         }
       }
       const shown = [...(wanted ? paths : []), ...marks, ...(layer ? [layers[name]] : [])];
+      const isNarrow = box.clientWidth < narrow;
       for (const trace of shown) {
-        if (trace.type === 'heatmap') trace.opacity = +part('opacity').value;
+        if (trace.type !== 'heatmap') continue;
+        trace.opacity = +part('opacity').value;
+        trace.showscale = !isNarrow;
       }
+      part('colours').replaceChildren(...(layer && isNarrow ? colourRow(layer) : []));
       await Plotly.react(box, shown, box.layout);
       await furnish();
       root.dataset.shown = name;
