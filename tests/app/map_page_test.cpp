@@ -28,7 +28,7 @@ probe.points=points();probe.stops=await picture();probe.first=furniture();
 for(const {value} of part('layer').options){
   await clastMaps.show(root,value);
   probe.layers[value]={picture:await picture(),unit:text(box.querySelector('.cbtitle')),points:points(),
-    classes:box.querySelectorAll('.cbfills path,.cbfills rect').length};
+    row:Array.from(part('colours').querySelectorAll('span'),(cell)=>cell.textContent),rowText:text(part('colours'))};
 }
 await clastMaps.show(root,'E_95');
 const opacity=()=>box.querySelector('.heatmaplayer image').style.opacity;
@@ -91,6 +91,7 @@ TEST_F(MapPage, EveryRasterIsALayerWithItsColourBar) {
                                    {"Ph_95", "m"},
                                    {"V_max", "m/s"}}) {
     EXPECT_EQ(probe["layers"][name]["unit"], unit) << name;
+    EXPECT_TRUE(probe["layers"][name]["row"].empty()) << name;
   }
   EXPECT_GT(double(probe["points"]), 8.0) << "eight stops and two release points";
   EXPECT_EQ(probe["again"], probe["points"]);
@@ -116,7 +117,11 @@ TEST_F(MapPage, FitsATelephone) {
   ASSERT_FALSE(probe.is_null()) << "the script of the page stopped";
   EXPECT_EQ(probe["width"], 400);
   EXPECT_LE(double(probe["widest"]), 400.5);
-  EXPECT_EQ(probe["layers"]["E_95"]["unit"], "kJ");
+  const Json& energy = probe["layers"]["E_95"];
+  EXPECT_EQ(energy["unit"], "") << "a colour bar over the map hides stops";
+  EXPECT_GT(energy["row"].size(), 3u) << "the colours stand below it";
+  EXPECT_TRUE(contains(energy["rowText"], "kJ")) << energy["rowText"];
+  EXPECT_TRUE(probe["layers"]["stops"]["row"].empty());
 }
 
 }  // namespace
