@@ -48,7 +48,8 @@ endfunction()
 
 # clast_test(name LABEL label SOURCES ... LINK ... [TIMEOUT seconds] [WHOLE]): one GoogleTest
 # program, each of its tests registered with ctest under the label; with WHOLE the program is one
-# test, for suites whose tests share a costly set-up.
+# test, for suites whose tests share a costly set-up. Tests that may take longest start first, so that
+# none is left over at the end.
 function(clast_test name)
   cmake_parse_arguments(ARG "WHOLE" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
@@ -60,10 +61,11 @@ function(clast_test name)
     CLAST_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLAST_PROGRAM="$<TARGET_FILE:clast>")
   if(ARG_WHOLE)
     add_test(NAME ${ARG_LABEL}.${name} COMMAND ${name})
-    set_tests_properties(${ARG_LABEL}.${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+    set_tests_properties(${ARG_LABEL}.${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT}
+                          COST ${ARG_TIMEOUT})
   else()
     gtest_discover_tests(${name} TEST_PREFIX "${ARG_LABEL}." DISCOVERY_TIMEOUT 60
-                         PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+                         PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} COST ${ARG_TIMEOUT})
   endif()
 endfunction()
 
