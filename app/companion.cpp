@@ -26,13 +26,13 @@ fs::path companion() {
     if (fs::is_regular_file(path)) return path;
   }
   throw InputError(beside.string() + ": is missing, also in " + installed.parent_path().string() +
-                   "; it does the work of clast reconstruct: install clast again, or move both "
-                   "together");
+                   "; it does the work of clast reconstruct: install the package clast-reconstruct, "
+                   "or move both programs together");
 }
 
 [[noreturn]] void refuse_start(const fs::path& path) {
   throw InputError(path.string() + ": can't be started (" + std::strerror(errno) +
-                   "); install clast again");
+                   "); install clast and clast-reconstruct again");
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::string companion_output(const std::string& argument) {
   int status = 0;
   ::waitpid(child, &status, 0);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw InputError(path.string() + ": does not describe its options; install clast again");
+    throw InputError(path.string() + ": does not describe its options; install clast and clast-reconstruct again");
   }
   return output;
 }

@@ -1,14 +1,19 @@
 #!/usr/bin/env bash
-# From the scans in samples/blocks to an HTML report, in one command. Installs what is missing
-# (Debian packages), builds clast, and writes only to build/ and out/. Can be run again at any time.
+# From the scans in samples/blocks to an HTML report, in one command. In a checkout it installs what
+# is missing (Debian packages), builds clast, and writes only to build/ and out/; in a copy of the
+# samples it takes the installed clast, and writes to out/. Can be run again at any time.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-cmake/prepare.sh program
+program=clast
+if [ -x cmake/prepare.sh ]; then
+  cmake/prepare.sh program
+  program=build/release/app/clast
+fi
 
 clast() {
   printf '\n$ clast %s\n' "$*"
-  build/release/app/clast "$@"
+  command "$program" "$@"
 }
 
 mkdir -p out
