@@ -23,6 +23,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"degree", "--degree"},
     {"density", "--density"},
     {"detail", "--detail"},
+    {"engine", "--to"},
     {"exponent", "--exponent"},
     {"find_ground = false", "--ground none"},
     {"format", "--format"},

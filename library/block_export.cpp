@@ -13,29 +13,12 @@
 #include "mesh/mesh_io.hpp"
 #include "shapes/coplanar_faces.hpp"
 #include "shapes/outer_skin.hpp"
-#include "shapes/shp_file.hpp"
 
 namespace clast {
 
 namespace {
 
 constexpr int kUsualSegments = 4, kMostSegments = 64;
-
-ShpShape shp_shape(const Block& block) {
-  ShpShape shape;
-  shape.name = block.id;
-  std::replace_if(
-      shape.name.begin(), shape.name.end(), [](char c) { return c == ' '; }, '_');
-  shape.source_from_body = block.source_from_body();
-  const Pose body_from_source = shape.source_from_body.inverse();
-  shape.body = transformed(with_merged_faces(block.body, kFlatInFiles), body_from_source);
-  shape.volume = block.mass.volume;
-  shape.inertia_per_mass = block.principal.moments / block.mass.mass;
-  shape.box = block.box;
-  shape.box.centre = body_from_source * block.box.centre;
-  shape.box.axes = body_from_source.rotation.toRotationMatrix() * block.box.axes;
-  return shape;
-}
 
 /// A mesh of a block, and what its file has after the id.
 struct NamedMesh {
@@ -125,6 +108,22 @@ std::vector<std::string> notes_on(const Block& block, const BlockExportOptions& 
 }
 
 }  // namespace
+
+ShpShape shp_shape(const Block& block) {
+  ShpShape shape;
+  shape.name = block.id;
+  std::replace_if(
+      shape.name.begin(), shape.name.end(), [](char c) { return c == ' '; }, '_');
+  shape.source_from_body = block.source_from_body();
+  const Pose body_from_source = shape.source_from_body.inverse();
+  shape.body = transformed(with_merged_faces(block.body, kFlatInFiles), body_from_source);
+  shape.volume = block.mass.volume;
+  shape.inertia_per_mass = block.principal.moments / block.mass.mass;
+  shape.box = block.box;
+  shape.box.centre = body_from_source * block.box.centre;
+  shape.box.axes = body_from_source.rotation.toRotationMatrix() * block.box.axes;
+  return shape;
+}
 
 const std::vector<std::string>& block_export_formats() {
   static const std::vector<std::string> kFormats = {"shp", "obj", "stl", "ply", "glb", "vtp"};

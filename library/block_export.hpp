@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "library/block.hpp"
+#include "shapes/shp_file.hpp"
 
 namespace clast {
 
@@ -36,6 +37,9 @@ struct BlockExportOptions {
   bool holds_skin() const;  ///< is a rounded surface written?
   void check() const;       ///< throws InputError naming the field and its value
 };
+
+/// A block as a .shp file has it: in the principal frame, its faces in one plane as one polygon.
+ShpShape shp_shape(const Block& block);
 
 /// "shp", "obj", "stl", "ply", "glb", "vtp".
 const std::vector<std::string>& block_export_formats();

@@ -36,7 +36,8 @@ std::string numbers(const Vec3& v) {
 
 void write_shape(std::ostream& out, const ShpShape& shape) {
   const SpheroPolyhedron& body = shape.body;
-  out << "<\nname " << shape.name << "\nradius " << body.radius << "\npreCompDone y\n";
+  out << "<\nname " << shape.name << "\nradius " << body.radius << "\npreCompDone y\n"
+      << (shape.is_surface ? "isSurface\n" : "");
   out << "nv " << body.vertices.size() << '\n';
   for (const Vec3& v : body.vertices) out << numbers(v).substr(1) << '\n';
   out << "ne " << body.edges.size() << '\n';

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/scene_export.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "core/csv_text.hpp"
@@ -29,6 +30,7 @@ struct ExportArgs {
   std::string frame = "source";
   int segments = 4;
   BlockExportOptions options;
+  SceneExportArgs scene;
 };
 
 const std::map<std::string, ExportedSurface> kSurfaces = {{"skin", ExportedSurface::kSkin},
@@ -37,6 +39,14 @@ const std::map<std::string, ExportedSurface> kSurfaces = {{"skin", ExportedSurfa
                                                           {"surface", ExportedSurface::kSurface}};
 const std::map<std::string, ExportFrame> kFrames = {{"source", ExportFrame::kSource},
                                                     {"principal", ExportFrame::kPrincipal}};
+
+/// Scenes have a format of their own.
+void check_scene_usage(const CLI::App& command) {
+  for (const char* option : {"ids", "--format", "--what", "--segments", "--frame", "--up"}) {
+    if (command.count(option) == 0) continue;
+    throw CLI::ValidationError(option, "applies to blocks of a library, not to scenes (--to)");
+  }
+}
 
 void run_export(const ExportArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
@@ -99,21 +109,37 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
 
 void add_export(CLI::App& app) {
   const auto args = std::make_shared<ExportArgs>();
-  CLI::App* command = app.add_subcommand("export", "Export blocks for other tools");
-  command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
+  CLI::App* command = app.add_subcommand("export", "Export blocks, or a campaign, for other tools");
+  command->add_option("library", args->library, "Block library, or with --to a campaign file")
+      ->required()
+      ->type_name("LIB");
   command->add_option("ids", args->ids, "Blocks to export; without: all")->type_name("ID");
   command
-      ->add_option("-o,--output", args->folder, "Folder, created if missing; a file for each block")
+      ->add_option("-o,--output", args->folder,
+                   "Folder, created if missing; a file for each block, a folder for each scene")
       ->type_name("DIR")
       ->capture_default_str();
   command->add_flag("--replace", args->options.replace, "Replace existing files");
   add_format_options(*command, *args);
+  add_scene_options(*command, args->scene);
   command->footer(
       "Mesh files are in metres. shp files hold core and radius in metres in the principal frame, "
       "origin at\nthe centre of mass, faces in one plane as one polygon, and where the scan had "
       "that frame.\n"
-      "Example:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl");
+      "Scenes (--to) hold blocks, terrain, starts and contact parameters of each run as Rockable "
+      "or "
+      "ExaDEM read\nthem; what these can't say is listed.\n"
+      "Examples:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl\n"
+      "  clast export campaign.toml --to rockable --runs 0-15 -o scenes");
   command->callback([args, command] {
+    if (!args->scene.engine.empty()) {
+      if (args->folder.empty()) throw CLI::ValidationError("--output", "names no folder");
+      check_scene_usage(*command);
+      return export_scenes(args->library, args->folder, args->options.replace, args->scene);
+    }
+    if (!args->scene.runs.empty()) {
+      throw CLI::ValidationError("--runs", "applies to scenes of a campaign (--to)");
+    }
     args->options.formats = split_list(args->formats);
     args->options.what = kSurfaces.at(args->what);
     args->options.frame = kFrames.at(args->frame);

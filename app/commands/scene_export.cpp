@@ -1,0 +1,78 @@
+#include "app/commands/scene_export.hpp"
+
+#include <charconv>
+#include <iostream>
+
+#include "core/number_text.hpp"
+#include "core/printable.hpp"
+#include "study/engine_scene.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr std::uint32_t kMostRuns = 100000;
+
+std::uint32_t run_number(const std::string& text) {
+  std::uint32_t number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, number);
+  if (code != std::errc() || stop != end || number >= kMostRuns) {
+    throw CLI::ValidationError("--runs", "\"" + text +
+                                             "\" is no number of a run; take for example "
+                                             "0-15,20");
+  }
+  return number;
+}
+
+/// "0-2,7" is 0, 1, 2, 7.
+std::vector<std::uint32_t> run_numbers(const std::string& text) {
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t at = 0; at <= text.size() && !text.empty();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string item = text.substr(at, comma - at);
+    const std::size_t dash = item.find('-');
+    const std::uint32_t first = run_number(item.substr(0, dash));
+    const std::uint32_t last =
+        dash == std::string::npos ? first : run_number(item.substr(dash + 1));
+    if (last < first) {
+      throw CLI::ValidationError("--runs", "\"" + item + "\" ends before it begins");
+    }
+    for (std::uint32_t number = first; number <= last; ++number) numbers.push_back(number);
+    at = comma + 1;
+  }
+  return numbers;
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneExportArgs& args) {
+  command
+      .add_option("--to", args.engine,
+                  "Scenes of a campaign for another engine: rockable or exadem; the file is then "
+                  "the campaign")
+      ->check(CLI::IsMember(scene_engines()))
+      ->type_name("ENGINE");
+  command
+      .add_option("--runs", args.runs,
+                  "Of the campaign, or realisations of its mass, for example 0-15,20; without: all")
+      ->type_name("LIST");
+}
+
+void export_scenes(const std::filesystem::path& campaign, const std::filesystem::path& folder,
+                   bool replace, const SceneExportArgs& args) {
+  const std::vector<std::uint32_t> runs = run_numbers(args.runs);
+  OutputFolder output(folder, scene_folder(), replace);
+  const PreparedCampaign prepared = prepare_campaign(read_campaign(campaign));
+  for (const std::string& warning : prepared.header.warnings) {
+    std::cerr << "warning: " << shown(warning) << "\n";
+  }
+  const EngineScenes scenes =
+      write_engine_scenes(prepared, {.engine = args.engine, .runs = runs}, output.temporary());
+  output.commit();
+  for (const std::string& note : scenes.notes) std::cout << "note: " << note << "\n";
+  std::cout << printable(folder.string()) << ": " << counted(scenes.folders.size(), "scene")
+            << " for " << args.engine << " written; SCENE.txt there says what is what\n";
+}
+
+}  // namespace clast

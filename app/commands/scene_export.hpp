@@ -1,0 +1,20 @@
+#pragma once
+/// `clast export CAMPAIGN --to ENGINE`.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+namespace clast {
+
+struct SceneExportArgs {
+  std::string engine;  ///< empty: blocks are exported
+  std::string runs;    ///< "0-15,20"; empty: all
+};
+
+void add_scene_options(CLI::App& command, SceneExportArgs& args);
+
+/// Writes the scenes and prints what was written and what differs there.
+void export_scenes(const std::filesystem::path& campaign, const std::filesystem::path& folder,
+                   bool replace, const SceneExportArgs& args);
+
+}  // namespace clast
