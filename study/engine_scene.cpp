@@ -127,7 +127,7 @@ EngineScenes write_engine_scenes(const PreparedCampaign& prepared,
                                                                        folder);
     scenes.folders.push_back(scene.name);
   }
-  write_output(folder / kMarkFile, scene_text(prepared, options, set, scenes));
+  write_output(folder / kMarkFile, scene_text(prepared, options, set, scenes), {});
   return scenes;
 }
 

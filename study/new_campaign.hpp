@@ -75,8 +75,7 @@ struct CampaignProposal {
 ///                     to the border
 ProposedPlaces propose_places(const Terrain& terrain, double block_length);
 
-/// Puts the barrier across the way down at this distance from the releases in the plan, m, or at
-/// the end of that way.
+/// Puts the barrier across the way down, at most this far from the releases in the plan, m.
 void place_barrier(const Terrain& terrain, double distance, ProposedPlaces& places);
 
 /// @throws InputError  as `propose_places`; or the library holds no block that fits the terrain

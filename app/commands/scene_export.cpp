@@ -3,6 +3,7 @@
 #include <charconv>
 #include <iostream>
 
+#include "app/option_flags.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "study/engine_scene.hpp"

@@ -158,8 +158,8 @@ std::string conf_text(const SceneSet& set, const Scene& scene) {
 void write_exadem_scene(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene,
                         const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / scene.name);
-  write_output(folder / scene.name / "input.msp", input_text(prepared, set, scene));
-  write_output(folder / scene.name / "bodies.conf", conf_text(set, scene));
+  write_output(folder / scene.name / "input.msp", input_text(prepared, set, scene), {});
+  write_output(folder / scene.name / "bodies.conf", conf_text(set, scene), {});
   for (const std::size_t zone : drivers_of(set)) {
     const std::filesystem::path file = folder / (set.zones[zone].shape.name + ".stl");
     if (!std::filesystem::exists(file)) write_mesh(file, set.zones[zone].surface);

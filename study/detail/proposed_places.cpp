@@ -232,7 +232,7 @@ ProposedPlaces propose_places(const Terrain& terrain, double block_length) {
 void place_barrier(const Terrain& terrain, double distance, ProposedPlaces& places) {
   const std::vector<Vec3>& path = places.way_down;
   std::size_t at = 1;
-  while (at + 1 < path.size() && (path[at] - path.front()).head<2>().norm() < distance) ++at;
+  while (at + 1 < path.size() && (path[at + 1] - path.front()).head<2>().norm() <= distance) ++at;
   place_barrier_at(terrain, grid_of(terrain, places.block_length), at, places);
 }
 

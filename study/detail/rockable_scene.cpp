@@ -78,14 +78,15 @@ std::string input_text(const PreparedCampaign& prepared, const SceneSet& set, co
 void write_rockable_scene(const PreparedCampaign& prepared, const SceneSet& set, const Scene& scene,
                           const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / scene.name);
-  write_output(folder / scene.name / "input.txt", input_text(prepared, set, scene));
+  write_output(folder / scene.name / "input.txt", input_text(prepared, set, scene), {});
   if (scene.bodies.size() != 1) return;
   std::size_t block = 0;
   for (const SceneZone& zone : set.zones) block += zone.surface.triangles.empty() ? 0 : 1;
   write_output(folder / scene.name / "dataExtractors.txt",
                "TrackRockfall " + std::to_string(block) + " " +
                    exact(std::sqrt(2.0 * prepared.campaign.rest_energy)) + " " +
-                   exact(kTrackedSpin) + " track.txt " + std::to_string(kTrackedSteps) + "\n");
+                   exact(kTrackedSpin) + " track.txt " + std::to_string(kTrackedSteps) + "\n",
+               {});
 }
 
 std::vector<std::string> rockable_notes(const PreparedCampaign& prepared) {
@@ -103,7 +104,8 @@ std::vector<std::string> rockable_notes(const PreparedCampaign& prepared) {
       "dt is a fixed step of 1/350 of half a contact's period, for the loading with k_n."};
   if (campaign.weights == ContactWeights::kPatch) {
     notes.push_back(
-        "Weights by contact patch are unknown there: OverlapWeight, which is `weights` = overlap, "
+        "Weights by contact patch are unknown there: OverlapWeight, the weights by overlap of "
+        "clast, "
         "is taken.");
   }
   return notes;

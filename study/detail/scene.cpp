@@ -23,14 +23,19 @@ std::string padded(std::uint32_t number, std::size_t width) {
   return std::string(width > digits.size() ? width - digits.size() : 0, '0') + digits;
 }
 
+std::string zone_name(std::size_t zone) { return "ground" + std::to_string(zone + 1); }
+
 /// The id itself where other engines can read it and no other shape has it.
-std::string shape_name(const std::string& id, std::size_t index, std::set<std::string>& used) {
+std::string shape_name(const std::string& id, std::set<std::string>& used) {
   const bool readable = !id.empty() && id.size() <= kLongestName &&
                         std::all_of(id.begin(), id.end(), [](unsigned char c) {
                           return std::isalnum(c) || c == '_' || c == '-';
                         });
-  const std::string name =
-      readable && !used.contains(id) ? id : "block" + std::to_string(index + 1);
+  std::string name = id;
+  for (std::size_t i = 1; !readable || used.contains(name); ++i) {
+    name = "block" + std::to_string(i);
+    if (!used.contains(name)) break;
+  }
   used.insert(name);
   return name;
 }
@@ -51,7 +56,7 @@ SceneZone scene_zone(const Terrain& terrain, std::size_t zone, double radius) {
   for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = terrain.zone[i] == zone;
   result.surface = with_triangles(terrain.surface, keep);
   if (result.surface.triangles.empty()) return result;
-  result.shape.name = "ground" + std::to_string(zone + 1);
+  result.shape.name = zone_name(zone);
   result.shape.body = sphero_polyhedron(result.surface, radius);
   result.shape.is_surface = true;
   // A surface has neither; engines that divide by them must find numbers.
@@ -97,13 +102,15 @@ void add_contacts(const PreparedCampaign& prepared, const SceneSet& set, std::ui
 
 SceneSet scene_set(const PreparedCampaign& prepared) {
   SceneSet set;
-  std::set<std::string> used;
-  for (std::size_t i = 0; i < prepared.choice.library.size(); ++i) {
-    const Block& block = prepared.choice.library[i];
-    set.shapes.push_back({shp_shape(block), block.id, block.density});
-    set.shapes.back().shape.name = shape_name(block.id, i, used);
-  }
   const Terrain& terrain = prepared.header.terrain;
+  std::set<std::string> used;
+  for (std::size_t zone = 0; zone < terrain.zone_names.size(); ++zone) {
+    used.insert(zone_name(zone));
+  }
+  for (const Block& block : prepared.choice.library) {
+    set.shapes.push_back({shp_shape(block), block.id, block.density});
+    set.shapes.back().shape.name = shape_name(block.id, used);
+  }
   for (std::size_t zone = 0; zone < terrain.zone_names.size(); ++zone) {
     set.zones.push_back(scene_zone(terrain, zone, prepared.campaign.terrain_radius));
   }

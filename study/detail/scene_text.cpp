@@ -1,14 +1,13 @@
 #include "study/detail/scene_text.hpp"
 
-#include <iomanip>
-#include <sstream>
+#include <array>
+#include <charconv>
 
 namespace clast::study_detail {
 
 std::string exact(double value) {
-  std::ostringstream text;
-  text << std::setprecision(17) << value;
-  return text.str();
+  std::array<char, 32> digits;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
 std::string exact(const Vec3& v) { return exact(v.x()) + " " + exact(v.y()) + " " + exact(v.z()); }

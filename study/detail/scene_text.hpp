@@ -6,7 +6,7 @@
 
 namespace clast::study_detail {
 
-/// So many digits that reading gives the same bits.
+/// The fewest digits that are read as the same bits.
 std::string exact(double value);
 /// "x y z"
 std::string exact(const Vec3& v);

@@ -131,10 +131,6 @@ class NewCampaigns : public testing::Test {
     }
     EXPECT_GT(moved, results.runs.size() / 2);
   }
-  static void expect_the_barrier_is_crossed(const CampaignResults& results) {
-    expect_most_come_down(results);
-    EXPECT_FALSE(results.crossings.empty());
-  }
 
   ScratchFolder folder;
 };
@@ -149,10 +145,16 @@ TEST_F(NewCampaigns, RunOnALargeSlope) {
   EXPECT_EQ(prepared.runs.size(), 3u * 5u * 16u);
   EXPECT_TRUE(prepared.header.warnings.empty()) << testing::PrintToString(prepared.header.warnings);
   EXPECT_TRUE(contains(text(), "library            = \"blocks.h5\"")) << text();
-  expect_the_barrier_is_crossed(run());
+  EXPECT_GE(proposal.trial.passed, 4u);
+  EXPECT_FALSE(proposal.trial.moved_barrier);
+  EXPECT_EQ(proposal.places.barrier_name, "foot");
+  const CampaignResults results = run();
+  expect_most_come_down(results);
+  EXPECT_FALSE(results.crossings.empty());
 }
 
-TEST_F(NewCampaigns, SaySoWhereZonesNameNoGround) {
+// Scree stops blocks on the benches: a barrier at the foot would count none.
+TEST_F(NewCampaigns, SaySoWhereZonesNameNoGroundAndCountBlocksWhereTheyPass) {
   const fs::path samples = fs::path(CLAST_SOURCE_DIR) / "samples" / "terrain";
   TerrainOptions options;
   options.surface = {samples / "quarry_blue.ply", samples / "quarry_gray.ply",
@@ -169,36 +171,17 @@ TEST_F(NewCampaigns, SaySoWhereZonesNameNoGround) {
   ASSERT_FALSE(proposal.doubts.empty());
   EXPECT_TRUE(contains(proposal.doubts[0], "3 ground zones are taken for scree"));
   EXPECT_TRUE(contains(text(), "NOTE: 3 ground zones"));
-  expect_the_barrier_is_crossed(run());
-}
-
-// Soft soil stops blocks on the slope: a barrier at its foot would count none.
-TEST_F(NewCampaigns, HaveTheBarrierWhereHalfPassIfNoneGetsToTheFoot) {
-  write_slope(folder / "slope.asc", {.cells = 400});
-  const double foot = write("slope.asc").places.distance;
-  Terrain terrain = terrain_of(folder / "slope.asc");
-  terrain.zone_names = {"swamp, soft soil"};
-  write_terrain(folder / "soft.h5", terrain);
-  const CampaignProposal proposal = write("soft.h5");
   EXPECT_EQ(proposal.trial.count, 16u);
   EXPECT_LT(proposal.trial.passed, 4u);
   ASSERT_TRUE(proposal.trial.moved_barrier);
-  EXPECT_EQ(proposal.places.barrier_name, "halfway");
-  EXPECT_LT(proposal.places.distance, 0.9 * foot);
-  ASSERT_EQ(proposal.doubts.size(), 1u);
-  EXPECT_TRUE(contains(proposal.doubts[0], "pass the foot of the slope")) << proposal.doubts[0];
+  EXPECT_LE(proposal.places.distance, proposal.trial.median_distance);
+  EXPECT_TRUE(contains(proposal.doubts.back(), "the foot of the slope"));
   EXPECT_TRUE(contains(text(), "name               = \"halfway\"")) << text();
   const CampaignResults results = run();
-  EXPECT_GT(results.crossings.size(), results.runs.size() / 4);
-  EXPECT_LT(results.crossings.size(), 3 * results.runs.size() / 4);
-}
-
-TEST_F(NewCampaigns, KeepTheBarrierAtTheFootWherePartOfThemPassIt) {
-  write_slope(folder / "slope.asc", {.cells = 400, .facing = 2.2});
-  const CampaignProposal proposal = write("slope.asc");
-  EXPECT_GE(proposal.trial.passed, 4u);
-  EXPECT_FALSE(proposal.trial.moved_barrier);
-  EXPECT_EQ(proposal.places.barrier_name, "foot");
+  expect_most_come_down(results);
+  // About half of them, of which there are few here.
+  EXPECT_GE(results.crossings.size(), results.runs.size() / 6);
+  EXPECT_LE(results.crossings.size(), 5 * results.runs.size() / 6);
 }
 
 TEST_F(NewCampaigns, TakeGroundFromTheNamesOfZones) {
