@@ -119,7 +119,7 @@ TEST_F(MapPage, FitsATelephone) {
   EXPECT_LE(double(probe["widest"]), 400.5);
   const Json& energy = probe["layers"]["E_95"];
   EXPECT_EQ(energy["unit"], "") << "a colour bar over the map hides stops";
-  EXPECT_GT(energy["row"].size(), 3u) << "the colours stand below it";
+  EXPECT_GE(energy["row"].size(), 3u) << "the colours stand below it";
   EXPECT_TRUE(contains(energy["rowText"], "kJ")) << energy["rowText"];
   EXPECT_TRUE(probe["layers"]["stops"]["row"].empty());
 }
