@@ -2,7 +2,8 @@
 # `clast reconstruct` needs beyond it: PCL, OpenCV) and libclast-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR clast)
-set(CPACK_PACKAGE_CONTACT "clast developers <clast@localhost>" CACHE STRING "Maintainer field of packages")
+# Whoever builds packages for others puts an address at which they can be reached.
+set(CPACK_PACKAGE_CONTACT "clast developers <clast@localhost>" CACHE STRING "Maintainer of packages")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL program reconstruct dev)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
@@ -16,25 +17,23 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME clast)
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "rockfall simulations from field scans of rock blocks
- Turns scans of rock blocks into sphero-polyhedra with exact mass properties and
- shape classes, releases them on surveyed terrain in a discrete element
- simulation, and compares shape classes.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Turns scans of rock blocks into sphero-polyhedra with exact mass
+ properties and shape classes, releases them on surveyed terrain in a
+ discrete element simulation, and compares shape classes.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libjs-three, python3-plotly")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS clast-reconstruct)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS chromium)  # compare --pdf
 
 set(CPACK_DEBIAN_RECONSTRUCT_PACKAGE_NAME clast-reconstruct)
-set(CPACK_COMPONENT_RECONSTRUCT_DESCRIPTION "scans and photographs of rock blocks to block libraries
- The part of clast that turns meshes, point clouds and photographs into closed,
- scaled and simplified blocks.")
+set(CPACK_COMPONENT_RECONSTRUCT_DESCRIPTION "This part turns meshes, point clouds and photographs into closed,
+ scaled and simplified blocks (clast reconstruct).")
 set(CPACK_DEBIAN_RECONSTRUCT_PACKAGE_DEPENDS "clast (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_RECONSTRUCT_PACKAGE_RECOMMENDS colmap)  # photographs
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libclast-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_COMPONENT_DEV_DESCRIPTION "libraries of clast for C++ programs
- Headers, static libraries and CMake configuration: find_package(clast).")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "This part is for C++ programs: headers, static libraries and CMake
+ configuration, for find_package(clast).")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "libeigen3-dev, libboost-dev, libcgal-dev, libassimp-dev, libhdf5-dev, libgdal-dev, libpcl-dev, \
 libopencv-dev, libpugixml-dev, libssl-dev, libpng-dev, libtomlplusplus-dev, nlohmann-json3-dev")

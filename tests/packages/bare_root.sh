@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Installs the packages of a build folder (cpack -G DEB) in a bare Debian 12 and runs the demo there, as
+# a user who is not root. Needs root, mmdebstrap and the package archive; takes some minutes.
+#
+#   tests/packages/bare_root.sh build/release
+set -euo pipefail
+build=$(cd "$1" && pwd)
+root=$(mktemp -d)
+trap 'rm -rf "$root"' EXIT
+
+mmdebstrap --quiet --variant=apt bookworm "$root"
+cp "$build"/clast_*.deb "$build"/clast-reconstruct_*.deb "$root/tmp/"
+in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin "$@"; }
+in_root DEBIAN_FRONTEND=noninteractive sh -c 'apt-get -q update'
+
+# The program alone does what needs no scan, and says what is missing for the rest.
+in_root DEBIAN_FRONTEND=noninteractive \
+  sh -c 'apt-get -q install -y --no-install-recommends /tmp/clast_*.deb' >"$root/tmp/apt.log"
+in_root useradd --create-home guest
+in_root clast --version
+if message=$(in_root clast reconstruct x.ply 2>&1); then
+  echo "clast reconstruct works without its package" >&2
+  exit 1
+fi
+case "$message" in
+  *clast-reconstruct*) ;;
+  *) printf 'the package that is missing is not named: %s\n' "$message" >&2; exit 1 ;;
+esac
+
+in_root DEBIAN_FRONTEND=noninteractive \
+  sh -c 'apt-get -q install -y --no-install-recommends /tmp/clast-reconstruct_*.deb' >>"$root/tmp/apt.log"
+chroot "$root" su - guest -c 'cp -r /usr/share/doc/clast/examples/samples . && samples/demo.sh'
+test -s "$root/home/guest/out/report/report.html"
+echo "The demo ran from the installed packages."
