@@ -9,13 +9,14 @@ root=$(mktemp -d)
 trap 'rm -rf "$root"' EXIT
 
 mmdebstrap --quiet --variant=apt bookworm "$root"
-cp "$build"/clast_*.deb "$build"/clast-reconstruct_*.deb "$root/tmp/"
+mkdir "$root/packages"
+cp "$build"/clast_*.deb "$build"/clast-reconstruct_*.deb "$root/packages/"
 in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin "$@"; }
 in_root DEBIAN_FRONTEND=noninteractive sh -c 'apt-get -q update'
 
 # The program alone does what needs no scan, and says what is missing for the rest.
 in_root DEBIAN_FRONTEND=noninteractive \
-  sh -c 'apt-get -q -o Dpkg::Use-Pty=0 install -y --no-install-recommends /tmp/clast_*.deb' >"$root/tmp/apt.log"
+  sh -c 'apt-get -q -o Dpkg::Use-Pty=0 install -y --no-install-recommends /packages/clast_*.deb' >"$root/packages/apt.log"
 in_root useradd --create-home guest
 in_root clast --version
 if message=$(in_root clast reconstruct x.ply 2>&1); then
@@ -28,7 +29,7 @@ case "$message" in
 esac
 
 in_root DEBIAN_FRONTEND=noninteractive \
-  sh -c 'apt-get -q -o Dpkg::Use-Pty=0 install -y --no-install-recommends /tmp/clast-reconstruct_*.deb' >>"$root/tmp/apt.log"
+  sh -c 'apt-get -q -o Dpkg::Use-Pty=0 install -y --no-install-recommends /packages/clast-reconstruct_*.deb' >>"$root/packages/apt.log"
 chroot "$root" su - guest -c 'cp -r /usr/share/doc/clast/examples/samples . && samples/demo.sh'
 test -s "$root/home/guest/out/report/report.html"
 echo "The demo ran from the installed packages."
