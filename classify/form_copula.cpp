@@ -43,8 +43,8 @@ FormCopula::Values FormCopula::values_of_blocks(std::span<const DrawnBlock> bloc
 
 FormCopula::FormCopula(std::span<const DrawnBlock> population) {
   if (population.size() < kFewest) {
-    throw InputError(counted(population.size(), "block") +
-                     " are too few for a distribution; ten are needed");
+    throw InputError("a distribution to draw from needs ten blocks, and there are " +
+                     std::to_string(population.size()));
   }
   has_convexity_ = std::all_of(population.begin(), population.end(),
                                [](const DrawnBlock& block) { return block.convexity.has_value(); });

@@ -17,10 +17,12 @@
 #include "classify/form_grid.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/length_unit.hpp"
 #include "core/number_range.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/utf8.hpp"
+#include "library/block_ranges.hpp"
 #include "library/block_series.hpp"
 #include "library/library_update.hpp"
 #include "report/json/series_json.hpp"
@@ -45,6 +47,7 @@ struct VaryArgs {
   double exponent = 4.0;
   std::size_t draw = 0;
   std::string table;
+  std::string units;  ///< of the table; empty: as its header says
   std::string prefix = "V";
   std::uint64_t seed = 1;
   std::string keep = "mass";
@@ -113,12 +116,21 @@ std::vector<Variation> variations_wanted(const VaryArgs& args) {
 
 std::vector<DrawnBlock> population_of(const VaryArgs& args, std::span<const Block* const> parents) {
   if (args.table.empty()) return drawn_from(parents);
-  const DimensionTable table = read_dimension_table(args.table);
+  DimensionColumns columns;
+  if (!args.units.empty()) columns.units = length_unit(args.units);
+  const DimensionTable table = read_dimension_table(args.table, columns);
   for (const std::string& note : table.notes) {
     std::cerr << "clast: note: " << shown(args.table + ": " + note) << "\n";
   }
   std::vector<DrawnBlock> population;
-  for (const MeasuredBlock& block : table.blocks) population.push_back({block.axes, std::nullopt});
+  for (const MeasuredBlock& block : table.blocks) {
+    if (!kBlockLength.holds(block.axes.L) || !kBlockLength.holds(block.axes.S)) {
+      throw InputError(args.table + ": block " + block.name + " is " +
+                       with_digits(block.axes.L, 4) + " x " + with_digits(block.axes.S, 4) +
+                       " m; L and S must be " + kBlockLength.words() + "; give `units`");
+    }
+    population.push_back({block.axes, std::nullopt});
+  }
   return population;
 }
 
@@ -206,6 +218,7 @@ void vary(const VaryArgs& args) {
   check_usage([&] {
     variations = variations_wanted(args);
     check_block_id(args.prefix + "0001");
+    if (!args.units.empty()) length_unit(args.units);
     if (variations.empty() && args.like.empty() && args.draw == 0) {
       throw InputError(
           "nothing is asked for; give --to, --grid, --like, --convexity, --rounding, "
@@ -301,6 +314,13 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
                   "Table with columns L, I and S of measured blocks, to draw sizes and forms from")
       ->needs(draw)
       ->type_name("TABLE");
+  command
+      .add_option(
+          "--units", args.units,
+          "Length unit of the table: m, cm, mm, km, in, ft, or metres per unit; default: as "
+          "its header says, else m")
+      ->type_name("UNIT")
+      ->needs(draw);
   command.add_option("--seed", args.seed, "Of the bodies drawn")
       ->check(whole_number())
       ->type_name("N")

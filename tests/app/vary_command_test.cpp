@@ -93,7 +93,7 @@ TEST_F(VaryCommand, DrawsBodiesFromATableTheSameOnAnyNumberOfThreads) {
   ASSERT_EQ(vary(two).exit_code, 0);
   EXPECT_EQ(read_text_file(folder / "one.h5"), read_text_file(folder / "two.h5"));
   // Two blocks are no population.
-  refused({"--draw", "6", "-o", "none.h5"}, 1, "2 blocks are too few");
+  refused({"--draw", "6", "-o", "none.h5"}, 1, "ten blocks, and there are 2");
 }
 
 TEST_F(VaryCommand, ShowsSeriesAsTablesOfPictures) {
@@ -125,6 +125,9 @@ TEST_F(VaryCommand, RefusesWhatMakesNoSense) {
   refused({"--like", "R9"}, 1, "R9");
   refused({"R3", "--to", "0.5,0.5", "--to", "0.5,0.5"}, 1, "asked for twice");
   refused({"--draw", "3", "--from", "none.csv"}, 1, "none.csv");
+  refused({"--draw", "3", "--units", "furlong"}, 2, "furlong");
+  write_text_file(folder / "huge.csv", "L,I,S\n100000,3,1\n");
+  refused({"--draw", "3", "--from", "huge.csv"}, 1, "L and S must be from 0.0001 to 1000 m");
   write_text_file(folder / "text.h5", "no library");
   expect_refused(folder, {"vary", "text.h5", "--to", "0.5,0.5"}, 1, "text.h5");
   refused({"--to", "0.5,0.5", "-o", "text.h5"}, 1, "text.h5");

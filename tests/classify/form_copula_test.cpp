@@ -89,7 +89,7 @@ TEST(FormCopula, KeepsWhatIsTheSameOfAllBlocksAndRefusesTooFew) {
   const DrawnBlock block = copula.draw(random);
   EXPECT_NEAR(block.axes.S, 0.4, 1e-12);
   EXPECT_NEAR(block.convexity.value(), 0.95, 1e-12);
-  EXPECT_TRUE(contains(refusal([&] { FormCopula{{same.data(), 9}}; }), "9 blocks are too few"));
+  EXPECT_TRUE(contains(refusal([&] { FormCopula{{same.data(), 9}}; }), "and there are 9"));
   same[3].axes.S = NAN;
   EXPECT_TRUE(contains(refusal([&] { FormCopula{same}; }), "nan"));
 }

@@ -211,7 +211,7 @@ TEST(BlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
   EXPECT_TRUE(contains(refusal([&] {
                          draw_series({&one, 1}, {population.data(), 3}, 5, 7, "D");
                        }),
-                       "3 blocks are too few"));
+                       "and there are 3"));
 }
 
 }  // namespace
