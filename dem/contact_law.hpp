@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "dem/elastoplastic_law.hpp"
 #include "dem/energy_restitution_law.hpp"
 #include "dem/ground_parameters.hpp"
 #include "dem/spring_dashpot_law.hpp"
@@ -14,9 +15,9 @@ namespace clast {
 
 /// The normal laws to choose from; friction and rolling resistance are the same under all of them.
 /// Another law is one struct with the members of these, in a file of its own, named here.
-using ContactLaw = std::variant<EnergyRestitutionLaw, SpringDashpotLaw>;
+using ContactLaw = std::variant<EnergyRestitutionLaw, SpringDashpotLaw, ElastoplasticLaw>;
 
-/// A law by name, "energy-restitution" or "spring-dashpot".
+/// A law by name, "energy-restitution", "spring-dashpot" or "elastoplastic".
 /// @throws InputError  unknown name; the message lists the laws
 ContactLaw contact_law(const std::string& name);
 std::string name_of(const ContactLaw& law);

@@ -10,7 +10,7 @@ struct EnergyLedger {
   double initial = 0.0;     ///< kinetic + potential + stored at the start
   double final = 0.0;       ///< the same at the end
   double normal = 0.0;      ///< dissipated by the normal law
-  double friction = 0.0;    ///< dissipated by sliding
+  double friction = 0.0;    ///< dissipated by sliding and by scar drag
   double rolling = 0.0;     ///< dissipated by rolling resistance
   double reassigned = 0.0;  ///< lost (or gained, < 0) when contacts or their weights change
 

@@ -10,6 +10,7 @@ namespace clast {
 struct EnergyRestitutionLaw {
   static constexpr const char* kName = "energy-restitution";
   static constexpr bool kNeedsEffectiveMass = false;
+  static constexpr bool kKeepsDent = false;
 
   double loading = 0.0;    ///< k_n, N/m
   double unloading = 0.0;  ///< k_n e_n^2, N/m
@@ -19,13 +20,20 @@ struct EnergyRestitutionLaw {
   }
 
   double rest_stiffness() const { return unloading; }
-  double stored(double overlap) const { return 0.5 * unloading * overlap * overlap; }
-  double first_force(double overlap, double /*rate*/, double /*effective_mass*/) const {
-    return unloading * overlap;
+  double stored(double overlap, double /*dent*/) const {
+    return 0.5 * unloading * overlap * overlap;
+  }
+  NormalState first(double overlap, double /*rate*/, double /*effective_mass*/,
+                    double /*of_patch*/) const {
+    return {unloading * overlap, 0.0};
   }
   double stepping_rate(double frequency) const { return frequency; }
+  double drop(double overlap, double force) const { return force - unloading * overlap; }
+  double returning_share(double stiffness) const { return unloading / stiffness; }
 
-  NormalResponse along(const OverlapPath& path, double force, double /*effective_mass*/) const {
+  NormalResponse along(const OverlapPath& path, const NormalState& past,
+                       double /*effective_mass*/) const {
+    double force = past.force;
     const double turn = path.turn();
     const bool growing = path.rate > 0.0 || (path.rate == 0.0 && path.bend() > 0.0);
     if (turn == path.duration && growing && path.before >= 0.0) {

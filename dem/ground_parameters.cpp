@@ -22,6 +22,26 @@ void GroundParameters::check(const std::string& zone) const {
   if (!(rolling_length >= 0.0 && std::isfinite(rolling_length))) {
     refuse("rolling_length", rolling_length, "0 m (none stated) or more");
   }
+  const auto not_negative = [&](const char* field, double value, const char* zero) {
+    if (!(value >= 0.0 && std::isfinite(value))) {
+      refuse(field, value, std::string("0 (") + zero + ") or more");
+    }
+  };
+  not_negative("friction_min", friction_min, "no friction before it has slid");
+  not_negative("slip_growth", slip_growth, "friction does not grow");
+  not_negative("slip_memory", slip_memory, "slip is forgotten at once");
+  not_negative("scar_drag", scar_drag, "none");
+  not_negative("soil_density", soil_density, "none stated");
+  if (slip_growth > 0.0 && friction_min > friction) {
+    refuse("friction_min", friction_min, "at most friction, " + with_digits(friction, 6));
+  }
+  if (!(slip_growth > 0.0) && (friction_min > 0.0 || slip_memory > 0.0)) {
+    refuse("slip_growth", slip_growth, "above 0 where friction_min or slip_memory is given");
+  }
+  if ((scar_drag > 0.0) != (soil_density > 0.0)) {
+    refuse(scar_drag > 0.0 ? "soil_density" : "scar_drag", 0.0,
+           "above 0: scar_drag and soil_density go together");
+  }
 }
 
 }  // namespace clast

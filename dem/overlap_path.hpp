@@ -37,6 +37,12 @@ struct OverlapPath {
   }
 };
 
+/// What a law knows of a contact when a step begins.
+struct NormalState {
+  double force = 0.0;  ///< N
+  double dent = 0.0;   ///< part of the overlap that stays, m; only under a law that keeps one
+};
+
 /// The response of a law to a path, per unit of weight.
 ///
 /// A Verlet step takes the force at its beginning as constant for the position, and the mean of the
@@ -48,6 +54,7 @@ struct NormalResponse {
   double work = 0.0;     ///< taken from the bodies along the path, J
   double impulse = 0.0;  ///< integral of the force, less the mean of both ends times the step, N s
   double moment = 0.0;   ///< integral of force times time left, less that of the first force, N s^2
+  double dent = 0.0;     ///< at the end, m
 };
 
 /// Integrals of a force along a path, piece by piece.

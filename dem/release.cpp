@@ -141,6 +141,7 @@ class Release {
       left_ = left_ && !inside(flown_);
     }
     const double duration = flown_ - before;
+    forces_.wait(duration);
     const double middle_speed =
         (begin.velocity - Vec3(0.0, 0.0, 0.5 * settings_.gravity * duration)).norm();
     result_.path_length +=
@@ -273,10 +274,18 @@ class Release {
     // The potential counts from the end height, so that the scale does not depend on the datum.
     ledger.close(energy(), ledger.initial - body_.mass * settings_.gravity * place.z());
     const std::optional<double> ground = terrain_.height(place.x(), place.y(), place.z());
-    const double settled_depth = body_.mass * settings_.gravity / forces_.rest_stiffness();
     result_.below_ground = (ground && place.z() < *ground) ||
                            (result_.stop_reason == StopReason::kRest &&
-                            forces_.settled_depth() > kSettledSlack * settled_depth);
+                            forces_.settled_depth() > kSettledSlack * deepest_rest());
+  }
+
+  /// How deep a block can have come to rest, m: by its weight, or in the dent of an impact that
+  /// took all the energy there was.
+  double deepest_rest() const {
+    const double weight = body_.mass * settings_.gravity;
+    if (!forces_.keeps_dents()) return weight / forces_.rest_stiffness();
+    const double drop = result_.energy.initial - weight * moving_.state().position.z();
+    return std::sqrt(2.0 * std::max(0.0, drop) / settings_.stiffness.normal);
   }
 
   const TerrainSurface& terrain_;

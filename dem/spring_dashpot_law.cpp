@@ -39,8 +39,9 @@ double SpringDashpotLaw::stepping_rate(double frequency) const {
   return frequency * (over > 0.0 ? damping_ratio + std::sqrt(over) : 1.0);
 }
 
-NormalResponse SpringDashpotLaw::along(const OverlapPath& path, double force,
+NormalResponse SpringDashpotLaw::along(const OverlapPath& path, const NormalState& past,
                                        double effective_mass) const {
+  const double force = past.force;
   const double c = damping(effective_mass);
   const double step = path.duration;
   const auto law = [&](double time) { return stiffness * path.at(time) + c * path.rate_at(time); };

@@ -11,6 +11,7 @@ namespace clast {
 struct SpringDashpotLaw {
   static constexpr const char* kName = "spring-dashpot";
   static constexpr bool kNeedsEffectiveMass = true;
+  static constexpr bool kKeepsDent = false;
 
   double stiffness = 0.0;      ///< k_n, N/m
   double damping_ratio = 0.0;  ///< c / (2 sqrt(k_n m)), m the effective mass of the contact
@@ -18,14 +19,19 @@ struct SpringDashpotLaw {
   static SpringDashpotLaw of(double stiffness, const GroundParameters& ground);
 
   double rest_stiffness() const { return stiffness; }
-  double stored(double overlap) const { return 0.5 * stiffness * overlap * overlap; }
-  double first_force(double overlap, double rate, double effective_mass) const {
-    return std::max(0.0, stiffness * overlap + damping(effective_mass) * rate);
+  double stored(double overlap, double /*dent*/) const {
+    return 0.5 * stiffness * overlap * overlap;
+  }
+  NormalState first(double overlap, double rate, double effective_mass, double /*of_patch*/) const {
+    return {std::max(0.0, stiffness * overlap + damping(effective_mass) * rate), 0.0};
   }
   /// The fastest rate, rad/s, of a contact whose spring alone has the given frequency.
   double stepping_rate(double frequency) const;
+  double drop(double overlap, double force) const { return force - stiffness * overlap; }
+  double returning_share(double of) const { return stiffness / of; }
 
-  NormalResponse along(const OverlapPath& path, double force, double effective_mass) const;
+  NormalResponse along(const OverlapPath& path, const NormalState& past,
+                       double effective_mass) const;
 
   double damping(double effective_mass) const {
     return 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass);

@@ -58,11 +58,12 @@ double find_depths(StiffnessChoice& choice, std::span<const ContactBody> bodies,
   const double normal = choice.stiffness.normal;
   double deepest_share = 0.0;
   for (const ContactBody& body : bodies) {
-    const double settled = body.mass * gravity / (normal * ground.rest_share);
     // m v^2/2 + m g h = k h^2/2
     const double weight = body.mass * gravity;
     const double impact =
         (weight + std::sqrt(weight * weight + normal * body.mass * fastest * fastest)) / normal;
+    const double settled =
+        std::max(weight / (normal * ground.rest_share), ground.dent_share * impact);
     choice.settled_depth = std::max(choice.settled_depth, settled);
     choice.impact_depth = std::max(choice.impact_depth, impact);
     deepest_share = std::max(deepest_share, settled / body.smallest_side);
@@ -84,6 +85,15 @@ std::string cost_warning(const ContactStiffness& chosen, double rest_share) {
          " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +
          with_digits(chosen.normal, 3) + " N/m and steps of " + with_digits(chosen.time_step, 3) +
          " s: " + with_digits(std::sqrt(kUsualRestShare / rest_share), 3) +
+         " times the work of 0.01";
+}
+
+std::string stiff_unloading_warning(const ContactStiffness& chosen, const ContactGround& ground) {
+  const double restitution = 1.0 - ground.dent_share;
+  return "energy_restitution = " + with_digits(restitution, 3) +
+         " makes the ground unload 1/energy_restitution times as stiff as it loads, in steps of " +
+         with_digits(chosen.time_step, 3) +
+         " s: " + with_digits(std::sqrt(kUsualRestShare / restitution), 3) +
          " times the work of 0.01";
 }
 
@@ -117,6 +127,7 @@ void ContactGround::include(const ContactGround& other) {
   rate = std::max(rate, other.rate);
   rolling_length = std::max(rolling_length, other.rolling_length);
   every_length_stated = every_length_stated && other.every_length_stated;
+  dent_share = std::max(dent_share, other.dent_share);
 }
 
 ContactGround contact_ground(std::span<const GroundParameters> zones, const ContactLaw& law) {
@@ -131,7 +142,8 @@ ContactGround contact_ground(std::span<const GroundParameters> zones, const Cont
           // The law's result for a stiffness of 1 N/m and a frequency of 1 rad/s.
           const Law unit = Law::of(1.0, zone);
           ground.include({unit.rest_stiffness(), unit.stepping_rate(1.0), zone.rolling_length,
-                          zone.rolling_length > 0.0});
+                          zone.rolling_length > 0.0,
+                          Law::kKeepsDent ? 1.0 - zone.energy_restitution : 0.0});
         }
       },
       law);
@@ -184,6 +196,9 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   }
   if (!options.normal && ground.rest_share < kCostlyRestShare) {
     choice.warnings.push_back(cost_warning(chosen, ground.rest_share));
+  }
+  if (1.0 - ground.dent_share < kCostlyRestShare) {
+    choice.warnings.push_back(stiff_unloading_warning(chosen, ground));
   }
   if (chosen.time_step * frequency > 0.5) {
     choice.warnings.push_back("time step " + with_digits(chosen.time_step, 3) +

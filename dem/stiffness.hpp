@@ -38,6 +38,7 @@ struct ContactGround {
   double rate = 1.0;                ///< fastest rate of a contact over its spring's frequency
   double rolling_length = 0.0;      ///< largest stated, m; 0: none
   bool every_length_stated = true;  ///< no zone has the k_r of the contacts
+  double dent_share = 0.0;          ///< of the depth of an impact that stays, by law
 
   void include(const ContactGround& other);  ///< the more demanding of both in every respect
 };
@@ -46,8 +47,10 @@ ContactGround contact_ground(std::span<const GroundParameters> zones, const Cont
 /// A choice of stiffness, with warnings about what a user's own value leads to.
 struct StiffnessChoice {
   ContactStiffness stiffness;
-  double settled_depth = 0.0;  ///< deepest settled depth, m g/(k_n e_n^2) or m g/k_n by law, m
-  double impact_depth = 0.0;   ///< deepest of an impact at `fastest` over bodies, m
+  /// Deepest settled depth, m: m g/(k_n e_n^2) or m g/k_n by law, or the dent of the fastest
+  /// impact.
+  double settled_depth = 0.0;
+  double impact_depth = 0.0;  ///< deepest of an impact at `fastest` over bodies, m
   std::vector<std::string> warnings;
 };
 

@@ -55,6 +55,11 @@ struct GroundTable {
   std::optional<Uncertain> friction;
   std::optional<Uncertain> rolling_friction;
   std::optional<Uncertain> rolling_length;  ///< m
+  std::optional<Uncertain> friction_min;
+  std::optional<Uncertain> slip_growth;  ///< 1/m
+  std::optional<Uncertain> slip_memory;  ///< s
+  std::optional<Uncertain> scar_drag;
+  std::optional<Uncertain> soil_density;  ///< kg/m^3
 };
 
 /// Blocks to which the ground behaves differently.

@@ -17,6 +17,7 @@ struct GroundField {
   const char* words;    ///< in a sentence, "rolling friction"
   NumberRange range;
   bool required;  ///< of every zone; else 0 where it is not stated
+  bool of_soil;   ///< what blocks do to each other has none
   double GroundParameters::*value;
   std::optional<Uncertain> GroundTable::*asked;
 };

@@ -56,6 +56,7 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
     // A turn by an angle a moves no point farther than 2 sin(a/2) times its distance.
     const double turn = 2.0 * (near_->pose.rotation.conjugate() * pose.rotation).vec().norm();
     near_->travel += (pose.translation - near_->pose.translation).norm() + turn * block_radius_;
+    if (near_->forces.empty()) near_->forces.wait(duration);
   }
   near_->pose = pose;
   if (near_->forces.empty() && near_->travel < near_->asleep_until) return load_;

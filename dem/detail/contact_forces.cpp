@@ -30,8 +30,8 @@ struct Slip {
 
 /// What a contact brings into the step.
 struct Past {
-  OverlapPath path;          ///< of the overlap over the step
-  double normal = 0.0;       ///< N
+  OverlapPath path;  ///< of the overlap over the step
+  NormalState normal = {};
   Vec3 tangential, rolling;  ///< springs as transferred, N and N m
   double weight = 0.0;
   double stored = 0.0;     ///< J
@@ -43,7 +43,7 @@ struct Past {
 inline Past past_of(const Contact& contact, const Contact& previous, const PairMotion& motion) {
   const ContactPoint &point = contact.point, &point_before = previous.point;
   Past past{.path = {motion.duration, point_before.overlap, point.overlap, 0.0},
-            .normal = previous.normal,
+            .normal = {previous.normal, previous.dent},
             .tangential = contact.tangential,
             .rolling = contact.rolling,
             .weight = previous.weight,
@@ -77,7 +77,8 @@ Past past_of_new(const Contact& contact, const Slip& slip, const Law& law,
   if (past.continuous) {
     past.path.before = std::min(0.0, past.path.before);
   } else {
-    past.normal = law.first_force(past.path.before, past.path.rate, contact.effective_mass);
+    past.normal =
+        law.first(past.path.before, past.path.rate, contact.effective_mass, contact.normal);
   }
   return past;
 }
@@ -87,7 +88,8 @@ template <class Law>
 NormalResponse normal_response(const Contact& contact, const Past& past, const Law& law) {
   const double mass = contact.effective_mass;
   if (past.path.duration > 0.0) return law.along(past.path, past.normal, mass);
-  return {.force = law.first_force(contact.point.overlap, past.path.rate, mass)};
+  const NormalState first = law.first(contact.point.overlap, past.path.rate, mass, 0.0);
+  return {.force = first.force, .dent = first.dent};
 }
 
 /// Eq. 4: the tangential spring follows the slip up to mu f.
@@ -156,8 +158,10 @@ ContactForces::ContactForces(std::span<const GroundParameters> zones,
       patches_(block, weights),
       history_(kNearShare * size),
       stiffness_(stiffness),
-      tangential_give_(1.0 / stiffness.tangential) {
+      tangential_give_(1.0 / stiffness.tangential),
+      drag_(zones, block) {
   for (const GroundParameters& zone : zones) {
+    slip_grows_ = slip_grows_ || zone.slip_growth > 0.0;
     rolling_.push_back(zone.rolling_stiffness(stiffness.normal, stiffness.rolling));
     rolling_give_.push_back(1.0 / rolling_.back());
   }
@@ -188,6 +192,9 @@ ContactLoad ContactForces::apply(const std::vector<Law>& laws,
   distribute(points, motion);
   history_.transfer_springs(now_, contacts_, patches_);
   if constexpr (Law::kNeedsEffectiveMass) find_effective_masses(motion);
+  if constexpr (Law::kKeepsDent) spread_forces();
+
+  if (slip_grows_ && contacts_.empty()) forget_slip();
 
   ContactLoad load;
   for (std::size_t i = 0; i < now_.size(); ++i) {
@@ -198,6 +205,8 @@ ContactLoad ContactForces::apply(const std::vector<Law>& laws,
     end_contact(contacts_[j], laws[contacts_[j].zone], motion, load, ledger);
   }
   std::swap(contacts_, now_);
+  if (slip_grows_) add_slip();
+  if (drag_.any()) add_drag(motion, load, ledger);
   if (load.event && motion.other.inverse_mass == 0.0) {
     shift_overlaps(laws, *load.event, motion.block, ledger);
   }
@@ -236,6 +245,20 @@ void ContactForces::find_effective_masses(const PairMotion& motion) {
   }
 }
 
+void ContactForces::spread_forces() {
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    if (history_.previous(i, contacts_)) continue;
+    double force = 0.0, weight = 0.0;
+    for (std::size_t j = 0; j < now_.size(); ++j) {
+      const Contact* previous = history_.previous(j, contacts_);
+      if (!previous || patches_.patch_of(j) != patches_.patch_of(i)) continue;
+      force += previous->weight * previous->normal;
+      weight += previous->weight;
+    }
+    if (weight > 0.0) now_[i].normal = force / weight;
+  }
+}
+
 template <class Law>
 void ContactForces::load_contact(std::size_t index, const Law& law, const PairMotion& motion,
                                  ContactLoad& load, EnergyLedger& ledger) {
@@ -248,16 +271,21 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
 
   const NormalResponse response = normal_response(contact, past, law);
   contact.normal = response.force;
-  contact.tangential =
-      friction(contact, slip, stiffness_.tangential, motion.duration, ground.friction);
+  contact.dent = response.dent;
+  contact.tangential = friction(contact, slip, stiffness_.tangential, motion.duration,
+                                slip_grows_ ? ground.friction_after(slip_) : ground.friction);
+  if (slip_grows_) {
+    const Vec3 trial = past.tangential - stiffness_.tangential * motion.duration * slip.sliding;
+    slipped_ +=
+        contact.weight * tangential_give_ * std::max(0.0, trial.norm() - contact.tangential.norm());
+  }
   contact.rolling =
       rolling_resistance(contact, slip, rolling_[contact.zone], motion, ground.rolling_friction);
 
   // Eq. 6: the loads of a point count by its weight.
   const double w = contact.weight;
-  const double rest = law.rest_stiffness();
-  const double drop = contact.normal - rest * contact.point.overlap;
-  const double share = slip.closing > 0.0 ? 1.0 : rest / stiffness_.normal;
+  const double drop = law.drop(contact.point.overlap, contact.normal);
+  const double share = slip.closing > 0.0 ? 1.0 : law.returning_share(stiffness_.normal);
   load.impact += 0.5 * w *
                  (share * slip.closing * slip.closing +
                   drop * drop * motion.block.inverse_mass / stiffness_.normal);
@@ -271,8 +299,9 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
   // With the mean weight of the step. What the forces took beyond these losses and what is stored,
   // because weights, zones, normals or the contacts changed, is booked apart.
   const double mean_weight = 0.5 * (past.weight + w);
-  const double by_normal = mean_weight * (response.work - law.stored(contact.point.overlap) +
-                                          law.stored(std::max(0.0, past.path.before)));
+  const double by_normal =
+      mean_weight * (response.work - law.stored(contact.point.overlap, contact.dent) +
+                     law.stored(std::max(0.0, past.path.before), past.normal.dent));
   const double by_friction = spring_loss(mean_weight, tangential_give_, past.tangential,
                                          contact.tangential, slip.sliding, motion.duration);
   const double by_rolling = spring_loss(mean_weight, rolling_give_[contact.zone], past.rolling,
@@ -300,9 +329,10 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Pa
                          -motion.begin_velocity_at(contact.place).dot(n)};
   double own = 0.0;
   if (path.after <= 0.0) {  // parted; else it slid off and its law never came to an end
-    const NormalResponse response = law.along(path, contact.normal, contact.effective_mass);
+    const NormalResponse response =
+        law.along(path, {contact.normal, contact.dent}, contact.effective_mass);
     add_event(load, response, contact, motion);
-    const double by_normal = w * (response.work + law.stored(overlap));
+    const double by_normal = w * (response.work + law.stored(overlap, contact.dent));
     const double by_friction =
         spring_loss(w, tangential_give_, contact.tangential, Vec3::Zero(), velocity, duration);
     const double by_rolling = spring_loss(w, rolling_give_[contact.zone], contact.rolling,
@@ -323,7 +353,10 @@ void ContactForces::shift_overlaps(const std::vector<Law>& laws, const EventLoad
   for (Contact& contact : contacts_) {
     const Vec3 moved = shift + turn.cross(contact.place - block.world_from_body.translation);
     const double before = contact.stored;
-    contact.point.overlap = std::max(0.0, contact.point.overlap - moved.dot(contact.point.normal));
+    const double overlap = contact.point.overlap;
+    contact.point.overlap = std::max(0.0, overlap - moved.dot(contact.point.normal));
+    // The force stays, and with it what is pressed beyond the dent.
+    if constexpr (Law::kKeepsDent) contact.dent += contact.point.overlap - overlap;
     contact.stored = stored_in(contact, laws[contact.zone]);
     ledger.reassigned -= contact.stored - before;
   }
@@ -331,9 +364,33 @@ void ContactForces::shift_overlaps(const std::vector<Law>& laws, const EventLoad
 
 template <class Law>
 double ContactForces::stored_in(const Contact& contact, const Law& law) const {
-  return contact.weight * (law.stored(contact.point.overlap) +
+  return contact.weight * (law.stored(contact.point.overlap, contact.dent) +
                            0.5 * (contact.tangential.squaredNorm() * tangential_give_ +
                                   contact.rolling.squaredNorm() * rolling_give_[contact.zone]));
+}
+
+void ContactForces::forget_slip() {
+  if (now_.empty()) return;
+  const double memory = zones_[now_.front().zone].slip_memory;
+  slip_ = memory > 0.0 ? slip_ * std::exp(-apart_ / memory) : 0.0;
+  apart_ = 0.0;
+}
+
+void ContactForces::add_slip() {
+  double weight = 0.0;
+  for (const Contact& contact : contacts_) weight += contact.weight;
+  if (weight > 0.0) slip_ += slipped_ / weight;
+  slipped_ = 0.0;
+}
+
+void ContactForces::add_drag(const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger) {
+  double lost = 0.0;
+  const Vec3 force = drag_.update(contacts_, motion, lost);
+  ledger.friction += lost;
+  if (contacts_.empty()) return;
+  load.force += force;
+  load.torque += (drag_.place() - motion.block.world_from_body.translation).cross(force);
+  load.torque_on_other -= (drag_.place() - motion.other.world_from_body.translation).cross(force);
 }
 
 double ContactForces::mobility(std::span<const double> of_vertices) const {
@@ -383,6 +440,10 @@ double ContactForces::settled_depth() {
         contacts_[i].weight * point.overlap * std::max(0.0, point.normal.z());
   }
   return depth.empty() ? 0.0 : *std::max_element(depth.begin(), depth.end());
+}
+
+bool ContactForces::keeps_dents() const {
+  return std::visit([]<class Law>(const ByZone<Law>&) { return Law::kKeepsDent; }, laws_);
 }
 
 double ContactForces::rest_stiffness() const {

@@ -9,6 +9,7 @@
 
 #include "dem/detail/body_motion.hpp"
 #include "dem/detail/contact_history.hpp"
+#include "dem/detail/scar_drag.hpp"
 #include "dem/energy_ledger.hpp"
 
 namespace clast::dem_detail {
@@ -55,6 +56,9 @@ class ContactForces {
   ContactLoad update(const std::vector<ContactPoint>& points, const BodyMotion& block,
                      const BodyMotion& other, double duration, EnergyLedger& ledger);
 
+  /// Time that has passed without contact and without an `update`, s.
+  void wait(double duration) { apart_ += duration; }
+
   bool empty() const { return contacts_.empty(); }
   /// Of all contacts together, 1/kg: with springs of stiffness k at each, weighted, the block has
   /// no frequency above the root of k times this.
@@ -73,6 +77,8 @@ class ContactForces {
   /// Deepest of the patches that carry the block, vertically, m: a wedge between steep walls is
   /// tight but not deep.
   double settled_depth();
+  /// Whether the law leaves dents: then impacts decide how deep a body rests, not its weight.
+  bool keeps_dents() const;
   /// Smallest stiffness with which a present contact carries a body at rest; k_n without any, N/m.
   double rest_stiffness() const;
 
@@ -98,9 +104,16 @@ class ContactForces {
   template <class Law>
   ContactLoad apply(const std::vector<Law>& laws, const std::vector<ContactPoint>& points,
                     const PairMotion& motion, EnergyLedger& ledger);
+  /// Forgets the slip of earlier contacts as the ground that is touched now does.
+  void forget_slip();
+  /// Adds how far the block slid in this step, mean over its contacts.
+  void add_slip();
+  void add_drag(const PairMotion& motion, ContactLoad& load, EnergyLedger& ledger);
   /// Lists the present contacts with their weights (Eqs. 6-8).
   void distribute(const std::vector<ContactPoint>& points, const PairMotion& motion);
   void find_effective_masses(const PairMotion& motion);
+  /// Gives contacts without a past the mean force of those that go on in their patch.
+  void spread_forces();
   /// Loads a present contact (Eqs. 2, 4, 5) and adds what it does to both bodies.
   template <class Law>
   void load_contact(std::size_t index, const Law& law, const PairMotion& motion, ContactLoad& load,
@@ -126,6 +139,11 @@ class ContactForces {
   double tangential_give_;                      ///< 1/k_t
   std::vector<double> rolling_, rolling_give_;  ///< k_r and 1/k_r by zone
   std::vector<Contact> contacts_;
+  ScarDrag drag_;
+  bool slip_grows_ = false;  ///< on any zone
+  double slip_ = 0.0;        ///< how far the block has slid lately, m
+  double slipped_ = 0.0;     ///< in this step, summed over the contacts with their weights, m
+  double apart_ = 0.0;       ///< since its last contact, s
 
   // Scratch of one update, kept to spare the allocations.
   std::vector<Contact> now_;

@@ -20,6 +20,7 @@ struct Contact {
   Vec3 place;                      ///< where the force acts
   double effective_mass = 0.0;     ///< of its patch, kg; only where a law asks for it
   double stored = 0.0;             ///< with its weight, J
+  double dent = 0.0;  ///< part of the overlap that stays, m; only where a law keeps one
 };
 
 class ContactHistory {

@@ -31,6 +31,15 @@ std::string stiffness_table(const CampaignResults& results) {
   return table.html();
 }
 
+/// Whether any zone has this parameter in any draw.
+bool any_states(const CampaignResults& results, const GroundField& field) {
+  const auto states = [&](const GroundParameters& zone) { return zone.*field.value != 0.0; };
+  return std::any_of(results.ground.begin(), results.ground.end(), states) ||
+         std::any_of(results.ground_sets.begin(), results.ground_sets.end(), [&](const auto& set) {
+           return std::any_of(set.zones.begin(), set.zones.end(), states);
+         });
+}
+
 /// The ground parameters that runs had: of every zone, and of block groups where theirs differ.
 /// Where members of an ensemble differ, the range drawn.
 std::string ground_table(const CampaignResults& results) {
@@ -39,13 +48,18 @@ std::string ground_table(const CampaignResults& results) {
   const GroundSet central{"", 0, results.ground};
   if (sets_of[""].empty()) sets_of[""] = {&central};
   std::vector<std::string> heads = {"ground zone"};
-  for (const GroundField& field : ground_fields()) heads.emplace_back(field.heading);
+  std::vector<GroundField> fields;
+  for (const GroundField& field : ground_fields()) {
+    if (field.of_soil && !any_states(results, field)) continue;
+    fields.push_back(field);
+    heads.emplace_back(field.heading);
+  }
   HtmlTable table(heads, 1);
   for (std::size_t zone = 0; zone < results.zone_names.size(); ++zone) {
     std::vector<std::string> usual;
     for (const auto& [group, sets] : sets_of) {
       std::vector<std::string> cells;
-      for (const GroundField& field : ground_fields()) {
+      for (const GroundField& field : fields) {
         double low = INFINITY, high = -INFINITY;
         for (const GroundSet* set : sets) {
           low = std::min(low, set->zones[zone].*field.value);

@@ -12,6 +12,11 @@ inline constexpr NumberRange kEnergyRestitution{1e-6, 1.0};
 /// A coefficient: 100 is the tangent of 89.4 degrees.
 inline constexpr NumberRange kFriction{1e-6, 100.0, "", ""};
 inline constexpr NumberRange kRollingLength{1e-3, 100.0, "m"};
+inline constexpr NumberRange kSlipGrowth{1e-3, 1e4, "1/m"};
+inline constexpr NumberRange kSlipMemory{1e-6, 1e4, "s"};
+inline constexpr NumberRange kScarDrag{1e-3, 100.0};
+/// From fresh snow to ore.
+inline constexpr NumberRange kSoilDensity{50.0, 5000.0, "kg/m^3"};
 
 // [blocks] draw shares, and laws of uncertain numbers
 inline constexpr NumberRange kClassShare{1e-6, 1.0, "", ""};

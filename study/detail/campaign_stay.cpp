@@ -49,9 +49,14 @@ GroundParameters read_between_blocks(const TomlTable& top, const std::string& wh
                      " hit each other; add [contact.blocks] with energy_restitution, friction and "
                      "rolling_friction");
   }
-  const TomlTable parameters(*between, top.file(), "[contact.blocks]", ground_keys());
+  std::vector<std::string> keys;
+  for (const GroundField& field : ground_fields()) {
+    if (!field.of_soil) keys.emplace_back(field.name);
+  }
+  const TomlTable parameters(*between, top.file(), "[contact.blocks]", keys);
   GroundParameters between_blocks;
   for (const GroundField& field : ground_fields()) {
+    if (field.of_soil) continue;
     if (field.required) parameters.required(field.name, field.range.words());
     between_blocks.*field.value = parameters.number(field.name, field.range).value_or(0.0);
   }

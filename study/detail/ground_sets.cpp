@@ -39,10 +39,18 @@ void put(const std::map<std::string, GroundTable>& tables,
   }
 }
 
-std::vector<GroundParameters> in_order(const Values& values,
+/// @throws InputError  values that do not go together, such as a friction below the smallest
+std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& values,
                                        const std::vector<std::string>& zones) {
   std::vector<GroundParameters> ordered;
-  for (const std::string& zone : zones) ordered.push_back(values.at(zone));
+  for (const std::string& zone : zones) {
+    try {
+      values.at(zone).check(zone);
+    } catch (const InputError& error) {
+      throw InputError(campaign.file.string() + ": " + error.what());
+    }
+    ordered.push_back(values.at(zone));
+  }
   return ordered;
 }
 
@@ -67,7 +75,7 @@ std::vector<GroundSet> ground_sets(const Campaign& campaign,
       Values values = base;
       if (g > 0) put(campaign.groups[g - 1].ground, draw, values);
       sets[g * members + member] = {g > 0 ? campaign.groups[g - 1].name : "", member,
-                                    in_order(values, zones)};
+                                    in_order(campaign, values, zones)};
     }
   }
   return sets;
@@ -78,7 +86,7 @@ std::vector<GroundParameters> central_ground(const Campaign& campaign,
   Values values;
   put(
       campaign.ground, [](const Uncertain& number) { return number.central(); }, values);
-  return in_order(values, zones);
+  return in_order(campaign, values, zones);
 }
 
 }  // namespace clast::study_detail

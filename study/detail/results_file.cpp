@@ -150,7 +150,7 @@ void write_stays(Hdf5Group group, const StaySummary& stay, const std::vector<Sta
   group.set_attribute<std::int64_t>("blocks_each", stay.blocks_each);
   group.set_attribute<std::int64_t>("at_once", stay.at_once ? 1 : 0);
   for (const GroundField& field : ground_fields()) {
-    group.set_attribute<double>(field.name, stay.between_blocks.*field.value);
+    if (!field.of_soil) group.set_attribute<double>(field.name, stay.between_blocks.*field.value);
   }
   write_rows(group, rows);
 }

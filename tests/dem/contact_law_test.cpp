@@ -19,8 +19,9 @@ TEST(ContactLaw, NamesGoBothWaysAndOthersAreRefused) {
     contact_law("hertz");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("energy-restitution or spring-dashpot"),
-              std::string::npos);
+    EXPECT_NE(
+        std::string(error.what()).find("energy-restitution or spring-dashpot or elastoplastic"),
+        std::string::npos);
   }
 }
 
@@ -63,7 +64,7 @@ TEST(EnergyRestitution, ReversalInsideTheStepIsIntegratedExactly) {
     return t < 3e-4 ? first + kStiffness * (turning.at(t) - 5e-3)
                     : 0.04 * kStiffness * turning.at(t);
   });
-  expect_corrects(law.along(turning, first, 0.0), turning, first, exact,
+  expect_corrects(law.along(turning, {first}, 0.0), turning, first, exact,
                   0.04 * kStiffness * turning.after);
 }
 
@@ -71,13 +72,13 @@ TEST(EnergyRestitution, StartAndEndInsideTheStepAreIntegratedExactly) {
   const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kStiffness, {0.25, 0.0, 0.0});
   const OverlapPath starting = path(1e-3, -4e-4, 1.0, 50.0);
   expect_corrects(
-      law.along(starting, 0.0, 0.0), starting, 0.0,
+      law.along(starting, {0.0}, 0.0), starting, 0.0,
       summed(starting, [&](double t) { return kStiffness * std::max(0.0, starting.at(t)); }),
       kStiffness * starting.after);
   const OverlapPath ending = path(1e-3, 4e-4, -1.0, -50.0);
   const double first = 0.25 * kStiffness * 4e-4;
   expect_corrects(
-      law.along(ending, first, 0.0), ending, first,
+      law.along(ending, {first}, 0.0), ending, first,
       summed(ending, [&](double t) { return 0.25 * kStiffness * std::max(0.0, ending.at(t)); }),
       0.0);
 }
@@ -91,13 +92,13 @@ TEST(EnergyRestitution, ReloadingInsideTheStepStartsFromTheUnloadingLine) {
                     : 0.25 * kStiffness * shallowest + kStiffness * (turning.at(t) - shallowest);
   };
   const double first = 0.25 * kStiffness * 2e-3;
-  expect_corrects(law.along(turning, first, 0.0), turning, first, summed(turning, force),
+  expect_corrects(law.along(turning, {first}, 0.0), turning, first, summed(turning, force),
                   force(1e-3));
 }
 
 TEST(EnergyRestitution, SmoothStepsAreLeftToTheScheme) {
   const EnergyRestitutionLaw law = EnergyRestitutionLaw::of(kStiffness, {0.25, 0.0, 0.0});
-  const NormalResponse loading = law.along(path(1e-3, 2e-3, 0.4, 10.0), 1500.0, 0.0);
+  const NormalResponse loading = law.along(path(1e-3, 2e-3, 0.4, 10.0), {1500.0}, 0.0);
   EXPECT_EQ(loading.impulse, 0.0);
   EXPECT_EQ(loading.moment, 0.0);
   EXPECT_NEAR(loading.force, 1500.0 + kStiffness * 4.1e-4, 1e-6);
@@ -112,7 +113,7 @@ TEST(SpringDashpot, EndOfThePushInsideTheStepIsIntegratedExactly) {
   };
   ASSERT_GT(force(0.0), 0.0);
   ASSERT_EQ(force(1e-3), 0.0);
-  expect_corrects(law.along(ending, force(0.0), 2.0), ending, force(0.0), summed(ending, force),
+  expect_corrects(law.along(ending, {force(0.0)}, 2.0), ending, force(0.0), summed(ending, force),
                   0.0);
 }
 
@@ -136,6 +137,101 @@ TEST_P(DashpotRestitution, IsThatOfTheOscillatorThatNeverPulls) {
 }
 INSTANTIATE_TEST_SUITE_P(Restitutions, DashpotRestitution,
                          testing::Values(0.81, 0.25, 0.0183156388887, 0.01, 1e-4));
+
+constexpr double kE = 0.25;                           ///< e_n^2 of what yields
+constexpr double kUnloading = kStiffness / kE;        ///< k_2
+constexpr double kReloading = 2.0 * kStiffness / kE;  ///< k_3
+ElastoplasticLaw yielding() { return ElastoplasticLaw::of(kStiffness, {kE, 0.0, 0.0}); }
+
+TEST(Elastoplastic, FirstLoadingThatTurnsInsideTheStepIsIntegratedExactly) {
+  const OverlapPath turning = path(1e-3, 5e-3, 0.3, -500.0);  // deepest at 0.3 ms
+  const double deepest = turning.at(3e-4), dent = deepest * (1.0 - kE);
+  const double first = kStiffness * 5e-3;
+  const auto force = [&](double t) {
+    return t < 3e-4 ? kStiffness * turning.at(t) : kUnloading * (turning.at(t) - dent);
+  };
+  const NormalResponse response = yielding().along(turning, {first, 5e-3 * (1.0 - kE)}, 0.0);
+  expect_corrects(response, turning, first, summed(turning, force), force(1e-3));
+  EXPECT_NEAR(response.dent, dent, 1e-12);
+}
+
+TEST(Elastoplastic, LetsGoAtTheDentAndIsLooseAboveIt) {
+  const double dent = 3e-3;
+  const OverlapPath rising = path(1e-3, 3.2e-3, -0.5, -10.0);
+  const double first = kUnloading * 0.2e-3;
+  const NormalResponse response = yielding().along(rising, {first, dent}, 0.0);
+  expect_corrects(
+      response, rising, first,
+      summed(rising, [&](double t) { return std::max(0.0, kUnloading * (rising.at(t) - dent)); }),
+      0.0);
+  EXPECT_EQ(response.dent, dent);
+  const NormalResponse loose = yielding().along(path(1e-3, 1e-3, 0.5, 10.0), {0.0, dent}, 0.0);
+  EXPECT_EQ(loose.force, 0.0);
+  EXPECT_EQ(loose.work, 0.0);
+  EXPECT_EQ(loose.impulse, 0.0);
+}
+
+TEST(Elastoplastic, LoadsAgainFromTheDentUpToTheLineOfFirstLoading) {
+  const double dent = 3e-3;  // and so the deepest was at 4 mm
+  const OverlapPath falling = path(1e-3, 2.8e-3, 2.0, -50.0);
+  const double meet = kReloading * dent / (kReloading - kStiffness);
+  ASSERT_LT(meet, falling.after);
+  const auto force = [&](double t) {
+    const double h = falling.at(t);
+    return h > meet ? kStiffness * h : kReloading * std::max(0.0, h - dent);
+  };
+  const NormalResponse response = yielding().along(falling, {0.0, dent}, 0.0);
+  expect_corrects(response, falling, 0.0, summed(falling, force), force(1e-3));
+  EXPECT_NEAR(response.dent, falling.after * (1.0 - kE), 1e-12);
+}
+
+/// Slowly up and down, without events: to 4 mm, back to 3.5, again to 5, and out. Unloading and
+/// what it stores end where a straight line from (h, k_1 h) of slope k_2 does, and all that is not
+/// given back is lost.
+TEST(Elastoplastic, LosesTheAreaBetweenItsLines) {
+  const ElastoplasticLaw law = yielding();
+  NormalState state;
+  double overlap = 0.0, work = 0.0;
+  const auto go = [&](double to) {
+    constexpr int kSteps = 1000;
+    const double from = overlap;
+    for (int i = 1; i <= kSteps; ++i) {
+      const double next = from + (to - from) * i / kSteps;
+      const NormalResponse response = law.along({1.0, overlap, next, next - overlap}, state, 0.0);
+      work += response.work;
+      state = {response.force, response.dent};
+      overlap = next;
+    }
+  };
+  go(4e-3);
+  EXPECT_NEAR(state.force, 4e3, 1e-6);
+  EXPECT_NEAR(state.dent, 3e-3, 1e-9);
+  EXPECT_NEAR(work, 8.0, 1e-6);  // k_1 h^2/2
+  go(3.5e-3);
+  EXPECT_NEAR(state.force, 2e3, 1e-6);
+  EXPECT_NEAR(law.stored(overlap, state.dent), 2e3 * 2e3 / (2.0 * kUnloading), 1e-9);
+  // From (3.5 mm, 2 kN) by k_3 = 8 kN/mm to k_1 h at 26/7 mm, and on along that.
+  go(5e-3);
+  EXPECT_NEAR(state.force, 5e3, 1e-6);
+  EXPECT_NEAR(state.dent, 3.75e-3, 1e-9);
+  go(0.0);
+  EXPECT_EQ(state.force, 0.0);
+  const double meet = 26.0 / 7.0;  // mm; forces in kN, so work in J
+  const double unloaded = 0.5 * (4.0 + 2.0) * 0.5, reloaded = 0.5 * (2.0 + meet) * (meet - 3.5);
+  const double deeper = 0.5 * (meet + 5.0) * (5.0 - meet), returned = 0.5 * 5.0 * 1.25;
+  EXPECT_NEAR(work, 8.0 - unloaded + reloaded + deeper - returned, 1e-5);
+}
+
+TEST(Elastoplastic, WithoutLossIsALinearSpring) {
+  const ElastoplasticLaw law = ElastoplasticLaw::of(kStiffness, {1.0, 0.0, 0.0});
+  for (const double rate : {-2.0, 2.0}) {
+    const NormalResponse response =
+        law.along(path(1e-3, 3e-3, rate, 10.0), {kStiffness * 3e-3}, 0.0);
+    EXPECT_NEAR(response.force, kStiffness * (3e-3 + 1e-3 * rate + 1e-5), 1e-6);
+    EXPECT_NEAR(response.impulse, 0.0, 1e-9);
+  }
+  EXPECT_EQ(law.stepping_rate(1.0), 1.0);
+}
 
 TEST(SpringDashpot, NoDampingKeepsAllEnergy) { EXPECT_EQ(damping_ratio(1.0), 0.0); }
 

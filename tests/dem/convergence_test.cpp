@@ -24,6 +24,10 @@ std::pair<double, double> contact_end(const Case& which) {
   if (std::holds_alternative<EnergyRestitutionLaw>(which.law)) {
     return {0.5 * kPi / kFrequency * (1.0 + 1.0 / restitution), 0.0};
   }
+  if (std::holds_alternative<ElastoplasticLaw>(which.law)) {
+    return {0.5 * kPi / kFrequency * (1.0 + restitution),
+            (1.0 - which.energy_restitution) / kFrequency};
+  }
   const double ratio = damping_ratio(which.energy_restitution);
   const double depth = 2.0 * ratio * restitution / kFrequency;
   if (ratio < 1.0) {
@@ -50,7 +54,9 @@ Error error_at(const Case& which, double halvings) {
   for (const double factor : factors) {
     ReleaseSettings settings;
     const double stiffness = kFrequency * kFrequency;
-    settings.stiffness = {stiffness, stiffness, stiffness, factor / kFrequency * halvings};
+    const bool yields = std::holds_alternative<ElastoplasticLaw>(which.law);
+    const double rate = yields ? kFrequency / std::sqrt(which.energy_restitution) : kFrequency;
+    settings.stiffness = {stiffness, stiffness, stiffness, factor / rate * halvings};
     settings.law = which.law;
     settings.gravity = 0.0;
     settings.max_time = gap + duration + after;
@@ -95,7 +101,9 @@ INSTANTIATE_TEST_SUITE_P(Laws, Convergence,
                                          Case{"quarter", EnergyRestitutionLaw(), 0.25},
                                          Case{"hundredth", EnergyRestitutionLaw(), 0.01},
                                          Case{"dashpot_quarter", SpringDashpotLaw(), 0.25},
-                                         Case{"dashpot_hundredth", SpringDashpotLaw(), 0.01}),
+                                         Case{"dashpot_hundredth", SpringDashpotLaw(), 0.01},
+                                         Case{"yielding_quarter", ElastoplasticLaw(), 0.25},
+                                         Case{"yielding_hundredth", ElastoplasticLaw(), 0.01}),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace

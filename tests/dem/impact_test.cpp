@@ -58,7 +58,8 @@ TEST_P(NormalImpact, ReturnsTheAskedRestitution) {
   const double restitution = std::sqrt(energy_restitution);
   const TerrainSurface terrain = ground(plane_mesh(1.0, 6));
   const RigidBody body = ball(1.0, 0.1);
-  ReleaseSettings settings = stiff_settings(body, 1e6, 50.0);
+  const bool yields = std::holds_alternative<ElastoplasticLaw>(law);
+  ReleaseSettings settings = stiff_settings(body, 1e6, yields ? 50.0 / restitution : 50.0);
   settings.law = law;
   settings.gravity = 0.0;
   settings.max_time = 0.3;
@@ -82,9 +83,10 @@ TEST_P(NormalImpact, ReturnsTheAskedRestitution) {
   EXPECT_LT(rebound.state.velocity.head<2>().norm(), 1e-12);
   EXPECT_NEAR(result.energy.normal, 0.5 * (1.0 - energy_restitution), 0.0005);
   EXPECT_LT(result.energy.error, 1e-3);
-  if (!std::holds_alternative<EnergyRestitutionLaw>(law)) return;
+  if (std::holds_alternative<SpringDashpotLaw>(law)) return;
   EXPECT_NEAR(result.max_penetration, 1e-3, 1e-6);
   EXPECT_NEAR(peak, 1000.0, 2.0);
+  if (yields) return;  // touches without load while it leaves its dent
   const double duration = 0.5 * kPi * 1e-3 * (1.0 + 1.0 / restitution);
   EXPECT_NEAR(rebound.contact_time, duration, 0.001 * duration + settings.stiffness.time_step);
 }
@@ -93,6 +95,7 @@ std::vector<Impact> impacts() {
   for (const double e : {1.0, 0.64, 0.36, 0.25, 0.16, 0.04, 0.01}) {
     all.push_back({e, EnergyRestitutionLaw()});
     all.push_back({e, SpringDashpotLaw()});
+    all.push_back({e, ElastoplasticLaw()});
   }
   return all;
 }

@@ -127,8 +127,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:30: [contact] weights = \"equal\": must be \"patch\", \"overlap\", "
                 "\"count\" or \"none\""},
         Refused{"law = \"spring-dashpot\"", "law = \"hertz\"",
-                "campaign.toml:29: [contact] law = \"hertz\": must be \"energy-restitution\" or "
-                "\"spring-dashpot\""},
+                "campaign.toml:29: [contact] law = \"hertz\": must be \"energy-restitution\", "
+                "\"spring-dashpot\" or \"elastoplastic\""},
         Refused{"stiffness_n_m = 1e8", "stiffness = 1e8",
                 "campaign.toml:31: [contact] stiffness = 1e8: must be \"auto\"; a value is "
                 "written stiffness_n_m"}));

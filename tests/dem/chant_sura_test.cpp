@@ -1,0 +1,379 @@
+// Thrown at Chant Sura: impacts of real concrete blocks on an alpine meadow, and their scars,
+// against what the laws make of them with the parameters for such ground in docs/parameters.md.
+// Prints the tables of docs/benchmarks.md.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "core/statistics.hpp"
+#include "dem/ground_overlap.hpp"
+#include "dem/stiffness.hpp"
+#include "massprops/principal_frame.hpp"
+#include "massprops/solid.hpp"
+#include "shapes/convex_hull.hpp"
+#include "tests/support/reference_data.hpp"
+#include "tests/support/test_bodies.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kG = 9.81, kDensity = 2650.0;
+constexpr int kThrows = 48;
+constexpr double kShortestFlight = 0.01;  ///< s, that ends an impact
+
+std::vector<ReferenceRow> rows_of(const std::string& name) {
+  std::ifstream file(test_data("chant_sura/" + name));
+  std::vector<std::string> heading;
+  std::vector<ReferenceRow> rows;
+  for (std::string line; std::getline(file, line);) {
+    std::vector<std::string> cells;
+    std::string cell;
+    bool quoted = false;
+    for (const char c : line) {
+      if (c == '"') quoted = !quoted;
+      if (c == ',' && !quoted) {
+        cells.push_back(std::exchange(cell, ""));
+      } else if (c != '"' && c != '\r') {
+        cell += c;
+      }
+    }
+    cells.push_back(cell);
+    if (heading.empty()) {
+      heading = cells;
+      continue;
+    }
+    ReferenceRow row;
+    for (std::size_t i = 0; i < heading.size() && i < cells.size(); ++i) row[heading[i]] = cells[i];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Vec3 vector_in(const ReferenceRow& row, const std::string& prefix, const std::string& unit) {
+  return {value(row, prefix + "x" + unit), value(row, prefix + "y" + unit),
+          value(row, prefix + "z" + unit)};
+}
+
+/// A box of these sides with all edges and corners cut by the share `cut` of each side.
+TriangleMesh cut_box(const Vec3& sides, double cut) {
+  std::vector<Vec3> corners;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int corner = 0; corner < 8; ++corner) {
+      Vec3 p = (0.5 - cut) * sides;
+      p[axis] = 0.5 * sides[axis];
+      for (int k = 0; k < 3; ++k) p[k] *= (corner >> k & 1) ? 1.0 : -1.0;
+      corners.push_back(p);
+    }
+  }
+  return convex_hull(corners);
+}
+
+/// EOTA block 221 ("plate") or 111 ("cube"): those of 1 m^3, scaled by mass.
+RigidBody eota(double mass, bool plate) {
+  const Vec3 of_cubic_metre =
+      plate ? Vec3(1.413631418, 1.413631418, 0.706815709) : Vec3(1.122, 1.122, 1.122);
+  double low = 0.0, high = 0.5;  // volume falls with the cut
+  while (high - low > 1e-12) {
+    const double middle = 0.5 * (low + high);
+    const double volume = solid_mass_properties(cut_box(of_cubic_metre, middle), 1.0).volume;
+    (volume > 1.0 ? low : high) = middle;
+  }
+  const double scale = std::cbrt(mass / kDensity);
+  const TriangleMesh mesh = cut_box(scale * of_cubic_metre, low);
+  const MassProperties properties = solid_mass_properties(mesh, kDensity);
+  const PrincipalFrame frame = principal_frame(properties);
+  RigidBody body;
+  body.shape =
+      transformed(sphero_polyhedron(mesh, 0.0), Pose{properties.centre, frame.rotation}.inverse());
+  body.mass = properties.mass;
+  body.moments = frame.moments;
+  body.smallest_side = scale * of_cubic_metre.minCoeff();
+  return body;
+}
+
+/// What blocks meet, and by which law.
+struct Ground {
+  const char* name;
+  ContactLaw law;
+  bool drawn = false;  ///< over the ranges, else the values themselves
+  bool grows = false, drags = false;
+
+  /// Meadow: "soil medium" of docs/parameters.md. Growth and C_d as published for the site
+  /// [lu2019]; the density is an assumption.
+  GroundParameters parameters(Random& random) const {
+    GroundParameters ground{0.02, 0.70, 0.35};
+    if (drawn) {
+      ground = {random.uniform(0.01, 0.11), random.uniform(0.35, 0.80), random.uniform(0.18, 0.50)};
+    }
+    if (grows) {
+      ground.friction = 2.0;
+      ground.friction_min = 0.55;
+      ground.slip_growth = 3.0;
+      ground.slip_memory = 1.0 / 185.0;
+    }
+    if (drags) {
+      ground.scar_drag = 1.5;
+      ground.soil_density = 1800.0;
+    }
+    return ground;
+  }
+};
+
+const std::vector<Ground>& grounds() {
+  static const std::vector<Ground> kGrounds = {
+      {"energy-restitution", EnergyRestitutionLaw()},
+      {"energy-restitution, ranges", EnergyRestitutionLaw(), true},
+      {"elastoplastic", ElastoplasticLaw()},
+      {"elastoplastic, ranges", ElastoplasticLaw(), true},
+      {"elastoplastic, growing friction", ElastoplasticLaw(), false, true},
+      {"elastoplastic, growing friction, scar drag", ElastoplasticLaw(), false, true, true}};
+  return kGrounds;
+}
+
+/// The first impact of a throw: the last touch before a flight of 10 ms.
+struct FirstImpact {
+  RigidState last;
+  double depth = 0.0, flown = 0.0;
+  bool over = false, touched = false;
+
+  void see(const MotionStep& step) {
+    if (over) return;
+    if (!step.flight) {
+      touched = true;
+      flown = 0.0;
+      last = step.end;
+      depth = std::max(depth, step.touch.overlap);
+    } else if (touched) {
+      flown += step.end_time - step.begin_time;
+      over = flown >= kShortestFlight;
+    }
+  }
+};
+
+struct Throw {
+  double speed = 0.0, spin = 0.0, depth = 0.0, energy_share = 0.0;
+};
+
+/// Throws a body that touches the terrain at the plan position of the start.
+Throw thrown(const TerrainSurface& terrain, const RigidBody& body, RigidState start,
+             const Ground& on, Random& random) {
+  const GroundParameters ground = on.parameters(random);
+  const std::vector<GroundParameters> zones = {ground};
+  StiffnessOptions options;
+  options.law = on.law;
+  ReleaseSettings settings;
+  settings.law = on.law;
+  settings.max_time = 0.5;
+  const double fastest = std::hypot(start.velocity.norm(), 3.0);
+  settings.stiffness = choose_stiffness(std::span(&body, 1), zones, fastest, kG, options).stiffness;
+
+  const GroundOverlap overlap(terrain, body);
+  double low = *terrain.height(start.position.x(), start.position.y(), 0.0), high = low + 2.0;
+  while (high - low > 1e-5) {
+    const double middle = 0.5 * (low + high);
+    start.position.z() = middle;
+    (overlap.deepest(start) > 0.0 ? low : high) = middle;
+  }
+  start.position.z() = high;
+  FirstImpact impact;
+  const ReleaseResult result = simulate_release(terrain, zones, body, start, settings,
+                                                [&](const MotionStep& step) { impact.see(step); });
+  EXPECT_NE(result.stop_reason, StopReason::kError) << result.message;
+  EXPECT_FALSE(result.below_ground);
+  EXPECT_LT(result.energy.error, 0.01);
+  return {impact.last.velocity.norm(), impact.last.angular_velocity.norm(), impact.depth,
+          impact.last.velocity.squaredNorm() / start.velocity.squaredNorm()};
+}
+
+std::string spread(std::vector<double> values, int digits) {
+  std::sort(values.begin(), values.end());
+  const Summary all = summarise(values);
+  char text[80];
+  std::snprintf(text, sizeof(text), "%.*f (%.*f to %.*f)", digits, all.mean, digits,
+                quantile(values, 0.05), digits, quantile(values, 0.95));
+  return text;
+}
+
+/// How far off one law is over many impacts.
+struct Score {
+  std::vector<double> differences, measured;
+  int inside = 0;
+
+  void add(double observed, std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    differences.push_back(summarise(values).mean - observed);
+    measured.push_back(observed);
+    if (quantile(values, 0.05) <= observed && observed <= quantile(values, 0.95)) ++inside;
+  }
+  std::string text(int digits) const {
+    double sum = 0.0, squares = 0.0;
+    for (const double difference : differences) {
+      sum += difference;
+      squares += difference * difference;
+    }
+    const auto count = static_cast<double>(differences.size());
+    char text[80];
+    std::snprintf(text, sizeof(text), "%+.*f, %.*f, %d of %zu", digits, sum / count, digits,
+                  std::sqrt(squares / count), inside, differences.size());
+    return text;
+  }
+};
+
+/// The surveyed ground, with the south-west corner of its crop as the origin.
+TerrainSurface surveyed_ground(Vec2& origin) {
+  std::ifstream file(test_data("chant_sura/terrain_rf16_contact_extended.asc"));
+  std::string key;
+  std::size_t columns = 0, rows = 0;
+  double cell = 0.0, none = 0.0;
+  file >> key >> columns >> key >> rows >> key >> origin.x() >> key >> origin.y() >> key >> cell >>
+      key >> none;
+  TriangleMesh mesh;
+  for (std::size_t j = 0; j < rows; ++j) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      double height = 0.0;
+      file >> height;
+      mesh.vertices.emplace_back(cell * (static_cast<double>(i) + 0.5),
+                                 cell * (static_cast<double>(rows - j) - 0.5), height - 2370.0);
+    }
+  }
+  for (std::size_t j = 0; j + 1 < rows; ++j) {
+    for (std::size_t i = 0; i + 1 < columns; ++i) {
+      const auto a = static_cast<std::uint32_t>(j * columns + i);
+      const auto below = static_cast<std::uint32_t>(a + columns);
+      mesh.triangles.push_back({a, below, below + 1});
+      mesh.triangles.push_back({a, below + 1, a + 1});
+    }
+  }
+  return ground(std::move(mesh));
+}
+
+struct ObservedImpact {
+  std::string name;
+  RigidBody body;
+  RigidState before;
+  double speed = 0.0, spin = 0.0;  ///< after; the spin is not a number where it is not known
+};
+
+std::vector<ObservedImpact> observed_impacts(const Vec2& origin) {
+  const std::vector<ReferenceRow> path = rows_of("observed_trajectories_contact_extended.csv");
+  const auto spin_at = [&](const std::string& segment, bool last) {
+    Vec3 spin = Vec3::Zero();
+    for (const ReferenceRow& row : path) {
+      if (row.at("segment_id") != segment) continue;
+      const bool known = !row.at("omega_x_radps").empty();
+      spin = known ? vector_in(row, "omega_", "_radps") : Vec3::Constant(std::nan(""));
+      if (!last) break;
+    }
+    return spin;
+  };
+  std::vector<ObservedImpact> impacts;
+  for (const ReferenceRow& row : rows_of("observed_contact_events_extended.csv")) {
+    const bool plate = row.at("trajectory_id").find('W') != std::string::npos;
+    ObservedImpact impact{row.at("event_id"), eota(value(row, "mass_kg"), plate), {}};
+    impact.before.position.head<2>() = Vec2(value(row, "x_m"), value(row, "y_m")) - origin;
+    impact.before.velocity = vector_in(row, "incoming_v", "_mps");
+    impact.before.angular_velocity = spin_at(row.at("source_segment_id"), true);
+    impact.speed = vector_in(row, "outgoing_v", "_mps").norm();
+    impact.spin = spin_at(row.at("next_segment_id"), false).norm();
+    impacts.push_back(impact);
+  }
+  return impacts;
+}
+
+// Measured speeds lie within what throws of unknown attitude do, with the ranges of the ground; no
+// law makes energy or loses a block.
+TEST(ChantSura, ReboundsOfElevenImpacts) {
+  Vec2 origin;
+  const TerrainSurface terrain = surveyed_ground(origin);
+  const std::vector<ObservedImpact> impacts = observed_impacts(origin);
+  ASSERT_EQ(impacts.size(), 11u);
+  std::printf("| impact | mass, kg | speed before, after, m/s | spin before, after, rad/s |");
+  for (const char* name : {"energy-restitution", "elastoplastic", "with friction and drag"}) {
+    std::printf(" speed, spin after: %s |", name);
+  }
+  std::printf("\n");
+  std::vector<Score> speeds(grounds().size()), spins(grounds().size());
+  for (const ObservedImpact& impact : impacts) {
+    std::printf("| %s | %.0f | %.1f, %.1f | %.1f, %.1f |", impact.name.c_str(), impact.body.mass,
+                impact.before.velocity.norm(), impact.speed, impact.before.angular_velocity.norm(),
+                impact.spin);
+    for (std::size_t g = 0; g < grounds().size(); ++g) {
+      Random random(7);
+      std::vector<double> speed, spin;
+      for (int i = 0; i < kThrows; ++i) {
+        RigidState start = impact.before;
+        start.orientation = random.rotation();
+        if (!start.angular_velocity.allFinite()) start.angular_velocity = Vec3(8.0, 0.0, 0.0);
+        const Throw one = thrown(terrain, impact.body, start, grounds()[g], random);
+        speed.push_back(one.speed);
+        spin.push_back(one.spin);
+      }
+      speeds[g].add(impact.speed, speed);
+      if (std::isfinite(impact.spin)) spins[g].add(impact.spin, spin);
+      if (g == 0 || g == 2 || g == 5) {
+        std::printf(" %s; %s |", spread(speed, 1).c_str(), spread(spin, 1).c_str());
+      }
+    }
+    std::printf("\n");
+  }
+  std::printf("\n| law | speed, m/s: bias, error, inside | spin, rad/s: bias, error, inside |\n");
+  for (std::size_t g = 0; g < grounds().size(); ++g) {
+    std::printf("| %s | %s | %s |\n", grounds()[g].name, speeds[g].text(1).c_str(),
+                spins[g].text(1).c_str());
+  }
+}
+
+// On a plane: the published speeds normal to it and along it. The attitude is not known, nor the
+// spin: drawn between none and that of rolling.
+TEST(ChantSura, DepthsOfSixScars) {
+  const std::vector<ReferenceRow> scars = rows_of("chant_sura_esurf_2019_impacts.csv");
+  ASSERT_EQ(scars.size(), 6u);
+  const TerrainSurface terrain = ground(plane_mesh(30.0, 6));
+  std::printf("| scar | speed, m/s (normal) | depth, m | energy kept |");
+  for (const char* name : {"energy-restitution", "elastoplastic", "with friction and drag"}) {
+    std::printf(" depth, energy kept: %s |", name);
+  }
+  std::printf("\n");
+  std::vector<Score> depths(grounds().size()), kept(grounds().size());
+  for (const ReferenceRow& scar : scars) {
+    const RigidBody body = eota(value(scar, "mass_kg"), true);
+    const double depth = value(scar, "observed_scarring_depth_m");
+    const double share = value(scar, "published_energy_transition_ratio");
+    const double normal = value(scar, "incoming_normal_speed_mps");
+    const double along = value(scar, "incoming_tangent_speed_mps");
+    std::printf("| %s | %.1f (%.1f) | %.2f | %.2f |", scar.at("scar_id").c_str(),
+                std::hypot(normal, along), normal, depth, share);
+    for (std::size_t g = 0; g < grounds().size(); ++g) {
+      Random random(11);
+      std::vector<double> deep, energy;
+      for (int i = 0; i < kThrows; ++i) {
+        RigidState start;
+        start.orientation = random.rotation();
+        start.velocity = {along, 0.0, -normal};
+        start.angular_velocity.y() =
+            random.uniform() * along / (0.5 * std::cbrt(body.mass / kDensity));
+        const Throw one = thrown(terrain, body, start, grounds()[g], random);
+        deep.push_back(one.depth);
+        energy.push_back(one.energy_share);
+      }
+      depths[g].add(depth, deep);
+      kept[g].add(share, energy);
+      if (g == 0 || g == 2 || g == 5) {
+        std::printf(" %s; %s |", spread(deep, 2).c_str(), spread(energy, 2).c_str());
+      }
+    }
+    std::printf("\n");
+  }
+  std::printf("\n| law | depth, m: bias, error, inside | energy kept: bias, error, inside |\n");
+  for (std::size_t g = 0; g < grounds().size(); ++g) {
+    std::printf("| %s | %s | %s |\n", grounds()[g].name, depths[g].text(3).c_str(),
+                kept[g].text(2).c_str());
+  }
+}
+
+}  // namespace
+}  // namespace clast
