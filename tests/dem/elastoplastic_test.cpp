@@ -102,28 +102,34 @@ TEST(YieldingGround, KeepsTheDentOfAFall) {
   EXPECT_FALSE(result.below_ground);
 }
 
-// On a slope flatter than its friction angle, for a minute.
-TEST(YieldingGround, DoesNotCreep) {
-  const double slope = 0.5;
-  const TerrainSurface terrain = ground(plane_mesh(10.0, 7, slope));
-  const RigidBody body = box(1000.0, {1.0, 0.8, 0.6});
-  ReleaseSettings settings = yielding(body, 1e7, 0.04, 5.0);
-  settings.rest_energy = 1e-300;
-  settings.max_time = 62.0;
-  const Vec3 normal(std::sin(slope), 0.0, std::cos(slope));
-  RigidState start;
-  start.orientation = Quat(Eigen::AngleAxisd(slope, Vec3::UnitY()));
-  start.position = (0.3 + 1e-4) * normal;
-  Vec3 early = Vec3::Zero();
-  double farthest = 0.0;
-  simulate_release(terrain, std::vector<GroundParameters>{{0.04, 0.7, 0.0}}, body, start, settings,
-                   [&](const MotionStep& step) {
-                     if (step.end_time < 2.0) early = step.end.position;
-                     farthest = step.end_time < 2.0
-                                    ? 0.0
-                                    : std::max(farthest, (step.end.position - early).norm());
-                   });
-  EXPECT_LT(farthest, 2e-4);
+// A minute on a slope just flatter than its friction angle; on one just steeper it slides.
+TEST(YieldingGround, HoldsBelowTheFrictionAngleAndDoesNotCreep) {
+  for (const double degrees : {-0.3, 0.3}) {
+    const double slope = std::atan(0.7) + degrees * kPi / 180.0;
+    const TerrainSurface terrain = ground(plane_mesh(40.0, 20, slope));
+    const RigidBody body = box(1000.0, {1.0, 1.0, 0.2});
+    ReleaseSettings settings = yielding(body, 1e7, 0.04, 5.0);
+    settings.rest_energy = 1e-300;
+    settings.max_time = degrees < 0.0 ? 62.0 : 12.0;
+    const Vec3 normal(std::sin(slope), 0.0, std::cos(slope));
+    RigidState start;
+    start.orientation = Quat(Eigen::AngleAxisd(slope, Vec3::UnitY()));
+    start.position = (0.1 + 1e-6) * normal;
+    Vec3 early = Vec3::Zero();
+    double farthest = 0.0;
+    const auto watch = [&](const MotionStep& step) {
+      const bool settled = step.end_time >= 2.0;
+      if (!settled) early = step.end.position;
+      farthest = settled ? std::max(farthest, (step.end.position - early).norm()) : 0.0;
+    };
+    simulate_release(terrain, std::vector<GroundParameters>{{0.04, 0.7, 0.0}}, body, start,
+                     settings, watch);
+    if (degrees < 0.0) {
+      EXPECT_LT(farthest, 1e-4);
+    } else {
+      EXPECT_GT(farthest, 0.5);
+    }
+  }
 }
 
 // Rocks that tumble down a rough slope come to rest with every joule accounted for.

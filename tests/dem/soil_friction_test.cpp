@@ -82,7 +82,7 @@ double speed_after_two_bounces(const GroundParameters& soil) {
   const TerrainSurface terrain = ground(plane_mesh(20.0, 10));
   const RigidBody body = ball(10.0, 0.2);
   ReleaseSettings settings = stiff_settings(body, 1e8);
-  settings.max_time = 0.25;
+  settings.max_time = 0.2;
   RigidState start;
   start.position.z() = 0.2 + 0.5 * kG * 0.05 * 0.05;  // 0.05 s down, then 0.1 s up and down
   start.velocity.x() = 10.0;
@@ -90,7 +90,7 @@ double speed_after_two_bounces(const GroundParameters& soil) {
   elastic.energy_restitution = 1.0;
   const ReleaseResult result =
       simulate_release(terrain, std::span(&elastic, 1), body, start, settings);
-  EXPECT_EQ(result.impacts, 3u);
+  EXPECT_EQ(result.impacts, 2u);
   return result.final_state.velocity.x();
 }
 
@@ -101,8 +101,8 @@ TEST(GrowingFriction, ForgetsSlipAfterTheContact) {
   const auto lost = [&](const GroundParameters& soil) {
     return (10.0 - speed_after_two_bounces(soil)) / (2.0 * normal);
   };
-  // With mu constant, three times mu.
-  EXPECT_NEAR(lost({1.0, 0.2, 0.0}), 0.6, 0.01);
+  // With mu constant, twice mu.
+  EXPECT_NEAR(lost({1.0, 0.2, 0.0}), 0.4, 0.01);
   const double forgets = lost(growing(0.1, 0.3, 1e3, 0.0));
   const double keeps = lost(growing(0.1, 0.3, 1e3, 1e3));
   const double fades = lost(growing(0.1, 0.3, 1e3, 0.03));
