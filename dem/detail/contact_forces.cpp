@@ -88,7 +88,8 @@ template <class Law>
 NormalResponse normal_response(const Contact& contact, const Past& past, const Law& law) {
   const double mass = contact.effective_mass;
   if (past.path.duration > 0.0) return law.along(past.path, past.normal, mass);
-  const NormalState first = law.first(contact.point.overlap, past.path.rate, mass, 0.0);
+  const NormalState first =
+      law.first(contact.point.overlap, past.path.rate, mass, past.normal.force);
   return {.force = first.force, .dent = first.dent};
 }
 
@@ -266,8 +267,14 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
   const GroundParameters& ground = zones_[contact.zone];
   const Slip slip(contact, motion);
   const Contact* previous = history_.previous(index, contacts_);
-  const Past past =
+  Past past =
       previous ? past_of(contact, *previous, motion) : past_of_new(contact, slip, law, motion);
+  if constexpr (Law::kKeepsDent) {
+    // On ground that unloads otherwise the force goes on, and with it the dent that it stands for.
+    if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
+      past.normal = law.first(past.path.before, 0.0, 0.0, previous->normal);
+    }
+  }
 
   const NormalResponse response = normal_response(contact, past, law);
   contact.normal = response.force;

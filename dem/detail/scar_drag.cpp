@@ -17,7 +17,7 @@ EmbeddedFront embedded_ball(const Vec3& centre, double radius, double depth, con
   return {radius * radius * share, centre - below * up};
 }
 
-/// Twice the area and three times the middle of the part of a triangle below height 0.
+/// The part of a triangle below height 0.
 struct Below {
   double area = 0.0;
   Vec3 moment = Vec3::Zero();  ///< area times middle

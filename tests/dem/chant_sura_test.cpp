@@ -22,7 +22,7 @@ namespace clast {
 namespace {
 
 constexpr double kG = 9.81, kDensity = 2650.0;
-constexpr int kThrows = 48;
+constexpr int kThrows = 24;
 constexpr double kShortestFlight = 0.01;  ///< s, that ends an impact
 
 std::vector<ReferenceRow> rows_of(const std::string& name) {
@@ -95,6 +95,9 @@ RigidBody eota(double mass, bool plate) {
   return body;
 }
 
+/// Whether a table has a column of this ground.
+bool shown(std::size_t ground) { return ground == 0 || ground == 2 || ground == 5; }
+
 /// What blocks meet, and by which law.
 struct Ground {
   const char* name;
@@ -155,6 +158,7 @@ struct FirstImpact {
 };
 
 struct Throw {
+  bool touched = false;
   double speed = 0.0, spin = 0.0, depth = 0.0, energy_share = 0.0;
 };
 
@@ -167,7 +171,7 @@ Throw thrown(const TerrainSurface& terrain, const RigidBody& body, RigidState st
   options.law = on.law;
   ReleaseSettings settings;
   settings.law = on.law;
-  settings.max_time = 0.5;
+  settings.max_time = 0.3;
   const double fastest = std::hypot(start.velocity.norm(), 3.0);
   settings.stiffness = choose_stiffness(std::span(&body, 1), zones, fastest, kG, options).stiffness;
 
@@ -185,8 +189,8 @@ Throw thrown(const TerrainSurface& terrain, const RigidBody& body, RigidState st
   EXPECT_NE(result.stop_reason, StopReason::kError) << result.message;
   EXPECT_FALSE(result.below_ground);
   EXPECT_LT(result.energy.error, 0.01);
-  return {impact.last.velocity.norm(), impact.last.angular_velocity.norm(), impact.depth,
-          impact.last.velocity.squaredNorm() / start.velocity.squaredNorm()};
+  return {impact.touched, impact.last.velocity.norm(), impact.last.angular_velocity.norm(),
+          impact.depth, impact.last.velocity.squaredNorm() / start.velocity.squaredNorm()};
 }
 
 std::string spread(std::vector<double> values, int digits) {
@@ -223,7 +227,8 @@ struct Score {
   }
 };
 
-/// The surveyed ground, with the south-west corner of its crop as the origin.
+/// The surveyed ground, every second node of it (10 cm), with the south-west corner of its crop as
+/// the origin.
 TerrainSurface surveyed_ground(Vec2& origin) {
   std::ifstream file(test_data("chant_sura/terrain_rf16_contact_extended.asc"));
   std::string key;
@@ -232,18 +237,20 @@ TerrainSurface surveyed_ground(Vec2& origin) {
   file >> key >> columns >> key >> rows >> key >> origin.x() >> key >> origin.y() >> key >> cell >>
       key >> none;
   TriangleMesh mesh;
+  const std::size_t kept_columns = (columns + 1) / 2, kept_rows = (rows + 1) / 2;
   for (std::size_t j = 0; j < rows; ++j) {
     for (std::size_t i = 0; i < columns; ++i) {
       double height = 0.0;
       file >> height;
+      if (i % 2 != 0 || j % 2 != 0) continue;
       mesh.vertices.emplace_back(cell * (static_cast<double>(i) + 0.5),
                                  cell * (static_cast<double>(rows - j) - 0.5), height - 2370.0);
     }
   }
-  for (std::size_t j = 0; j + 1 < rows; ++j) {
-    for (std::size_t i = 0; i + 1 < columns; ++i) {
-      const auto a = static_cast<std::uint32_t>(j * columns + i);
-      const auto below = static_cast<std::uint32_t>(a + columns);
+  for (std::size_t j = 0; j + 1 < kept_rows; ++j) {
+    for (std::size_t i = 0; i + 1 < kept_columns; ++i) {
+      const auto a = static_cast<std::uint32_t>(j * kept_columns + i);
+      const auto below = static_cast<std::uint32_t>(a + kept_columns);
       mesh.triangles.push_back({a, below, below + 1});
       mesh.triangles.push_back({a, below + 1, a + 1});
     }
@@ -284,8 +291,8 @@ std::vector<ObservedImpact> observed_impacts(const Vec2& origin) {
   return impacts;
 }
 
-// Measured speeds lie within what throws of unknown attitude do, with the ranges of the ground; no
-// law makes energy or loses a block.
+// The attitude is not known: drawn evenly. No law may make energy or lose a block; what they make
+// of the rebounds is printed. One "impact" leads away from the surveyed ground and is none there.
 TEST(ChantSura, ReboundsOfElevenImpacts) {
   Vec2 origin;
   const TerrainSurface terrain = surveyed_ground(origin);
@@ -297,6 +304,7 @@ TEST(ChantSura, ReboundsOfElevenImpacts) {
   }
   std::printf("\n");
   std::vector<Score> speeds(grounds().size()), spins(grounds().size());
+  int without = 0;
   for (const ObservedImpact& impact : impacts) {
     std::printf("| %s | %.0f | %.1f, %.1f | %.1f, %.1f |", impact.name.c_str(), impact.body.mass,
                 impact.before.velocity.norm(), impact.speed, impact.before.angular_velocity.norm(),
@@ -309,12 +317,18 @@ TEST(ChantSura, ReboundsOfElevenImpacts) {
         start.orientation = random.rotation();
         if (!start.angular_velocity.allFinite()) start.angular_velocity = Vec3(8.0, 0.0, 0.0);
         const Throw one = thrown(terrain, impact.body, start, grounds()[g], random);
+        if (!one.touched) continue;
         speed.push_back(one.speed);
         spin.push_back(one.spin);
       }
+      if (2 * speed.size() < kThrows) {
+        if (g == 0) ++without;
+        if (shown(g)) std::printf(" flies on |");
+        continue;
+      }
       speeds[g].add(impact.speed, speed);
       if (std::isfinite(impact.spin)) spins[g].add(impact.spin, spin);
-      if (g == 0 || g == 2 || g == 5) {
+      if (shown(g)) {
         std::printf(" %s; %s |", spread(speed, 1).c_str(), spread(spin, 1).c_str());
       }
     }
@@ -325,6 +339,7 @@ TEST(ChantSura, ReboundsOfElevenImpacts) {
     std::printf("| %s | %s | %s |\n", grounds()[g].name, speeds[g].text(1).c_str(),
                 spins[g].text(1).c_str());
   }
+  EXPECT_EQ(without, 1);
 }
 
 // On a plane: the published speeds normal to it and along it. The attitude is not known, nor the
@@ -362,7 +377,7 @@ TEST(ChantSura, DepthsOfSixScars) {
       }
       depths[g].add(depth, deep);
       kept[g].add(share, energy);
-      if (g == 0 || g == 2 || g == 5) {
+      if (shown(g)) {
         std::printf(" %s; %s |", spread(deep, 2).c_str(), spread(energy, 2).c_str());
       }
     }

@@ -176,6 +176,29 @@ TEST_F(CampaignContent, RollingLengthIsOfAZoneAndNeedNotBeStated) {
   EXPECT_NEAR(k_r.high, k_n * std::max(0.01, arm * arm), 1e-6 * k_n);
 }
 
+TEST_F(CampaignContent, SoilOfAZoneReachesItsRunsAndMustGoTogether) {
+  const auto soil = [](const std::string& keys) {
+    return with("rolling_friction = 0.3", "rolling_friction = 0.3\n" + keys);
+  };
+  const PreparedCampaign plan =
+      prepared(soil("friction_min = 0.1\nslip_growth_per_m = { uniform = [2.0, 4.0] }\n"
+                    "slip_memory_s = 0.005\nscar_drag = 1.5\nsoil_density_kg_m3 = 1800") +
+               "[ensemble]\nmembers = 3\n");
+  for (const GroundSet& set : plan.header.ground_sets) {
+    EXPECT_EQ(set.zones[0].slip_growth, 0.0);
+    EXPECT_GT(set.zones[1].slip_growth, 2.0);
+    EXPECT_LT(set.zones[1].slip_growth, 4.0);
+    EXPECT_EQ(set.zones[1].friction_min, 0.1);
+    EXPECT_EQ(set.zones[1].slip_memory, 0.005);
+    EXPECT_EQ(set.zones[1].scar_drag, 1.5);
+    EXPECT_EQ(set.zones[1].soil_density, 1800.0);
+  }
+  EXPECT_TRUE(contains(refusal(soil("friction_min = 0.1")), "slip_growth = 0; must be above 0"));
+  EXPECT_TRUE(contains(refusal(soil("scar_drag = 1.5")), "soil_density = 0; must be above 0"));
+  EXPECT_TRUE(contains(refusal(soil("friction_min = 90\nslip_growth_per_m = 1")),
+                       "friction_min = 90; must be at most friction"));
+}
+
 TEST_F(CampaignContent, BlockGroupsThatDoNotFitAreRefused) {
   const std::string group = "[[block_group]]\nname = \"g\"\nground.slope = { friction = 0.2 }\n";
   EXPECT_TRUE(contains(refusal(with("[terrain]", "select = [\"cube\"]\n[terrain]") + group +

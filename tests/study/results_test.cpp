@@ -76,6 +76,9 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.ground[0].rolling_friction, 0.35);
   EXPECT_EQ(results.ground[0].rolling_length, 0.12);
   EXPECT_EQ(results.ground[1].rolling_length, 0.0);
+  EXPECT_EQ(results.ground[0].slip_growth, 3.0);
+  EXPECT_EQ(results.ground[0].scar_drag, 1.5);
+  EXPECT_EQ(results.ground_sets[0].zones[0].soil_density, 1800.0);
   EXPECT_EQ(results.ground[1].energy_restitution, 0.04);
   EXPECT_EQ(results.ground[1].friction, 0.3);
   EXPECT_EQ(results.weights, ContactWeights::kOverlap);
@@ -111,8 +114,8 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.ground_sets[0].zones[1].energy_restitution, 0.04);
 }
 
-// Files of the first weeks of schema 4 do not hold it.
-TEST(Results, WithoutRollingLengthsAreReadAsStatingNone) {
+// Files of the first weeks of schema 4 do not hold them.
+TEST(Results, WithoutRollingLengthsOrSoilAreReadAsStatingNone) {
   const ScratchFolder folder;
   const fs::path target = folder / "r.h5";
   ResultsWriter::create(target, sample_header()).finish();
@@ -120,13 +123,19 @@ TEST(Results, WithoutRollingLengthsAreReadAsStatingNone) {
     Hdf5File file = Hdf5File::open(target, "clast results", 4, true);
     for (const char* group : {"ground", "ground_sets"}) {
       file.root().group(group).remove("rolling_length_m");
+      for (const char* soil : {"friction_min", "slip_growth_per_m", "slip_memory_s", "scar_drag",
+                               "soil_density_kg_m3"}) {
+        file.root().group(group).remove(soil);
+      }
     }
     file.flush();
   }
   const CampaignResults results = read_results(target);
   EXPECT_EQ(results.ground[0].rolling_friction, 0.35);
   EXPECT_EQ(results.ground[0].rolling_length, 0.0);
+  EXPECT_EQ(results.ground[0].scar_drag, 0.0);
   EXPECT_EQ(results.ground_sets[0].zones[0].rolling_length, 0.0);
+  EXPECT_EQ(results.ground_sets[0].zones[0].slip_growth, 0.0);
 }
 
 // Files of schema 3 hold one stiffness and step for all runs, and no depths.

@@ -42,6 +42,9 @@ inline CampaignResults sample_header() {
   header.set_of_point = {0, 1};
   header.zone_names = {"blue", "gray"};
   header.ground = {{0.01, 0.7, 0.35, 0.12}, {0.04, 0.3, 0.0}};
+  header.ground[0].slip_growth = 3.0;
+  header.ground[0].scar_drag = 1.5;
+  header.ground[0].soil_density = 1800.0;
   header.ground_sets = {{"", 0, header.ground}, {"hard", 1, {{0.02, 0.6, 0.3}, {0.05, 0.2, 0.1}}}};
   header.law = SpringDashpotLaw{};
   header.weights = ContactWeights::kOverlap;

@@ -230,6 +230,7 @@ TEST_F(StayCampaign, RefusesWhatDoesNotFit) {
           "is for blocks that stay");
   refused(changed("[contact.blocks]\nenergy_restitution = 0.1\n", "[contact.blocks]\n"),
           "[contact.blocks]: energy_restitution is missing");
+  refused(changed("[contact.blocks]\n", "[contact.blocks]\nscar_drag = 1.5\n"), "unknown key");
   refused(replaced_once(campaign_text(), "[run]",
                         "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\n"
                         "rolling_friction = 0.2\n[run]"),
