@@ -1,10 +1,26 @@
 #include "library/block_measures.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "classify/surface_indices.hpp"
 #include "mesh/remeshing.hpp"
 #include "shapes/outer_skin.hpp"
 
 namespace clast {
+namespace {
+
+/// Of the edge length: facets of a round surface that are larger pass for flat faces with edges.
+constexpr double kFacetShare = 0.7;
+constexpr double kFewestSegments = 4.0, kMostSegments = 24.0;
+
+/// Pieces of a quarter turn that are so short that a mesh of this edge length sees them as round.
+int skin_segments(double radius, double edge_length) {
+  const double pieces = 0.5 * kPi * radius / (kFacetShare * edge_length);
+  return static_cast<int>(std::ceil(std::clamp(pieces, kFewestSegments, kMostSegments)));
+}
+
+}  // namespace
 
 OrientedBox block_box(const Block& block, BoxConvention convention) {
   if (convention == BoxConvention::kSmallest) return block.box;  // stored
@@ -24,7 +40,9 @@ std::optional<Equilibria> block_equilibria(const Block& block) {
 
 Roundness block_roundness(const Block& block, double edge_length) {
   // A core's own surface has none of the rounding; nor may the skin cross itself at reflex edges.
-  const TriangleMesh surface = block.from_core ? outer_skin(block.body) : block.surface;
+  const TriangleMesh surface =
+      block.from_core ? outer_skin(block.body, skin_segments(block.body.radius, edge_length))
+                      : block.surface;
   return roundness(remeshed(surface, edge_length));
 }
 

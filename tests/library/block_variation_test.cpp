@@ -91,6 +91,12 @@ TEST(BlockVariation, RoundEdgesAtConstantVolumeAndForm) {
   EXPECT_TRUE(contains(refusal([] { varied(RoundingOf{0.5}); }), "from 0 to 0.4"));
 }
 
+// A ball of any radius is one: facets of its skin are smaller than the mesh it is measured on.
+TEST(BlockVariation, ASphereHasTheRoundnessOne) {
+  const Block ball = varied(ReferenceTo{ReferenceForm::kSphere});
+  EXPECT_GT(block_roundness(ball, 0.1 * ball.axes().L).value, 0.93);
+}
+
 // As Wadell measures it, on one length of edges: of a convex block, and of one with hollows.
 TEST(BlockVariation, AreRounderTheLargerTheRadiusIs) {
   const Block convex = varied(ConvexityOf{1.0});
