@@ -167,7 +167,8 @@ StiffnessChoice choose_stiffness(std::span<const ContactBody> bodies, const Cont
   StiffnessChoice choice;
   ContactStiffness& chosen = choice.stiffness;
   chosen.normal = options.normal.value_or(demand.normal);
-  chosen.tangential = options.tangential.value_or(chosen.normal);
+  // The elastic stiffness of the ground: that of unloading, where an impact leaves a dent.
+  chosen.tangential = options.tangential.value_or(chosen.normal / (1.0 - ground.dent_share));
   const double arm = kRollingArmShare * demand.smallest_side;
   chosen.rolling = options.rolling.value_or(chosen.tangential * arm * arm);
   const double stiffest_rolling =

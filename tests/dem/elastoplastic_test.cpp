@@ -132,6 +132,41 @@ TEST(YieldingGround, HoldsBelowTheFrictionAngleAndDoesNotCreep) {
   }
 }
 
+// A box that slides onto ground that unloads otherwise keeps its load: it neither sinks nor gains.
+TEST(YieldingGround, KeepsTheLoadFromZoneToZone) {
+  TriangleMesh mesh = plane_mesh(10.0, 30);
+  std::vector<std::uint16_t> zones;
+  for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+    double x = 0.0;
+    for (const std::uint32_t vertex : triangle) x += mesh.vertices[vertex].x() / 3.0;
+    zones.push_back(x > 0.0 ? 1 : 0);
+  }
+  const TerrainSurface terrain(std::move(mesh), std::move(zones));
+  const RigidBody body = box(1000.0, {1.0, 0.8, 0.2});
+  for (const bool onto_stiffer : {true, false}) {
+    const std::vector<GroundParameters> ground = {{onto_stiffer ? 0.25 : 0.01, 0.3, 0.0},
+                                                  {onto_stiffer ? 0.01 : 0.25, 0.3, 0.0}};
+    ReleaseSettings settings = yielding(body, 1e7, 0.01, 10.0);
+    settings.stiffness.tangential = 1e9;
+    settings.max_time = 5.0;
+    RigidState start;
+    start.position = {-2.0, 0.1, 0.1 + 1e-6};
+    start.velocity.x() = 5.0;
+    double least = 1.0, most = 0.0;
+    const ReleaseResult result =
+        simulate_release(terrain, ground, body, start, settings, [&](const MotionStep& step) {
+          if (step.end_time < 0.2) return;
+          least = std::min(least, 0.1 - step.end.position.z());
+          most = std::max(most, 0.1 - step.end.position.z());
+        });
+    EXPECT_EQ(result.stop_reason, StopReason::kRest);
+    EXPECT_GT(result.final_state.position.x(), 0.6);
+    EXPECT_LT(most - least, 0.1 * 1000.0 * kG / 1e7);
+    EXPECT_GT(result.energy.reassigned, -1e-3 * result.energy.friction);
+    EXPECT_LT(result.energy.error, 1e-3);
+  }
+}
+
 // Rocks that tumble down a rough slope come to rest with every joule accounted for.
 TEST(YieldingGround, TakesRocksToRest) {
   const TerrainSurface terrain = ground(rough_slope(80, 0.5, 0.35, 0.10));
@@ -180,6 +215,7 @@ TEST(YieldingGround, GetsItsStiffnessFromImpactsAndItsStepsFromUnloading) {
   const StiffnessChoice choice = choose_stiffness(std::span(&body, 1), zones, 20.0, kG, options);
   const double k = choice.stiffness.normal;
   EXPECT_NEAR(k, 1000.0 * 400.0 / (0.25 * 0.25), 1.0);
+  EXPECT_NEAR(choice.stiffness.tangential, k / 0.04, 1.0);
   EXPECT_NEAR(choice.settled_depth, 0.96 * choice.impact_depth, 1e-12);
   const double fastest = std::sqrt(2.0 / 0.04 * k / 1000.0 * 3.5);
   EXPECT_NEAR(choice.stiffness.time_step, 0.2 / fastest, 1e-12);
