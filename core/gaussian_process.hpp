@@ -1,0 +1,88 @@
+#pragma once
+/// Gaussian processes: a smooth function of a few numbers out of noisy values at some places of the
+/// unit cube, with the error of what it says elsewhere.
+#include <Eigen/Core>
+
+namespace clast {
+
+/// How alike the function is at two places r apart, each coordinate in units of its own length.
+enum class Kernel {
+  kMatern52,            ///< (1 + sqrt(5) r + 5 r^2/3) exp(-sqrt(5) r): twice differentiable
+  kSquaredExponential,  ///< exp(-r^2/2): infinitely smooth
+};
+
+/// What shapes a process beside its variance and mean, which follow in closed form.
+struct GaussianProcessShape {
+  Eigen::VectorXd lengths;  ///< of each coordinate, in units of the cube's side
+  double nugget = 0.0;      ///< variance of the noise over that of the function
+};
+
+struct GaussianProcessOptions {
+  Kernel kernel = Kernel::kMatern52;
+  double shortest = 0.05;         ///< bounds of lengths
+  double longest = 20.0;          ///< from here on the function is next to linear
+  double smallest_nugget = 1e-8;  ///< keeps places that nearly coincide apart
+  double largest_nugget = 1e3;
+  int iterations = 100;  ///< at most, from each start
+
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
+/// A process fitted to values at places. Its mean is a constant that is found with it, so values
+/// that are shifted or scaled give a process that is shifted or scaled.
+/// @cite rasmussen2006
+class GaussianProcess {
+ public:
+  /// Finds lengths and nugget at the maximum of the marginal likelihood, by steps that grow and
+  /// shrink with the signs of the gradient (Rprop), from two fixed starts: the same bits every
+  /// time. Values that are all equal give that value without error.
+  /// @param places  one column each, coordinates in [0, 1]
+  /// @param values  of each place, finite
+  /// @throws InputError  fewer than three places, or not as many values
+  /// @cite riedmiller1994, blum2013
+  GaussianProcess(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,
+                  const GaussianProcessOptions& options = {});
+  /// With a given shape.
+  GaussianProcess(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,
+                  const GaussianProcessShape& shape, Kernel kernel);
+
+  const GaussianProcessShape& shape() const { return shape_; }
+  double mean() const { return mean_; }
+  /// Of the function around its mean.
+  double variance() const { return variance_; }
+  /// Of one value around the function.
+  double noise_variance() const { return variance_ * shape_.nugget; }
+  /// Logarithm of the restricted marginal likelihood, up to a constant.
+  double log_likelihood() const { return log_likelihood_; }
+
+  /// At places, one column each: the function, and the variance of its error, without noise.
+  struct Prediction {
+    Eigen::VectorXd mean;
+    Eigen::VectorXd variance;
+  };
+  Prediction predict(const Eigen::MatrixXd& places) const;
+  /// The means alone, which cost far less.
+  Eigen::VectorXd predict_mean(const Eigen::MatrixXd& places) const;
+
+  /// Each value from all others, in closed form, with the shape as it is.
+  /// @cite dubrule1983
+  struct LeaveOneOut {
+    Eigen::VectorXd error;     ///< value less what the others say
+    Eigen::VectorXd variance;  ///< that it should have, noise and all
+  };
+  LeaveOneOut leave_one_out() const;
+
+ private:
+  void solve();
+
+  Kernel kernel_;
+  Eigen::MatrixXd places_;
+  Eigen::VectorXd values_;
+  GaussianProcessShape shape_;
+  double mean_ = 0.0, variance_ = 0.0, log_likelihood_ = 0.0;
+  Eigen::MatrixXd factor_;   ///< lower triangle of the correlations with the nugget
+  Eigen::VectorXd weights_;  ///< inverse correlations times the values about their mean
+  Eigen::VectorXd ones_;     ///< inverse correlations times one
+};
+
+}  // namespace clast
