@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
@@ -11,6 +12,11 @@
 namespace clast {
 
 double normal_below(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
+
+double normal_quantile(double p) {
+  assert(p > 0.0 && p < 1.0);
+  return quantile(boost::math::normal(), p);
+}
 
 double chi_squared_above(double x, double freedom) {
   assert(freedom > 0.0 && x >= 0.0);

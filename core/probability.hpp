@@ -4,6 +4,9 @@ namespace clast {
 
 /// P(X <= z) of the standard normal.
 double normal_below(double z);
+/// The z that a standard normal is below with probability `p`.
+/// @param p  in (0, 1)
+double normal_quantile(double p);
 
 /// P(X > x) of chi-squared: the regularised upper incomplete gamma function Q(freedom/2, x/2).
 /// @param x        finite, not negative

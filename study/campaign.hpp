@@ -71,8 +71,13 @@ struct BlockGroup {
 
 /// How often the uncertain parameters are drawn.
 struct Ensemble {
+  enum class Design {
+    kRandom,  ///< each member by chance
+    kSobol,   ///< together they fill the space of the parameters evenly
+  };
   std::uint32_t members = 1;
   std::uint64_t seed = 1;
+  Design design = Design::kRandom;
 };
 
 /// Where and how blocks start. Points are of the centre of mass, in map coordinates, z up.

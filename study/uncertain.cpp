@@ -1,6 +1,9 @@
 #include "study/uncertain.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/probability.hpp"
 
 namespace clast {
 namespace {
@@ -29,6 +32,21 @@ double Uncertain::draw(Random& random) const {
     const double value = drawn_once(*this, random);
     if (fixed() || (value > low && value <= high)) return value;
   }
+}
+
+double Uncertain::quantile(double below) const {
+  // Shares of a normal law that no draw in a campaign is beyond.
+  constexpr double kLeast = 1e-12;
+  if (fixed()) return first;
+  if (law == Law::kUniform) return first + (second - first) * below;
+  const auto share_below = [&](double value) {
+    if (law == Law::kNormal) return normal_below((value - first) / second);
+    return value > 0.0 ? normal_below(std::log(value / first) / second) : 0.0;
+  };
+  const double from = share_below(low), to = share_below(high);
+  const double z = normal_quantile(std::clamp(from + (to - from) * below, kLeast, 1.0 - kLeast));
+  const double value = law == Law::kNormal ? first + second * z : first * std::exp(second * z);
+  return std::clamp(value, low, high);
 }
 
 }  // namespace clast

@@ -18,6 +18,9 @@ struct Uncertain {
   /// The number, middle, mean or median.
   double central() const;
   double draw(Random& random) const;
+  /// The value that the share `below` of all draws lies below; the number itself where it is fixed.
+  /// @param below  in [0, 1)
+  double quantile(double below) const;
 };
 
 }  // namespace clast

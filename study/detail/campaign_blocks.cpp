@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
+#include "core/sobol.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/ground_fields.hpp"
@@ -131,13 +132,21 @@ std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::s
   return ground;
 }
 
-bool uncertain(const std::map<std::string, GroundTable>& ground) {
-  return std::any_of(ground.begin(), ground.end(), [](const auto& zone) {
-    return any_field([&](const GroundField& field) {
-      const std::optional<Uncertain>& asked = zone.second.*field.asked;
-      return asked && !asked->fixed();
-    });
-  });
+std::size_t uncertain_numbers(const std::map<std::string, GroundTable>& ground) {
+  std::size_t count = 0;
+  for (const auto& [zone, table] : ground) {
+    for (const GroundField& field : ground_fields()) {
+      const std::optional<Uncertain>& asked = table.*field.asked;
+      if (asked && !asked->fixed()) ++count;
+    }
+  }
+  return count;
+}
+
+std::size_t uncertain_numbers(const Campaign& campaign) {
+  std::size_t count = uncertain_numbers(campaign.ground);
+  for (const BlockGroup& group : campaign.groups) count += uncertain_numbers(group.ground);
+  return count;
 }
 
 }  // namespace
@@ -206,8 +215,7 @@ std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& 
 }
 
 Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
-  bool anything = uncertain(campaign.ground);
-  for (const BlockGroup& group : campaign.groups) anything = anything || uncertain(group.ground);
+  const bool anything = uncertain_numbers(campaign) > 0;
   const TomlNode* node = top.find("ensemble");
   if (!node) {
     if (anything) {
@@ -217,7 +225,7 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
     }
     return {};
   }
-  const TomlTable table(*node, top.file(), "[ensemble]", {"members", "seed"});
+  const TomlTable table(*node, top.file(), "[ensemble]", {"members", "seed", "design"});
   table.required("members", "how often the parameters are drawn, a whole number");
   if (!anything) {
     table.refuse(
@@ -226,6 +234,16 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
   Ensemble ensemble;
   ensemble.members = static_cast<std::uint32_t>(*table.count("members", 1, kMostPerSet));
   ensemble.seed = table.count("seed", 0, INT64_MAX).value_or(ensemble.seed);
+  if (choice(table, "design", {"random", "sobol"}) == "sobol") {
+    ensemble.design = Ensemble::Design::kSobol;
+    const std::size_t numbers = uncertain_numbers(campaign);
+    if (numbers > kMostSobolDimensions) {
+      table.refuse("design", *table.find("design"),
+                   "fills at most " + std::to_string(kMostSobolDimensions) +
+                       " uncertain parameters evenly, and there are " + std::to_string(numbers) +
+                       "; fix some, or leave design out");
+    }
+  }
   return ensemble;
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/listed.hpp"
+#include "core/sobol.hpp"
 #include "study/detail/named_seed.hpp"
 #include "study/ground_fields.hpp"
 
@@ -39,6 +41,21 @@ void put(const std::map<std::string, GroundTable>& tables,
   }
 }
 
+/// One coordinate for each uncertain parameter, of blocks in no group first; none where members
+/// are drawn by chance.
+std::optional<SobolSequence> sobol_design(const Campaign& campaign) {
+  if (campaign.ensemble.design != Ensemble::Design::kSobol) return std::nullopt;
+  std::size_t coordinates = 0;
+  const auto count = [&](const Uncertain& number) {
+    coordinates += number.fixed() ? 0 : 1;
+    return 0.0;
+  };
+  Values values;
+  put(campaign.ground, count, values);
+  for (const BlockGroup& group : campaign.groups) put(group.ground, count, values);
+  return SobolSequence(coordinates, campaign.ensemble.seed);
+}
+
 /// @throws InputError  values that do not go together, such as a friction below the smallest
 std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& values,
                                        const std::vector<std::string>& zones) {
@@ -62,15 +79,21 @@ std::vector<GroundSet> ground_sets(const Campaign& campaign,
   const std::size_t groups = 1 + campaign.groups.size();
   const std::uint32_t members = campaign.ensemble.members;
   std::vector<GroundSet> sets(groups * members);
+  std::optional<SobolSequence> design = sobol_design(campaign);
   // Every group draws from a sequence of its own, so that no group changes what others get.
   std::vector<Random> random = {Random(campaign.ensemble.seed)};
   for (const BlockGroup& group : campaign.groups) {
     random.emplace_back(named_seed(campaign.ensemble.seed, group.name));
   }
   for (std::uint32_t member = 0; member < members; ++member) {
+    const std::vector<double> shares = design ? design->next() : std::vector<double>();
+    auto share = shares.begin();
     Values base;
     for (std::size_t g = 0; g < groups; ++g) {
-      const auto draw = [&](const Uncertain& number) { return number.draw(random[g]); };
+      const auto draw = [&](const Uncertain& number) {
+        if (!design || number.fixed()) return number.draw(random[g]);
+        return number.quantile(*share++);
+      };
       if (g == 0) put(campaign.ground, draw, base);
       Values values = base;
       if (g > 0) put(campaign.groups[g - 1].ground, draw, values);

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "core/probability.hpp"
 #include "study/block_stiffness.hpp"
 #include "tests/study/campaign_run.hpp"
 
@@ -239,6 +241,46 @@ TEST_F(CampaignContent, EnsembleDrawsTheGroundForEveryMember) {
   // The same seed draws the same.
   EXPECT_EQ(prepared(ensemble).header.ground_sets[49].zones[0].friction,
             plan.header.ground_sets[49].zones[0].friction);
+}
+
+// Of 32 members of Sobol's sequence each 32nd part of every parameter's law has one.
+TEST_F(CampaignContent, SobolEnsembleFillsTheLawsEvenly) {
+  std::string text = with("friction = 0.4", "friction = { uniform = [0.3, 0.5] }");
+  text =
+      replaced_once(text, "rolling_friction = 0.3", "rolling_friction = { normal = [0.3, 0.05] }");
+  text +=
+      "[[block_group]]\nname = \"g\"\nselect = [\"slab\"]\n"
+      "ground.slope = { friction = { uniform = [0.1, 0.2] } }\n"
+      "[ensemble]\nmembers = 32\nseed = 9\ndesign = \"sobol\"\n";
+  const PreparedCampaign plan = prepared(text);
+  ASSERT_EQ(plan.header.ground_sets.size(), 64u);
+  std::set<int> friction, rolling, of_group;
+  for (std::uint32_t member = 0; member < 32; ++member) {
+    const GroundSet& set = plan.header.ground_sets[member];
+    const GroundSet& group = plan.header.ground_sets[32 + member];
+    friction.insert(static_cast<int>((set.zones[0].friction - 0.3) / 0.2 * 32));
+    rolling.insert(
+        static_cast<int>(normal_below((set.zones[1].rolling_friction - 0.3) / 0.05) * 32));
+    of_group.insert(static_cast<int>((group.zones[0].friction - 0.1) / 0.1 * 32));
+    EXPECT_EQ(group.zones[1].rolling_friction, set.zones[1].rolling_friction);
+  }
+  EXPECT_EQ(friction.size(), 32u);
+  EXPECT_EQ(rolling.size(), 32u);
+  EXPECT_EQ(of_group.size(), 32u);
+}
+
+TEST(Uncertain, QuantilesAreThoseOfTheLaw) {
+  EXPECT_EQ((Uncertain{Uncertain::Law::kFixed, 0.7}.quantile(0.2)), 0.7);
+  EXPECT_DOUBLE_EQ((Uncertain{Uncertain::Law::kUniform, 1.0, 3.0}.quantile(0.25)), 1.5);
+  const Uncertain normal{Uncertain::Law::kNormal, 2.0, 0.5};
+  EXPECT_NEAR(normal.quantile(0.975), 2.0 + 1.959963985 * 0.5, 1e-8);
+  const Uncertain log_normal{Uncertain::Law::kLogNormal, 300.0, 0.5};
+  EXPECT_NEAR(log_normal.quantile(0.5), 300.0, 1e-9);
+  EXPECT_NEAR(log_normal.quantile(0.1), 300.0 * std::exp(-1.281551566 * 0.5), 1e-6);
+  // Cut at its mean, the upper half is left, whose median is the upper quartile.
+  const Uncertain cut{Uncertain::Law::kNormal, 0.0, 1.0, 0.0, 1e300};
+  EXPECT_NEAR(cut.quantile(0.5), 0.6744897502, 1e-8);
+  EXPECT_GE(cut.quantile(0.0), 0.0);
 }
 
 TEST(Uncertain, DrawsFollowTheirLaw) {

@@ -1,0 +1,141 @@
+#include "study/calibration/unknown.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "core/error.hpp"
+#include "core/listed.hpp"
+#include "study/detail/campaign_ranges.hpp"
+#include "study/detail/campaign_reading.hpp"
+#include "study/ground_fields.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+namespace {
+
+constexpr const char* kGround = "ground.";
+
+/// A parameter that is not of a zone.
+struct Settable {
+  const char* name;
+  const char* unit;
+  NumberRange range;
+  bool of_release;
+  void (*set)(Campaign& campaign, double value);
+};
+
+template <class Set>
+void in_releases(Campaign& campaign, const Set& set) {
+  for (ReleasePlan& release : campaign.releases) set(release);
+}
+
+template <int axis>
+void set_velocity(Campaign& campaign, double value) {
+  in_releases(campaign, [&](ReleasePlan& release) { release.velocity[axis] = value; });
+}
+template <int axis>
+void set_spin(Campaign& campaign, double value) {
+  in_releases(campaign, [&](ReleasePlan& release) { release.angular_velocity[axis] = value; });
+}
+
+std::span<const Settable> settables() {
+  static constexpr NumberRange kSpeed{-kMostSpeed, kMostSpeed, "m/s"};
+  static constexpr NumberRange kSpin{-kMostSpin, kMostSpin, "rad/s"};
+  static constexpr std::array<Settable, 10> kSettables{
+      {{"contact.stiffness_n_m", "N/m", kStiffness, false,
+        [](Campaign& campaign, double value) { campaign.stiffness.normal = value; }},
+       {"contact.tangential_stiffness_n_m", "N/m", kStiffness, false,
+        [](Campaign& campaign, double value) { campaign.stiffness.tangential = value; }},
+       {"contact.rolling_stiffness_n_m_rad", "N m/rad", kRollingStiffness, false,
+        [](Campaign& campaign, double value) { campaign.stiffness.rolling = value; }},
+       {"release.height_m", "m", kDropHeight, true,
+        [](Campaign& campaign, double value) {
+          in_releases(campaign, [&](ReleasePlan& release) { release.drop_height = value; });
+        }},
+       {"release.velocity_x_m_s", "m/s", kSpeed, true, &set_velocity<0>},
+       {"release.velocity_y_m_s", "m/s", kSpeed, true, &set_velocity<1>},
+       {"release.velocity_z_m_s", "m/s", kSpeed, true, &set_velocity<2>},
+       {"release.spin_x_rad_s", "rad/s", kSpin, true, &set_spin<0>},
+       {"release.spin_y_rad_s", "rad/s", kSpin, true, &set_spin<1>},
+       {"release.spin_z_rad_s", "rad/s", kSpin, true, &set_spin<2>}}};
+  return kSettables;
+}
+
+const Settable* settable(const std::string& parameter) {
+  for (const Settable& one : settables()) {
+    if (parameter == one.name) return &one;
+  }
+  return nullptr;
+}
+
+/// "ground.ZONE.FIELD", where zones may have points in their names; null: no such field.
+struct ZoneField {
+  std::string zone;
+  const GroundField* field = nullptr;
+};
+
+ZoneField zone_field(const std::string& parameter) {
+  ZoneField found;
+  const std::size_t point = parameter.rfind('.');
+  const std::size_t begin = std::string(kGround).size();
+  if (!parameter.starts_with(kGround) || point <= begin) return found;
+  found.zone = parameter.substr(begin, point - begin);
+  for (const GroundField& field : ground_fields()) {
+    if (parameter.substr(point + 1) == field.name) found.field = &field;
+  }
+  return found;
+}
+
+}  // namespace
+
+double Unknown::value(double below) const {
+  if (!logarithmic) return low + (high - low) * below;
+  return low * std::pow(high / low, below);
+}
+
+double Unknown::share_below(double value) const {
+  if (!logarithmic) return (value - low) / (high - low);
+  return std::log(value / low) / std::log(high / low);
+}
+
+ParameterRange parameter_range(const std::string& parameter) {
+  if (const Settable* found = settable(parameter)) return {found->unit, found->range};
+  if (const GroundField* field = zone_field(parameter).field) return {field->unit, field->range};
+  std::vector<std::string> names;
+  for (const GroundField& field : ground_fields()) {
+    names.push_back(std::string("ground.ZONE.") + field.name);
+  }
+  for (const Settable& one : settables()) names.emplace_back(one.name);
+  throw InputError("is no parameter that can be calibrated; these are " + listed(names));
+}
+
+bool has_parameter(const Campaign& campaign, const std::string& parameter) {
+  if (const ZoneField of_zone = zone_field(parameter); of_zone.field) {
+    return campaign.ground.contains(of_zone.zone);
+  }
+  if (parameter != "release.height_m") return settable(parameter) != nullptr;
+  return std::all_of(campaign.releases.begin(), campaign.releases.end(),
+                     [](const ReleasePlan& release) { return release.drop_height.has_value(); });
+}
+
+void set_parameter(Campaign& campaign, const std::string& parameter, double value) {
+  if (const ZoneField of_zone = zone_field(parameter); of_zone.field) {
+    Uncertain number;
+    number.first = value;
+    campaign.ground.at(of_zone.zone).*of_zone.field->asked = number;
+    return;
+  }
+  if (const Settable* found = settable(parameter)) found->set(campaign, value);
+}
+
+bool is_of_ground(const std::string& parameter) { return zone_field(parameter).field != nullptr; }
+
+bool is_of_release(const std::string& parameter) {
+  const Settable* found = settable(parameter);
+  return found && found->of_release;
+}
+
+}  // namespace clast
