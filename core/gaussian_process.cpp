@@ -115,7 +115,11 @@ std::pair<VectorXd, double> climb(const MatrixXd& places, const VectorXd& values
   VectorXd best = at;
   double most = -1e300;
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
-    Likelihood here = likelihood_of(places, values, shape_of(at), options.kernel);
+    const GaussianProcessShape shape = shape_of(at);
+    Likelihood here = likelihood_of(places, values, shape, options.kernel);
+    const VectorXd belief = options.shrinkage * shape.lengths.cwiseInverse();
+    here.value -= belief.sum();
+    here.gradient.head(belief.size()) += belief;
     if (here.value > most) {
       most = here.value;
       best = at;
@@ -154,12 +158,14 @@ GaussianProcessShape best_shape(const MatrixXd& places, const VectorXd& values,
 
 void GaussianProcessOptions::check() const {
   const auto refuse = [](const std::string& field, double value) {
-    throw InputError("`" + field + "` " + with_digits(value, 6) + ": is out of range");
+    throw InputError("a Gaussian process: " + field + " " + with_digits(value, 6) +
+                     " is out of range");
   };
   if (!(shortest > 0.0)) refuse("shortest", shortest);
   if (!(longest > shortest)) refuse("longest", longest);
   if (!(smallest_nugget > 0.0)) refuse("smallest_nugget", smallest_nugget);
   if (!(largest_nugget > smallest_nugget)) refuse("largest_nugget", largest_nugget);
+  if (!(shrinkage >= 0.0)) refuse("shrinkage", shrinkage);
   if (iterations < 1) refuse("iterations", iterations);
 }
 

@@ -23,6 +23,9 @@ struct GaussianProcessOptions {
   double longest = 20.0;          ///< from here on the function is next to linear
   double smallest_nugget = 1e-8;  ///< keeps places that nearly coincide apart
   double largest_nugget = 1e3;
+  /// Belief that coordinates have little influence: the likelihood is weighed with
+  /// exp(-shrinkage/length) of each, so that noise is not taken for an influence.
+  double shrinkage = 1.0;
   int iterations = 100;  ///< at most, from each start
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -33,13 +36,13 @@ struct GaussianProcessOptions {
 /// @cite rasmussen2006
 class GaussianProcess {
  public:
-  /// Finds lengths and nugget at the maximum of the marginal likelihood, by steps that grow and
-  /// shrink with the signs of the gradient (Rprop), from two fixed starts: the same bits every
-  /// time. Values that are all equal give that value without error.
+  /// Finds lengths and nugget at the maximum of the marginal likelihood, weighed, by steps that
+  /// grow and shrink with the signs of the gradient (Rprop), from two fixed starts: the same bits
+  /// every time. Values that are all equal give that value without error.
   /// @param places  one column each, coordinates in [0, 1]
   /// @param values  of each place, finite
   /// @throws InputError  fewer than three places, or not as many values
-  /// @cite riedmiller1994, blum2013
+  /// @cite riedmiller1994, blum2013, fuglstad2019
   GaussianProcess(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,
                   const GaussianProcessOptions& options = {});
   /// With a given shape.

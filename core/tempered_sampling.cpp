@@ -100,7 +100,8 @@ void move(const LogLikelihood& log_likelihood, double power, int moves, double& 
 
 void TemperedSamplingOptions::check() const {
   const auto refuse = [](const std::string& field, double value) {
-    throw InputError("`" + field + "` " + with_digits(value, 6) + ": is out of range");
+    throw InputError("tempered sampling: " + field + " " + with_digits(value, 6) +
+                     " is out of range");
   };
   if (draws < 10 || draws > 1'000'000) refuse("draws", static_cast<double>(draws));
   if (!(kept > 0.0 && kept < 1.0)) refuse("kept", kept);

@@ -24,9 +24,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> kCommands = {"reconstruct", "cut",      "vary",    "show",
-                                            "classify",    "export",   "library", "terrain",
-                                            "check",       "simulate", "compare", "help"};
+const std::vector<std::string> kCommands = {
+    "reconstruct", "cut",   "vary",     "show",    "classify",  "export", "library",
+    "terrain",     "check", "simulate", "compare", "calibrate", "help"};
 
 TEST(CommandLine, HelpOfEveryCommandShowsAnExample) {
   EXPECT_EQ(run_clast({"--help"}).exit_code, 0);

@@ -75,9 +75,9 @@ TEST(TemperedSampling, SeedsDecideEveryBit) {
 
 TEST(TemperedSampling, RefusesSenselessOptionsAndALikelihoodThatIsNowhere) {
   EXPECT_EQ(refusal<InputError>([] { sample_tempered(1, ridge, {.draws = 2}); }),
-            "`draws` 2: is out of range");
+            "tempered sampling: draws 2 is out of range");
   EXPECT_EQ(refusal<InputError>([] { sample_tempered(1, ridge, {.kept = 1.0}); }),
-            "`kept` 1: is out of range");
+            "tempered sampling: kept 1 is out of range");
   const auto nowhere = [](const MatrixXd& places) -> VectorXd {
     return VectorXd::Constant(places.cols(), -std::numeric_limits<double>::infinity());
   };

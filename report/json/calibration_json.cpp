@@ -1,0 +1,91 @@
+#include "report/json/calibration_json.hpp"
+
+#include "report/text/calibration_text.hpp"
+
+namespace clast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json unknowns_json(const Calibration& calibration) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
+    const Unknown& unknown = calibration.study.unknowns[i];
+    const Marginal& marginal = calibration.posterior.marginals[i];
+    list.push_back({{"parameter", unknown.parameter},
+                    {"unit", parameter_range(unknown.parameter).unit},
+                    {"range", {unknown.low, unknown.high}},
+                    {"median", marginal.median},
+                    {"interval_95", {marginal.low, marginal.high}},
+                    {"width_of_prior", marginal.width},
+                    {"told", !marginal.is_untold()},
+                    {"cut_off", marginal.is_cut_off()}});
+    if (i >= calibration.posterior.nearest.unknowns.size()) continue;
+    const Marginal& near = calibration.posterior.nearest.unknowns[i];
+    list.back()["nearest_members"] = {{"median", near.median}, {"range", {near.low, near.high}}};
+  }
+  return list;
+}
+
+Json figures_json(const Calibration& calibration) {
+  Json list = Json::array();
+  for (std::size_t o = 0, at = 0; o < calibration.study.observations.size(); ++o) {
+    const Observation& observation = calibration.study.observations[o];
+    for (std::size_t i = 0; i < observation.figures.size(); ++i, ++at) {
+      const Figure& figure = observation.figures[i];
+      Json json = {{"observation", observation.name},
+                   {"site", calibration.study.sites[observation.site].name},
+                   {"use", observation.fitted ? "fit" : "keep"},
+                   {"figure", figure.name},
+                   {"observed", figure.observed}};
+      for (const PredictedFigure& one : calibration.posterior.predicted) {
+        if (one.observation != o || one.figure != i) continue;
+        json["predicted"] = one.median;
+        json["interval_95"] = {one.low, one.high};
+        json["covered"] = one.covers(figure.observed);
+      }
+      if (const std::optional<SurrogateQuality>& quality = calibration.posterior.surrogates[at]) {
+        json["surrogate"] = {{"members", quality->members},
+                             {"error", quality->error},
+                             {"explained", quality->explained}};
+        Json first = Json::object(), total = Json::object();
+        for (std::size_t k = 0; k < calibration.study.unknowns.size(); ++k) {
+          const std::string& parameter = calibration.study.unknowns[k].parameter;
+          first[parameter] = calibration.posterior.sensitivities[at][k].first_order;
+          total[parameter] = calibration.posterior.sensitivities[at][k].total;
+        }
+        json["first_order"] = std::move(first);
+        json["total"] = std::move(total);
+      }
+      list.push_back(std::move(json));
+    }
+  }
+  return list;
+}
+
+Json check_json(const PredictiveCheck& check) {
+  return {{"figures", check.figures},
+          {"covered", check.covered},
+          {"squared_distance", check.squared},
+          {"freedom", check.freedom},
+          {"p", check.p_value ? Json(*check.p_value) : Json()},
+          {"failed", check.failed()}};
+}
+
+}  // namespace
+
+Json calibration_json(const Calibration& calibration) {
+  return {{"file", calibration.file.string()},
+          {"answer", calibration_answer(calibration)},
+          {"findings", calibration_findings(calibration)},
+          {"members", calibration.study.design.members},
+          {"releases", calibration.study.design.releases},
+          {"draws", calibration.posterior.draws.cols()},
+          {"unknowns", unknowns_json(calibration)},
+          {"figures", figures_json(calibration)},
+          {"fit", check_json(calibration.posterior.fitted)},
+          {"prediction", check_json(calibration.posterior.kept)},
+          {"ground", ground_block(calibration)}};
+}
+
+}  // namespace clast

@@ -1,0 +1,276 @@
+#include "report/pages/calibration_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/version.hpp"
+#include "report/charts/palette.hpp"
+#include "report/charts/plotly_chart.hpp"
+#include "report/html/assets.hpp"
+#include "report/html/contents.hpp"
+#include "report/html/html_page.hpp"
+#include "report/html/page_script.hpp"
+#include "report/html/report_page.hpp"
+#include "report/text/calibration_text.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+namespace {
+
+using Eigen::Index;
+using Json = nlohmann::ordered_json;
+
+std::string label_of(const Unknown& unknown) {
+  const std::string unit = parameter_range(unknown.parameter).unit;
+  return unknown_in_words(unknown.parameter) + (unit.empty() ? "" : ", " + unit);
+}
+
+std::string head(const Calibration& calibration) {
+  const CalibrationDesign& design = calibration.study.design;
+  std::string html = "<header id=\"answer\">\n<h1>Ground found from what was observed</h1>\n";
+  html += "<p class=\"lead\">" +
+          escaped(calibration.study.file.filename().string() + ": " +
+                  counted(design.members, "member") + " of " + counted(design.releases, "release") +
+                  " at " + counted(calibration.study.sites.size(), "site")) +
+          "</p>\n<p class=\"answer\">" + escaped(calibration_answer(calibration)) + "</p>\n";
+  for (const std::string& finding : calibration_findings(calibration)) html += paragraph(finding);
+  return html + "</header>\n";
+}
+
+/// Draws of an unknown in equal bins of its range, against the level line of the prior.
+std::string marginal_chart(const Calibration& calibration, std::size_t unknown) {
+  constexpr std::size_t kBins = 24;
+  std::vector<double> shares(kBins, 0.0);
+  const auto row = calibration.posterior.shares.row(static_cast<Index>(unknown));
+  for (const double share : row) {
+    shares[std::min(kBins - 1, static_cast<std::size_t>(share * kBins))] +=
+        1.0 / static_cast<double>(row.size());
+  }
+  const Unknown& own = calibration.study.unknowns[unknown];
+  Trace posterior{"after", kDataColours[0], "", Trace::Kind::kSteps, {}, {}};
+  Trace prior{"before", kDataColours[3], "6 3", Trace::Kind::kLine, {}, {}};
+  for (std::size_t bin = 0; bin <= kBins; ++bin) {
+    const double at = own.value(static_cast<double>(bin) / kBins);
+    posterior.x.push_back(at);
+    posterior.y.push_back(shares[std::min(bin, kBins - 1)]);
+    if (bin > 0 && bin < kBins) continue;
+    prior.x.push_back(at);
+    prior.y.push_back(1.0 / kBins);
+  }
+  return plotly_chart({label_of(own), label_of(own), "share of draws in a bin of the range", true},
+                      {posterior, prior});
+}
+
+std::string unknowns_section(const Calibration& calibration) {
+  HtmlTable table({"parameter", "range from", "to", "median", "95 % from", "95 % to", "width left",
+                   "nearest members from", "to"},
+                  1);
+  std::string charts;
+  const CalibrationPosterior& posterior = calibration.posterior;
+  for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
+    const Unknown& unknown = calibration.study.unknowns[i];
+    const Marginal& marginal = posterior.marginals[i];
+    std::vector<std::string> row = {label_of(unknown),
+                                    significant(unknown.low),
+                                    significant(unknown.high),
+                                    significant(marginal.median),
+                                    significant(marginal.low),
+                                    significant(marginal.high),
+                                    percent(std::min(1.0, marginal.width), 0)};
+    if (i < posterior.nearest.unknowns.size()) {
+      row.push_back(significant(posterior.nearest.unknowns[i].low));
+      row.push_back(significant(posterior.nearest.unknowns[i].high));
+    } else {
+      row.insert(row.end(), 2, "-");
+    }
+    table.row(row);
+    charts += marginal_chart(calibration, i);
+  }
+  return section(
+      "Parameters",
+      table.html() +
+          paragraph("Before, all values of a range were as likely. Width left is that of the 95 % "
+                    "interval against that of the range: above 80 % the observations do not tell "
+                    "the parameter. The nearest members are those simulated sets whose own figures "
+                    "lie closest to the observed ones.") +
+          "<div class=\"charts\">\n" + charts + "</div>\n");
+}
+
+/// Some of the draws over two unknowns.
+std::string pair_chart(const Calibration& calibration, Index a, Index b) {
+  constexpr Index kMostPoints = 400;
+  const Eigen::MatrixXd& draws = calibration.posterior.draws;
+  const Index stride = std::max<Index>(1, draws.cols() / kMostPoints);
+  Json x = Json::array(), y = Json::array();
+  for (Index i = 0; i < draws.cols(); i += stride) {
+    x.push_back(draws(a, i));
+    y.push_back(draws(b, i));
+  }
+  const Unknown& first = calibration.study.unknowns[static_cast<std::size_t>(a)];
+  const Unknown& second = calibration.study.unknowns[static_cast<std::size_t>(b)];
+  const auto axis = [](const Unknown& unknown) {
+    Json json = {{"title", {{"text", escaped(label_of(unknown))}}},
+                 {"gridcolor", "#e2e6ea"},
+                 {"zeroline", false}};
+    if (unknown.logarithmic) json["type"] = "log";
+    return json;
+  };
+  const Json figure = {
+      {"data",
+       {{{"type", "scatter"},
+         {"mode", "markers"},
+         {"x", x},
+         {"y", y},
+         {"hoverinfo", "skip"},
+         {"marker", {{"size", 4}, {"opacity", 0.5}, {"color", kDataColours[0]}}}}}},
+      {"layout",
+       {{"height", 380},
+        {"margin", {{"l", 62}, {"r", 14}, {"t", 10}, {"b", 46}}},
+        {"showlegend", false},
+        {"xaxis", axis(first)},
+        {"yaxis", axis(second)}}}};
+  const std::string title = unknown_in_words(first.parameter) + " and " +
+                            unknown_in_words(second.parameter) + " (rank correlation " +
+                            fixed(calibration.posterior.correlation(a, b), 2) + ")";
+  return plotly_figure(title, "pairs", figure.dump(), title);
+}
+
+/// The pairs of unknowns that go together most.
+std::string ridges_section(const Calibration& calibration) {
+  constexpr std::size_t kMostPairs = 6;
+  const Eigen::MatrixXd& together = calibration.posterior.correlation;
+  std::vector<std::pair<double, std::pair<Index, Index>>> pairs;
+  for (Index a = 0; a < together.rows(); ++a) {
+    for (Index b = a + 1; b < together.rows(); ++b) {
+      pairs.push_back({-std::abs(together(a, b)), {a, b}});
+    }
+  }
+  if (pairs.empty()) return "";
+  std::sort(pairs.begin(), pairs.end());
+  std::string charts;
+  for (std::size_t i = 0; i < std::min(kMostPairs, pairs.size()); ++i) {
+    charts += pair_chart(calibration, pairs[i].second.first, pairs[i].second.second);
+  }
+  return section(
+      "Pairs of parameters",
+      paragraph("Draws from the posterior over the pairs that go together most. A narrow "
+                "band means that the observations tell a combination better than "
+                "either of the two.") +
+          "<div class=\"charts\">\n" + charts + "</div>\n");
+}
+
+std::string prediction_section(const Calibration& calibration) {
+  HtmlTable table({"observation", "use", "figure", "observed", "predicted", "95 % from", "95 % to"},
+                  3);
+  std::vector<IntervalMark> marks;
+  for (const PredictedFigure& one : calibration.posterior.predicted) {
+    const Observation& observation = calibration.study.observations[one.observation];
+    const Figure& figure = observation.figures[one.figure];
+    table.row({observation.name, observation.fitted ? "fit" : "keep", figure.name,
+               significant(figure.observed, 4), significant(one.median, 4), significant(one.low, 4),
+               significant(one.high, 4)});
+    const double half = std::max(0.5 * (one.high - one.low), 1e-300);
+    const auto scaled = [&](double value) { return (value - figure.observed) / half; };
+    const std::string name = observation.name + ": " + figure.name;
+    marks.push_back({name, scaled(one.median), scaled(one.low), scaled(one.high),
+                     !one.covers(figure.observed),
+                     name + (observation.fitted ? " (fitted)" : " (kept)") + ": observed " +
+                         significant(figure.observed, 4) + ", predicted " +
+                         significant(one.low, 4) + " to " + significant(one.high, 4)});
+  }
+  return section(
+      "Observed against predicted",
+      interval_chart("Predicted less observed",
+                     "predicted less observed, in half widths of the 95 % interval", marks) +
+          table.html() +
+          paragraph("Intervals are of what would be observed: they hold the uncertainty of the "
+                    "parameters, the chance of as many releases as there were in the field, and "
+                    "the error of the surrogate. Kept figures had no part in the fit."));
+}
+
+std::string sensitivity_table(const Calibration& calibration, double VarianceShare::*share) {
+  std::vector<std::string> heads = {"figure"};
+  for (const Unknown& unknown : calibration.study.unknowns) {
+    heads.push_back(unknown_in_words(unknown.parameter));
+  }
+  HtmlTable table(heads, 1);
+  std::size_t at = 0;
+  for (const Observation& observation : calibration.study.observations) {
+    for (const Figure& figure : observation.figures) {
+      const std::vector<VarianceShare>& shares = calibration.posterior.sensitivities[at++];
+      if (shares.empty()) continue;
+      std::vector<std::string> row = {observation.name + ": " + figure.name};
+      for (const VarianceShare& one : shares) row.push_back(percent(one.*share, 0));
+      table.row(row);
+    }
+  }
+  return table.html();
+}
+
+std::string surrogate_table(const Calibration& calibration) {
+  HtmlTable table({"figure", "members", "error", "explained", "inflation", "roughness"}, 1);
+  std::size_t at = 0;
+  for (const Observation& observation : calibration.study.observations) {
+    for (const Figure& figure : observation.figures) {
+      const std::optional<SurrogateQuality>& quality = calibration.posterior.surrogates[at++];
+      const std::string name = observation.name + ": " + figure.name;
+      if (!quality) {
+        table.row({name, "too few", "-", "-", "-", "-"});
+        continue;
+      }
+      table.row({name, std::to_string(quality->members), significant(quality->error),
+                 percent(std::max(0.0, quality->explained), 0), fixed(quality->inflation, 2),
+                 significant(quality->roughness)});
+    }
+  }
+  return table.html();
+}
+
+std::string influence_section(const Calibration& calibration) {
+  return section(
+      "What the figures depend on",
+      sensitivity_table(calibration, &VarianceShare::total) +
+          paragraph("Share of the variance of each figure over the ranges that goes with a "
+                    "parameter, alone or together with others (Sobol's total index).") +
+          folded("With a parameter alone",
+                 sensitivity_table(calibration, &VarianceShare::first_order)) +
+          folded("How well the surrogates say members that they have not seen",
+                 surrogate_table(calibration) +
+                     paragraph("Error is the root mean square of leave-one-out errors, in the unit "
+                               "of the figure; explained is what is left of the variance without "
+                               "it. Their variances are multiplied by the inflation, and "
+                               "roughness, what is neither smooth nor chance, is added.")));
+}
+
+std::string provenance_section(const Calibration& calibration) {
+  std::string facts =
+      fact("Report by", std::string("clast ") + version()) +
+      fact("Posterior", calibration.file.string()) +
+      fact("Study", calibration.study.file.string() + " " + calibration.study.sha256) +
+      fact("Seed", std::to_string(calibration.study.design.seed)) +
+      fact("Draws", std::to_string(calibration.posterior.draws.cols()) + " after " +
+                        std::to_string(calibration.posterior.temperatures) + " temperatures, " +
+                        percent(calibration.posterior.accepted, 0) + " of the last moves accepted");
+  std::string inputs;
+  for (const std::string& input : calibration.stored.inputs) inputs += paragraph(input);
+  return section("For campaigns", "<pre>" + escaped(ground_block(calibration)) + "</pre>\n") +
+         section("Provenance",
+                 "<dl class=\"facts\">\n" + facts + "</dl>\n" +
+                     folded("Input files and their SHA-256", inputs) +
+                     folded("Study file", "<pre>" + escaped(calibration.study.text) + "</pre>\n"));
+}
+
+}  // namespace
+
+std::string calibration_page(const Calibration& calibration) {
+  const std::string sections = head(calibration) + unknowns_section(calibration) +
+                               prediction_section(calibration) + ridges_section(calibration) +
+                               influence_section(calibration) + provenance_section(calibration);
+  return report_page(
+      "Calibration: " + calibration.study.file.stem().string(),
+      script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
+}
+
+}  // namespace clast

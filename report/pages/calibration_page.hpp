@@ -1,0 +1,11 @@
+#pragma once
+/// A calibration as one self-contained HTML page.
+#include <string>
+
+#include "study/calibration/calibrate.hpp"
+
+namespace clast {
+
+std::string calibration_page(const Calibration& calibration);
+
+}  // namespace clast

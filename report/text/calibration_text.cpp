@@ -1,0 +1,249 @@
+#include "report/text/calibration_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/number_text.hpp"
+#include "core/text_table.hpp"
+#include "report/text/capital.hpp"
+#include "study/ground_fields.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+namespace {
+
+constexpr double kRidge = 0.6;  ///< rank correlation from which two parameters are a ridge
+
+std::string value_text(double value) { return rounded(value, 3); }
+
+std::string unit_of(const std::string& parameter) {
+  const std::string unit = parameter_range(parameter).unit;
+  return unit.empty() ? "" : " " + unit;
+}
+
+std::string listed_in_words(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  }
+  return text;
+}
+
+std::string check_sentence(const PredictiveCheck& check, bool fitted) {
+  const std::string covered = std::to_string(check.covered) + " of " +
+                              counted(check.figures, fitted ? "fitted figure" : "kept figure");
+  std::string text = covered + (check.covered == 1 ? " lies" : " lie") +
+                     " within the 95 % interval of what would be observed";
+  if (!check.p_value) {
+    return text +
+           "; as many parameters are told as there are figures, so that nothing can "
+           "contradict the fit";
+  }
+  const std::string p = " (p = " + with_digits(*check.p_value, 2) + ")";
+  if (!check.failed()) return text + ", and together they are such as the law gives" + p;
+  return text + ", but together they are not such as the law gives" + p + ": " +
+         (fitted ? "no ground within the ranges explains what was observed; the law, the ranges or "
+                   "the starts are wrong"
+                 : "the calibrated ground does not predict them");
+}
+
+/// Unknowns whose posterior median no near member comes close to.
+std::vector<std::string> contradicted(const Calibration& calibration) {
+  std::vector<std::string> names;
+  const CalibrationPosterior& posterior = calibration.posterior;
+  for (std::size_t i = 0; i < posterior.nearest.unknowns.size(); ++i) {
+    const Marginal& near = posterior.nearest.unknowns[i];
+    const Marginal& found = posterior.marginals[i];
+    if (found.high < near.low || found.low > near.high) {
+      names.push_back(unknown_in_words(calibration.study.unknowns[i].parameter));
+    }
+  }
+  return names;
+}
+
+void add_ridges(const Calibration& calibration, std::vector<std::string>& findings) {
+  const std::vector<Unknown>& unknowns = calibration.study.unknowns;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    for (std::size_t k = i + 1; k < unknowns.size(); ++k) {
+      const double together = calibration.posterior.correlation(static_cast<Eigen::Index>(i),
+                                                                static_cast<Eigen::Index>(k));
+      if (std::abs(together) < kRidge) continue;
+      findings.push_back(unknown_in_words(unknowns[i].parameter) + " and " +
+                         unknown_in_words(unknowns[k].parameter) +
+                         (together < 0.0 ? " make up for each other"
+                                         : " rise together: more of one is offset by more of the "
+                                           "other") +
+                         " (rank correlation " + with_decimals(together, 2) + ")");
+    }
+  }
+}
+
+void add_surrogate_warnings(const Calibration& calibration, std::vector<std::string>& findings) {
+  constexpr double kPoor = 0.5;
+  std::vector<std::string> poor, none;
+  std::size_t at = 0;
+  for (const Observation& observation : calibration.study.observations) {
+    for (const Figure& figure : observation.figures) {
+      const std::optional<SurrogateQuality>& quality = calibration.posterior.surrogates[at++];
+      const std::string name = figure.name + " of " + observation.name;
+      if (!quality) none.push_back(name);
+      if (quality && quality->explained < kPoor && observation.fitted) poor.push_back(name);
+    }
+  }
+  if (!poor.empty()) {
+    findings.push_back("simulations vary little with the unknowns, or by chance, in " +
+                       listed_in_words(poor) +
+                       ": such figures tell little; more members or releases may help");
+  }
+  if (!none.empty()) {
+    findings.push_back("too few members have " + listed_in_words(none) + " to predict it");
+  }
+}
+
+}  // namespace
+
+std::string unknown_in_words(const std::string& parameter) {
+  const std::size_t point = parameter.rfind('.');
+  const std::string field = parameter.substr(point + 1);
+  for (const GroundField& one : ground_fields()) {
+    if (field != one.name || !is_of_ground(parameter)) continue;
+    const std::size_t begin = std::string("ground.").size();
+    return std::string(one.words) + " of " + parameter.substr(begin, point - begin);
+  }
+  std::string words = field.substr(0, field.find("_n_m"));
+  for (const char* unit : {"_m_s", "_rad_s", "_m"}) {
+    if (words.ends_with(unit)) {
+      words.resize(words.size() - std::string(unit).size());
+      break;
+    }
+  }
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words + (is_of_release(parameter) ? " of release" : " of contacts");
+}
+
+std::string calibration_answer(const Calibration& calibration) {
+  std::vector<std::string> told, untold;
+  const std::vector<Unknown>& unknowns = calibration.study.unknowns;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const Marginal& marginal = calibration.posterior.marginals[i];
+    const std::string name = unknown_in_words(unknowns[i].parameter);
+    if (marginal.is_untold()) {
+      untold.push_back(name);
+      continue;
+    }
+    told.push_back(name + " " + value_text(marginal.median) + unit_of(unknowns[i].parameter) +
+                   " (" + value_text(marginal.low) + " to " + value_text(marginal.high) + ")");
+  }
+  std::string text;
+  if (told.empty()) {
+    text = "what was observed tells none of the unknowns";
+  } else {
+    text = "with 95 % probability within the ranges asked, " + listed_in_words(told);
+    if (calibration.posterior.fitted.failed()) {
+      text = "the law does not explain what was observed; the least bad ground has " +
+             listed_in_words(told);
+    }
+  }
+  if (!untold.empty() && !told.empty()) {
+    text += "; what was observed does not tell " + listed_in_words(untold);
+  }
+  return capital(text) + ".";
+}
+
+std::vector<std::string> calibration_findings(const Calibration& calibration) {
+  const CalibrationPosterior& posterior = calibration.posterior;
+  std::vector<std::string> findings = {check_sentence(posterior.fitted, true)};
+  if (posterior.kept.figures > 0) findings.push_back(check_sentence(posterior.kept, false));
+  for (std::size_t i = 0; i < posterior.marginals.size(); ++i) {
+    if (!posterior.marginals[i].is_cut_off()) continue;
+    const bool low = posterior.marginals[i].at_low > posterior.marginals[i].at_high;
+    findings.push_back("the range of " + unknown_in_words(calibration.study.unknowns[i].parameter) +
+                       " ends at its " + (low ? "low" : "high") +
+                       " side where values are still likely: widen it");
+  }
+  add_ridges(calibration, findings);
+  add_surrogate_warnings(calibration, findings);
+  const std::vector<std::string> names = contradicted(calibration);
+  if (!names.empty()) {
+    findings.push_back("the members nearest to the observations have other values of " +
+                       listed_in_words(names) +
+                       ": do not trust the surrogates before more "
+                       "members are simulated");
+  }
+  for (std::string& finding : findings) finding = capital(finding) + ".";
+  return findings;
+}
+
+std::string unknowns_text(const Calibration& calibration) {
+  TextTable table{{"parameter", "from", "to", "median", "95 % from", "95 % to", "width left"}, {}};
+  for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
+    const Unknown& unknown = calibration.study.unknowns[i];
+    const Marginal& marginal = calibration.posterior.marginals[i];
+    table.rows.push_back({unknown.parameter, value_text(unknown.low), value_text(unknown.high),
+                          value_text(marginal.median), value_text(marginal.low),
+                          value_text(marginal.high), percent(std::min(1.0, marginal.width), 0)});
+  }
+  return table.text();
+}
+
+std::string figures_text(const Calibration& calibration) {
+  TextTable table{{"observation", "use", "figure", "observed", "predicted", "95 % from", "95 % to",
+                   "surrogate"},
+                  {}};
+  const std::vector<Observation>& observations = calibration.study.observations;
+  for (std::size_t o = 0, at = 0; o < observations.size(); ++o) {
+    for (std::size_t i = 0; i < observations[o].figures.size(); ++i, ++at) {
+      const Figure& figure = observations[o].figures[i];
+      std::vector<std::string> row = {observations[o].name, observations[o].fitted ? "fit" : "keep",
+                                      figure.name, value_text(figure.observed)};
+      const std::vector<PredictedFigure>& predicted = calibration.posterior.predicted;
+      const auto found = std::find_if(
+          predicted.begin(), predicted.end(),
+          [&](const PredictedFigure& one) { return one.observation == o && one.figure == i; });
+      if (found == predicted.end()) {
+        row.insert(row.end(), 4, "-");
+      } else {
+        for (const double value : {found->median, found->low, found->high}) {
+          row.push_back(value_text(value));
+        }
+        row.push_back(percent(std::max(0.0, calibration.posterior.surrogates[at]->explained), 0));
+      }
+      table.rows.push_back(row);
+    }
+  }
+  return table.text();
+}
+
+std::string ground_block(const Calibration& calibration) {
+  const CalibrationStudy& study = calibration.study;
+  std::string text =
+      "# Medians found by clast calibrate from " + study.file.filename().string() + ".\n";
+  std::set<std::string> written;
+  for (CalibrationSite site : study.sites) {
+    for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
+      if (has_parameter(site.campaign, study.unknowns[i].parameter)) {
+        set_parameter(site.campaign, study.unknowns[i].parameter,
+                      calibration.posterior.marginals[i].median);
+      }
+    }
+    for (const auto& [zone, ground] : site.campaign.ground) {
+      if (!written.insert(zone).second) continue;
+      text += "[ground." + zone + "]\n";
+      for (const GroundField& field : ground_fields()) {
+        const std::optional<Uncertain>& asked = ground.*field.asked;
+        if (asked) text += std::string(field.name) + " = " + with_digits(asked->first, 4) + "\n";
+      }
+    }
+  }
+  for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
+    const std::string& parameter = study.unknowns[i].parameter;
+    if (is_of_ground(parameter)) continue;
+    text +=
+        "# " + parameter + " = " + with_digits(calibration.posterior.marginals[i].median, 4) + "\n";
+  }
+  return text;
+}
+
+}  // namespace clast

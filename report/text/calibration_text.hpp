@@ -1,0 +1,26 @@
+#pragma once
+/// A calibration in words, and as tables of text.
+#include <string>
+#include <vector>
+
+#include "study/calibration/calibrate.hpp"
+
+namespace clast {
+
+/// "friction of blue", "rolling length of scree, m", "height of release, m".
+std::string unknown_in_words(const std::string& parameter);
+
+/// The answer in a sentence: which parameters the observations tell, and what they are.
+std::string calibration_answer(const Calibration& calibration);
+/// Then whether fit and prediction hold, ridges, and what a reader must know.
+std::vector<std::string> calibration_findings(const Calibration& calibration);
+
+/// Unknowns: prior, median, 95 % interval, how much of the prior's width is left.
+std::string unknowns_text(const Calibration& calibration);
+/// Figures: observed, predicted with its 95 % interval, what the surrogate explains.
+std::string figures_text(const Calibration& calibration);
+
+/// Tables [ground.NAME] for campaigns with the medians found, other values as in the campaigns.
+std::string ground_block(const Calibration& calibration);
+
+}  // namespace clast

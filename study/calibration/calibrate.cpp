@@ -1,0 +1,155 @@
+#include "study/calibration/calibrate.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "core/digest.hpp"
+#include "core/error.hpp"
+#include "core/file_lock.hpp"
+#include "core/number_text.hpp"
+#include "core/parallel.hpp"
+#include "core/version.hpp"
+#include "study/calibration/site_simulator.hpp"
+
+namespace clast {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Members are kept this often at most, s: a kill costs no more.
+constexpr double kKeepAfter = 20.0;
+
+/// All that decides what is simulated. Paths may differ from machine to machine.
+std::string design_digest(const CalibrationStudy& study, const std::vector<std::string>& inputs) {
+  std::string text = std::string(version()) + "\n" + std::to_string(study.design.members) + " " +
+                     std::to_string(study.design.releases) + " " +
+                     std::to_string(study.design.seed) + "\n";
+  for (const CalibrationSite& site : study.sites) text += site.name + "\n";
+  for (const Unknown& unknown : study.unknowns) {
+    text += unknown.parameter + " " + with_digits(unknown.low, 17) + " " +
+            with_digits(unknown.high, 17) + (unknown.logarithmic ? " log\n" : "\n");
+  }
+  for (const std::string& input : inputs) text += input.substr(input.rfind(' ') + 1) + "\n";
+  return sha256(text);
+}
+
+/// The members that are there already.
+StoredCalibration begun(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+                        const fs::path& target, const CalibrateOptions& options) {
+  StoredCalibration fresh;
+  fresh.inputs = simulator.inputs;
+  fresh.design_sha256 = design_digest(study, simulator.inputs);
+  fresh.runs.sites = simulator.sites;
+  fresh.done.assign(simulator.sites.size(), std::vector<bool>(study.design.members, false));
+  fresh.runs.outcomes.assign(simulator.sites.size(),
+                             std::vector<std::vector<ReleaseOutcome>>(study.design.members));
+  if (!options.resume) return fresh;
+  const fs::path partial = partial_calibration(target);
+  const fs::path from = fs::exists(partial) ? partial : target;
+  if (!fs::exists(from)) return fresh;
+  StoredCalibration stored = read_calibration_runs(from);
+  if (stored.design_sha256 != fresh.design_sha256) {
+    throw InputError(from.string() +
+                     ": was begun with other sites, unknowns, members, inputs or program; delete "
+                     "it, or give another output");
+  }
+  stored.inputs = simulator.inputs;
+  return stored;
+}
+
+void check_partial(const fs::path& target, const CalibrateOptions& options) {
+  const fs::path partial = partial_calibration(target);
+  if (options.resume || !fs::exists(partial)) return;
+  throw InputError(partial.string() +
+                   ": holds the members of an interrupted calibration; `resume` goes on with it, "
+                   "or delete the file to start afresh");
+}
+
+/// Simulates what is missing; whatever ends it, what was simulated is kept.
+void simulate_missing(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+                      const fs::path& target, const CalibrateOptions& options,
+                      StoredCalibration& stored) {
+  const std::vector<std::vector<double>> places = study.design.places(study.unknowns.size());
+  ProgressStep step;
+  for (const std::vector<bool>& site : stored.done) {
+    step.total += site.size();
+    step.before += static_cast<std::size_t>(std::count(site.begin(), site.end(), true));
+  }
+  step.done = step.before;
+  auto kept = std::chrono::steady_clock::now();
+  bool changed = false;
+  const auto keep = [&] {
+    if (!changed) return;
+    write_posterior(partial_calibration(target), study, stored, nullptr,
+                    {.kind = kPosteriorFormat});
+    kept = std::chrono::steady_clock::now();
+    changed = false;
+  };
+  try {
+    for (std::uint32_t member = 0; member < study.design.members; ++member) {
+      for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
+        if (stored.done[site][member]) continue;
+        stored.runs.outcomes[site][member] =
+            simulator.simulate(site, member, study.values(places[member]));
+        stored.done[site][member] = true;
+        changed = true;
+        ++step.done;
+        const std::chrono::duration<double> since = std::chrono::steady_clock::now() - kept;
+        if (since.count() > kKeepAfter) keep();
+        if (options.progress) options.progress(step);
+      }
+    }
+  } catch (...) {
+    keep();
+    throw;
+  }
+  keep();
+}
+
+}  // namespace
+
+fs::path partial_calibration(const fs::path& target) {
+  fs::path partial = target;
+  partial += ".part";
+  return partial;
+}
+
+Calibration calibrate_with(const CalibrationSimulator& simulator, const CalibrationStudy& study,
+                           const fs::path& target, const CalibrateOptions& options) {
+  const OutputRules rules = check_output(
+      target, {.kind = kPosteriorFormat, .replace = options.replace || options.resume});
+  const FileLock lock(target, {.longest_wait = std::chrono::milliseconds(0)});
+  check_partial(target, options);
+  Calibration calibration{study, begun(study, simulator, target, options), {}, target};
+  simulate_missing(study, simulator, target, options, calibration.stored);
+  calibration.posterior =
+      infer_posterior(study, calibration.stored.runs, thread_count(options.threads));
+  write_posterior(target, study, calibration.stored, &calibration.posterior, rules);
+  std::error_code ignored;
+  fs::remove(partial_calibration(target), ignored);
+  return calibration;
+}
+
+Calibration calibrate(const CalibrationStudy& study, const fs::path& target,
+                      const CalibrateOptions& options) {
+  // Before anything is loaded.
+  check_output(target, {.kind = kPosteriorFormat, .replace = options.replace || options.resume});
+  check_partial(target, options);
+  std::vector<SiteSimulator> sites;
+  CalibrationSimulator simulator;
+  for (const CalibrationSite& site : study.sites) {
+    sites.emplace_back(site, study.unknowns, study.design);
+    simulator.sites.push_back(sites.back().facts());
+    const std::vector<std::string>& inputs = sites.back().inputs();
+    simulator.inputs.insert(simulator.inputs.end(), inputs.begin(), inputs.end());
+  }
+  const unsigned threads = thread_count(options.threads);
+  simulator.simulate = [&](std::size_t site, std::uint32_t member,
+                           const std::vector<double>& values) {
+    return sites[site].simulate(member, values, threads);
+  };
+  return calibrate_with(simulator, study, target, options);
+}
+
+}  // namespace clast

@@ -1,0 +1,199 @@
+#include "study/calibration/calibration_study.hpp"
+
+#include <algorithm>
+
+#include "core/digest.hpp"
+#include "core/error.hpp"
+#include "core/listed.hpp"
+#include "core/sobol.hpp"
+#include "core/text_file.hpp"
+#include "study/calibration/observation_reading.hpp"
+#include "study/detail/campaign_reading.hpp"
+#include "study/ground_fields.hpp"
+
+namespace clast {
+
+using namespace study_detail;
+namespace {
+
+constexpr std::uint64_t kFewestMembers = 8, kMostMembers = 4096, kMostReleases = 100'000;
+constexpr std::uint64_t kFewestDraws = 100, kMostDraws = 100'000;
+
+CalibrationDesign read_design(const TomlTable& top) {
+  CalibrationDesign design;
+  const TomlNode* node = top.find("design");
+  if (!node) return design;
+  const TomlTable table(*node, top.file(), "[design]",
+                        {"members", "releases", "seed", "draws", "kernel"});
+  const auto count = [&](const char* key, std::uint64_t least, std::uint64_t most,
+                         std::uint64_t usual) {
+    return table.count(key, least, most).value_or(usual);
+  };
+  design.members =
+      static_cast<std::uint32_t>(count("members", kFewestMembers, kMostMembers, design.members));
+  design.releases =
+      static_cast<std::uint32_t>(count("releases", 4, kMostReleases, design.releases));
+  design.seed = count("seed", 0, INT64_MAX, design.seed);
+  design.draws = count("draws", kFewestDraws, kMostDraws, design.draws);
+  if (choice(table, "kernel", {"matern-5/2", "squared-exponential"}) == "squared-exponential") {
+    design.kernel = Kernel::kSquaredExponential;
+  }
+  return design;
+}
+
+/// What the simulations of a calibration can't do.
+void check_site(const TomlTable& table, const TomlNode& node, const Campaign& campaign) {
+  const auto refuse = [&](const std::string& why) { table.refuse("campaign", node, why); };
+  if (campaign.stay) {
+    refuse("its blocks stay where they stop; a calibration needs single releases");
+  }
+  if (!campaign.downslope) {
+    refuse("has no [run] downslope, along which places of stops are counted; add it");
+  }
+  if (!campaign.groups.empty()) {
+    refuse("has block groups with ground of their own; leave [[block_group]] out");
+  }
+}
+
+std::vector<CalibrationSite> read_sites(const TomlTable& top) {
+  std::vector<CalibrationSite> sites;
+  for (const TomlNode* node : tables_of(top, "site")) {
+    const TomlTable table(*node, top.file(), "[[site]]", {"name", "campaign"});
+    table.required("name", "a text in quotes");
+    const TomlNode& file = table.required("campaign", "a campaign file");
+    table.text("campaign");
+    CalibrationSite site{*table.text("name"), {}};
+    for (const CalibrationSite& other : sites) {
+      if (other.name == site.name) {
+        table.refuse("name", *table.find("name"), "another site has this name");
+      }
+    }
+    site.campaign = read_campaign(input_file(table, "campaign", file));
+    check_site(table, file, site.campaign);
+    site.campaign.ensemble = {};
+    site.campaign.trajectory_interval = 0.0;
+    sites.push_back(std::move(site));
+  }
+  if (sites.empty()) {
+    throw InputError(top.file() +
+                     ": no site: write a table [[site]] with name and campaign of each place");
+  }
+  return sites;
+}
+
+Unknown read_unknown(const TomlTable& table) {
+  Unknown unknown;
+  const TomlNode& name = table.required("parameter", "such as \"ground.ZONE.friction\"");
+  unknown.parameter = *table.text("parameter");
+  NumberRange allowed{0.0, 0.0};
+  try {
+    allowed = parameter_range(unknown.parameter).allowed;
+  } catch (const InputError& error) {
+    table.refuse("parameter", name, error.what());
+  }
+  const TomlNode& range = table.required("range", "two numbers, [low, high]");
+  const std::vector<double> ends =
+      table.numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);
+  unknown.low = ends[0];
+  unknown.high = ends[1];
+  if (!(unknown.low < unknown.high)) {
+    table.refuse("range", range, "the lower end must come first");
+  }
+  unknown.logarithmic = choice(table, "scale", {"linear", "log"}) == "log";
+  if (unknown.logarithmic && !(unknown.low > 0.0)) {
+    table.refuse("scale", *table.find("scale"), "a logarithm needs a range above 0");
+  }
+  return unknown;
+}
+
+std::vector<Unknown> read_unknowns(const TomlTable& top,
+                                   const std::vector<CalibrationSite>& sites) {
+  std::vector<Unknown> unknowns;
+  for (const TomlNode* node : tables_of(top, "unknown")) {
+    const TomlTable table(*node, top.file(), "[[unknown]]", {"parameter", "range", "scale"});
+    Unknown unknown = read_unknown(table);
+    const TomlNode& name = *table.find("parameter");
+    for (const Unknown& other : unknowns) {
+      if (other.parameter == unknown.parameter) {
+        table.refuse("parameter", name, "is an unknown already");
+      }
+    }
+    if (std::none_of(sites.begin(), sites.end(), [&](const CalibrationSite& site) {
+          return has_parameter(site.campaign, unknown.parameter);
+        })) {
+      table.refuse("parameter", name,
+                   unknown.parameter == "release.height_m"
+                       ? "no campaign releases blocks at a height_m"
+                       : "no campaign has this zone");
+    }
+    unknowns.push_back(std::move(unknown));
+  }
+  if (unknowns.empty()) {
+    throw InputError(top.file() +
+                     ": no unknown: write a table [[unknown]] with parameter and range of each");
+  }
+  if (unknowns.size() > kMostSobolDimensions) {
+    throw InputError(top.file() + ": has " + std::to_string(unknowns.size()) +
+                     " unknowns; at most " + std::to_string(kMostSobolDimensions) +
+                     " can be found at once");
+  }
+  return unknowns;
+}
+
+/// Parameters that a campaign knows only as a distribution would vary from run to run unseen.
+void check_certain(const CalibrationStudy& study) {
+  for (CalibrationSite site : study.sites) {
+    for (const Unknown& unknown : study.unknowns) {
+      if (has_parameter(site.campaign, unknown.parameter)) {
+        set_parameter(site.campaign, unknown.parameter, unknown.low);
+      }
+    }
+    for (const auto& [zone, table] : site.campaign.ground) {
+      for (const GroundField& field : ground_fields()) {
+        const std::optional<Uncertain>& asked = table.*field.asked;
+        if (!asked || asked->fixed()) continue;
+        throw InputError(study.file.string() + ": ground." + zone + "." + field.name +
+                         " is uncertain in the campaign of site " + site.name +
+                         "; make it an [[unknown]], or give it a value there");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> CalibrationDesign::places(std::size_t unknowns) const {
+  SobolSequence sequence(unknowns, seed);
+  std::vector<std::vector<double>> all;
+  for (std::uint32_t member = 0; member < members; ++member) all.push_back(sequence.next());
+  return all;
+}
+
+std::vector<double> CalibrationStudy::values(const std::vector<double>& shares) const {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) all.push_back(unknowns[i].value(shares[i]));
+  return all;
+}
+
+std::size_t CalibrationStudy::figures() const {
+  std::size_t count = 0;
+  for (const Observation& observation : observations) count += observation.figures.size();
+  return count;
+}
+
+CalibrationStudy read_calibration_study(const std::filesystem::path& file) {
+  CalibrationStudy study;
+  study.file = file;
+  study.text = read_text_file(file);
+  study.sha256 = sha256(study.text);
+  const TomlNode root = parse_toml(study.text, file.string());
+  const TomlTable top(root, file.string(), "", {"design", "site", "unknown", "observation"});
+  study.design = read_design(top);
+  study.sites = read_sites(top);
+  study.unknowns = read_unknowns(top, study.sites);
+  check_certain(study);
+  study.observations = read_observations(top, study.sites);
+  return study;
+}
+
+}  // namespace clast

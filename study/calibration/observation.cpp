@@ -1,0 +1,137 @@
+#include "study/calibration/observation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "core/listed.hpp"
+#include "core/statistics.hpp"
+
+namespace clast {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+void check_known(const Observation& observation, const SiteFacts& site, const std::string& what,
+                 const std::string& wanted, const std::vector<std::string>& known) {
+  if (wanted.empty() || std::find(known.begin(), known.end(), wanted) != known.end()) return;
+  std::vector<std::string> once = known;
+  std::sort(once.begin(), once.end());
+  once.erase(std::unique(once.begin(), once.end()), once.end());
+  throw InputError("observation " + observation.name + ": the campaign of site " + site.name +
+                   " has no " + what + " \"" + wanted + "\"; it has " +
+                   (once.empty() ? "none" : listed(once)));
+}
+
+double mean_of(const std::vector<double>& values) {
+  if (values.empty()) return kNone;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// With n - 1.
+double deviation_of(const std::vector<double>& values) {
+  if (values.size() < 2) return kNone;
+  const double mean = mean_of(values);
+  double sum = 0.0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+double figure_of_places(const Figure& figure, std::vector<double> along,
+                        const std::vector<double>& aside) {
+  if (along.empty()) return kNone;
+  switch (figure.kind) {
+    case Figure::Kind::kMeanPlace:
+      return mean_of(along);
+    case Figure::Kind::kStdPlace:
+      return deviation_of(along);
+    case Figure::Kind::kPlace:
+      std::sort(along.begin(), along.end());
+      return quantile(along, figure.level);
+    case Figure::Kind::kBeyond: {
+      const auto beyond = std::count_if(along.begin(), along.end(),
+                                        [&](double place) { return place > figure.level; });
+      return static_cast<double>(beyond) / static_cast<double>(along.size());
+    }
+    case Figure::Kind::kMeanAside:
+      return mean_of(aside);
+    default:
+      return kNone;
+  }
+}
+
+/// What is measured at barriers; null for other figures.
+double OutcomeAtBarrier::*measured(Figure::Kind kind) {
+  switch (kind) {
+    case Figure::Kind::kMeanSpeed:
+      return &OutcomeAtBarrier::speed;
+    case Figure::Kind::kMeanSpin:
+      return &OutcomeAtBarrier::spin;
+    case Figure::Kind::kMeanHeight:
+      return &OutcomeAtBarrier::height;
+    case Figure::Kind::kMeanEnergy:
+      return &OutcomeAtBarrier::energy;
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+
+ObservedStop place_of(const Observation& observation, const SiteFacts& site, const Vec2& start,
+                      const Vec2& stop) {
+  const Vec2 offset = stop - (observation.from_own_start ? start : site.middle_of_starts);
+  const Vec2 right(site.downslope.y(), -site.downslope.x());
+  return {offset.dot(site.downslope), offset.dot(right)};
+}
+
+std::vector<Seen> seen_by(const Observation& observation, const SiteFacts& site,
+                          std::span<const ReleaseOutcome> outcomes) {
+  check_known(observation, site, "block", observation.block, site.blocks);
+  check_known(observation, site, "block of shape", observation.shape, site.shapes);
+  check_known(observation, site, "barrier", observation.barrier, site.barriers);
+  const auto barrier = static_cast<std::size_t>(
+      std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) -
+      site.barriers.begin());
+  std::vector<Seen> seen;
+  for (const ReleaseOutcome& outcome : outcomes) {
+    if (!observation.block.empty() && site.blocks[outcome.block] != observation.block) continue;
+    if (!observation.shape.empty() && site.shapes[outcome.block] != observation.shape) continue;
+    const ObservedStop place = place_of(observation, site, outcome.start, outcome.stop);
+    seen.push_back({outcome.point, place.along, place.aside, {}});
+    if (!observation.barrier.empty()) seen.back().at_barrier = outcome.barriers[barrier];
+  }
+  return seen;
+}
+
+double figure_of(const Figure& figure, std::span<const Seen> seen,
+                 std::span<const std::size_t> sample) {
+  std::vector<double> values, aside;
+  if (figure.kind == Figure::Kind::kPassed) {
+    for (const std::size_t i : sample) values.push_back(seen[i].at_barrier.passed() ? 1.0 : 0.0);
+    return mean_of(values);
+  }
+  if (double OutcomeAtBarrier::*const quantity = measured(figure.kind)) {
+    for (const std::size_t i : sample) {
+      if (seen[i].at_barrier.passed()) values.push_back(seen[i].at_barrier.*quantity);
+    }
+    return mean_of(values);
+  }
+  for (const std::size_t i : sample) {
+    values.push_back(seen[i].along);
+    aside.push_back(seen[i].aside);
+  }
+  return figure_of_places(figure, std::move(values), aside);
+}
+
+double figure_of(const Figure& figure, std::span<const ObservedStop> stops) {
+  std::vector<double> along, aside;
+  for (const ObservedStop& stop : stops) {
+    along.push_back(stop.along);
+    aside.push_back(stop.aside);
+  }
+  return figure_of_places(figure, std::move(along), aside);
+}
+
+}  // namespace clast

@@ -1,0 +1,339 @@
+#include "study/calibration/posterior_file.hpp"
+
+#include <cmath>
+
+#include "core/digest.hpp"
+#include "core/error.hpp"
+#include "core/hdf5_file.hpp"
+#include "study/detail/checked_group.hpp"
+
+namespace clast {
+
+using study_detail::CheckedGroup;
+namespace {
+
+using Eigen::Index;
+
+constexpr int kSchema = 1;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+struct BarrierColumn {
+  const char* name;
+  const char* unit;
+  double OutcomeAtBarrier::*value;
+};
+constexpr BarrierColumn kBarrierColumns[] = {{"speed_m_s", "m/s", &OutcomeAtBarrier::speed},
+                                             {"spin_rad_s", "rad/s", &OutcomeAtBarrier::spin},
+                                             {"height_m", "m", &OutcomeAtBarrier::height},
+                                             {"energy_j", "J", &OutcomeAtBarrier::energy}};
+
+void write_doubles(Hdf5Group& group, const std::string& name, const std::string& unit,
+                   const std::vector<double>& values, const std::vector<std::size_t>& shape = {}) {
+  group.write<double>(name, values, shape);
+  if (!unit.empty()) group.set_unit(name, unit);
+}
+
+/// Row by row.
+void write_matrix(Hdf5Group& group, const std::string& name, const Eigen::MatrixXd& matrix) {
+  std::vector<double> values;
+  for (Index i = 0; i < matrix.rows(); ++i) {
+    for (Index k = 0; k < matrix.cols(); ++k) values.push_back(matrix(i, k));
+  }
+  group.write<double>(
+      name, values,
+      {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())});
+}
+
+void write_unknowns(Hdf5Group group, const CalibrationStudy& study) {
+  std::vector<std::string> parameters, units;
+  std::vector<double> low, high;
+  std::vector<std::uint8_t> logarithmic;
+  for (const Unknown& unknown : study.unknowns) {
+    parameters.push_back(unknown.parameter);
+    units.push_back(parameter_range(unknown.parameter).unit);
+    low.push_back(unknown.low);
+    high.push_back(unknown.high);
+    logarithmic.push_back(unknown.logarithmic ? 1 : 0);
+  }
+  group.write<std::string>("parameter", parameters);
+  group.write<std::string>("unit", units);
+  group.write<double>("low", low);
+  group.write<double>("high", high);
+  group.write<std::uint8_t>("logarithmic", logarithmic);
+}
+
+void write_site(Hdf5Group group, const SiteFacts& site,
+                const std::vector<std::vector<ReleaseOutcome>>& members,
+                const std::vector<bool>& done) {
+  group.set_attribute<std::string>("name", site.name);
+  group.write<std::string>("blocks", site.blocks);
+  group.write<std::string>("shapes", site.shapes);
+  group.write<std::string>("barriers", site.barriers);
+  group.write<double>("downslope", std::span(site.downslope.data(), 2));
+  group.write<double>("middle_of_starts_m", std::span(site.middle_of_starts.data(), 2));
+  group.set_unit("middle_of_starts_m", "m");
+  group.write<std::uint8_t>("done", std::vector<std::uint8_t>(done.begin(), done.end()));
+  std::vector<std::uint32_t> member, block, point;
+  std::vector<double> start, stop;
+  std::vector<std::vector<double>> columns(std::size(kBarrierColumns));
+  for (std::uint32_t m = 0; m < members.size(); ++m) {
+    for (const ReleaseOutcome& outcome : members[m]) {
+      member.push_back(m);
+      block.push_back(outcome.block);
+      point.push_back(outcome.point);
+      start.insert(start.end(), outcome.start.begin(), outcome.start.end());
+      stop.insert(stop.end(), outcome.stop.begin(), outcome.stop.end());
+      for (const OutcomeAtBarrier& at : outcome.barriers) {
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+          columns[c].push_back(at.*kBarrierColumns[c].value);
+        }
+      }
+    }
+  }
+  Hdf5Group runs = group.create_group("runs");
+  runs.write<std::uint32_t>("member", member);
+  runs.write<std::uint32_t>("block", block);
+  runs.write<std::uint32_t>("point", point);
+  write_doubles(runs, "start_m", "m", start, {member.size(), 2});
+  write_doubles(runs, "stop_m", "m", stop, {member.size(), 2});
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    write_doubles(runs, kBarrierColumns[c].name, kBarrierColumns[c].unit, columns[c],
+                  {member.size(), site.barriers.size()});
+  }
+}
+
+/// What was observed, and what surrogates and prediction say of it.
+void write_figures(Hdf5Group group, const CalibrationStudy& study,
+                   const CalibrationPosterior& posterior) {
+  std::vector<std::string> observation, site, use, name;
+  std::vector<double> observed, error;
+  for (const Observation& one : study.observations) {
+    for (const Figure& figure : one.figures) {
+      observation.push_back(one.name);
+      site.push_back(study.sites[one.site].name);
+      use.emplace_back(one.fitted ? "fit" : "keep");
+      name.push_back(figure.name);
+      observed.push_back(figure.observed);
+      error.push_back(figure.error.value_or(kNone));
+    }
+  }
+  group.write<std::string>("observation", observation);
+  group.write<std::string>("site", site);
+  group.write<std::string>("use", use);
+  group.write<std::string>("figure", name);
+  group.write<double>("observed", observed);
+  group.write<double>("stated_error", error);
+  write_matrix(group, "members", posterior.member_figures);
+  std::vector<double> cross, explained, inflation, roughness;
+  for (const std::optional<SurrogateQuality>& quality : posterior.surrogates) {
+    cross.push_back(quality ? quality->error : kNone);
+    explained.push_back(quality ? quality->explained : kNone);
+    inflation.push_back(quality ? quality->inflation : kNone);
+    roughness.push_back(quality ? quality->roughness : kNone);
+  }
+  group.write<double>("surrogate_error", cross);
+  group.write<double>("surrogate_explained", explained);
+  group.write<double>("surrogate_inflation", inflation);
+  group.write<double>("surrogate_roughness", roughness);
+  std::vector<std::size_t> first;
+  std::size_t count = 0;
+  for (const Observation& one : study.observations) {
+    first.push_back(count);
+    count += one.figures.size();
+  }
+  std::vector<double> median(count, kNone), low(count, kNone), high(count, kNone);
+  for (const PredictedFigure& figure : posterior.predicted) {
+    const std::size_t at = first[figure.observation] + figure.figure;
+    median[at] = figure.median;
+    low[at] = figure.low;
+    high[at] = figure.high;
+  }
+  group.write<double>("predicted_median", median);
+  group.write<double>("predicted_low", low);
+  group.write<double>("predicted_high", high);
+  std::vector<double> first_order, total;
+  for (const std::vector<VarianceShare>& shares : posterior.sensitivities) {
+    for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
+      first_order.push_back(shares.empty() ? kNone : shares[i].first_order);
+      total.push_back(shares.empty() ? kNone : shares[i].total);
+    }
+  }
+  group.write<double>("first_order", first_order, {count, study.unknowns.size()});
+  group.write<double>("total", total, {count, study.unknowns.size()});
+}
+
+void write_check(Hdf5Group& group, const std::string& name, const PredictiveCheck& check) {
+  group.set_attribute<std::int64_t>(name + "_figures", static_cast<std::int64_t>(check.figures));
+  group.set_attribute<std::int64_t>(name + "_covered", static_cast<std::int64_t>(check.covered));
+  group.set_attribute<double>(name + "_squared_distance", check.squared);
+  group.set_attribute<double>(name + "_freedom", check.freedom);
+  group.set_attribute<double>(name + "_p", check.p_value.value_or(kNone));
+}
+
+void write_found(Hdf5Group group, const CalibrationPosterior& posterior) {
+  write_matrix(group, "draws", posterior.draws.transpose());
+  group.write<double>("log_likelihood",
+                      std::span(posterior.log_likelihood.data(),
+                                static_cast<std::size_t>(posterior.log_likelihood.size())));
+  write_matrix(group, "rank_correlation", posterior.correlation);
+  std::vector<double> median, low, high, width, near_median, near_low, near_high;
+  for (const Marginal& marginal : posterior.marginals) {
+    median.push_back(marginal.median);
+    low.push_back(marginal.low);
+    high.push_back(marginal.high);
+    width.push_back(marginal.width);
+  }
+  for (const Marginal& marginal : posterior.nearest.unknowns) {
+    near_median.push_back(marginal.median);
+    near_low.push_back(marginal.low);
+    near_high.push_back(marginal.high);
+  }
+  group.write<double>("median", median);
+  group.write<double>("low_95", low);
+  group.write<double>("high_95", high);
+  group.write<double>("width_of_prior", width);
+  group.write<double>("nearest_median", near_median);
+  group.write<double>("nearest_low", near_low);
+  group.write<double>("nearest_high", near_high);
+  group.set_attribute<std::int64_t>("nearest_members",
+                                    static_cast<std::int64_t>(posterior.nearest.members));
+  group.set_attribute<double>("log_evidence", posterior.log_evidence);
+  group.set_attribute<std::int64_t>("temperatures",
+                                    static_cast<std::int64_t>(posterior.temperatures));
+  group.set_attribute<double>("accepted", posterior.accepted);
+  write_check(group, "fitted", posterior.fitted);
+  write_check(group, "kept", posterior.kept);
+}
+
+SiteFacts read_facts(const CheckedGroup& site) {
+  SiteFacts facts;
+  facts.name = site.group.attribute<std::string>("name");
+  facts.blocks = site.group.read<std::string>("blocks");
+  facts.shapes = site.column<std::string>("shapes", facts.blocks.size());
+  facts.barriers = site.group.read<std::string>("barriers");
+  const std::vector<double> downslope = site.column<double>("downslope", 2);
+  const std::vector<double> middle = site.column<double>("middle_of_starts_m", 2);
+  facts.downslope = {downslope[0], downslope[1]};
+  facts.middle_of_starts = {middle[0], middle[1]};
+  return facts;
+}
+
+std::vector<std::vector<ReleaseOutcome>> read_outcomes(const CheckedGroup& runs,
+                                                       const SiteFacts& facts,
+                                                       std::size_t members) {
+  const auto member = runs.group.read<std::uint32_t>("member");
+  const std::size_t rows = member.size(), barriers = facts.barriers.size();
+  const auto block = runs.column<std::uint32_t>("block", rows);
+  const auto point = runs.column<std::uint32_t>("point", rows);
+  const auto start = runs.column<double>("start_m", 2 * rows);
+  const auto stop = runs.column<double>("stop_m", 2 * rows);
+  std::vector<std::vector<double>> columns;
+  for (const BarrierColumn& column : kBarrierColumns) {
+    columns.push_back(runs.column<double>(column.name, rows * barriers));
+  }
+  std::vector<std::vector<ReleaseOutcome>> all(members);
+  for (std::size_t i = 0; i < rows; ++i) {
+    if (member[i] >= members) runs.damaged("member", "names a member that there is not");
+    if (block[i] >= facts.blocks.size()) runs.damaged("block", "names a block that there is not");
+    ReleaseOutcome outcome;
+    outcome.block = block[i];
+    outcome.point = point[i];
+    outcome.start = {start[2 * i], start[2 * i + 1]};
+    outcome.stop = {stop[2 * i], stop[2 * i + 1]};
+    outcome.barriers.resize(barriers);
+    for (std::size_t b = 0; b < barriers; ++b) {
+      for (std::size_t c = 0; c < columns.size(); ++c) {
+        outcome.barriers[b].*kBarrierColumns[c].value = columns[c][i * barriers + b];
+      }
+    }
+    all[member[i]].push_back(outcome);
+  }
+  return all;
+}
+
+}  // namespace
+
+void write_posterior(const std::filesystem::path& target, const CalibrationStudy& study,
+                     const StoredCalibration& stored, const CalibrationPosterior* posterior,
+                     const OutputRules& rules) {
+  OutputFile output(target, rules);
+  {
+    Hdf5File file = Hdf5File::create(output.temporary(), kPosteriorFormat, kSchema);
+    Hdf5Group root = file.root();
+    root.set_attribute<std::string>("study_sha256", study.sha256);
+    root.set_attribute<std::string>("design_sha256", stored.design_sha256);
+    root.set_attribute<std::int64_t>("members", study.design.members);
+    root.set_attribute<std::int64_t>("releases", study.design.releases);
+    root.set_attribute<std::int64_t>("seed", static_cast<std::int64_t>(study.design.seed));
+    root.set_attribute<std::string>(
+        "kernel", study.design.kernel == Kernel::kMatern52 ? "matern-5/2" : "squared-exponential");
+    root.write<std::string>("study", std::vector<std::string>{study.text});
+    root.write<std::string>("inputs", stored.inputs);
+    write_unknowns(root.create_group("unknowns"), study);
+    std::vector<double> values;
+    for (const std::vector<double>& place : study.design.places(study.unknowns.size())) {
+      const std::vector<double> member = study.values(place);
+      values.insert(values.end(), member.begin(), member.end());
+    }
+    write_doubles(root, "member_values", "", values, {study.design.members, study.unknowns.size()});
+    Hdf5Group sites = root.create_group("sites");
+    for (std::size_t i = 0; i < stored.runs.sites.size(); ++i) {
+      write_site(sites.create_group(std::to_string(i)), stored.runs.sites[i],
+                 stored.runs.outcomes[i], stored.done[i]);
+    }
+    if (posterior) {
+      write_figures(root.create_group("figures"), study, *posterior);
+      write_found(root.create_group("posterior"), *posterior);
+    }
+    file.flush();
+  }
+  output.commit();
+}
+
+StoredCalibration read_calibration_runs(const std::filesystem::path& path) {
+  const Hdf5File file = Hdf5File::open(path, kPosteriorFormat, kSchema);
+  const Hdf5Group root = file.root();
+  StoredCalibration stored;
+  stored.design_sha256 = root.attribute<std::string>("design_sha256");
+  stored.inputs = root.read<std::string>("inputs");
+  const auto members = root.attribute<std::int64_t>("members");
+  const CheckedGroup top{path.string(), "", root};
+  if (members < 1 || members > 1'000'000) top.damaged("members", "is no number of members");
+  const Hdf5Group sites = root.group("sites");
+  for (std::size_t i = 0; sites.has(std::to_string(i)); ++i) {
+    const std::string name = "/sites/" + std::to_string(i);
+    const CheckedGroup site{path.string(), name, sites.group(std::to_string(i))};
+    stored.runs.sites.push_back(read_facts(site));
+    const auto done = site.column<std::uint8_t>("done", static_cast<std::size_t>(members));
+    stored.done.emplace_back(done.begin(), done.end());
+    const CheckedGroup runs{path.string(), name + "/runs", site.group.group("runs")};
+    stored.runs.outcomes.push_back(
+        read_outcomes(runs, stored.runs.sites.back(), static_cast<std::size_t>(members)));
+  }
+  return stored;
+}
+
+PosteriorDraws read_posterior_draws(const std::filesystem::path& path) {
+  const Hdf5File file = Hdf5File::open(path, kPosteriorFormat, kSchema);
+  const Hdf5Group root = file.root();
+  PosteriorDraws draws{path, sha256_of_file(path), {}, {}};
+  draws.parameters = root.group("unknowns").read<std::string>("parameter");
+  if (!root.has("posterior")) {
+    throw InputError(path.string() +
+                     ": is an interrupted calibration without draws; go on with it first");
+  }
+  const Hdf5Group posterior = root.group("posterior");
+  const std::vector<double> values = posterior.read<double>("draws");
+  const std::size_t each = draws.parameters.size();
+  const CheckedGroup group{path.string(), "/posterior", posterior};
+  if (each == 0 || values.empty() || values.size() % each != 0) {
+    group.damaged("draws", "has no whole number of draws");
+  }
+  for (std::size_t i = 0; i < values.size(); i += each) {
+    draws.draws.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(i),
+                             values.begin() + static_cast<std::ptrdiff_t>(i + each));
+  }
+  return draws;
+}
+
+}  // namespace clast

@@ -1,0 +1,45 @@
+#pragma once
+/// The HDF5 file of a calibration. Schema: docs/formats.md.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/output_file.hpp"
+#include "study/calibration/calibration_study.hpp"
+#include "study/calibration/posterior.hpp"
+
+namespace clast {
+
+inline constexpr const char* kPosteriorFormat = "clast posterior";
+
+/// What is stored of a calibration, finished or interrupted.
+struct StoredCalibration {
+  std::vector<std::string> inputs;  ///< "path sha256" of all files that were read
+  /// What decides the simulations: sites, unknowns, design and program version, not observations.
+  std::string design_sha256;
+  std::vector<std::vector<bool>> done;  ///< of each site, each member: is it simulated?
+  CalibrationRuns runs;
+};
+
+/// Writes runs and, where there is one, the posterior.
+/// @throws InputError  as `OutputFile`
+void write_posterior(const std::filesystem::path& target, const CalibrationStudy& study,
+                     const StoredCalibration& stored, const CalibrationPosterior* posterior,
+                     const OutputRules& rules);
+
+/// The simulations that a file holds, finished or not.
+/// @throws InputError  missing, no posterior, damaged, or of a newer schema
+StoredCalibration read_calibration_runs(const std::filesystem::path& file);
+
+/// Draws of the unknowns, for campaigns that predict with them.
+struct PosteriorDraws {
+  std::filesystem::path file;
+  std::string sha256;
+  std::vector<std::string> parameters;
+  std::vector<std::vector<double>> draws;  ///< values in the order of the parameters
+};
+/// @throws InputError  as `read_calibration_runs`; or an interrupted calibration, without draws
+PosteriorDraws read_posterior_draws(const std::filesystem::path& file);
+
+}  // namespace clast

@@ -1,0 +1,93 @@
+#include <nlohmann/json.hpp>
+
+#include "study/calibration/posterior_file.hpp"
+#include "tests/app/slope_campaign.hpp"
+
+namespace clast {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Two blocks on a slope that ends on a flat, and a few stops on it.
+class CalibrateCommand : public SlopeCampaign {
+ protected:
+  void SetUp() override {
+    SlopeCampaign::SetUp();
+    write_text_file(folder / "campaign.toml",
+                    replaced(replaced(slope_campaign(), "max_time_s = 5", "max_time_s = 12"),
+                             "[run]\n", "[run]\ndownslope = [1, 0]\n"));
+    write_text_file(folder / "stops.csv", "x,y\n17,1\n19,0\n22,-1\n21,2\n24,0\n");
+    write_text_file(folder / "study.toml", study());
+  }
+  static std::string study() {
+    return "[design]\nmembers = 12\nreleases = 8\ndraws = 200\n"
+           "[[site]]\nname = \"slope\"\ncampaign = \"campaign.toml\"\n"
+           "[[unknown]]\nparameter = \"ground.slope.friction\"\nrange = [0.3, 0.6]\n"
+           "[[unknown]]\nparameter = \"release.height_m\"\nrange = [0.3, 1.5]\n"
+           "[[observation]]\nname = \"stops\"\nuse = \"fit\"\nstops = \"stops.csv\"\n"
+           "[[observation]]\nname = \"middle\"\nuse = \"keep\"\nbarrier = \"B1\"\n"
+           "releases = 10\npassed = 9\nspeed_m_s = [4.0, 1.0]\n";
+  }
+};
+
+TEST_F(CalibrateCommand, WritesPosteriorAndPageAndPrintsTheAnswer) {
+  const ProgramRun run = run_clast({"calibrate", "study.toml", "--threads", "2"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const char* part : {"ground.slope.friction", "release.height_m", "mean_place_m",
+                           "mean_speed_m_s", "[ground.flat]", "posterior.html"}) {
+    EXPECT_TRUE(contains(run.out, part)) << part << "\n" << run.out;
+  }
+  const PosteriorDraws draws = read_posterior_draws(folder / "posterior.h5");
+  EXPECT_EQ(draws.draws.size(), 200u);
+  for (const std::vector<double>& draw : draws.draws) {
+    EXPECT_GE(draw[0], 0.3);
+    EXPECT_LE(draw[0], 0.6);
+  }
+  const std::string page = read_text_file(folder / "posterior.html");
+  for (const char* part : {"Ground found from what was observed", "Observed against predicted",
+                           "What the figures depend on", "friction of slope"}) {
+    EXPECT_TRUE(contains(page, part)) << part;
+  }
+
+  // Threads change nothing; other observations need no new runs.
+  const ProgramRun again = run_clast(
+      {"calibrate", "study.toml", "-o", "one.h5", "--threads", "1", "--json"}, folder.path());
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(read_posterior_draws(folder / "one.h5").draws, draws.draws);
+  const Json json = Json::parse(again.out);
+  EXPECT_EQ(json["unknowns"].size(), 2u);
+  EXPECT_EQ(json["figures"].size(), 4u);
+  EXPECT_EQ(json["fit"]["figures"], 2);
+  EXPECT_EQ(json["prediction"]["figures"], 2);
+  expect_refused(folder, {"calibrate", "study.toml"}, 1, "posterior.h5");
+  write_text_file(folder / "study.toml", replaced(study(), "stops = \"stops.csv\"",
+                                                  "stops = \"stops.csv\"\nfigures = \"p50\""));
+  const ProgramRun other = run_clast({"calibrate", "study.toml", "--resume"}, folder.path());
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_TRUE(contains(other.out, "p50_place_m"));
+  write_text_file(folder / "study.toml", replaced(study(), "0.6", "0.7"));
+  expect_refused(folder, {"calibrate", "study.toml", "--resume"}, 1,
+                 "was begun with other sites, unknowns");
+}
+
+TEST_F(CalibrateCommand, RefusesWhatItCantDo) {
+  expect_refused(folder, {"calibrate", "none.toml"}, 1, "none.toml");
+  expect_refused(folder, {"calibrate"}, 2, "study");
+  expect_refused(folder, {"calibrate", "study.toml", "-o", "posterior.html"}, 2,
+                 "is the name of the page beside it");
+  expect_refused(folder, {"calibrate", "study.toml", "-o", "campaign.toml"}, 1, "campaign.toml");
+  expect_refused(folder, {"calibrate", "study.toml", "--resume", "-o", "blocks.h5"}, 1,
+                 "blocks.h5");
+  write_text_file(folder / "study.toml", "");
+  expect_refused(folder, {"calibrate", "study.toml"}, 1, "no site");
+  write_text_file(folder / "study.toml", replaced(study(), "releases = 8", "releases = 800"));
+  expect_refused(folder, {"calibrate", "study.toml"}, 1,
+                 "plans 8 runs, fewer than the 800 releases of each member");
+  write_text_file(folder / "study.toml",
+                  replaced(study(), "use = \"fit\"", "use = \"fit\"\nblock = \"ball\""));
+  write_text_file(folder / "stops.csv", "x,y,block\n17,1,ball\n19,0,ball\n22,-1,ball\n");
+  expect_refused(folder, {"calibrate", "study.toml"}, 1, "has no block \"ball\"; it has bar, cube");
+}
+
+}  // namespace
+}  // namespace clast

@@ -1,0 +1,206 @@
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "core/hdf5_file.hpp"
+#include "core/progress.hpp"
+#include "core/text_file.hpp"
+#include "study/calibration/calibrate.hpp"
+#include "tests/study/calibration/made_up_site.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+const std::vector<double> kTruth = {0.6, 0.2, 0.05};
+
+MadeUpStudy study_of(const std::vector<double>& reaches, std::uint64_t seed = 5,
+                     double bend = 0.0) {
+  MadeUpStudy made(32, 64, seed);
+  for (std::size_t i = 0; i < reaches.size(); ++i) {
+    MadeUpSite site;
+    site.reach = reaches[i];
+    site.seed = seed + i;
+    const std::size_t number = made.add_site("site " + std::to_string(i + 1), site);
+    site.bend = bend;  // of the field alone
+    made.observe(number, site, kTruth, 24, true, 31 * seed + i);
+  }
+  return made;
+}
+
+TEST(Calibration, FindsWhatHasAnInfluenceAndLeavesTheRestAsItWas) {
+  const CalibrationPosterior found = study_of({1.0}).posterior();
+  EXPECT_TRUE(covers(found.marginals[0], kTruth[0])) << found.marginals[0].median;
+  EXPECT_TRUE(covers(found.marginals[1], kTruth[1])) << found.marginals[1].median;
+  EXPECT_LT(found.marginals[0].width, 0.5);
+  EXPECT_LT(found.marginals[1].width, 0.6);
+  // The prior is uniform from 0.01 to 0.2.
+  EXPECT_TRUE(found.marginals[2].is_untold());
+  EXPECT_NEAR(found.marginals[2].median, 0.105, 0.03);
+  EXPECT_NEAR(found.marginals[2].low, 0.01 + 0.025 * 0.19, 0.01);
+  EXPECT_NEAR(found.marginals[2].high, 0.2 - 0.025 * 0.19, 0.01);
+  EXPECT_FALSE(found.fitted.failed());
+  // The mean place varies with friction and rolling friction alone.
+  EXPECT_GT(found.sensitivities[0][0].total, 0.1);
+  EXPECT_GT(found.sensitivities[0][1].total, 0.1);
+  EXPECT_LT(found.sensitivities[0][2].total, 0.05);
+  EXPECT_GT(found.surrogates[0]->explained, 0.9);
+}
+
+TEST(Calibration, TwoSitesTellMoreThanOne) {
+  double one = 0.0, two = 0.0;
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    one += study_of({1.0}, seed).posterior().marginals[0].width;
+    two += study_of({1.0, 1.3}, seed).posterior().marginals[0].width;
+  }
+  // Twice as many independent observations: the width goes with the square root.
+  EXPECT_LT(two, 0.85 * one);
+}
+
+TEST(Calibration, AWrongLawFailsTheCheck) {
+  EXPECT_TRUE(study_of({1.0}, 5, 8.0).posterior().fitted.failed());
+}
+
+TEST(Calibration, IsTheSameToTheBitOnAnyThreads) {
+  const MadeUpStudy made = study_of({1.0});
+  const CalibrationPosterior one = made.posterior(1), three = made.posterior(3);
+  EXPECT_EQ(one.draws, three.draws);
+  EXPECT_EQ(one.log_likelihood, three.log_likelihood);
+}
+
+TEST(Calibration, StatedErrorsWeigh) {
+  MadeUpStudy made = study_of({1.0});
+  for (Observation& observation : made.study.observations) {
+    for (Figure& figure : observation.figures) figure.error = 1e6;
+  }
+  // Errors that large tell nothing.
+  for (const Marginal& marginal : made.posterior().marginals) EXPECT_TRUE(marginal.is_untold());
+}
+
+// More parameters told than figures: nothing can contradict, and it is said.
+TEST(Calibration, AFitOfOneFigureCannotBeContradicted) {
+  MadeUpStudy made = study_of({1.0});
+  made.study.observations.resize(1);
+  made.study.observations[0].figures.resize(1);
+  const CalibrationPosterior found = made.posterior();
+  EXPECT_EQ(found.fitted.figures, 1u);
+  EXPECT_FALSE(found.fitted.failed());
+}
+
+TEST(Calibration, AFigureThatNoMemberHasIsRefusedWhereItIsFitted) {
+  MadeUpStudy made = study_of({1.0});
+  for (auto& member : made.runs.outcomes[0]) {
+    for (ReleaseOutcome& outcome : member) outcome.barriers = {OutcomeAtBarrier()};
+  }
+  EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
+            "study.toml: observation site 1 compact passages, mean_speed_m_s: only 0 members of "
+            "32 have it, and 8 are needed; widen the ranges, simulate more releases, or keep it");
+}
+
+TEST(Calibration, BlocksThatASiteLacksAreNamed) {
+  MadeUpStudy made = study_of({1.0});
+  made.study.observations[0].shape.clear();
+  made.study.observations[0].block = "C";
+  EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
+            "observation site 1 compact stops: the campaign of site site 1 has no block \"C\"; it "
+            "has A, B");
+}
+
+/// A calibration of a made-up study through its file.
+class CalibrationFile : public testing::Test {
+ protected:
+  CalibrationFile() : made(study_of({1.0, 1.3})) {
+    made.study.design.members = 16;
+    made.study.text = "# made up\n";
+    simulator.sites = made.runs.sites;
+    simulator.inputs = {"made-up.toml 00"};
+    simulator.simulate = [this](std::size_t site, std::uint32_t member,
+                                const std::vector<double>&) {
+      if (++simulated > most) throw Cancelled();
+      return made.runs.outcomes[site][member];
+    };
+  }
+  Calibration run(const CalibrateOptions& options = {}) {
+    return calibrate_with(simulator, made.study, target(), options);
+  }
+  std::filesystem::path target() const { return folder / "posterior.h5"; }
+
+  MadeUpStudy made;
+  CalibrationSimulator simulator;
+  std::size_t simulated = 0, most = 1000;
+  ScratchFolder folder;
+};
+
+TEST_F(CalibrationFile, HoldsRunsAndDraws) {
+  const Calibration calibration = run();
+  EXPECT_EQ(simulated, 32u);
+  const StoredCalibration stored = read_calibration_runs(target());
+  EXPECT_EQ(stored.design_sha256, calibration.stored.design_sha256);
+  ASSERT_EQ(stored.runs.outcomes.size(), 2u);
+  const ReleaseOutcome& kept = stored.runs.outcomes[1][7][3];
+  const ReleaseOutcome& had = made.runs.outcomes[1][7][3];
+  EXPECT_EQ(kept.stop, had.stop);
+  EXPECT_EQ(kept.point, had.point);
+  EXPECT_EQ(kept.barriers[0].passed(), had.barriers[0].passed());
+  const PosteriorDraws draws = read_posterior_draws(target());
+  EXPECT_EQ(draws.parameters[1], "ground.scree.rolling_friction");
+  ASSERT_EQ(draws.draws.size(), 1000u);
+  EXPECT_EQ(draws.draws[5][1], calibration.posterior.draws(1, 5));
+}
+
+TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
+  const Calibration whole = run();
+  std::filesystem::remove(target());
+  simulated = 0;
+  most = 11;
+  EXPECT_THROW(run(), Cancelled);
+  EXPECT_FALSE(std::filesystem::exists(target()));
+  EXPECT_EQ(refusal<InputError>([&] { run(); }),
+            partial_calibration(target()).string() +
+                ": holds the members of an interrupted calibration; `resume` goes on with it, or "
+                "delete the file to start afresh");
+  EXPECT_EQ(refusal<InputError>([&] { read_posterior_draws(partial_calibration(target())); }),
+            partial_calibration(target()).string() +
+                ": is an interrupted calibration without draws; go on with it first");
+  simulated = 0;
+  most = 1000;
+  std::size_t before = 0;
+  CalibrateOptions options;
+  options.resume = true;
+  options.progress = [&](const ProgressStep& step) { before = step.before; };
+  EXPECT_EQ(run(options).posterior.draws, whole.posterior.draws);
+  EXPECT_EQ(simulated, 21u);
+  EXPECT_EQ(before, 11u);
+  EXPECT_FALSE(std::filesystem::exists(partial_calibration(target())));
+}
+
+TEST_F(CalibrationFile, OtherObservationsUseTheSameRuns) {
+  run();
+  simulated = 0;
+  made.study.observations.pop_back();
+  CalibrateOptions options;
+  options.resume = true;
+  run(options);
+  EXPECT_EQ(simulated, 0u);
+  made.study.unknowns[0].high = 0.95;
+  EXPECT_EQ(refusal<InputError>([&] { run(options); }),
+            target().string() +
+                ": was begun with other sites, unknowns, members, inputs or program; delete it, or "
+                "give another output");
+}
+
+TEST_F(CalibrationFile, APosteriorIsNotReplacedUnasked) {
+  run();
+  EXPECT_NE(refusal<InputError>([&] { run(); }), "");
+  CalibrateOptions options;
+  options.replace = true;
+  run(options);
+  write_text_file(folder / "notes.txt", "mine");
+  EXPECT_NE(refusal<InputError>(
+                [&] { calibrate_with(simulator, made.study, folder / "notes.txt", options); }),
+            "");
+  EXPECT_EQ(read_text_file(folder / "notes.txt"), "mine");
+}
+
+}  // namespace
+}  // namespace clast
