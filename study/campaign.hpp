@@ -11,6 +11,7 @@
 #include "dem/release.hpp"
 #include "dem/stiffness.hpp"
 #include "study/barrier.hpp"
+#include "study/calibration/posterior_draws.hpp"
 #include "study/uncertain.hpp"
 #include "terrain/terrain_input.hpp"
 
@@ -78,6 +79,9 @@ struct Ensemble {
   std::uint32_t members = 1;
   std::uint64_t seed = 1;
   Design design = Design::kRandom;
+  /// Each member has the ground of one of its draws; parameters that it does not have are as the
+  /// campaign says.
+  std::optional<PosteriorDraws> posterior;
 };
 
 /// Where and how blocks start. Points are of the centre of mass, in map coordinates, z up.

@@ -47,6 +47,9 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
   for (const ReleasePlan& release : campaign.releases) {
     for (const auto& file : release.files) header.inputs.push_back(with_digest(file));
   }
+  if (campaign.ensemble.posterior) {
+    header.inputs.push_back(with_digest(campaign.ensemble.posterior->file));
+  }
   header.program_version = version();
   for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
     const CampaignBlock& chosen = prepared.choice.blocks[i];

@@ -243,6 +243,15 @@ std::string ground_block(const Calibration& calibration) {
     text +=
         "# " + parameter + " = " + with_digits(calibration.posterior.marginals[i].median, 4) + "\n";
   }
+  const bool all_ground =
+      std::all_of(study.unknowns.begin(), study.unknowns.end(),
+                  [](const Unknown& unknown) { return is_of_ground(unknown.parameter); });
+  if (all_ground) {
+    text +=
+        "# With their uncertainty: each member has the ground of a draw.\n[ensemble]\nmembers = " +
+        std::to_string(std::min<Eigen::Index>(50, calibration.posterior.draws.cols())) +
+        "\nposterior = \"" + calibration.file.filename().string() + "\"\n";
+  }
   return text;
 }
 

@@ -117,6 +117,9 @@ fs::path partial_calibration(const fs::path& target) {
 
 Calibration calibrate_with(const CalibrationSimulator& simulator, const CalibrationStudy& study,
                            const fs::path& target, const CalibrateOptions& options) {
+  for (const Observation& observation : study.observations) {
+    seen_by(observation, simulator.sites[observation.site], {});  // refuses blocks that it lacks
+  }
   const OutputRules rules = check_output(
       target, {.kind = kPosteriorFormat, .replace = options.replace || options.resume});
   const FileLock lock(target, {.longest_wait = std::chrono::milliseconds(0)});

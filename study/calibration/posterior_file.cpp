@@ -14,7 +14,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kSchema = 1;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct BarrierColumn {
@@ -258,7 +257,7 @@ void write_posterior(const std::filesystem::path& target, const CalibrationStudy
                      const OutputRules& rules) {
   OutputFile output(target, rules);
   {
-    Hdf5File file = Hdf5File::create(output.temporary(), kPosteriorFormat, kSchema);
+    Hdf5File file = Hdf5File::create(output.temporary(), kPosteriorFormat, kPosteriorSchema);
     Hdf5Group root = file.root();
     root.set_attribute<std::string>("study_sha256", study.sha256);
     root.set_attribute<std::string>("design_sha256", stored.design_sha256);
@@ -291,7 +290,7 @@ void write_posterior(const std::filesystem::path& target, const CalibrationStudy
 }
 
 StoredCalibration read_calibration_runs(const std::filesystem::path& path) {
-  const Hdf5File file = Hdf5File::open(path, kPosteriorFormat, kSchema);
+  const Hdf5File file = Hdf5File::open(path, kPosteriorFormat, kPosteriorSchema);
   const Hdf5Group root = file.root();
   StoredCalibration stored;
   stored.design_sha256 = root.attribute<std::string>("design_sha256");
@@ -311,29 +310,6 @@ StoredCalibration read_calibration_runs(const std::filesystem::path& path) {
         read_outcomes(runs, stored.runs.sites.back(), static_cast<std::size_t>(members)));
   }
   return stored;
-}
-
-PosteriorDraws read_posterior_draws(const std::filesystem::path& path) {
-  const Hdf5File file = Hdf5File::open(path, kPosteriorFormat, kSchema);
-  const Hdf5Group root = file.root();
-  PosteriorDraws draws{path, sha256_of_file(path), {}, {}};
-  draws.parameters = root.group("unknowns").read<std::string>("parameter");
-  if (!root.has("posterior")) {
-    throw InputError(path.string() +
-                     ": is an interrupted calibration without draws; go on with it first");
-  }
-  const Hdf5Group posterior = root.group("posterior");
-  const std::vector<double> values = posterior.read<double>("draws");
-  const std::size_t each = draws.parameters.size();
-  const CheckedGroup group{path.string(), "/posterior", posterior};
-  if (each == 0 || values.empty() || values.size() % each != 0) {
-    group.damaged("draws", "has no whole number of draws");
-  }
-  for (std::size_t i = 0; i < values.size(); i += each) {
-    draws.draws.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(i),
-                             values.begin() + static_cast<std::ptrdiff_t>(i + each));
-  }
-  return draws;
 }
 
 }  // namespace clast

@@ -8,10 +8,9 @@
 #include "core/output_file.hpp"
 #include "study/calibration/calibration_study.hpp"
 #include "study/calibration/posterior.hpp"
+#include "study/calibration/posterior_draws.hpp"
 
 namespace clast {
-
-inline constexpr const char* kPosteriorFormat = "clast posterior";
 
 /// What is stored of a calibration, finished or interrupted.
 struct StoredCalibration {
@@ -31,15 +30,5 @@ void write_posterior(const std::filesystem::path& target, const CalibrationStudy
 /// The simulations that a file holds, finished or not.
 /// @throws InputError  missing, no posterior, damaged, or of a newer schema
 StoredCalibration read_calibration_runs(const std::filesystem::path& file);
-
-/// Draws of the unknowns, for campaigns that predict with them.
-struct PosteriorDraws {
-  std::filesystem::path file;
-  std::string sha256;
-  std::vector<std::string> parameters;
-  std::vector<std::vector<double>> draws;  ///< values in the order of the parameters
-};
-/// @throws InputError  as `read_calibration_runs`; or an interrupted calibration, without draws
-PosteriorDraws read_posterior_draws(const std::filesystem::path& file);
 
 }  // namespace clast

@@ -4,9 +4,11 @@
 
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/sobol.hpp"
+#include "study/calibration/unknown.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/ground_fields.hpp"
@@ -149,6 +151,34 @@ std::size_t uncertain_numbers(const Campaign& campaign) {
   return count;
 }
 
+/// The draws that members take, which must have something of this ground.
+PosteriorDraws read_posterior(const TomlTable& table, const Campaign& campaign,
+                              const Ensemble& ensemble) {
+  const TomlNode& node = *table.find("posterior");
+  table.text("posterior");
+  PosteriorDraws posterior = read_posterior_draws(input_file(table, "posterior", node));
+  bool any = false;
+  for (const std::string& parameter : posterior.parameters) {
+    if (!is_of_ground(parameter)) {
+      table.refuse("posterior", node,
+                   "was calibrated with " + parameter +
+                       ", which is no parameter of the ground; members of an ensemble can't vary "
+                       "it: calibrate with a value for it");
+    }
+    any = any || has_parameter(campaign, parameter);
+  }
+  if (!any) {
+    table.refuse("posterior", node,
+                 "has no parameter of this ground, but " + listed(posterior.parameters));
+  }
+  if (ensemble.members > posterior.draws.size()) {
+    table.refuse(
+        "members", *table.find("members"),
+        "is more than the " + std::to_string(posterior.draws.size()) + " draws of the posterior");
+  }
+  return posterior;
+}
+
 }  // namespace
 
 BlockSelection read_blocks(const TomlTable& top) {
@@ -225,9 +255,10 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
     }
     return {};
   }
-  const TomlTable table(*node, top.file(), "[ensemble]", {"members", "seed", "design"});
+  const TomlTable table(*node, top.file(), "[ensemble]",
+                        {"members", "seed", "design", "posterior"});
   table.required("members", "how often the parameters are drawn, a whole number");
-  if (!anything) {
+  if (!anything && !table.find("posterior")) {
     table.refuse(
         "no ground parameter is uncertain; write for example friction = { uniform = [0.5, 0.8] }");
   }
@@ -244,6 +275,7 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
                        "; fix some, or leave design out");
     }
   }
+  if (table.find("posterior")) ensemble.posterior = read_posterior(table, campaign, ensemble);
   return ensemble;
 }
 

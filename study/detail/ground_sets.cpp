@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <optional>
 
 #include "core/error.hpp"
 #include "core/listed.hpp"
+#include "core/random.hpp"
 #include "core/sobol.hpp"
+#include "core/statistics.hpp"
 #include "study/detail/named_seed.hpp"
 #include "study/ground_fields.hpp"
 
@@ -41,6 +44,43 @@ void put(const std::map<std::string, GroundTable>& tables,
   }
 }
 
+/// Puts the values of a draw over those that the campaign has.
+void put(const PosteriorDraws& posterior, std::size_t draw, Values& values) {
+  for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
+    for (auto& [zone, parameters] : values) {
+      for (const GroundField& field : ground_fields()) {
+        if (posterior.parameters[i] != "ground." + zone + "." + field.name) continue;
+        parameters.*field.value = posterior.draws[draw][i];
+      }
+    }
+  }
+}
+
+/// The median of each parameter, as a single draw.
+PosteriorDraws middle_of(const PosteriorDraws& posterior) {
+  PosteriorDraws middle{posterior.file, posterior.parameters, {{}}};
+  for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
+    std::vector<double> values;
+    for (const std::vector<double>& draw : posterior.draws) values.push_back(draw[i]);
+    std::sort(values.begin(), values.end());
+    middle.draws.front().push_back(quantile(values, 0.5));
+  }
+  return middle;
+}
+
+/// A different draw for every member, by chance; none without a posterior.
+std::vector<std::size_t> chosen_draws(const Ensemble& ensemble) {
+  if (!ensemble.posterior) return {};
+  std::vector<std::size_t> order(ensemble.posterior->draws.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  Random random(named_seed(ensemble.seed, "posterior"));
+  for (std::uint32_t member = 0; member < ensemble.members; ++member) {
+    std::swap(order[member], order[member + random.below(order.size() - member)]);
+  }
+  order.resize(ensemble.members);
+  return order;
+}
+
 /// One coordinate for each uncertain parameter, of blocks in no group first; none where members
 /// are drawn by chance.
 std::optional<SobolSequence> sobol_design(const Campaign& campaign) {
@@ -53,6 +93,7 @@ std::optional<SobolSequence> sobol_design(const Campaign& campaign) {
   Values values;
   put(campaign.ground, count, values);
   for (const BlockGroup& group : campaign.groups) put(group.ground, count, values);
+  if (coordinates == 0) return std::nullopt;
   return SobolSequence(coordinates, campaign.ensemble.seed);
 }
 
@@ -80,6 +121,7 @@ std::vector<GroundSet> ground_sets(const Campaign& campaign,
   const std::uint32_t members = campaign.ensemble.members;
   std::vector<GroundSet> sets(groups * members);
   std::optional<SobolSequence> design = sobol_design(campaign);
+  const std::vector<std::size_t> chosen = chosen_draws(campaign.ensemble);
   // Every group draws from a sequence of its own, so that no group changes what others get.
   std::vector<Random> random = {Random(campaign.ensemble.seed)};
   for (const BlockGroup& group : campaign.groups) {
@@ -94,7 +136,10 @@ std::vector<GroundSet> ground_sets(const Campaign& campaign,
         if (!design || number.fixed()) return number.draw(random[g]);
         return number.quantile(*share++);
       };
-      if (g == 0) put(campaign.ground, draw, base);
+      if (g == 0) {
+        put(campaign.ground, draw, base);
+        if (!chosen.empty()) put(*campaign.ensemble.posterior, chosen[member], base);
+      }
       Values values = base;
       if (g > 0) put(campaign.groups[g - 1].ground, draw, values);
       sets[g * members + member] = {g > 0 ? campaign.groups[g - 1].name : "", member,
@@ -109,6 +154,7 @@ std::vector<GroundParameters> central_ground(const Campaign& campaign,
   Values values;
   put(
       campaign.ground, [](const Uncertain& number) { return number.central(); }, values);
+  if (campaign.ensemble.posterior) put(middle_of(*campaign.ensemble.posterior), 0, values);
   return in_order(campaign, values, zones);
 }
 
