@@ -1,7 +1,7 @@
 #include "study/calibration/site_simulator.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -52,6 +52,8 @@ ReleaseOutcome outcome_of(const StoredRun& run, const PreparedCampaign& prepared
 }  // namespace
 
 struct SiteSimulator::Impl {
+  explicit Impl(PreparedCampaign plan) : prepared(std::move(plan)) {}
+
   std::string name;
   std::vector<Unknown> unknowns;
   CalibrationDesign design;
@@ -85,7 +87,7 @@ struct SiteSimulator::Impl {
 
 SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
                              const CalibrationDesign& design)
-    : impl_(std::make_unique<Impl>()) {
+    : impl_(std::make_unique<Impl>(prepare_campaign(with_middles(site.campaign, unknowns)))) {
   Impl& own = *impl_;
   own.name = site.name;
   own.design = design;
@@ -93,7 +95,6 @@ SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unkn
     own.starts_vary = own.starts_vary || is_of_release(unknown.parameter);
   }
   own.unknowns = unknowns;
-  own.prepared = prepare_campaign(with_middles(site.campaign, unknowns));
   own.planned = own.prepared.runs;
   if (own.planned.size() < design.releases) {
     throw InputError(site.campaign.file.string() + ": plans " + std::to_string(own.planned.size()) +

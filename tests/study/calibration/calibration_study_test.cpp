@@ -162,7 +162,8 @@ TEST_F(StudyFile, WhatMakesNoSenseIsRefused) {
             "study.toml:23: [[observation]] figures = \"p0\": must be \"mean\", \"std\", "
             "\"aside\", or a percentile from \"p1\" to \"p99\"");
   EXPECT_EQ(refused("stops = \"stops.csv\"", "colour = 3"),
-            "study.toml:22: [[observation]] colour: unknown key; known are name, site, use, shape, "
+            "study.toml:22: [[observation]] colour = 3: unknown key; known here are name, site, "
+            "use, shape, "
             "block, stops, figures, beyond_m, barrier, releases, passed, speed_m_s, spin_rad_s, "
             "height_m, energy_j");
 }
@@ -191,9 +192,9 @@ TEST_F(StudyFile, CampaignsMustSayWhereDownslopeIs) {
 }
 
 TEST_F(StudyFile, UncertainGroundThatIsNoUnknownIsRefused) {
-  write_text_file(
-      folder_ / "campaign.toml",
-      with("friction = 0.3", "friction = { uniform = [0.2, 0.4] }") + "[ensemble]\nmembers = 3\n");
+  write_text_file(folder_ / "campaign.toml",
+                  with("friction = 0.3\n", "friction = { uniform = [0.2, 0.4] }\n") +
+                      "[ensemble]\nmembers = 3\n");
   EXPECT_EQ(refused("name = \"north\"", "name = \"north\""),
             "study.toml: ground.gray.friction is uncertain in the campaign of site north; make it "
             "an [[unknown]], or give it a value there");

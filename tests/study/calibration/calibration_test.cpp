@@ -49,7 +49,7 @@ TEST(Calibration, FindsWhatHasAnInfluenceAndLeavesTheRestAsItWas) {
 
 TEST(Calibration, TwoSitesTellMoreThanOne) {
   double one = 0.0, two = 0.0;
-  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+  for (const std::uint64_t seed : {1u, 2u}) {
     one += study_of({1.0}, seed).posterior().marginals[0].width;
     two += study_of({1.0, 1.3}, seed).posterior().marginals[0].width;
   }
@@ -111,6 +111,7 @@ class CalibrationFile : public testing::Test {
  protected:
   CalibrationFile() : made(study_of({1.0, 1.3})) {
     made.study.design.members = 16;
+    made.study.design.draws = 200;
     made.study.text = "# made up\n";
     simulator.sites = made.runs.sites;
     simulator.inputs = {"made-up.toml 00"};
@@ -144,7 +145,7 @@ TEST_F(CalibrationFile, HoldsRunsAndDraws) {
   EXPECT_EQ(kept.barriers[0].passed(), had.barriers[0].passed());
   const PosteriorDraws draws = read_posterior_draws(target());
   EXPECT_EQ(draws.parameters[1], "ground.scree.rolling_friction");
-  ASSERT_EQ(draws.draws.size(), 1000u);
+  ASSERT_EQ(draws.draws.size(), 200u);
   EXPECT_EQ(draws.draws[5][1], calibration.posterior.draws(1, 5));
 }
 
