@@ -53,8 +53,9 @@ void calibrate_study(const CalibrateArgs& args) {
                                                "give the posterior the extension .h5");
   }
   page.replace_extension(".html");
-  const OutputRules rules =
-      check_output(page, {.kind = kind_by_name(page), .replace = args.replace || args.resume});
+  const bool replace = args.replace || args.resume;
+  check_output(args.output, {.kind = kPosteriorFormat, .replace = replace});
+  const OutputRules rules = check_output(page, {.kind = kind_by_name(page), .replace = replace});
   ProgressBar bar("members", study.sites.size() * study.design.members);
   const InterruptionWatch watch;
   CalibrateOptions options;
