@@ -283,10 +283,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[run]", "[ensemble]\nmembers = 3\n[run]",
                 "campaign.toml:43: [ensemble]: no ground parameter is uncertain; write for example "
                 "friction = { uniform = [0.5, 0.8] }"},
-        Refused{"friction = 0.70",
-                "friction = { uniform = [0.6, 0.8] }\n[ensemble]\nmembers = 3\n"
-                "design = \"even\"\n[ground.other]",
-                "campaign.toml:17: [ensemble] design = \"even\": must be \"random\" or "
+        Refused{"friction = 0.70\nrolling_friction = 0.35",
+                "friction = { uniform = [0.6, 0.8] }\nrolling_friction = 0.35\n"
+                "[ensemble]\nmembers = 3\ndesign = \"even\"",
+                "campaign.toml:18: [ensemble] design = \"even\": must be \"random\" or "
                 "\"sobol\""},
         Refused{"[run]", "[[block_group]]\nname = \"g\"\n[run]",
                 "campaign.toml:43: [[block_group]]: select is missing; it must be ids, or { scheme "
