@@ -19,9 +19,9 @@ MatrixXd random_places(std::size_t inputs, std::size_t samples, Random& random) 
 
 }  // namespace
 
-std::vector<VarianceShare> variance_shares(std::size_t inputs,
-                                           const std::function<VectorXd(const MatrixXd&)>& function,
-                                           std::size_t samples, std::uint64_t seed) {
+std::vector<SobolIndices> sobol_indices(std::size_t inputs,
+                                        const std::function<VectorXd(const MatrixXd&)>& function,
+                                        std::size_t samples, std::uint64_t seed) {
   Random random(seed);
   const MatrixXd a = random_places(inputs, samples, random);
   const MatrixXd b = random_places(inputs, samples, random);
@@ -32,7 +32,7 @@ std::vector<VarianceShare> variance_shares(std::size_t inputs,
   at_b.array() -= mean;
   const auto count = static_cast<double>(samples);
   const double variance = 0.5 * (at_a.squaredNorm() + at_b.squaredNorm()) / count;
-  std::vector<VarianceShare> shares(inputs);
+  std::vector<SobolIndices> shares(inputs);
   if (!(variance > 0.0)) return shares;
   for (std::size_t i = 0; i < inputs; ++i) {
     MatrixXd mixed = a;

@@ -7,8 +7,9 @@
 
 namespace clast {
 
-/// Shares of the variance of a function whose inputs are independent and uniform in [0, 1).
-struct VarianceShare {
+/// Shares of the variance of a function whose inputs are independent and uniform in [0, 1), that go
+/// with one of them.
+struct SobolIndices {
   double first_order = 0.0;  ///< that goes with the input alone
   double total = 0.0;        ///< that goes with it and with its interplay with others
 };
@@ -18,7 +19,7 @@ struct VarianceShare {
 /// @param function  values at places, one column each; (inputs + 2) times `samples` in all
 /// @param samples   positive; the error of an index is about 2/sqrt(samples)
 /// @cite sobol2001, saltelli2010, jansen1999
-std::vector<VarianceShare> variance_shares(
+std::vector<SobolIndices> sobol_indices(
     std::size_t inputs, const std::function<Eigen::VectorXd(const Eigen::MatrixXd&)>& function,
     std::size_t samples, std::uint64_t seed);
 

@@ -52,14 +52,16 @@ std::string marginal_chart(const Calibration& calibration, std::size_t unknown) 
   Trace posterior{"after", kDataColours[0], "", Trace::Kind::kSteps, {}, {}};
   Trace prior{"before", kDataColours[3], "6 3", Trace::Kind::kLine, {}, {}};
   for (std::size_t bin = 0; bin <= kBins; ++bin) {
-    const double at = own.value(static_cast<double>(bin) / kBins);
+    const double value = own.value(static_cast<double>(bin) / kBins);
+    const double at = own.logarithmic ? std::log10(value) : value;
     posterior.x.push_back(at);
     posterior.y.push_back(shares[std::min(bin, kBins - 1)]);
     if (bin > 0 && bin < kBins) continue;
     prior.x.push_back(at);
     prior.y.push_back(1.0 / kBins);
   }
-  return plotly_chart({label_of(own), label_of(own), "share of draws in a bin of the range", true},
+  const std::string axis = (own.logarithmic ? "log10 of " : "") + label_of(own);
+  return plotly_chart({unknown_in_words(own.parameter), axis, "share of the draws", true},
                       {posterior, prior});
 }
 
@@ -172,7 +174,10 @@ std::string prediction_section(const Calibration& calibration) {
                significant(figure.observed, 4), significant(one.median, 4), significant(one.low, 4),
                significant(one.high, 4)});
     const double half = std::max(0.5 * (one.high - one.low), 1e-300);
-    const auto scaled = [&](double value) { return (value - figure.observed) / half; };
+    constexpr double kFarthest = 5.0;  // of what would push the others together
+    const auto scaled = [&](double value) {
+      return std::clamp((value - figure.observed) / half, -kFarthest, kFarthest);
+    };
     const std::string name = observation.name + ": " + figure.name;
     marks.push_back({name, scaled(one.median), scaled(one.low), scaled(one.high),
                      !one.covers(figure.observed),
@@ -190,7 +195,7 @@ std::string prediction_section(const Calibration& calibration) {
                     "the error of the surrogate. Kept figures had no part in the fit."));
 }
 
-std::string sensitivity_table(const Calibration& calibration, double VarianceShare::*share) {
+std::string sensitivity_table(const Calibration& calibration, double SobolIndices::*share) {
   std::vector<std::string> heads = {"figure"};
   for (const Unknown& unknown : calibration.study.unknowns) {
     heads.push_back(unknown_in_words(unknown.parameter));
@@ -199,10 +204,10 @@ std::string sensitivity_table(const Calibration& calibration, double VarianceSha
   std::size_t at = 0;
   for (const Observation& observation : calibration.study.observations) {
     for (const Figure& figure : observation.figures) {
-      const std::vector<VarianceShare>& shares = calibration.posterior.sensitivities[at++];
+      const std::vector<SobolIndices>& shares = calibration.posterior.sensitivities[at++];
       if (shares.empty()) continue;
       std::vector<std::string> row = {observation.name + ": " + figure.name};
-      for (const VarianceShare& one : shares) row.push_back(percent(one.*share, 0));
+      for (const SobolIndices& one : shares) row.push_back(percent(one.*share, 0));
       table.row(row);
     }
   }
@@ -231,11 +236,11 @@ std::string surrogate_table(const Calibration& calibration) {
 std::string influence_section(const Calibration& calibration) {
   return section(
       "What the figures depend on",
-      sensitivity_table(calibration, &VarianceShare::total) +
+      sensitivity_table(calibration, &SobolIndices::total) +
           paragraph("Share of the variance of each figure over the ranges that goes with a "
                     "parameter, alone or together with others (Sobol's total index).") +
           folded("With a parameter alone",
-                 sensitivity_table(calibration, &VarianceShare::first_order)) +
+                 sensitivity_table(calibration, &SobolIndices::first_order)) +
           folded("How well the surrogates say members that they have not seen",
                  surrogate_table(calibration) +
                      paragraph("Error is the root mean square of leave-one-out errors, in the unit "

@@ -41,7 +41,8 @@ std::string check_sentence(const PredictiveCheck& check, bool fitted) {
            "; as many parameters are told as there are figures, so that nothing can "
            "contradict the fit";
   }
-  const std::string p = " (p = " + with_digits(*check.p_value, 2) + ")";
+  const std::string p = *check.p_value < 0.001 ? std::string(" (p below 0.001)")
+                                               : " (p = " + with_digits(*check.p_value, 2) + ")";
   if (!check.failed()) return text + ", and together they are such as the law gives" + p;
   return text + ", but together they are not such as the law gives" + p + ": " +
          (fitted ? "no ground within the ranges explains what was observed; the law, the ranges or "

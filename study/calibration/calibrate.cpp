@@ -66,6 +66,15 @@ void check_partial(const fs::path& target, const CalibrateOptions& options) {
                    "or delete the file to start afresh");
 }
 
+/// Before many members are simulated in vain.
+void check_releases(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+                    std::size_t site, const std::vector<ReleaseOutcome>& outcomes) {
+  for (const Observation& observation : study.observations) {
+    if (observation.site != site) continue;
+    check_enough(observation, seen_by(observation, simulator.sites[site], outcomes));
+  }
+}
+
 /// Simulates what is missing; whatever ends it, what was simulated is kept.
 void simulate_missing(const CalibrationStudy& study, const CalibrationSimulator& simulator,
                       const fs::path& target, const CalibrateOptions& options,
@@ -92,6 +101,7 @@ void simulate_missing(const CalibrationStudy& study, const CalibrationSimulator&
         if (stored.done[site][member]) continue;
         stored.runs.outcomes[site][member] =
             simulator.simulate(site, member, study.values(places[member]));
+        check_releases(study, simulator, site, stored.runs.outcomes[site][member]);
         stored.done[site][member] = true;
         changed = true;
         ++step.done;

@@ -105,6 +105,13 @@ std::vector<Seen> seen_by(const Observation& observation, const SiteFacts& site,
   return seen;
 }
 
+void check_enough(const Observation& observation, std::span<const Seen> seen) {
+  if (seen.size() >= kFewestSeen) return;
+  throw InputError("observation " + observation.name + ": a member has only " +
+                   std::to_string(seen.size()) + " releases of these blocks, and " +
+                   std::to_string(kFewestSeen) + " are needed; raise [design] releases");
+}
+
 double figure_of(const Figure& figure, std::span<const Seen> seen,
                  std::span<const std::size_t> sample) {
   std::vector<double> values, aside;

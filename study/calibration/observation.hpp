@@ -71,6 +71,11 @@ struct Seen {
 std::vector<Seen> seen_by(const Observation& observation, const SiteFacts& site,
                           std::span<const ReleaseOutcome> outcomes);
 
+/// Makes sure that a member has releases enough of the observed blocks to know their scatter by.
+/// @throws InputError  fewer than `kFewestSeen`; the observation and how many
+void check_enough(const Observation& observation, std::span<const Seen> seen);
+inline constexpr std::size_t kFewestSeen = 8;
+
 /// Where a stop lies for the observation.
 ObservedStop place_of(const Observation& observation, const SiteFacts& site, const Vec2& start,
                       const Vec2& stop);

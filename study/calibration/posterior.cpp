@@ -91,6 +91,22 @@ PredictedFigure place_of_figure(const CalibrationStudy& study, std::size_t figur
   return place;
 }
 
+/// The nearest value that the figure can have: the normal law of the prediction knows no bounds.
+double possible(const Figure& figure, double value) {
+  switch (figure.kind) {
+    case Figure::Kind::kBeyond:
+    case Figure::Kind::kPassed:
+      return std::clamp(value, 0.0, 1.0);
+    case Figure::Kind::kStdPlace:
+    case Figure::Kind::kMeanSpeed:
+    case Figure::Kind::kMeanSpin:
+    case Figure::Kind::kMeanEnergy:
+      return std::max(value, 0.0);
+    default:
+      return value;
+  }
+}
+
 /// Adds the predictions of fitted or kept figures, and counts how many cover what was observed.
 PredictiveCheck predict_figures(const CalibrationStudy& study,
                                 const SyntheticLikelihood& likelihood, bool fitted,
@@ -106,9 +122,10 @@ PredictiveCheck predict_figures(const CalibrationStudy& study,
   for (std::size_t i = 0; i < which.size(); ++i) {
     PredictedFigure figure = place_of_figure(study, static_cast<std::size_t>(which[i]));
     const std::vector<double> values = sorted(row_of(draws, static_cast<Index>(i)));
-    figure.median = quantile(values, 0.5);
-    figure.low = quantile(values, 0.025);
-    figure.high = quantile(values, 0.975);
+    const Figure& asked = study.observations[figure.observation].figures[figure.figure];
+    figure.median = possible(asked, quantile(values, 0.5));
+    figure.low = possible(asked, quantile(values, 0.025));
+    figure.high = possible(asked, quantile(values, 0.975));
     if (figure.covers(observed[static_cast<Index>(i)])) ++check.covered;
     posterior.predicted.push_back(figure);
   }
@@ -146,14 +163,14 @@ void check_fit(const SyntheticLikelihood& likelihood, CalibrationPosterior& post
   }
 }
 
-std::vector<std::vector<VarianceShare>> sensitivities_of(const CalibrationStudy& study,
-                                                         const SyntheticLikelihood& likelihood,
-                                                         unsigned threads) {
+std::vector<std::vector<SobolIndices>> sensitivities_of(const CalibrationStudy& study,
+                                                        const SyntheticLikelihood& likelihood,
+                                                        unsigned threads) {
   constexpr std::size_t kSamples = 2048;
-  std::vector<std::vector<VarianceShare>> all(study.figures());
+  std::vector<std::vector<SobolIndices>> all(study.figures());
   parallel_for(all.size(), threads, [&](std::size_t k) {
     if (!likelihood.quality(k)) return;
-    all[k] = variance_shares(
+    all[k] = sobol_indices(
         study.unknowns.size(), [&](const MatrixXd& places) { return likelihood.mean(k, places); },
         kSamples, named_seed(study.design.seed, "sensitivity"));
   });

@@ -73,7 +73,7 @@ struct CalibrationPosterior {
   PredictiveCheck fitted, kept;
   Eigen::MatrixXd member_figures;  ///< figures by members; not a number where a member has none
   std::vector<std::optional<SurrogateQuality>> surrogates;  ///< of each figure
-  std::vector<std::vector<VarianceShare>> sensitivities;    ///< of each figure, each unknown
+  std::vector<std::vector<SobolIndices>> sensitivities;     ///< of each figure, each unknown
   NearestMembers nearest;
 };
 

@@ -151,7 +151,7 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
   group.write<double>("predicted_low", low);
   group.write<double>("predicted_high", high);
   std::vector<double> first_order, total;
-  for (const std::vector<VarianceShare>& shares : posterior.sensitivities) {
+  for (const std::vector<SobolIndices>& shares : posterior.sensitivities) {
     for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
       first_order.push_back(shares.empty() ? kNone : shares[i].first_order);
       total.push_back(shares.empty() ? kNone : shares[i].total);

@@ -106,6 +106,7 @@ MemberFigures member_figures(const CalibrationStudy& study, const std::vector<Si
         observations.push_back(&observation);
         seen.push_back(
             seen_by(observation, sites[observation.site], simulated[observation.site][m]));
+        check_enough(observation, seen.back());
       }
       const std::uint64_t seed =
           named_seed(study.design.seed, "scatter " + std::to_string(g) + "/" + std::to_string(m));

@@ -140,8 +140,7 @@ TEST_P(BothKernels, NoShapeNearbyIsLikelier) {
     for (Eigen::Index i = 0; i < 3; ++i) {
       GaussianProcessShape shape = best.shape();
       (i < 2 ? shape.lengths[i] : shape.nugget) *= factor;
-      EXPECT_LE(weighed(GaussianProcess(places, values, shape, GetParam())),
-                weighed(best) + 1e-3);
+      EXPECT_LE(weighed(GaussianProcess(places, values, shape, GetParam())), weighed(best) + 1e-3);
     }
   }
 }
@@ -167,7 +166,8 @@ TEST(GaussianProcess, TooFewPlacesAndSenselessBoundsAreRefused) {
             "values");
   GaussianProcessOptions options;
   options.longest = 0.01;
-  EXPECT_EQ(refusal<InputError>([&] { options.check(); }), "a Gaussian process: longest 0.01 is out of range");
+  EXPECT_EQ(refusal<InputError>([&] { options.check(); }),
+            "a Gaussian process: longest 0.01 is out of range");
 }
 
 }  // namespace

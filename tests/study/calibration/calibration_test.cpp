@@ -97,6 +97,24 @@ TEST(Calibration, AFigureThatNoMemberHasIsRefusedWhereItIsFitted) {
             "32 have it, and 8 are needed; widen the ranges, simulate more releases, or keep it");
 }
 
+TEST(Calibration, AFewReleasesOfABlockAreRefused) {
+  MadeUpStudy made = study_of({1.0});
+  made.runs.outcomes[0][3].resize(15);  // eight compact, seven elongated
+  EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
+            "observation site 1 elongated stops: a member has only 7 releases of these blocks, and "
+            "8 are needed; raise [design] releases");
+}
+
+TEST(Calibration, PredictionsEndWhereFiguresDo) {
+  MadeUpStudy made = study_of({1.0});
+  for (const PredictedFigure& one : made.posterior().predicted) {
+    const Figure& figure = made.study.observations[one.observation].figures[one.figure];
+    if (figure.kind != Figure::Kind::kPassed) continue;
+    EXPECT_GE(one.low, 0.0);
+    EXPECT_LE(one.high, 1.0);
+  }
+}
+
 TEST(Calibration, BlocksThatASiteLacksAreNamed) {
   MadeUpStudy made = study_of({1.0});
   made.study.observations[0].shape.clear();
