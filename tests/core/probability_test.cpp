@@ -32,6 +32,14 @@ double chi_squared_by_sum(double x, int freedom) {
   return sum;
 }
 
+TEST(Probability, NormalQuantilesAreTheInverse) {
+  EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-12);
+  EXPECT_EQ(normal_quantile(0.5), 0.0);
+  for (const double p : {1e-12, 0.01, 0.3, 0.9999}) {
+    EXPECT_NEAR(normal_below(normal_quantile(p)) / p, 1.0, 1e-9);
+  }
+}
+
 TEST(ChiSquaredAbove, EqualsItsFiniteSums) {
   for (int freedom = 1; freedom <= 40; ++freedom) {
     for (const double x : {1e-6, 0.01, 0.5, 1.0, 3.0, 9.9, 20.0, 41.0, 80.0, 200.0}) {
