@@ -56,8 +56,8 @@ struct StiffnessChoice {
 
 /// k_n such that a body rests no deeper than d = min(2 cm, 2 % of S), m g/(e_n^2 d) under the
 /// energy-restitution law, largest over all bodies and zones; stiffer where an impact at `fastest`
-/// would go deeper than S/4. k_t = k_n, k_r = k_t (S/2)^2 of the smallest body where the ground
-/// states no rolling length, and a time step with a stated margin below the fastest contact
+/// would go deeper than S/4. k_t = k_n, or k_n/e_n^2 where dents stay; k_r = k_t (S/2)^2 of the
+/// smallest body where the ground states no rolling length; a time step below the fastest contact
 /// oscillation (docs/theory.md). Bodies that touch each other share one stiffness; one that touches
 /// only ground is passed alone, so that its stiffness does not depend on others.
 /// @param fastest  speed no block can exceed: from release heights and the lowest ground, m/s
