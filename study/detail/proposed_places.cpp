@@ -171,7 +171,7 @@ void place_barrier_at(const Terrain& terrain, const GroundGrid& grid, std::size_
   const double releases = (places.release_to - places.release_from).head<2>().norm();
   const double most =
       std::max(kBarrierShare * places.distance, 0.5 * releases + 2.0 * places.block_length);
-  const auto ground = [&](const Vec2& at) { return grid.covered(at, 0.0) && grid.slope(at); };
+  const auto ground = [&](const Vec2& spot) { return grid.covered(spot, 0.0) && grid.slope(spot); };
   const double to_left = std::max(clear, reach(place, left, grid.cell(), most, ground));
   const double to_right = std::max(clear, reach(place, Vec2(-left), grid.cell(), most, ground));
   // Blocks that come down see its first point on their left.

@@ -70,7 +70,7 @@ std::string input_text(const PreparedCampaign& prepared, const SceneSet& set, co
           "\n\nforceLaw Avalanche\nContactPartnership " + weights_of(campaign.weights) +
           "\nAddOrRemoveInteractions OBBtree\nUpdateNL bruteForce\nIntegrator velocityVerlet\n\n";
   for (const SceneContact& contact : scene.contacts) text += contact_lines(contact);
-  return text + "iconf 0\n" + bodies_text(set, scene);
+  return text + "precision 17\niconf 0\n" + bodies_text(set, scene);
 }
 
 }  // namespace
@@ -89,12 +89,34 @@ void write_rockable_scene(const PreparedCampaign& prepared, const SceneSet& set,
                {});
 }
 
+namespace {
+
+/// Depths to which blocks can go that are more than the radii which meet there.
+std::string depth_note(const PreparedCampaign& prepared) {
+  std::size_t deep = 0;
+  double missing = 0.0;
+  for (const RunRecord& run : prepared.runs) {
+    const double radii = prepared.bodies[run.block].shape.radius + prepared.campaign.terrain_radius;
+    if (run.impact_depth <= radii) continue;
+    ++deep;
+    missing = std::max(missing, run.impact_depth - radii);
+  }
+  const std::string rule =
+      "Faces of the ground act on both sides: a block whose core goes through one is pushed out "
+      "below. ";
+  if (deep == 0) return rule + "The radii here are larger than the deepest impact.";
+  const double wanted = prepared.campaign.terrain_radius + missing;
+  return rule + "In " + counted(deep, "run") + " of " + std::to_string(prepared.runs.size()) +
+         " an impact at the highest possible speed would do that; [terrain] radius_m = " +
+         with_decimals(std::ceil(100.0 * wanted) / 100.0, 2) + " would prevent it.";
+}
+
+}  // namespace
+
 std::vector<std::string> rockable_notes(const PreparedCampaign& prepared) {
   const Campaign& campaign = prepared.campaign;
   std::vector<std::string> notes = {
-      "Faces of the ground act on both sides: a block whose core goes through one is pushed out "
-      "below. Radii of block and ground together must exceed the deepest penetration; "
-      "[terrain] radius_m raises that of the ground.",
+      depth_note(prepared),
       "Inner edges of flat ground turn blocks aside there (up to 5 % of their speed), and "
       "restitution "
       "on meshes is lower than stated; clast has neither.",

@@ -6,9 +6,11 @@
 set -euo pipefail
 build=$(cd "$1" && pwd)
 root=$(mktemp -d)
-trap 'rm -rf "$root"' EXIT
+clean() { ! mountpoint -q "$root/proc" || umount "$root/proc" && rm -rf "$root"; }
+trap clean EXIT
 
 mmdebstrap --quiet --variant=apt bookworm "$root"
+mount -t proc proc "$root/proc"
 mkdir "$root/packages"
 cp "$build"/clast_*.deb "$build"/clast-reconstruct_*.deb "$root/packages/"
 in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin "$@"; }

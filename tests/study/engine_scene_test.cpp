@@ -173,6 +173,12 @@ TEST_F(EngineScenesOf, SayWhatIsWhatAndWhatDiffers) {
   EXPECT_TRUE(contains(text, "block a block with a very long name")) << text;
   EXPECT_TRUE(contains(text, "ground zone flat") && contains(text, "map = scene + (")) << text;
   for (const std::string& note : scenes.notes) EXPECT_TRUE(contains(text, note));
+  // 9.5 m of fall are far more than the radius of 5 cm bears.
+  EXPECT_TRUE(contains(scenes.notes.front(), "radius_m = 0.")) << scenes.notes.front();
+  const EngineScenes thick =
+      write(prepared(with("[terrain]", "[terrain]\nradius_m = 0.5")), "rockable");
+  EXPECT_TRUE(contains(thick.notes.front(), "larger than the deepest impact"));
+  write(prepared(with("blocks.h5", "named.h5")), "rockable");
   std::set<std::string> names;
   for (const ShpShape& shape : read_shp(at("shapes.shp"))) {
     EXPECT_LE(shape.name.size(), 15u);
