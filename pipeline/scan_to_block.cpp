@@ -1,5 +1,6 @@
 #include "pipeline/scan_to_block.hpp"
 
+#include <string_view>
 #include <utility>
 
 #include "core/digest.hpp"
@@ -90,45 +91,63 @@ struct ReadScan {
   std::optional<PhotoScan> photos;
 };
 
+FieldScanOptions reading_options(const ScanToBlockOptions& options) {
+  return {.scan = options.scan,
+          .up_given = options.up_given,
+          .find_ground = options.find_ground,
+          .split = options.split};
+}
+
+ScanOptions core_options(const ScanToBlockOptions& options) {
+  ScanOptions as_it_is = options.scan;
+  as_it_is.repair.invent = false;  // every vertex of a core is meant
+  return as_it_is;
+}
+
 ReadScan read_any_scan(const std::filesystem::path& path, const ScanToBlockOptions& options,
                        BlockSource& source, const ScanCallbacks& callbacks) {
-  const FieldScanOptions reading = {.scan = options.scan,
-                                    .up_given = options.up_given,
-                                    .find_ground = options.find_ground,
-                                    .split = options.split};
+  const FieldScanOptions reading = reading_options(options);
   if (std::filesystem::is_directory(path)) {
     PhotographedBlocks made = reconstruct_photographs(path, options, reading, source, callbacks);
     return {std::move(made.found), std::move(made.photos)};
   }
   if (!options.block.core) return {read_field_scan(path, reading), {}};
   FieldScan core;
-  ScanOptions as_it_is = options.scan;
-  as_it_is.repair.invent = false;  // every vertex of a core is meant
-  core.blocks.push_back({read_scan(path, as_it_is), {}, {}});
+  core.blocks.push_back({read_scan(path, core_options(options)), {}, {}});
   if (callbacks.made || options.scale_points) core.raw = read_mesh(path);
   return {std::move(core), {}};
 }
 
-}  // namespace
-
-std::string scan_digest(const std::filesystem::path& path) {
-  return std::filesystem::is_directory(path) ? photo_set_digest(path) : sha256_of_file(path);
+/// Digest of the numbers of a mesh in memory.
+std::string mesh_digest(const TriangleMesh& mesh) {
+  const auto bytes = [](const auto& values) {
+    return std::string_view(reinterpret_cast<const char*>(values.data()),
+                            values.size() * sizeof(values.front()));
+  };
+  Sha256 digest;
+  digest.add(bytes(mesh.vertices));
+  digest.add(bytes(mesh.triangles));
+  return digest.finish();
 }
 
-void ScanToBlockOptions::check() const {
-  scan.check();
-  if (vertices) SimplifyOptions{*vertices}.check();
-  block.check();
+ReadScan clean_any_mesh(const TriangleMesh& raw, const std::string& name,
+                        const ScanToBlockOptions& options) {
+  const FieldScanOptions reading = reading_options(options);
+  FieldScan found;
+  if (options.block.core) {
+    found.blocks.push_back({clean_scan(raw, name, core_options(options)), {}, {}});
+  } else if (raw.triangles.empty()) {
+    found.blocks = field_blocks(raw.vertices, name, reading);
+  } else {
+    found.blocks = field_blocks(raw, name, reading);
+  }
+  found.raw = raw;
+  return {std::move(found), {}};
 }
 
-std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const std::string& id,
-                                      const ScanToBlockOptions& options,
-                                      const ScanCallbacks& callbacks) {
-  callbacks.begin("reading " + id);
-  const std::string up = up_axis(options.scan.up, path);
-  BlockSource source{as_utf8(path.string()), scan_digest(path), scale_text(options) + " up=" + up,
-                     ""};
-  ReadScan read = read_any_scan(path, options, source, callbacks);
+std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSource source,
+                               const std::string& up, const ScanToBlockOptions& options,
+                               const ScanCallbacks& callbacks) {
   FieldScan& found = read.found;
   if (options.scale_points) note_far_scale(found, *options.scale_points);
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
@@ -153,6 +172,39 @@ std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const s
     found.blocks[i] = {};  // memory is bounded by one block's needs
   }
   return blocks;
+}
+
+}  // namespace
+
+std::string scan_digest(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) ? photo_set_digest(path) : sha256_of_file(path);
+}
+
+void ScanToBlockOptions::check() const {
+  scan.check();
+  if (vertices) SimplifyOptions{*vertices}.check();
+  block.check();
+}
+
+std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const std::string& id,
+                                      const ScanToBlockOptions& options,
+                                      const ScanCallbacks& callbacks) {
+  callbacks.begin("reading " + id);
+  const std::string up = up_axis(options.scan.up, path);
+  BlockSource source{as_utf8(path.string()), scan_digest(path), scale_text(options) + " up=" + up,
+                     ""};
+  ReadScan read = read_any_scan(path, options, source, callbacks);
+  return make_blocks(read, id, std::move(source), up, options, callbacks);
+}
+
+std::vector<Block> reconstruct_mesh_blocks(const TriangleMesh& raw, const std::string& id,
+                                           const ScanToBlockOptions& options,
+                                           const ScanCallbacks& callbacks) {
+  callbacks.begin("cleaning " + id);
+  const std::string up = options.scan.up == "y" ? "y" : "z";  // no format says otherwise
+  BlockSource source{id, mesh_digest(raw), scale_text(options) + " up=" + up, ""};
+  ReadScan read = clean_any_mesh(raw, id, options);
+  return make_blocks(read, id, std::move(source), up, options, callbacks);
 }
 
 }  // namespace clast

@@ -89,4 +89,11 @@ std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const s
                                       const ScanToBlockOptions& options = {},
                                       const ScanCallbacks& callbacks = {});
 
+/// The same of a mesh in memory, or of points where it has no triangles. The record names `id` as
+/// its source, and the digest is that of the numbers.
+/// @throws InputError, GeometryError  as for a file
+std::vector<Block> reconstruct_mesh_blocks(const TriangleMesh& raw, const std::string& id,
+                                           const ScanToBlockOptions& options = {},
+                                           const ScanCallbacks& callbacks = {});
+
 }  // namespace clast

@@ -7,7 +7,9 @@
 #include "core/text_file.hpp"
 #include "report/maps/gis_layers.hpp"
 #include "report/maps/raster_files.hpp"
+#include "report/page_pdf.hpp"
 #include "report/pages/comparison_page.hpp"
+#include "report/scene/vtk_animation.hpp"
 #include "report/tables/comparison_provenance.hpp"
 #include "report/tables/group_tables.hpp"
 #include "report/tables/run_tables.hpp"
@@ -69,6 +71,46 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   }
   write("report.html", comparison_page(comparison, bins, paths, deposits));
   return written;
+}
+
+namespace {
+
+/// The report as PDF beside the page; where that fails, why.
+std::optional<std::string> print_report(const std::filesystem::path& folder,
+                                        const std::filesystem::path& browser) {
+  try {
+    print_page(folder / "report.html", folder / "report.pdf", browser);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+FilledFolder fill_folder(OutputFolder& folder, const Comparison& comparison,
+                         const ComparisonExtras& extras) {
+  std::vector<std::filesystem::path> written = write_comparison(comparison, folder.temporary());
+  if (extras.animated > 0) {
+    const std::filesystem::path animation =
+        write_animation(folder.temporary() / "animation", comparison, extras.animated);
+    if (animation.empty()) {
+      throw InputError(
+          "no trajectory is stored, so nothing can be animated; set [run] "
+          "trajectory_interval_s above zero");
+    }
+    written.insert(written.begin(), animation);
+  }
+  FilledFolder filled;
+  if (!extras.browser.empty()) {
+    filled.no_pdf = print_report(folder.temporary(), extras.browser);
+    if (!filled.no_pdf) written.insert(written.end() - 1, folder.temporary() / "report.pdf");
+  }
+  folder.commit();
+  for (const std::filesystem::path& file : written) {
+    filled.files.push_back(file.lexically_relative(folder.temporary()));
+  }
+  return filled;
 }
 
 }  // namespace clast

@@ -1,6 +1,8 @@
 #pragma once
 /// The folder of files about a comparison: tables, map layers and one HTML page.
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/output_folder.hpp"
@@ -17,5 +19,21 @@ FolderKind comparison_folder();
 /// @throws InputError  the folder can't be made or written to
 std::vector<std::filesystem::path> write_comparison(const Comparison& comparison,
                                                     const std::filesystem::path& folder);
+
+/// What a folder is to hold besides tables, map layers and page.
+struct ComparisonExtras {
+  std::size_t animated = 0;            ///< runs of animation/animation.pvd; 0: there is none
+  std::filesystem::path browser = {};  ///< that prints report.pdf; empty: there is none
+};
+
+struct FilledFolder {
+  std::vector<std::filesystem::path> files;  ///< relative to it, the report last
+  std::optional<std::string> no_pdf;         ///< why the report could not be printed
+};
+
+/// `write_comparison` with extras, then `OutputFolder::commit`.
+/// @throws InputError  as both; no trajectory to animate
+FilledFolder fill_folder(OutputFolder& folder, const Comparison& comparison,
+                         const ComparisonExtras& extras = {});
 
 }  // namespace clast

@@ -16,6 +16,7 @@
 #include "core/utf8.hpp"
 #include "library/block_library.hpp"
 #include "library/block_measures.hpp"
+#include "library/block_ranges.hpp"
 #include "library/unscaled.hpp"
 
 namespace clast {
@@ -214,6 +215,11 @@ DimensionColumns columns_from(const std::string& text, const std::string& units)
 
 void PopulationRequest::check() const {
   options.check();
+  if (first.inputs.empty()) throw InputError("no library and no table of blocks is given");
+  if (reading.axis_error && !kAxisError.holds(*reading.axis_error)) {
+    throw InputError("`axis_error` = " + with_digits(*reading.axis_error, 6) + " must be " +
+                     kAxisError.words());
+  }
   for (const PopulationFiles& files : {first, files_against(*this)}) {
     columns_from(files.columns, files.units);
     for (const std::string& input : files.inputs) {

@@ -8,6 +8,8 @@
 #include "core/text_file.hpp"
 #include "core/up_axis.hpp"
 #include "study/barrier_line.hpp"
+#include "study/campaign_keys.hpp"
+#include "study/campaign_text.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 
@@ -50,11 +52,7 @@ void read_terrain_checks(const TomlTable& table, Campaign& campaign) {
 }
 
 void read_terrain_table(const TomlTable& top, Campaign& campaign) {
-  const TomlTable table =
-      required_table(top, "terrain",
-                     {"surface", "zones", "up", "radius_m", "resolution_m", "percentile",
-                      "outliers_m", "fill_m", "crack_m", "spike_steepness", "smoothing",
-                      "tolerance_m", "breaklines", "cut_zones", "border_distance_m"});
+  const TomlTable table = required_table(top, "terrain");
   const TomlNode& surface = table.required("surface", "a file or a list of files");
   const std::vector<std::string> files = *table.texts("surface");
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -80,9 +78,7 @@ void read_terrain_table(const TomlTable& top, Campaign& campaign) {
 void read_contact(const TomlTable& top, Campaign& campaign) {
   const TomlNode* node = top.find("contact");
   if (!node) return;
-  const TomlTable table(*node, top.file(), "[contact]",
-                        {"law", "weights", "stiffness", "stiffness_n_m", "tangential_stiffness_n_m",
-                         "rolling_stiffness_n_m_rad", "time_step_s", "blocks"});
+  const TomlTable table(*node, top.file(), "[contact]", campaign_keys("contact"));
   const std::optional<std::string> law = choice(table, "law", contact_law_names());
   if (const auto weights = choice(table, "weights", {"patch", "overlap", "count", "none"})) {
     campaign.weights = contact_weights(*weights);
@@ -149,8 +145,7 @@ std::vector<Barrier> read_barriers(const TomlTable& top) {
     top.refuse("barrier", *all, "each barrier is a table [[barrier]]");
   }
   for (const TomlNode& node : all->list) {
-    const TomlTable table(node, top.file(), "[[barrier]]",
-                          {"name", "from", "to", "through", "direction"});
+    const TomlTable table(node, top.file(), "[[barrier]]", campaign_keys("barrier"));
     table.required("name", "a text in quotes");
     Barrier barrier{*table.text("name"), read_barrier_line(table)};
     if (const std::optional<std::string> direction = table.text("direction")) {
@@ -177,9 +172,7 @@ std::vector<Barrier> read_barriers(const TomlTable& top) {
 void read_run(const TomlTable& top, Campaign& campaign) {
   const TomlNode* node = top.find("run");
   if (!node) return;
-  const TomlTable table(*node, top.file(), "[run]",
-                        {"max_time_s", "rest_energy_j_kg", "rest_duration_s", "gravity_m_s2",
-                         "downslope", "trajectory_interval_s"});
+  const TomlTable table(*node, top.file(), "[run]", campaign_keys("run"));
   campaign.max_time = table.number("max_time_s", kRunTime).value_or(campaign.max_time);
   campaign.rest_energy =
       table.number("rest_energy_j_kg", kRestEnergy).value_or(campaign.rest_energy);
@@ -195,26 +188,32 @@ void read_run(const TomlTable& top, Campaign& campaign) {
   }
 }
 
-const std::vector<std::string> kTables = {"blocks",   "block_group", "terrain", "ground",
-                                          "ensemble", "release",     "mass",    "contact",
-                                          "barrier",  "run"};
+/// Those at the top of the file.
+std::vector<std::string> table_names() {
+  std::vector<std::string> names;
+  for (const CampaignTable& table : campaign_tables()) {
+    if (table.name.find('.') == std::string::npos) names.push_back(table.name);
+  }
+  return names;
+}
 
 }  // namespace
 
 namespace study_detail {
 
-Campaign read_by_parts(const fs::path& file, const PartReader& read) {
+Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& text,
+                       const PartReader& read) {
   Campaign campaign;
   campaign.file = file;
   TomlNode root;
   const bool is_toml = read([&] {
-    campaign.text = read_text_file(file);
+    campaign.text = text ? *text : read_text_file(file);
     campaign.sha256 = sha256(campaign.text);
     root = parse_toml(campaign.text, file.string());
   });
   if (!is_toml) return campaign;
-  read([&] { TomlTable(root, file.string(), "", kTables); });
-  std::vector<std::string> tables = kTables;
+  read([&] { TomlTable(root, file.string(), "", table_names()); });
+  std::vector<std::string> tables = table_names();
   for (const auto& [name, table] : root.table) tables.push_back(name);
   const TomlTable top(root, file.string(), "", tables);
 
@@ -243,11 +242,21 @@ Campaign read_by_parts(const fs::path& file, const PartReader& read) {
 
 }  // namespace study_detail
 
-Campaign read_campaign(const fs::path& file) {
-  return read_by_parts(file, [](const std::function<void()>& part) {
+namespace {
+
+Campaign read_or_parse(const fs::path& file, const std::optional<std::string>& text) {
+  return read_by_parts(file, text, [](const std::function<void()>& part) {
     part();
     return true;
   });
+}
+
+}  // namespace
+
+Campaign read_campaign(const fs::path& file) { return read_or_parse(file, std::nullopt); }
+
+Campaign parse_campaign(const std::string& text, const fs::path& file) {
+  return read_or_parse(file, text);
 }
 
 std::vector<Quat> grid_45_orientations() {

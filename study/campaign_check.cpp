@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/error.hpp"
+#include "study/campaign_text.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/detail/ground_sets.hpp"
 
@@ -11,9 +12,11 @@ namespace clast {
 
 using namespace study_detail;
 
-CampaignCheck check_campaign(const std::filesystem::path& file) {
-  CampaignCheck check;
-  std::vector<std::string>& findings = check.findings;
+namespace {
+
+CampaignCheck check(const std::filesystem::path& file, const std::optional<std::string>& text) {
+  CampaignCheck result;
+  std::vector<std::string>& findings = result.findings;
   const PartReader read = [&](const std::function<void()>& part) {
     try {
       part();
@@ -25,9 +28,9 @@ CampaignCheck check_campaign(const std::filesystem::path& file) {
       return false;
     }
   };
-  const Campaign campaign = read_by_parts(file, read);
-  if (findings.empty() && read([&] { check.prepared.emplace(prepare_campaign(campaign)); }))
-    return check;
+  const Campaign campaign = read_by_parts(file, text, read);
+  if (findings.empty() && read([&] { result.prepared.emplace(prepare_campaign(campaign)); }))
+    return result;
   // Library and terrain are judged each by itself.
   if (!campaign.blocks.library.empty()) read([&] { choose_blocks(campaign); });
   if (!campaign.terrain.surface.empty()) {
@@ -36,7 +39,17 @@ CampaignCheck check_campaign(const std::filesystem::path& file) {
       if (!campaign.ground.empty()) ground_sets(campaign, terrain.zone_names);
     });
   }
-  return check;
+  return result;
+}
+
+}  // namespace
+
+CampaignCheck check_campaign(const std::filesystem::path& file) {
+  return check(file, std::nullopt);
+}
+
+CampaignCheck check_campaign_text(const std::string& text, const std::filesystem::path& file) {
+  return check(file, text);
 }
 
 }  // namespace clast

@@ -262,6 +262,15 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   return probe;
 }
 
+double expected_time(const PreparedCampaign& prepared, const TimeProbe& probe, const Shard& shard,
+                     unsigned threads) {
+  // Realisations are computed one by one.
+  const std::size_t together = prepared.header.runs_together();
+  const std::size_t items = shard.runs_of(prepared) / together;
+  return probe.each * static_cast<double>(together) * static_cast<double>(items) /
+         static_cast<double>(std::clamp<std::size_t>(items, 1, threads));
+}
+
 std::size_t Shard::runs_of(const PreparedCampaign& prepared) const {
   const std::uint32_t together = prepared.header.runs_together();
   const std::size_t items = prepared.runs.size() / together;

@@ -73,6 +73,9 @@ struct TimeProbe {
 /// Tries runs from all over the campaign, one after the other, until `budget` seconds are spent,
 /// or a run has taken several times that; one at least. Nothing is kept.
 TimeProbe probe_time(const PreparedCampaign& prepared, double budget);
+/// How long a shard of the campaign takes on so many threads, s.
+double expected_time(const PreparedCampaign& prepared, const TimeProbe& probe, const Shard& shard,
+                     unsigned threads);
 
 struct RunOptions {
   unsigned threads = 0;  ///< 0: one per core

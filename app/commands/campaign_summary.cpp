@@ -1,19 +1,18 @@
 #include "app/commands/campaign_summary.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iostream>
 
 #include "app/option_flags.hpp"
-#include "core/error.hpp"
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/text_table.hpp"
 #include "study/block_stiffness.hpp"
 #include "study/comparison.hpp"
+#include "study/outcome.hpp"
 
 namespace clast {
 
@@ -85,72 +84,7 @@ TextTable stiffness_table(const PreparedCampaign& prepared) {
   return table;
 }
 
-constexpr std::array<StopReason, 4> kReasons = {StopReason::kRest, StopReason::kLeftTerrain,
-                                                StopReason::kMaxTime, StopReason::kError};
-
-/// What came out, over all runs.
-struct Outcome {
-  std::array<std::size_t, 4> reasons = {};
-  std::size_t below_ground = 0;
-  double largest_energy_error = 0.0;
-  std::size_t reassigned = 0;  ///< runs above `kNotableReassigned`
-  double largest_reassigned = 0.0;
-  std::string first_error;
-
-  std::size_t errors() const { return reasons.back(); }  ///< `kReasons` ends with them
-};
-
-Outcome outcome_of(const CampaignResults& results) {
-  Outcome outcome;
-  for (const RunRecord& run : results.runs) {
-    const auto reason = std::find(kReasons.begin(), kReasons.end(), run.result.stop_reason);
-    ++outcome.reasons[static_cast<std::size_t>(reason - kReasons.begin())];
-    if (run.result.below_ground) ++outcome.below_ground;
-    outcome.largest_energy_error = std::max(outcome.largest_energy_error, run.result.energy.error);
-    const double reassigned = reassigned_share(run.result.energy).value_or(0.0);
-    if (reassigned > kNotableReassigned) ++outcome.reassigned;
-    outcome.largest_reassigned = std::max(outcome.largest_reassigned, reassigned);
-    if (run.result.stop_reason == StopReason::kError && outcome.first_error.empty()) {
-      outcome.first_error = "run " + std::to_string(run.run) + ": " + run.result.message;
-    }
-  }
-  return outcome;
-}
-
 }  // namespace
-
-nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
-  nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
-  for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
-  nlohmann::ordered_json stiffness = nlohmann::ordered_json::array();
-  for (const BlockStiffness& block : stiffness_by_block(prepared.header, prepared.runs)) {
-    nlohmann::ordered_json row = {{"block", block.block}};
-    for (const StiffnessValue& value : block.values) {
-      if (!value.range.empty()) row[value.name] = {value.range.low, value.range.high};
-    }
-    stiffness.push_back(row);
-  }
-  nlohmann::ordered_json plan = {{"runs", prepared.runs.size()},
-                                 {"blocks", blocks},
-                                 {"release_points", prepared.header.release_points.size()},
-                                 {"stiffness", stiffness},
-                                 {"warnings", prepared.header.warnings}};
-  if (const std::optional<StaySummary>& stay = prepared.header.stay) {
-    plan["realisations"] = prepared.campaign.stay->realisations;
-    plan["blocks_per_realisation"] = stay->blocks_each;
-    for (const MassStart& mass : prepared.masses) {
-      nlohmann::ordered_json row = {{"volume_m3", mass.volume}, {"mass_kg", mass.mass}};
-      if (!prepared.campaign.stay->mass->in_place) {
-        row["area_m2"] = mass.area;
-        row["mean_thickness_m"] = mass.mean_thickness;
-        row["largest_thickness_m"] = mass.largest_thickness;
-        row["solid_fraction"] = mass.solid_fraction();
-      }
-      plan["masses"].push_back(row);
-    }
-  }
-  return plan;
-}
 
 void print_plan(const PreparedCampaign& prepared) {
   std::cout << counted(prepared.runs.size(), "run") << ": "
@@ -163,10 +97,10 @@ void print_plan(const PreparedCampaign& prepared) {
 }
 
 void print_outcome(const CampaignResults& results) {
-  const Outcome outcome = outcome_of(results);
+  const CampaignOutcome outcome = outcome_of(results);
   TextTable table{{"stop reason", "runs"}, {}};
-  for (std::size_t i = 0; i < kReasons.size(); ++i) {
-    table.rows.push_back({name_of(kReasons[i]), std::to_string(outcome.reasons[i])});
+  for (std::size_t i = 0; i < kStopReasons.size(); ++i) {
+    table.rows.push_back({name_of(kStopReasons[i]), std::to_string(outcome.reasons[i])});
   }
   std::cout << table.text() << outcome.below_ground << " runs ended below ground, "
             << results.crossings.size() << " barrier crossings, largest energy error "
@@ -179,31 +113,6 @@ void print_outcome(const CampaignResults& results) {
         << rounded(100.0 * outcome.largest_reassigned, 2)
         << " %; clast compare says which and what to try\n";
   }
-}
-
-void check_outcome(const CampaignResults& results, const std::filesystem::path& file) {
-  const Outcome outcome = outcome_of(results);
-  if (outcome.errors() == 0) return;
-  throw SimulationError(
-      std::to_string(outcome.errors()) + " of " + counted(results.runs.size(), "run") +
-      " ended with an error, the first: " + outcome.first_error + ". All runs are in " +
-      file.string() +
-      "; clast compare lists the failed ones and leaves them out of its statistics. Try a "
-      "smaller "
-      "[contact] time_step_s, or stiffness = \"auto\", and look at the ground at the place named");
-}
-
-nlohmann::ordered_json outcome_json(const CampaignResults& results) {
-  const Outcome outcome = outcome_of(results);
-  nlohmann::ordered_json reasons;
-  for (std::size_t i = 0; i < kReasons.size(); ++i) {
-    reasons[name_of(kReasons[i])] = outcome.reasons[i];
-  }
-  return {{"stop_reasons", reasons},
-          {"below_ground", outcome.below_ground},
-          {"crossings", results.crossings.size()},
-          {"largest_energy_error", outcome.largest_energy_error},
-          {"largest_reassigned_share", outcome.largest_reassigned}};
 }
 
 }  // namespace clast

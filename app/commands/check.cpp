@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
+#include "report/json/campaign_json.hpp"
 #include "study/campaign_check.hpp"
 
 namespace clast {

@@ -14,7 +14,6 @@
 #include "core/printable.hpp"
 #include "report/comparison_report.hpp"
 #include "report/page_pdf.hpp"
-#include "report/scene/vtk_animation.hpp"
 #include "report/text/answer_text.hpp"
 #include "report/text/effects_text.hpp"
 #include "report/text/measured_text.hpp"
@@ -59,40 +58,13 @@ void print_effects(const CompareArgs& args, const Comparison& comparison) {
   if (args.effects) print_lines(effects_sentences(design_effects(comparison)));
 }
 
-/// The report as PDF beside the page; where that fails, why.
-std::optional<std::string> print_report(const std::filesystem::path& folder,
-                                        const std::filesystem::path& browser) {
-  try {
-    print_page(folder / "report.html", folder / "report.pdf", browser);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return std::nullopt;
-}
-
 void compare_results(const CompareArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
-  std::filesystem::path browser;
-  if (args.pdf) browser = find_browser();
+  ComparisonExtras extras{.animated = args.animated};
+  if (args.pdf) extras.browser = find_browser();
   OutputFolder folder(args.folder, comparison_folder(), args.replace);
   const Comparison comparison = read_and_compare(args);
-  std::vector<std::filesystem::path> written = write_comparison(comparison, folder.temporary());
-  if (args.animated > 0) {
-    const std::filesystem::path animation =
-        write_animation(folder.temporary() / "animation", comparison, args.animated);
-    if (animation.empty()) {
-      throw InputError(
-          "no trajectory is stored, so nothing can be animated; set [run] "
-          "trajectory_interval_s above zero");
-    }
-    written.insert(written.begin(), animation);
-  }
-  std::optional<std::string> no_pdf;
-  if (args.pdf) {
-    no_pdf = print_report(folder.temporary(), browser);
-    if (!no_pdf) written.insert(written.end() - 1, folder.temporary() / "report.pdf");
-  }
-  folder.commit();
+  const FilledFolder filled = fill_folder(folder, comparison, extras);
   print_warnings(comparison);
   const Answer answered = answer(comparison);
   if (args.summary) {
@@ -102,12 +74,11 @@ void compare_results(const CompareArgs& args) {
     print_lines(measured_sentences(comparison));
   }
   print_effects(args, comparison);
-  for (const std::filesystem::path& file : written) {
-    const std::filesystem::path name = file.lexically_relative(folder.temporary());
-    std::cout << printable((std::filesystem::path(args.folder) / name).string()) << "\n";
+  for (const std::filesystem::path& file : filled.files) {
+    std::cout << printable((std::filesystem::path(args.folder) / file).string()) << "\n";
   }
-  if (no_pdf) {
-    throw InputError(args.folder + " has the report, but not as PDF: " + *no_pdf);
+  if (filled.no_pdf) {
+    throw InputError(args.folder + " has the report, but not as PDF: " + *filled.no_pdf);
   }
 }
 

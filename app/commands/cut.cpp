@@ -12,19 +12,14 @@
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "app/progress_bar.hpp"
-#include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/statistics.hpp"
-#include "core/up_axis.hpp"
-#include "core/utf8.hpp"
 #include "library/block_ranges.hpp"
 #include "library/library_update.hpp"
-#include "library/mass_blocks.hpp"
-#include "mesh/mesh_io.hpp"
-#include "mesh/weld.hpp"
+#include "library/mass_file.hpp"
 
 namespace clast {
 
@@ -40,31 +35,12 @@ struct CutArgs {
   bool replace = false;
 };
 
-/// Corners nearer than this share of the diagonal are one: STL files repeat them.
-constexpr double kSameCorner = 1e-9;
 /// Blocks that hold less of the mass are warned of.
 constexpr double kUsualShare = 0.9;
 /// Failed blocks that are named.
 constexpr std::size_t kMostNamed = 5;
 
-TriangleMesh read_mass(const CutArgs& args) {
-  const double unit = length_unit(args.units);
-  const bool turned = up_axis(args.up, args.mass) == "y";
-  TriangleMesh mass = read_mesh(args.mass);
-  for (Vec3& vertex : mass.vertices) {
-    vertex *= unit;
-    if (turned) vertex = turned_z_up(vertex);
-  }
-  mass = welded(mass, kSameCorner * bounds(mass).diagonal());
-  if (signed_volume(mass) < 0.0) {
-    for (TriangleMesh::Triangle& triangle : mass.triangles) std::swap(triangle[0], triangle[1]);
-  }
-  return mass;
-}
-
 MassBlocks cut_blocks(const CutArgs& args) {
-  const BlockSource source{as_utf8(args.mass), sha256_of_file(args.mass),
-                           "units=" + args.units + " up=" + up_axis(args.up, args.mass), ""};
   MassBlockOptions options = args.options;
   const InterruptionWatch watch;
   std::unique_ptr<ProgressBar> progress;
@@ -73,15 +49,10 @@ MassBlocks cut_blocks(const CutArgs& args) {
     if (!progress) progress = std::make_unique<ProgressBar>("blocks", step.total);
     progress->update(step.done);
   };
-  const TriangleMesh mass = read_mass(args);
   try {
-    return blocks_of_mass(mass, source, options);
+    return blocks_of_mass_file({args.mass, args.units, args.up}, options);
   } catch (const Cancelled&) {
     throw InputError("interrupted; " + args.output + " is as it was");
-  } catch (const GeometryError& error) {
-    throw GeometryError(args.mass + ": " + error.what());
-  } catch (const InputError& error) {
-    throw InputError(args.mass + ": " + error.what());
   }
 }
 

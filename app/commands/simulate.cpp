@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -18,13 +17,15 @@
 #include "app/progress_bar.hpp"
 #include "core/error.hpp"
 #include "core/file_kind.hpp"
-#include "core/file_lock.hpp"
 #include "core/number_text.hpp"
 #include "core/output_file.hpp"
 #include "core/parallel.hpp"
 #include "core/printable.hpp"
+#include "report/json/campaign_json.hpp"
 #include "report/maps/plan_map.hpp"
 #include "study/campaign_runner.hpp"
+#include "study/outcome.hpp"
+#include "study/results_place.hpp"
 
 namespace clast {
 
@@ -57,16 +58,6 @@ Shard shard_from(const std::string& text) {
   }
   check_usage([&] { shard.check(); });
   return shard;
-}
-
-/// "results.h5" of shard 2 of 4 is "results.2of4.h5", so that shards started with one command line
-/// do not write over each other.
-std::filesystem::path output_of(const SimulateArgs& args, const Shard& shard) {
-  std::filesystem::path output = args.output;
-  if (args.shard.empty()) return output;
-  const std::string part = "." + std::to_string(shard.index) + "of" + std::to_string(shard.count);
-  output.replace_filename(output.stem().string() + part + output.extension().string());
-  return output;
 }
 
 /// @param done  what became of the file
@@ -112,13 +103,10 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
   const OutputRules rules = check_output(map, {.kind = kind_by_name(map)});
   const TimeProbe probe = probe_time(prepared, kProbeTime);
   const unsigned threads = thread_count(args.threads);
-  const std::size_t runs = shard.runs_of(prepared);
-  // Realisations are computed one by one.
   const std::size_t together = prepared.header.runs_together();
-  const std::size_t items = runs / together;
+  const std::size_t items = shard.runs_of(prepared) / together;
   const double each = probe.each * static_cast<double>(together);
-  const double expected = each * static_cast<double>(items) /
-                          static_cast<double>(std::clamp<std::size_t>(items, 1, threads));
+  const double expected = expected_time(prepared, probe, shard, threads);
   write_output(map, plan_map(prepared.header), rules);
   if (args.json) {
     summary["expected_time_s"] = expected;
@@ -150,7 +138,8 @@ std::string fingerprint(const PreparedCampaign& prepared) {
 void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& shard) {
   std::optional<PreparedCampaign> plan;
   bool finished = false;
-  const std::filesystem::path output = output_of(args, shard);
+  const std::filesystem::path output =
+      shard_output(args.output, args.shard.empty() ? std::nullopt : std::optional(shard));
   const std::filesystem::path part = partial_results(output);
   team.agree([&] {
     const bool begun = std::filesystem::exists(part);
@@ -160,14 +149,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& sha
     if (args.resume && !args.replace && !begun) {
       finished = is_finished(output, plan->header, shard.runs_of(*plan));
     }
-    if (team.leads() && !args.dry_run && !args.resume && begun) {
-      if (std::filesystem::exists(FileLock::lock_file(output))) {
-        const FileLock lock(output, {.longest_wait = {}});  // refused while that campaign runs
-      }
-      throw InputError(part.string() +
-                       ": holds the runs of an interrupted campaign; add --resume to go on "
-                       "with it, or delete the file to start afresh");
-    }
+    if (team.leads() && !args.dry_run && !args.resume) refuse_interrupted(output);
     return fingerprint(*plan) + (finished ? "finished" : "");
   });
   const PreparedCampaign& prepared = *plan;

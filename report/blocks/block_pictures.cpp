@@ -47,14 +47,19 @@ Rgb deviation_colour(double share) {
   return colour;
 }
 
-std::string thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width,
-                      std::uint32_t height) {
+std::string thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, std::uint32_t height) {
   std::array<Camera, 1> camera = {camera_toward(front_above())};
   frame(camera, mesh.vertices, width, height);
   Canvas canvas(camera[0]);
   canvas.draw(mesh, [](std::uint32_t, const Vec3&, bool) { return kRock; });
+  return shaded_png(canvas);
+}
+
+std::string thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width,
+                      std::uint32_t height) {
   return "<img width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) +
-         "\" alt=\"" + escaped(name) + "\" src=\"" + png_link(shaded_png(canvas)) + "\"/>";
+         "\" alt=\"" + escaped(name) + "\" src=\"" + png_link(thumbnail_png(mesh, width, height)) +
+         "\"/>";
 }
 
 }  // namespace clast::report_detail

@@ -21,7 +21,10 @@ inline constexpr std::array<Rgb, 5> kDeviationColours = {
 /// @param share  of the largest distance, -1 to 1; cut to it
 Rgb deviation_colour(double share);
 
-/// A small picture of a surface as an <img>.
+/// A small picture of a surface, a PNG file.
+std::string thumbnail_png(const TriangleMesh& mesh, std::uint32_t width, std::uint32_t height);
+
+/// The same as an <img>.
 std::string thumbnail(const TriangleMesh& mesh, const std::string& name, std::uint32_t width = 120,
                       std::uint32_t height = 96);
 

@@ -56,6 +56,12 @@ const TableColumns<ComparisonRow<ProfileBin>>& profile_columns();
 const TableColumns<RealisationDeposit>& realisation_columns();
 const TableColumns<ComparisonRow<RunStay>>& stay_columns();
 
+/// The rows of tables that no list of the comparison holds.
+std::vector<GroupDeposit> deposit_rows(const Comparison& comparison);
+std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison);
+std::vector<RunImpact> impact_rows(const Comparison& comparison);
+std::vector<RunStay> stay_rows(const Comparison& comparison);
+
 /// The rows of a list in a comparison.
 template <class Item>
 std::vector<ComparisonRow<Item>> rows_of(const Comparison& comparison,

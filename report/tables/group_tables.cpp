@@ -354,12 +354,16 @@ std::string barriers_csv(const Comparison& comparison) {
   return csv_of(barrier_columns(), comparison.barriers);
 }
 
-std::string deposits_csv(const Comparison& comparison) {
+std::vector<GroupDeposit> report_detail::deposit_rows(const Comparison& comparison) {
   std::vector<GroupDeposit> deposits;
   for (std::size_t i = 0; i < comparison.groups.size(); ++i) {
     deposits.push_back({comparison.groups[i], comparison.deposits[i]});
   }
-  return csv_of(deposit_columns(), rows_of(comparison, deposits));
+  return deposits;
+}
+
+std::string deposits_csv(const Comparison& comparison) {
+  return csv_of(deposit_columns(), rows_of(comparison, deposit_rows(comparison)));
 }
 
 std::string differences_csv(const Comparison& comparison) {
@@ -398,7 +402,7 @@ std::string realisations_csv(const RealisationDeposits& deposits) {
   return csv_of(realisation_columns(), deposits.realisations);
 }
 
-std::string ground_sets_csv(const Comparison& comparison) {
+std::vector<ZoneOfSet> report_detail::ground_set_rows(const Comparison& comparison) {
   std::vector<ZoneOfSet> zones;
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
@@ -408,7 +412,11 @@ std::string ground_sets_csv(const Comparison& comparison) {
       }
     }
   }
-  return csv_of(ground_set_columns(), rows_of(comparison, zones));
+  return zones;
+}
+
+std::string ground_sets_csv(const Comparison& comparison) {
+  return csv_of(ground_set_columns(), rows_of(comparison, ground_set_rows(comparison)));
 }
 
 }  // namespace clast

@@ -43,4 +43,9 @@ const TableColumns<ShareRow>& share_columns();
 const TableColumns<SizeRow>& size_columns();
 const TableColumns<TestRow>& test_columns();
 
+/// The rows; those of shares refer to the report.
+std::vector<ShareRow> share_rows(const PopulationReport& report);
+std::vector<SizeRow> size_rows(const PopulationReport& report);
+std::vector<TestRow> test_rows(const PopulationReport& report);
+
 }  // namespace clast::report_detail

@@ -20,7 +20,7 @@ TableCell cell_of(const std::optional<T>& value) {
   return value ? TableCell(*value) : TableCell(NAN);
 }
 
-std::vector<SizeRow> size_rows(const SizeRow& common, const SizeCurve& curve) {
+std::vector<SizeRow> rows_of_curve(const SizeRow& common, const SizeCurve& curve) {
   if (curve.blocks == 0) return {};  // every block is unscaled
   std::vector<SizeRow> rows;
   const auto add = [&](const std::string& name, const char* unit, double value,
@@ -206,7 +206,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
   file.commit();
 }
 
-std::string shares_csv(const PopulationReport& report) {
+std::vector<ShareRow> report_detail::share_rows(const PopulationReport& report) {
   std::vector<ShareRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
     const bool weighed = reported.summary.weighed > 0;
@@ -216,25 +216,25 @@ std::string shares_csv(const PopulationReport& report) {
       }
     }
   }
-  return csv_of(share_columns(), rows);
+  return rows;
 }
 
-std::string sizes_csv(const PopulationReport& report) {
+std::vector<SizeRow> report_detail::size_rows(const PopulationReport& report) {
   std::vector<SizeRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
     const SizeDistribution& size = reported.summary.size;
     const auto add = [&](const char* weighting, const SizeCurve& curve) {
       const std::vector<SizeRow> more =
-          size_rows({reported.population.name, name_of(size.measure), weighting}, curve);
+          rows_of_curve({reported.population.name, name_of(size.measure), weighting}, curve);
       rows.insert(rows.end(), more.begin(), more.end());
     };
     add("number", size.by_number);
     if (size.by_mass) add("mass", *size.by_mass);
   }
-  return csv_of(size_columns(), rows);
+  return rows;
 }
 
-std::string tests_csv(const PopulationReport& report) {
+std::vector<TestRow> report_detail::test_rows(const PopulationReport& report) {
   std::vector<TestRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
     for (const SizeShape& one : reported.summary.size_and_shape) {
@@ -254,7 +254,19 @@ std::string tests_csv(const PopulationReport& report) {
       rows.push_back(row_of(pair, one));
     }
   }
-  return csv_of(test_columns(), rows);
+  return rows;
+}
+
+std::string shares_csv(const PopulationReport& report) {
+  return csv_of(share_columns(), share_rows(report));
+}
+
+std::string sizes_csv(const PopulationReport& report) {
+  return csv_of(size_columns(), size_rows(report));
+}
+
+std::string tests_csv(const PopulationReport& report) {
+  return csv_of(test_columns(), test_rows(report));
 }
 
 }  // namespace clast

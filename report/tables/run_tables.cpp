@@ -135,6 +135,14 @@ const TableColumns<ComparisonRow<RunStay>>& report_detail::stay_columns() {
   return columns;
 }
 
+std::vector<RunImpact> report_detail::impact_rows(const Comparison& comparison) {
+  return with_runs<RunImpact>(comparison, &CampaignResults::impacts);
+}
+
+std::vector<RunStay> report_detail::stay_rows(const Comparison& comparison) {
+  return with_runs<RunStay>(comparison, &CampaignResults::stays);
+}
+
 std::string runs_csv(const Comparison& comparison) {
   return csv_of(run_columns(), rows_of(comparison, comparison.rows));
 }
@@ -144,13 +152,11 @@ std::string crossings_csv(const Comparison& comparison) {
 }
 
 std::string impacts_csv(const Comparison& comparison) {
-  return csv_of(impact_columns(),
-                rows_of(comparison, with_runs<RunImpact>(comparison, &CampaignResults::impacts)));
+  return csv_of(impact_columns(), rows_of(comparison, impact_rows(comparison)));
 }
 
 std::string stays_csv(const Comparison& comparison) {
-  return csv_of(stay_columns(),
-                rows_of(comparison, with_runs<RunStay>(comparison, &CampaignResults::stays)));
+  return csv_of(stay_columns(), rows_of(comparison, stay_rows(comparison)));
 }
 
 }  // namespace clast

@@ -9,6 +9,7 @@
 #include "core/printable.hpp"
 #include "core/sobol.hpp"
 #include "study/calibration/unknown.hpp"
+#include "study/campaign_keys.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/ground_fields.hpp"
@@ -124,7 +125,7 @@ std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::s
     if (value.kind != TomlNode::Kind::kTable) {
       all.refuse(name, value, "must be in the table of a zone, [" + title + ".NAME]");
     }
-    const TomlTable table(value, file, "[" + title + "." + name + "]", ground_keys());
+    const TomlTable table(value, file, "[" + title + "." + name + "]", campaign_keys("ground"));
     for (const GroundField& field : ground_fields()) {
       if (!complete || !field.required) continue;
       table.required(field.name, std::string(field.meaning) + ", " + field.range.words());
@@ -182,8 +183,7 @@ PosteriorDraws read_posterior(const TomlTable& table, const Campaign& campaign,
 }  // namespace
 
 BlockSelection read_blocks(const TomlTable& top) {
-  const TomlTable table =
-      required_table(top, "blocks", {"library", "select", "scale", "draw", "allow_any_size"});
+  const TomlTable table = required_table(top, "blocks");
   BlockSelection blocks;
   const TomlNode& library = table.required("library", "a block library made by clast reconstruct");
   table.text("library");
@@ -211,7 +211,7 @@ std::map<std::string, GroundTable> read_ground(const TomlTable& top) {
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign) {
   std::vector<BlockGroup> groups;
   for (const TomlNode* node : tables_of(top, "block_group")) {
-    const TomlTable table(*node, top.file(), "[[block_group]]", {"name", "select", "ground"});
+    const TomlTable table(*node, top.file(), "[[block_group]]", campaign_keys("block_group"));
     table.required("name", "a text in quotes");
     table.required("select", "ids, or { scheme = ..., class = ... }");
     BlockGroup group;
@@ -255,8 +255,7 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
     }
     return {};
   }
-  const TomlTable table(*node, top.file(), "[ensemble]",
-                        {"members", "seed", "design", "posterior"});
+  const TomlTable table(*node, top.file(), "[ensemble]", campaign_keys("ensemble"));
   table.required("members", "how often the parameters are drawn, a whole number");
   if (!anything && !table.find("posterior")) {
     table.refuse(

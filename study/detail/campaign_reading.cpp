@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
+#include "study/campaign_keys.hpp"
 #include "study/detail/campaign_ranges.hpp"
-#include "study/ground_fields.hpp"
 
 namespace clast::study_detail {
 
@@ -58,13 +58,12 @@ std::optional<std::string> choice(const TomlTable& table, const std::string& key
   return text;
 }
 
-TomlTable required_table(const TomlTable& top, const std::string& name,
-                         std::vector<std::string> known_keys) {
+TomlTable required_table(const TomlTable& top, const std::string& name) {
   const TomlNode* node = top.find(name);
   if (!node) {
     throw InputError(top.file() + ": the table [" + name + "] is missing");
   }
-  return {*node, top.file(), "[" + name + "]", std::move(known_keys)};
+  return {*node, top.file(), "[" + name + "]", campaign_keys(name)};
 }
 
 std::vector<const TomlNode*> tables_of(const TomlTable& top, const std::string& name) {
@@ -132,12 +131,6 @@ std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::strin
     table.refuse(key, *node, "a median must be more than zero");
   }
   return number;
-}
-
-std::vector<std::string> ground_keys() {
-  std::vector<std::string> keys;
-  for (const GroundField& field : ground_fields()) keys.emplace_back(field.name);
-  return keys;
 }
 
 }  // namespace clast::study_detail

@@ -23,7 +23,9 @@ using PartReader = std::function<bool(const std::function<void()>&)>;
 
 /// A campaign, read part by part through `read`; a part that needs another is left out where that
 /// one was not read.
-Campaign read_by_parts(const std::filesystem::path& file, const PartReader& read);
+/// @param text  what the file holds or could hold; none: it is read
+Campaign read_by_parts(const std::filesystem::path& file, const std::optional<std::string>& text,
+                       const PartReader& read);
 
 /// A file named in the campaign, which must be there. Relative to the campaign file; ${CLAST_DATA}
 /// is replaced.
@@ -40,8 +42,8 @@ const TomlNode& element(const TomlNode& node, std::size_t index);
 std::optional<std::string> choice(const TomlTable& table, const std::string& key,
                                   const std::vector<std::string>& words);
 
-TomlTable required_table(const TomlTable& top, const std::string& name,
-                         std::vector<std::string> known_keys);
+/// A table with its `campaign_keys`.
+TomlTable required_table(const TomlTable& top, const std::string& name);
 
 /// The nodes of an array of tables [[name]], or of one table [name]; none when it is absent.
 std::vector<const TomlNode*> tables_of(const TomlTable& top, const std::string& name);
@@ -55,9 +57,6 @@ std::vector<const TomlNode*> tables_of(const TomlTable& top, const std::string& 
 std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::string& key,
                                         const NumberRange& range);
 
-/// The keys of a table of ground parameters.
-std::vector<std::string> ground_keys();
-
 BlockSelection read_blocks(const TomlTable& top);
 std::map<std::string, GroundTable> read_ground(const TomlTable& top);
 /// @param campaign  with its ground
@@ -68,11 +67,6 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
 /// @throws InputError  fewer than three, or no points
 std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,
                                const TomlNode& node);
-/// All that [release] may hold.
-inline const std::vector<std::string> kReleaseKeys = {
-    "name",     "points",       "orientations", "frame",
-    "height_m", "velocity_m_s", "seed",         "angular_velocity_rad_s",
-    "sequence", "realisations", "order",        "remove"};
 /// The seed of [mass], and that its orientations are random; none without [mass].
 std::optional<ReleasePlan> read_mass_release(const TomlTable& top);
 /// Of [release], or that of [mass].

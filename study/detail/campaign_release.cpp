@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/up_axis.hpp"
+#include "study/campaign_keys.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/release_points.hpp"
@@ -150,7 +151,7 @@ std::vector<ReleasePlan> read_releases(const TomlTable& top, bool y_up) {
   }
   std::vector<ReleasePlan> releases;
   for (const TomlNode* node : nodes) {
-    const TomlTable table(*node, top.file(), "[release]", kReleaseKeys);
+    const TomlTable table(*node, top.file(), "[release]", campaign_keys("release"));
     if (nodes.size() > 1) table.required("name", "a text in quotes, since there are several");
     releases.push_back(read_release(table, y_up));
     for (std::size_t i = 0; i + 1 < releases.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/listed.hpp"
+#include "study/campaign_keys.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/ground_fields.hpp"
@@ -49,11 +50,8 @@ GroundParameters read_between_blocks(const TomlTable& top, const std::string& wh
                      " hit each other; add [contact.blocks] with energy_restitution, friction and "
                      "rolling_friction");
   }
-  std::vector<std::string> keys;
-  for (const GroundField& field : ground_fields()) {
-    if (!field.of_soil) keys.emplace_back(field.name);
-  }
-  const TomlTable parameters(*between, top.file(), "[contact.blocks]", keys);
+  const TomlTable parameters(*between, top.file(), "[contact.blocks]",
+                             campaign_keys("contact.blocks"));
   GroundParameters between_blocks;
   for (const GroundField& field : ground_fields()) {
     if (field.of_soil) continue;
@@ -71,8 +69,7 @@ std::uint32_t read_realisations(const TomlTable& table) {
 std::optional<TomlTable> mass_table(const TomlTable& top) {
   const std::vector<const TomlNode*> nodes = tables_of(top, "mass");
   if (nodes.empty()) return std::nullopt;
-  const TomlTable table(*nodes.front(), top.file(), "[mass]",
-                        {"polygon", "thickness_m", "in_place", "height_m", "realisations", "seed"});
+  const TomlTable table(*nodes.front(), top.file(), "[mass]", campaign_keys("mass"));
   if (nodes.size() > 1) {
     table.refuse(
         "there is more than one; a campaign releases one rock mass, so make a campaign "
@@ -164,7 +161,7 @@ std::optional<ReleasePlan> read_mass_release(const TomlTable& top) {
 std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& campaign) {
   if (const std::optional<TomlTable> mass = mass_table(top)) return read_mass(top, *mass, campaign);
   const std::vector<const TomlNode*> nodes = tables_of(top, "release");
-  const TomlTable table(*nodes.front(), top.file(), "[release]", kReleaseKeys);
+  const TomlTable table(*nodes.front(), top.file(), "[release]", campaign_keys("release"));
   const bool stay = choice(table, "sequence", {"single", "stay"}) == "stay";
   if (!stay) {
     for (const char* key : {"realisations", "order", "remove"}) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "study/campaign_keys.hpp"
+#include "study/campaign_text.hpp"
 #include "tests/study/campaign_run.hpp"
 
 namespace clast {
@@ -45,6 +47,38 @@ TEST_F(CampaignChecks, OneMistakeIsTheRefusalOfARun) {
     EXPECT_FALSE(found.prepared);
     EXPECT_EQ(found.findings[0], clast::refusal<Error>([&] { prepare_campaign(campaign(text)); }));
   }
+}
+
+// Paths start from the folder that the text could be in.
+TEST_F(CampaignChecks, ATextInNoFileIsJudgedAsInOne) {
+  const std::filesystem::path place = *folder_ / "none.toml";
+  const CampaignCheck good = check_campaign_text(campaign_text(), place);
+  EXPECT_TRUE(good.findings.empty()) << testing::PrintToString(good.findings);
+  const Campaign parsed = parse_campaign(campaign_text(), place);
+  EXPECT_EQ(parsed.sha256, check(campaign_text()).prepared->campaign.sha256);
+  EXPECT_EQ(parsed.text, campaign_text());
+  EXPECT_FALSE(std::filesystem::exists(place));
+
+  const std::string bad = with("friction = 0.4", "friction = -1");
+  const CampaignCheck found = check_campaign_text(bad, place);
+  ASSERT_EQ(found.findings.size(), 1u);
+  EXPECT_TRUE(contains(found.findings[0], "none.toml:"));
+  EXPECT_EQ(found.findings[0], clast::refusal([&] { parse_campaign(bad, place); }));
+}
+
+TEST_F(CampaignChecks, EveryKeyOfTheTablesIsKnown) {
+  for (const CampaignTable& table : campaign_tables()) {
+    EXPECT_EQ(campaign_keys(table.name), table.keys);
+    const std::string title = table.name == "ground" ? "ground.slope" : table.name;
+    for (const std::string& key : table.keys) {
+      const CampaignCheck found = check("[" + title + "]\n" + key + " = 1979-05-27\n");
+      EXPECT_FALSE(any(found, "unknown")) << title << " " << key;
+    }
+  }
+  for (const char* title : {"blocks", "terrain", "ground.slope", "run", "contact", "release"}) {
+    EXPECT_TRUE(any(check("[" + std::string(title) + "]\nmoss = 1\n"), "unknown key")) << title;
+  }
+  EXPECT_THROW(campaign_keys("moss"), std::out_of_range);
 }
 
 TEST_F(CampaignChecks, FindsAMistakeInEveryTable) {

@@ -1,0 +1,54 @@
+#include "report/json/campaign_json.hpp"
+
+#include "study/block_stiffness.hpp"
+#include "study/outcome.hpp"
+
+namespace clast {
+
+nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
+  nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
+  for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
+  nlohmann::ordered_json stiffness = nlohmann::ordered_json::array();
+  for (const BlockStiffness& block : stiffness_by_block(prepared.header, prepared.runs)) {
+    nlohmann::ordered_json row = {{"block", block.block}};
+    for (const StiffnessValue& value : block.values) {
+      if (!value.range.empty()) row[value.name] = {value.range.low, value.range.high};
+    }
+    stiffness.push_back(row);
+  }
+  nlohmann::ordered_json plan = {{"runs", prepared.runs.size()},
+                                 {"blocks", blocks},
+                                 {"release_points", prepared.header.release_points.size()},
+                                 {"stiffness", stiffness},
+                                 {"warnings", prepared.header.warnings}};
+  if (const std::optional<StaySummary>& stay = prepared.header.stay) {
+    plan["realisations"] = prepared.campaign.stay->realisations;
+    plan["blocks_per_realisation"] = stay->blocks_each;
+    for (const MassStart& mass : prepared.masses) {
+      nlohmann::ordered_json row = {{"volume_m3", mass.volume}, {"mass_kg", mass.mass}};
+      if (!prepared.campaign.stay->mass->in_place) {
+        row["area_m2"] = mass.area;
+        row["mean_thickness_m"] = mass.mean_thickness;
+        row["largest_thickness_m"] = mass.largest_thickness;
+        row["solid_fraction"] = mass.solid_fraction();
+      }
+      plan["masses"].push_back(row);
+    }
+  }
+  return plan;
+}
+
+nlohmann::ordered_json outcome_json(const CampaignResults& results) {
+  const CampaignOutcome outcome = outcome_of(results);
+  nlohmann::ordered_json reasons;
+  for (std::size_t i = 0; i < kStopReasons.size(); ++i) {
+    reasons[name_of(kStopReasons[i])] = outcome.reasons[i];
+  }
+  return {{"stop_reasons", reasons},
+          {"below_ground", outcome.below_ground},
+          {"crossings", results.crossings.size()},
+          {"largest_energy_error", outcome.largest_energy_error},
+          {"largest_reassigned_share", outcome.largest_reassigned}};
+}
+
+}  // namespace clast

@@ -1,0 +1,17 @@
+#pragma once
+/// A campaign before its runs and what came out of them, as JSON (docs/formats.md, `simulate
+/// --json`).
+#include <nlohmann/json.hpp>
+
+#include "study/campaign_runner.hpp"
+#include "study/results.hpp"
+
+namespace clast {
+
+/// Runs, blocks, release points, stiffness by block and warnings.
+nlohmann::ordered_json plan_json(const PreparedCampaign& prepared);
+
+/// Stop reasons, runs below ground, barrier crossings, largest errors of energy.
+nlohmann::ordered_json outcome_json(const CampaignResults& results);
+
+}  // namespace clast
