@@ -1,6 +1,6 @@
 # Fails where clang-format would change a source; its output names file, line and column.
-set(folders app benchmarks classify core dem library massprops mesh reconstruct report samples shapes
-    study terrain tests)
+set(folders app benchmarks classify core dem library massprops mesh pipeline python reconstruct report
+    samples shapes study terrain tests)
 set(files)
 foreach(folder ${folders})
   file(GLOB_RECURSE found ${source}/${folder}/*.cpp ${source}/${folder}/*.hpp)

@@ -29,6 +29,7 @@ const std::map<std::string, Folders> kArrows = {
     {"report/scans", {"report", "reconstruct/photos"}},
     {"pipeline", {"library", "reconstruct/photos"}},
     {"app", {"report/scans", "pipeline"}},
+    {"python", {"report/scans", "pipeline"}},
 };
 
 /// Targets that are not named for their part.
@@ -72,7 +73,8 @@ const std::vector<Package> kHeavyPackages = {
     {"nlohmann_json",
      {"nlohmann/"},
      {"nlohmann_json::"},
-     {"reconstruct", "library", "terrain", "report", "app"}},
+     {"reconstruct", "library", "terrain", "report", "app", "python"}},
+    {"pybind11", {"pybind11/"}, {"pybind11::"}, {"python"}},
     {"pugixml", {"pugixml"}, {"pugixml::"}, {"reconstruct"}},
 };
 
@@ -143,7 +145,7 @@ std::vector<Link> links_of(const SourceFile& cmake_lists) {
 
 bool is_public_header(const SourceFile& file) {
   return file.is_header() && kArrows.contains(file.folder()) && file.folder() != "app" &&
-         file.path.find("/detail/") == std::string::npos &&
+         file.folder() != "python" && file.path.find("/detail/") == std::string::npos &&
          file.path.find("/json/") == std::string::npos;  // not installed either
 }
 

@@ -1,0 +1,187 @@
+// Campaigns: what `clast new campaign`, `check` and `simulate` do.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/file_kind.hpp"
+#include "core/parallel.hpp"
+#include "core/text_file.hpp"
+#include "core/toml_reader.hpp"
+#include "python/bindings.hpp"
+#include "python/options.hpp"
+#include "python/values.hpp"
+#include "python/watched_call.hpp"
+#include "report/json/campaign_json.hpp"
+#include "report/maps/plan_map.hpp"
+#include "study/campaign_keys.hpp"
+#include "study/campaign_text.hpp"
+#include "study/new_campaign.hpp"
+#include "study/outcome.hpp"
+#include "study/results_place.hpp"
+
+namespace clast::python_detail {
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+
+namespace {
+
+py::object object_of_node(const TomlNode& node) {
+  switch (node.kind) {
+    case TomlNode::Kind::kBoolean:
+      return py::bool_(node.boolean);
+    case TomlNode::Kind::kInteger:
+      return py::int_(node.integer);
+    case TomlNode::Kind::kFloat:
+      return py::float_(node.number);
+    case TomlNode::Kind::kString:
+      return py::str(node.text);
+    case TomlNode::Kind::kDate:  // no key takes one; it is refused as the text it is
+      return py::str(node.written);
+    case TomlNode::Kind::kList: {
+      py::list list;
+      for (const TomlNode& item : node.list) list.append(object_of_node(item));
+      return list;
+    }
+    case TomlNode::Kind::kTable:
+      break;
+  }
+  py::dict table;
+  for (const auto& [name, value] : node.table) table[py::str(name)] = object_of_node(value);
+  return table;
+}
+
+/// (text, what is in it)
+py::tuple read(const fs::path& file) {
+  std::string text;
+  const TomlNode root = unlocked([&] {
+    text = read_text_file(file);
+    return parse_toml(text, file.string());
+  });
+  return py::make_tuple(text, object_of_node(root));
+}
+
+/// (findings, the plan or None)
+py::tuple check(const std::string& text, const fs::path& file) {
+  const CampaignCheck check =
+      watched(py::none(), [&](const Progress&) { return check_campaign_text(text, file); });
+  const py::object plan = check.prepared ? object_of(plan_json(*check.prepared)) : py::none();
+  return py::make_tuple(check.findings, plan);
+}
+
+std::optional<Shard> take_shard(Keywords& given) {
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> pair;
+  given.take("shard", pair);
+  if (!pair) return std::nullopt;
+  const Shard shard{pair->first, pair->second};
+  shard.check();
+  return shard;
+}
+
+/// Refuses places as the program does, before anything runs.
+/// @return whether all is done already
+bool check_place(const fs::path& target, const PreparedCampaign& prepared,
+                 const RunOptions& options) {
+  const bool begun = fs::exists(partial_results(target));
+  if (options.resume && !options.replace && !begun &&
+      is_finished(target, prepared.header, options.shard.runs_of(prepared))) {
+    return true;
+  }
+  if (!options.resume) refuse_interrupted(target);
+  return false;
+}
+
+/// Where the results are.
+std::string run(const std::string& text, const fs::path& file, const fs::path& output,
+                const py::dict& keywords, const py::object& progress) {
+  Keywords given(keywords);
+  RunOptions options;
+  given.take("threads", options.threads);
+  given.take("resume", options.resume);
+  given.take("replace", options.replace);
+  const std::optional<Shard> shard = take_shard(given);
+  given.done();
+  options.shard = shard.value_or(Shard());
+  const fs::path target = shard_output(output, shard);
+  watch(progress, [&](const Progress& step) {
+    const bool keep = !options.replace && !options.resume && !fs::exists(partial_results(target));
+    check_results_place(target, !keep);
+    const PreparedCampaign prepared = prepare_campaign(parse_campaign(text, file));
+    if (!check_place(target, prepared, options)) {
+      options.progress = step;
+      run_campaign(prepared, target, options);
+    }
+    check_outcome(read_results(target), target);
+  });
+  return target.string();
+}
+
+/// What `clast simulate --dry-run --json` prints; `map` is written where it is given.
+py::object dry_run(const std::string& text, const fs::path& file, const py::dict& keywords) {
+  constexpr double kProbeTime = 2.0;  // s
+  Keywords given(keywords);
+  unsigned threads = 0;
+  std::optional<fs::path> map;
+  given.take("threads", threads);
+  given.take("map", map);
+  const Shard shard = take_shard(given).value_or(Shard());
+  given.done();
+  const auto summary = watched(py::none(), [&](const Progress&) {
+    const PreparedCampaign prepared = prepare_campaign(parse_campaign(text, file));
+    OutputRules rules;
+    if (map) rules = check_output(*map, {.kind = kind_by_name(*map)});
+    const TimeProbe probe = probe_time(prepared, kProbeTime);
+    nlohmann::ordered_json json = plan_json(prepared);
+    json["expected_time_s"] = expected_time(prepared, probe, shard, thread_count(threads));
+    json["probed_runs"] = probe.runs;
+    json["probe_cut_short"] = probe.cut_short;
+    json["threads"] = thread_count(threads);
+    if (map) {
+      write_output(*map, plan_map(prepared.header), rules);
+      json["map"] = map->string();
+    }
+    return json;
+  });
+  return object_of(summary);
+}
+
+/// Doubts about what is proposed, in words.
+std::vector<std::string> make_new(const fs::path& library, const py::object& terrain,
+                                  const fs::path& output, bool replace) {
+  std::vector<fs::path> surface;
+  for (const std::string& one : texts_from(terrain, "terrain")) surface.emplace_back(one);
+  return watched(py::none(), [&](const Progress&) {
+    return write_new_campaign(library, surface, output, {.kind = "text", .replace = replace})
+        .doubts;
+  });
+}
+
+void merge(const py::object& parts, const fs::path& output, bool replace) {
+  std::vector<fs::path> files;
+  for (const std::string& part : texts_from(parts, "parts")) files.emplace_back(part);
+  unlocked([&] {
+    check_results_place(output, replace);
+    merge_results(files, output);
+  });
+}
+
+}  // namespace
+
+void bind_campaigns(py::module_& module) {
+  py::dict tables;
+  for (const CampaignTable& table : campaign_tables()) tables[py::str(table.name)] = table.keys;
+  module.attr("campaign_tables") = tables;
+  module.def("campaign_read", &read);
+  module.def("campaign_write", [](const fs::path& file, const std::string& text, bool replace) {
+    write_output(file, text, {.kind = "text", .replace = replace});
+  });
+  module.def("campaign_check", &check);
+  module.def("campaign_run", &run);
+  module.def("campaign_dry_run", &dry_run);
+  module.def("new_campaign", &make_new);
+  module.def("merge_results", &merge);
+}
+
+}  // namespace clast::python_detail

@@ -1,0 +1,140 @@
+// Results of campaigns, and what `clast compare` does.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/output_folder.hpp"
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "python/options.hpp"
+#include "python/values.hpp"
+#include "python/watched_call.hpp"
+#include "report/comparison_report.hpp"
+#include "report/json/campaign_json.hpp"
+#include "report/page_pdf.hpp"
+#include "report/tables/table_values.hpp"
+#include "report/text/answer_text.hpp"
+#include "report/text/measured_text.hpp"
+
+namespace clast::python_detail {
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+namespace fs = std::filesystem;
+
+namespace {
+
+using SharedResults = std::shared_ptr<CampaignResults>;
+
+SharedResults read(const fs::path& path) {
+  return unlocked([&] { return std::make_shared<CampaignResults>(read_results(path)); });
+}
+
+/// Numbers of every state, in columns.
+template <class Numbers>
+py::array_t<double> rows_of_states(const Trajectory& trajectory, py::ssize_t columns,
+                                   const Numbers& numbers) {
+  py::array_t<double> rows({static_cast<py::ssize_t>(trajectory.states.size()), columns});
+  double* cell = rows.mutable_data();
+  for (const RigidState& state : trajectory.states) {
+    for (const double number : numbers(state)) *cell++ = number;
+  }
+  return rows;
+}
+
+std::array<double, 3> numbers_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Positions on the map.
+py::dict trajectory_of(const CampaignResults& results, std::uint32_t run) {
+  Trajectory found = unlocked([&] { return read_trajectory(results.file, run); });
+  const py::array position = rows_of_states(found, 3, [&](const RigidState& state) {
+    return numbers_of(results.frame.map(state.position));
+  });
+  const py::array orientation = rows_of_states(found, 4, [](const RigidState& state) {
+    const Quat& q = state.orientation;
+    return std::array<double, 4>{q.w(), q.x(), q.y(), q.z()};
+  });
+  const py::array velocity =
+      rows_of_states(found, 3, [](const RigidState& state) { return numbers_of(state.velocity); });
+  const py::array spin = rows_of_states(
+      found, 3, [](const RigidState& state) { return numbers_of(state.angular_velocity); });
+  return py::dict("time_s"_a = owned(std::move(found.time)), "position_m"_a = position,
+                  "orientation"_a = orientation, "velocity_m_s"_a = velocity,
+                  "angular_velocity_rad_s"_a = spin);
+}
+
+std::shared_ptr<Comparison> compare_all(const std::vector<SharedResults>& results,
+                                        const std::vector<std::string>& by,
+                                        const std::optional<fs::path>& measured) {
+  return watched(py::none(), [&](const Progress&) {
+    std::vector<CampaignResults> copies;
+    for (const SharedResults& one : results) copies.push_back(*one);
+    return std::make_shared<Comparison>(
+        compare(std::move(copies), {.by = by, .measured = measured}));
+  });
+}
+
+std::vector<std::string> sentences(const Comparison& comparison) {
+  std::vector<std::string> lines = answer_sentences(comparison, answer(comparison));
+  const std::vector<std::string> observed = measured_sentences(comparison);
+  lines.insert(lines.end(), observed.begin(), observed.end());
+  return lines;
+}
+
+/// The files that were written; the report is the last.
+std::vector<std::string> write(const Comparison& comparison, const fs::path& folder,
+                               const py::dict& keywords) {
+  Keywords given(keywords);
+  ComparisonExtras extras;
+  bool replace = false, pdf = false;
+  given.take("animate", extras.animated);
+  given.take("replace", replace);
+  given.take("pdf", pdf);
+  given.done();
+  return watched(py::none(), [&](const Progress&) {
+    if (pdf) extras.browser = find_browser();
+    OutputFolder output(folder, comparison_folder(), replace);
+    const FilledFolder filled = fill_folder(output, comparison, extras);
+    if (filled.no_pdf) {
+      throw InputError(folder.string() + " has the report, but not as PDF: " + *filled.no_pdf);
+    }
+    std::vector<std::string> files;
+    for (const fs::path& file : filled.files) files.push_back((folder / file).string());
+    return files;
+  });
+}
+
+}  // namespace
+
+void bind_comparisons(py::module_& module) {
+  py::class_<CampaignResults, SharedResults>(module, "ResultsData")
+      .def_property_readonly("file", [](const CampaignResults& r) { return r.file.string(); })
+      .def_readonly("campaign_text", &CampaignResults::campaign_text)
+      .def_readonly("campaign_sha256", &CampaignResults::campaign_sha256)
+      .def_readonly("inputs", &CampaignResults::inputs)
+      .def_readonly("program_version", &CampaignResults::program_version)
+      .def_readonly("zone_names", &CampaignResults::zone_names)
+      .def_readonly("warnings", &CampaignResults::warnings)
+      .def_readonly("planned_runs", &CampaignResults::planned_runs)
+      .def("summary", [](const CampaignResults& r) { return object_of(outcome_json(r)); })
+      .def("trajectory", &trajectory_of);
+  py::class_<Comparison, std::shared_ptr<Comparison>>(module, "ComparisonData")
+      .def("table",
+           [](const Comparison& comparison, const std::string& name) {
+             return table_of(unlocked([&] { return comparison_table(comparison, name); }));
+           })
+      .def_readonly("warnings", &Comparison::warnings)
+      .def("sentences", &sentences)
+      .def(
+          "first_screen",
+          [](const Comparison& comparison) { return first_screen(comparison, answer(comparison)); })
+      .def("write", &write);
+  module.attr("comparison_tables") = comparison_table_names();
+  module.def("results_read", &read);
+  module.def("compare", &compare_all);
+}
+
+}  // namespace clast::python_detail

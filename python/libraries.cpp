@@ -1,0 +1,168 @@
+// Block libraries, and what a library is written to.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <map>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/output_folder.hpp"
+#include "core/utf8.hpp"
+#include "library/block_export.hpp"
+#include "library/block_ranges.hpp"
+#include "library/library_update.hpp"
+#include "python/bindings.hpp"
+#include "python/options.hpp"
+#include "python/watched_call.hpp"
+#include "report/blocks/gallery.hpp"
+
+namespace clast::python_detail {
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Blocks that Python shares.
+using Blocks = std::vector<std::shared_ptr<Block>>;
+
+Blocks shared(const BlockLibrary& library) {
+  Blocks blocks;
+  for (const Block& block : library.blocks()) blocks.push_back(std::make_shared<Block>(block));
+  return blocks;
+}
+
+Blocks read(const fs::path& path) {
+  return unlocked([&] { return shared(BlockLibrary::read(path)); });
+}
+
+Blocks change(const fs::path& path, bool make, const std::function<void(BlockLibrary&)>& how) {
+  return unlocked([&] { return shared(update_library(path, {.make = make}, how)); });
+}
+
+Blocks add(const fs::path& path, const Blocks& added, bool replace) {
+  return change(path, true, [&](BlockLibrary& library) {
+    for (const std::shared_ptr<Block>& block : added) library.add(*block, replace);
+  });
+}
+
+Blocks remove(const fs::path& path, const std::vector<std::string>& ids) {
+  return change(path, false, [&](BlockLibrary& library) {
+    for (const std::string& id : ids) library.block(id);  // all are there, or none is removed
+    for (const std::string& id : ids) library.remove(id);
+  });
+}
+
+Blocks set_notes(const fs::path& path, const std::string& id, const py::dict& keywords) {
+  Keywords given(keywords);
+  std::optional<std::string> site, note;
+  std::optional<double> weighed;
+  std::optional<std::array<double, 3>> taped;
+  given.take("site", site);
+  given.take("note", note);
+  given.take("weighed", weighed);
+  given.take("taped", taped);
+  given.done();
+  if (!site && !note && !weighed && !taped) {
+    throw InputError("nothing to set; give site, note, taped or weighed");
+  }
+  if (weighed && !kBlockMass.holds(*weighed)) {
+    throw InputError("weighed = " + with_digits(*weighed, 6) + " must be " + kBlockMass.words());
+  }
+  std::optional<Axes> axes;
+  if (taped) {
+    for (const double length : *taped) {
+      if (kBlockLength.holds(length)) continue;
+      throw InputError("taped: " + with_digits(length, 6) + " must be " + kBlockLength.words());
+    }
+    axes = Axes::sorted((*taped)[0], (*taped)[1], (*taped)[2]);
+  }
+  return change(path, false, [&](BlockLibrary& library) {
+    FieldNotes& field = library.block(id).field;
+    if (site) field.site = as_utf8(*site);
+    if (note) field.note = as_utf8(*note);
+    if (axes) field.taped = axes;
+    if (weighed) field.weighed_mass = weighed;
+  });
+}
+
+std::vector<const Block*> pointers(const Blocks& blocks) {
+  std::vector<const Block*> all;
+  for (const std::shared_ptr<Block>& block : blocks) all.push_back(block.get());
+  return all;
+}
+
+/// What a name stands for.
+template <class Value>
+void take_choice(Keywords& given, const char* name, const std::map<std::string, Value>& choices,
+                 Value& field) {
+  std::optional<std::string> chosen;
+  given.take(name, chosen);
+  if (!chosen) return;
+  const auto found = choices.find(*chosen);
+  if (found == choices.end()) {
+    std::string known;
+    for (const auto& [choice, value] : choices) known += (known.empty() ? "" : ", ") + choice;
+    throw InputError(std::string(name) + " = \"" + *chosen + "\" must be one of " + known);
+  }
+  field = found->second;
+}
+
+py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict& keywords) {
+  Keywords given(keywords);
+  BlockExportOptions options;
+  if (const std::vector<std::string> formats = given.texts("format"); !formats.empty()) {
+    options.formats = formats;
+  }
+  take_choice(given, "what",
+              {{"skin", ExportedSurface::kSkin},
+               {"core", ExportedSurface::kCore},
+               {"both", ExportedSurface::kBoth},
+               {"surface", ExportedSurface::kSurface}},
+              options.what);
+  take_choice(given, "frame",
+              {{"source", ExportFrame::kSource}, {"principal", ExportFrame::kPrincipal}},
+              options.frame);
+  given.take("up", options.up);
+  given.take("segments", options.segments);
+  given.take("replace", options.replace);
+  given.done();
+  if (folder.empty()) throw InputError("the folder to export to has no name");
+  std::vector<std::string> notes;
+  const std::vector<fs::path> written = unlocked([&] {
+    return export_blocks(pointers(blocks), folder, options,
+                         [&](const std::string& note) { notes.push_back(note); });
+  });
+  std::vector<std::string> files;
+  for (const fs::path& file : written) files.push_back(file.string());
+  return py::make_tuple(files, notes);
+}
+
+std::string write_pages(const Blocks& blocks, const std::string& title, const fs::path& folder,
+                        bool replace) {
+  return unlocked([&] {
+    OutputFolder output(folder, gallery_folder(), replace);
+    const fs::path page = write_gallery(pointers(blocks), title, output.temporary());
+    output.commit();
+    return (folder / page.filename()).string();
+  });
+}
+
+}  // namespace
+
+void bind_libraries(py::module_& module) {
+  module.def("library_read", &read);
+  module.def("library_add", &add);
+  module.def("library_remove", &remove);
+  module.def("library_set", &set_notes);
+  module.def("blocks_export", &export_to);
+  module.def("blocks_report", &write_pages);
+  module.def("renamed", [](const Block& block, const std::string& id) {
+    check_block_id(id);
+    const auto copy = std::make_shared<Block>(block);
+    copy->id = id;
+    return copy;
+  });
+}
+
+}  // namespace clast::python_detail

@@ -1,0 +1,86 @@
+"""Every option of every command can be given in Python."""
+
+import inspect
+import re
+
+import clast
+import pytest
+from conftest import program
+
+# Of each command what does it in Python. What an option sets is a parameter of its name there, with
+# _ for -, or what is named below.
+CALLS = {
+    "reconstruct": [clast.reconstruct, clast.reconstruct_batch],
+    "cut": [clast.cut],
+    "show": [clast.Library.report, clast.Library.chosen],
+    "classify": [clast.classify, clast.Population.report],
+    "export": [clast.Library.export],
+    "library-merge": [clast.Library.merge],
+    "library-remove": [clast.Library.remove],
+    "library-set": [clast.Library.set],
+    "terrain": [clast.terrain, clast.Terrain.export, clast.Terrain.picture, clast.Terrain.check_fit],
+    "new-campaign": [clast.new_campaign],
+    "check": [clast.Campaign],
+    "simulate": [type(clast.Campaign().run).__call__, clast.Campaign.dry_run, clast.merge_results],
+    "vary": [clast.vary],
+    "compare": [clast.compare, clast.Comparison.report],
+}
+# What is no parameter: an object or a method of its own.
+ELSEWHERE = {
+    "library": clast.Library.__init__,
+    "campaign": clast.Campaign.__init__,
+    "file": clast.Campaign.__init__,
+    ("show", "json"): clast.Block.to_dict,
+    ("show", "report"): clast.Library.report,
+    ("classify", "json"): clast.Population.to_dict,
+    ("reconstruct", "json"): clast.Block.to_dict,
+    ("check", "json"): clast.Campaign.plan,
+    ("simulate", "json"): clast.Results.summary,
+    ("terrain", "json"): clast.Terrain.report,
+    ("simulate", "merge"): clast.merge_results,
+    ("simulate", "dry_run"): clast.Campaign.dry_run,
+    ("terrain", "export"): clast.Terrain.export,
+    ("terrain", "export_up"): clast.Terrain.export,  # up
+    ("terrain", "export_cell"): clast.Terrain.export,  # cell
+    ("terrain", "picture"): clast.Terrain.picture,
+    ("terrain", "output"): clast.Terrain.write,
+    ("terrain", "json"): clast.Terrain,
+    ("export", "output"): clast.Library.export,  # folder
+    ("compare", "summary"): clast.Comparison.summary,
+    ("library-merge", "output"): clast.Library.__init__,
+    ("reconstruct", "scans"): clast.reconstruct_batch,
+    ("vary", "from"): clast.vary,  # from_
+    ("vary", "json"): clast.vary,  # data
+    "help": None,  # help(clast)
+}
+
+
+def options(page):
+    """Names of the options of a manual page, and of its arguments."""
+    text = page.read_text(encoding="utf-8").replace("\\-", "-").replace("\\fB", "").replace("\\fR", "")
+    return sorted({name.replace("-", "_") for name in re.findall(r"--([a-z][a-z0-9-]+)", text.split(".SH EXAMPLES")[0].split("EXAMPLES")[0])})  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("man")
+    program("help", "--man", folder)
+    return {page.stem[len("clast-") :]: page for page in folder.glob("clast-*.1")}
+
+
+def test_every_command_has_its_calls(pages):
+    known = set(CALLS) | {"help", "library", "new"}
+    assert set(pages) == known
+
+
+@pytest.mark.parametrize("command", sorted(CALLS))
+def test_every_option_is_a_parameter(pages, command):
+    given = {name for call in CALLS[command] for name in inspect.signature(call).parameters}
+    found = options(pages[command])
+    assert len(found) >= 1
+    missing = [
+        name
+        for name in found
+        if name not in given and name not in ELSEWHERE and (command, name) not in ELSEWHERE
+    ]
+    assert not missing

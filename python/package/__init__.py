@@ -1,0 +1,76 @@
+"""Rock blocks from field scans, and what they do on real terrain.
+
+    >>> import clast
+    >>> block = clast.reconstruct("B017.ply", units="mm", density=2650)
+    >>> block.mass, block.box_lengths, block.classes["sneed_folk"].survives
+
+Everything the program `clast` does can be called, with the names of its options, of the keys of
+campaign files and of the columns of its tables. Lengths are in metres, masses in kilograms, angles in
+radians where a name has no unit, and z is up. What goes wrong is raised as `InputError`,
+`GeometryError` or `SimulationError`, all of which are `Error`, with the program's messages.
+"""
+
+from clast._blocks import (
+    Cut,
+    Library,
+    Reconstruction,
+    Series,
+    cut,
+    reconstruct,
+    reconstruct_batch,
+    vary,
+)
+from clast._campaigns import Campaign, CampaignTable, new_campaign
+from clast._core import (
+    Block,
+    Core,
+    Error,
+    GeometryError,
+    InputError,
+    ShapeClass,
+    SimulationError,
+    mass_properties,
+    schemes,
+    shape_classes,
+)
+from clast._core import version as __version__
+from clast._populations import Population, classify
+from clast._results import Comparison, Results, compare, merge_results
+from clast._tables import Table
+from clast._terrain import Terrain, terrain
+from clast._worlds import World
+
+__all__ = [
+    "Block",
+    "Campaign",
+    "CampaignTable",
+    "Comparison",
+    "Core",
+    "Cut",
+    "Error",
+    "GeometryError",
+    "InputError",
+    "Library",
+    "Population",
+    "Reconstruction",
+    "Results",
+    "Series",
+    "ShapeClass",
+    "SimulationError",
+    "Table",
+    "Terrain",
+    "World",
+    "__version__",
+    "classify",
+    "compare",
+    "cut",
+    "mass_properties",
+    "merge_results",
+    "new_campaign",
+    "reconstruct",
+    "reconstruct_batch",
+    "schemes",
+    "shape_classes",
+    "terrain",
+    "vary",
+]

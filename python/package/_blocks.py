@@ -1,0 +1,431 @@
+"""Blocks out of scans and rock masses, and the libraries that hold them."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Union
+
+from clast import _core
+from clast._core import Block, InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+PathLike = Union[str, "os.PathLike[str]"]
+Progress = Callable[[dict], Any]
+
+
+def _several(scans: Any) -> list[str]:
+    if isinstance(scans, (str, os.PathLike)):
+        return [os.fspath(scans)]
+    return [os.fspath(scan) for scan in scans]
+
+
+def reconstruct(
+    scan: Any,
+    id: str | None = None,  # noqa: A002
+    *,
+    units: str | None = None,
+    scale_length: tuple[Sequence[float], Sequence[float], float] | None = None,
+    scale_factor: float | None = None,
+    up: str | None = None,
+    ground: str | None = None,
+    split: bool = False,
+    any_size: bool = False,
+    vertices: int | None = None,
+    radius: float | None = None,
+    radius_share: float | None = None,
+    core: bool = False,
+    convex: bool = False,
+    density: float | None = None,
+    mass: float | None = None,
+    accuracy: float | None = None,
+    tolerance: float | None = None,
+    keep_inner_shells: bool = False,
+    scale_bar: Sequence[tuple[int, int, float]] | None = None,
+    board: PathLike | None = None,
+    marker_size: float | None = None,
+    markers: str | None = None,
+    allow_unscaled: bool = False,
+    model: PathLike | None = None,
+    masks: PathLike | None = None,
+    colmap: str | None = None,
+    colmap_minutes: float | None = None,
+    photo_cache: PathLike | None = None,
+    progress: Progress | None = None,
+) -> Any:
+    """Make the block of a scan.
+
+    Args:
+        scan: a mesh, a cloud, a .shp file, or a folder of photographs; or arrays in memory,
+            (vertices (n, 3), triangles (m, 3)), or points (n, 3), which are not copied in Python.
+        id: of the block; without it the name of the file. Needed for arrays.
+        units: of length: "m", "cm", "mm", "km", "in", "ft", or metres per unit as text.
+        scale_length: instead: two points of the scan and the metres between them.
+        scale_factor: on all lengths, after that.
+        up: axis of the scan that points up, "y" or "z".
+        ground: "auto": the ground around a block is removed; "none": there is none.
+        split: a block of everything that stands on the ground, as ID_1, ID_2, ...
+        any_size: take blocks over 20 m, over 10,000 t or under 1 mm too.
+        vertices: that a block has at most; without, the fewest within the tolerance.
+        radius: Minkowski radius of the rounding, m; or `radius_share` of S, 0 to 0.25.
+        core: the mesh is the core that the sphere is swept over, taken as it is.
+        convex: take the convex hull.
+        density: kg/m^3.
+        mass: weighed, kg: sets the density, or checks the volume when `density` is given too.
+        accuracy: relative, of volume and inertia, 1e-6 to 1e-2.
+        tolerance: Hausdorff distance to the scan as a share of L.
+        keep_inner_shells: closed shells inside stay cavities.
+        scale_bar, board, marker_size, markers, allow_unscaled, model, masks, colmap,
+            colmap_minutes, photo_cache: of folders of photographs, as of `clast reconstruct`.
+        progress: called now and then with a dict: done, total, before, what.
+
+    Returns:
+        The Block; with `split` a list of them.
+
+    Raises:
+        InputError, GeometryError: with the file or the id, the value, and what to do.
+    """
+    options = dict(
+        units=units, scale_length=scale_length, scale_factor=scale_factor, up=up, ground=ground,
+        split=split, any_size=any_size, vertices=vertices, radius=radius,
+        radius_share=radius_share, core=core, convex=convex, density=density, mass=mass,
+        accuracy=accuracy, tolerance=tolerance, keep_inner_shells=keep_inner_shells,
+        scale_bar=scale_bar, board=board, marker_size=marker_size, markers=markers,
+        allow_unscaled=allow_unscaled, model=model, masks=masks, colmap=colmap,
+        colmap_minutes=colmap_minutes, photo_cache=photo_cache,
+    )  # fmt: skip
+    from clast import _reconstruct  # PCL and OpenCV: only now
+
+    if isinstance(scan, (str, os.PathLike)):
+        blocks = _reconstruct.of_scan(os.fspath(scan), id, options, progress)
+    else:
+        if id is None:
+            raise InputError("id: give the block of arrays a name")
+        points, triangles = scan if isinstance(scan, tuple) else (scan, None)
+        blocks = _reconstruct.of_mesh(points, triangles, id, options, progress)
+    return blocks if split else blocks[0]
+
+
+class Reconstruction(NamedTuple):
+    """What became of a batch of scans."""
+
+    library: Library
+    added: list[str]  #: ids
+    skipped: int  #: scans whose block was there already
+    failed: list[tuple[str, str]]  #: scan and reason
+    notes: list[str]
+
+
+def reconstruct_batch(
+    scans: PathLike | Iterable[PathLike],
+    output: PathLike = "blocks.h5",
+    *,
+    jobs: int = 1,
+    replace: bool = False,
+    resume: bool = False,
+    report: PathLike | None = None,
+    progress: Progress | None = None,
+    **options: Any,
+) -> Reconstruction:
+    """Make the blocks of scans, files or folders of them, and add them to a library.
+
+    A scan that gives no block never costs the others: see `failed` of what is returned.
+
+    Args:
+        scans: files and folders, as `clast reconstruct` takes them.
+        output: the library; blocks are added to one that is there.
+        jobs: scans worked on at the same time, 0: one per core.
+        replace: blocks whose id is there already.
+        resume: skip scans whose block is there, of the same bytes and options.
+        report: folder for a page about each block.
+        options: as of `reconstruct`.
+    """
+    from clast import _reconstruct
+
+    done = _reconstruct.batch(
+        _several(scans),
+        output,
+        dict(jobs=jobs, replace=replace, resume=resume, report=report),
+        options,
+        progress,
+    )
+    return Reconstruction(
+        Library(output), done["added"], done["skipped"], done["failed"], done["notes"]
+    )
+
+
+class Cut(NamedTuple):
+    """The blocks of a rock mass."""
+
+    blocks: list[Block]
+    volume: float  #: of the mass, m^3
+    block_volume: float  #: of the blocks, m^3
+    failed: list[str]  #: pieces that became no block, and why
+
+
+def cut(
+    mass: PathLike,
+    joints: str | Sequence[str],
+    output: PathLike | None = None,
+    *,
+    replace: bool = False,
+    prefix: str = "J",
+    seed: int = 1,
+    least_volume: float | None = None,
+    most_blocks: int | None = None,
+    density: float | None = None,
+    radius_share: float | None = None,
+    units: str | None = None,
+    up: str | None = None,
+    threads: int = 0,
+    progress: Progress | None = None,
+) -> Cut:
+    """Cut a rock mass into its blocks by joint sets.
+
+    Args:
+        mass: closed mesh, such as a scar.
+        joints: sets, "DIP/DIP_DIRECTION/SPACING" or with "/SCATTER": degrees and metres.
+        output: library that the blocks are added to; without, none is written.
+        replace: blocks of the same id.
+        prefix: of the ids, which are numbered.
+        seed: of the places of the joints.
+        least_volume: smaller pieces are left out, m^3.
+        most_blocks: joints that cut more are refused.
+        density: kg/m^3.
+        radius_share: Minkowski radius as a share of S, 0 to 0.25.
+        units, up: of the mesh.
+        threads: 0: one for each core; changes no bit of the result.
+    """
+    options = dict(
+        mass=mass, joints=joints, output=output, replace=replace, prefix=prefix, seed=seed,
+        least_volume=least_volume, most_blocks=most_blocks, density=density,
+        radius_share=radius_share, units=units, up=up, threads=threads,
+    )  # fmt: skip
+    return Cut(*_core.cut(options, progress))
+
+
+class Series(NamedTuple):
+    """Twins and series of blocks."""
+
+    blocks: list[Block]
+    failed: list[str]  #: bodies that could not be made, and why
+    data: Any  #: what `clast vary --json` prints
+
+
+def vary(
+    library: PathLike,
+    ids: str | Sequence[str] | None = None,
+    output: PathLike | None = None,
+    *,
+    replace: bool = False,
+    to: Sequence[tuple[float, float]] | None = None,
+    grid: tuple[str, int] | None = None,
+    least: float = 0.2,
+    like: str | Sequence[str] | None = None,
+    convexity: Sequence[float] | None = None,
+    rounding: Sequence[float] | None = None,
+    vertices: Sequence[int] | None = None,
+    detail: Sequence[float] | None = None,
+    degree: int = 6,
+    reference: str | Sequence[str] | None = None,
+    exponent: float = 4.0,
+    inertia: str | Sequence[str] | None = None,
+    draw: int | None = None,
+    from_: PathLike | None = None,
+    seed: int = 1,
+    prefix: str = "V",
+    keep: str = "mass",
+    threads: int = 0,
+    progress: Progress | None = None,
+) -> Series:
+    """Make twins and series of blocks that differ in one thing.
+
+    Args:
+        library: a block library, or its file.
+        ids: blocks to vary; without: all.
+        output: library that the bodies are added to; without, none is written.
+        replace: blocks of the same id.
+        to: stretch to these ratios, (I/L, S/L).
+        grid: stretch to forms all over a diagram: ("sneed-folk", steps) or ("zingg", steps).
+        least: smallest S/L, in zingg I/L and S/I, of the grid.
+        like: stretch to the ratios of these blocks.
+        convexity: fill hollows until the volume is this share of the hull's.
+        rounding: radius of edges and corners as a share of S, 0 to 0.4.
+        vertices: simplify the core to so many.
+        detail: multiply what lies off the coarse form, of harmonics up to `degree`.
+        reference: simple bodies with the block's ratios, such as "ellipsoid"; `exponent` is of the
+            superellipsoid.
+        inertia: bodies with the block's mass and principal moments, "ellipsoid" or "box".
+        draw: so many bodies with sizes and forms as the blocks have, or as the table `from_` says.
+        seed, prefix: of the bodies drawn.
+        keep: what bodies have in common with their block: "mass", "volume" or "L".
+        threads: 0: one for each core; changes no bit of the result.
+    """
+    options = dict(
+        library=library, ids=ids, output=output, replace=replace, to=to, grid=grid, least=least,
+        like=like, convexity=convexity, rounding=rounding, vertices=vertices, detail=detail,
+        degree=degree, reference=reference, exponent=exponent, inertia=inertia, draw=draw,
+        table=from_, seed=seed, prefix=prefix, keep=keep, threads=threads,
+    )  # fmt: skip
+    return Series(*_core.vary(options, progress))
+
+
+class Library:
+    """A block library, an HDF5 file, as it was when it was last read.
+
+    It is a sequence of blocks in order of their ids: `library["B017"]`, `len(library)`,
+    `for block in library`. A file that is not there yet is made by the first `add`.
+    """
+
+    def __init__(self, path: PathLike) -> None:
+        self.path = Path(path)
+        self._blocks: list[Block] | None = None
+        if self.path.exists():
+            self.reload()
+
+    def reload(self) -> None:
+        """Reads the file again, which others may have changed."""
+        self._blocks = _core.library_read(self.path)
+
+    def _read(self) -> list[Block]:
+        if self._blocks is None:
+            self.reload()  # says that there is no such file
+        return self._blocks  # type: ignore[return-value]
+
+    @property
+    def ids(self) -> list[str]:
+        """Of the blocks, ascending."""
+        return [block.id for block in self._read()]
+
+    def __len__(self) -> int:
+        return len(self._read())
+
+    def __iter__(self) -> Iterator[Block]:
+        return iter(self._read())
+
+    def __contains__(self, id: object) -> bool:  # noqa: A002
+        return id in self.ids
+
+    def __getitem__(self, id: str) -> Block:  # noqa: A002
+        return self.chosen([id])[0]
+
+    def chosen(self, ids: str | Sequence[str] | None = None) -> list[Block]:
+        """The blocks of these ids, in their order; without ids, all."""
+        blocks = self._read()
+        if ids is None:
+            return list(blocks)
+        known = {block.id: block for block in blocks}
+        chosen = [ids] if isinstance(ids, str) else list(ids)
+        for id in chosen:  # noqa: A001
+            if id not in known:
+                raise InputError(
+                    f"{self.path}: there is no block {id}; there are {', '.join(known) or 'none'}"
+                )
+        return [known[id] for id in chosen]
+
+    def __fspath__(self) -> str:
+        return os.fspath(self.path)
+
+    def __repr__(self) -> str:
+        count = "not there yet" if self._blocks is None else f"{len(self._blocks)} blocks"
+        return f"<clast.Library {self.path}: {count}>"
+
+    def _repr_html_(self) -> str:
+        import base64
+
+        cells = "".join(
+            "<td style='text-align:center'><img src='data:image/png;base64,"
+            f"{base64.b64encode(block.picture(160, 128)).decode()}'/><br/>{block.id}</td>"
+            for block in self._read()[:12]
+        )
+        return f"<table><tr>{cells}</tr></table>{len(self)} blocks"
+
+    def add(
+        self,
+        block: Block | Iterable[Block],
+        id: str | None = None,  # noqa: A002
+        *,
+        replace: bool = False,
+    ) -> None:
+        """Adds a block, or several, to the file, which others may be adding to as well.
+
+        Args:
+            id: another name for the block.
+            replace: a block of that id; without, it is refused.
+        """
+        blocks = [block] if isinstance(block, Block) else list(block)
+        if id is not None:
+            if len(blocks) != 1:
+                raise InputError(f"id = {id!r} is of one block, and there are {len(blocks)}")
+            blocks = [_core.renamed(blocks[0], id)]
+        self._blocks = _core.library_add(self.path, blocks, replace)
+
+    def merge(self, inputs: PathLike | Iterable[PathLike], *, replace: bool = False) -> None:
+        """Adds the blocks of other libraries."""
+        for part in _several(inputs):
+            self._blocks = _core.library_add(self.path, _core.library_read(part), replace)
+
+    def remove(self, ids: str | Sequence[str]) -> None:
+        """Removes blocks from the file; none, where one of them is not there."""
+        self._blocks = _core.library_remove(self.path, [ids] if isinstance(ids, str) else list(ids))
+
+    def set(
+        self,
+        id: str,  # noqa: A002
+        *,
+        site: str | None = None,
+        note: str | None = None,
+        taped: Sequence[float] | None = None,
+        weighed: float | None = None,
+    ) -> None:
+        """Attaches field notes to a block; they change none of its values.
+
+        Args:
+            site, note: texts.
+            taped: three axes measured by tape, m, in any order.
+            weighed: mass, kg.
+        """
+        notes = dict(site=site, note=note, taped=taped, weighed=weighed)
+        self._blocks = _core.library_set(self.path, id, notes)
+
+    def export(
+        self,
+        folder: PathLike = "export",
+        ids: str | Sequence[str] | None = None,
+        *,
+        format: str | Sequence[str] = "shp",  # noqa: A002
+        what: str = "skin",
+        segments: int | None = None,
+        frame: str = "source",
+        up: str = "auto",
+        replace: bool = False,
+    ) -> list[str]:
+        """Writes a file for each block and format, and returns their paths.
+
+        Args:
+            ids: without: all blocks.
+            format: "shp" (Rockable, ExaDEM), "obj", "stl", "ply", "glb", "vtp", or several.
+            what: that mesh files hold: "skin", "core", "both", "surface".
+            segments: of a quarter turn in the skin, 1 to 64.
+            frame: of mesh files: "source" or "principal".
+            up: axis of mesh files: "z", "y" or "auto".
+            replace: existing files.
+        """
+        formats = [format] if isinstance(format, str) else list(format)
+        options = dict(
+            format=formats, what=what, segments=segments, frame=frame, up=up, replace=replace
+        )
+        return _core.blocks_export(self.chosen(ids), folder, options)[0]
+
+    def report(
+        self,
+        folder: PathLike,
+        ids: str | Sequence[str] | None = None,
+        *,
+        replace: bool = False,
+    ) -> str:
+        """Writes a gallery of the blocks to a folder, and returns its page."""
+        title = f"Blocks of {self.path.name}"
+        return _core.blocks_report(self.chosen(ids), title, folder, replace)

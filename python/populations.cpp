@@ -1,0 +1,115 @@
+// Populations of blocks: what `clast classify` does.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/csv_text.hpp"
+#include "core/error.hpp"
+#include "core/output_folder.hpp"
+#include "python/bindings.hpp"
+#include "python/options.hpp"
+#include "python/values.hpp"
+#include "python/watched_call.hpp"
+#include "report/json/population_json.hpp"
+#include "report/population_reading.hpp"
+#include "report/population_report.hpp"
+#include "report/tables/table_values.hpp"
+#include "report/text/population_text.hpp"
+
+namespace clast::python_detail {
+
+namespace py = pybind11;
+
+namespace {
+
+PopulationRequest request_from(Keywords& given) {
+  PopulationRequest request;
+  request.first.inputs = given.texts("inputs");
+  request.against.inputs = given.texts("against");
+  given.take("columns", request.first.columns);
+  given.take("units", request.first.units);
+  given.take("against_columns", request.against.columns);
+  given.take("against_units", request.against.units);
+  request.reading.box_given = given.has("box");
+  given.take("box", request.reading.box);
+  given.take("axis_error", request.reading.axis_error);
+  given.take("roundness", request.reading.roundness_edge);
+  request.reading.surfaces = request.reading.roundness_edge.has_value();
+  given.take("thirds", request.options.limits.sneed_folk_thirds);
+  given.take("erdogan_limit", request.options.limits.erdogan_limit);
+  given.take("seed", request.options.seed);
+  if (given.has("size")) {
+    const auto size = py::cast<std::string>(given.object("size"));
+    if (size != "I" && size != "mean") {
+      throw InputError("size = \"" + size + "\" must be \"I\" or \"mean\"");
+    }
+    request.options.size = size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean;
+  }
+  for (const std::string& schemes : given.texts("scheme")) {
+    for (const std::string& scheme : split_list(schemes)) {
+      request.options.schemes.push_back(scheme);
+    }
+  }
+  if (request.options.schemes == std::vector<std::string>{"all"}) request.options.schemes.clear();
+  given.done();
+  return request;
+}
+
+std::shared_ptr<PopulationReport> classify(const py::dict& keywords) {
+  Keywords given(keywords);
+  const PopulationRequest request = request_from(given);
+  return unlocked([&] {
+    request.check();
+    return std::make_shared<PopulationReport>(read_populations(request));
+  });
+}
+
+std::string words_of(const PopulationReport& report) {
+  std::string text;
+  for (const ReportedPopulation& reported : report.populations) {
+    text += (text.empty() ? "" : "\n") + summary_text(reported.summary);
+  }
+  return report.comparison ? text + comparison_text(*report.comparison) : text;
+}
+
+std::vector<std::string> notes_of(const PopulationReport& report) {
+  std::vector<std::string> notes;
+  for (const ReportedPopulation& one : report.populations) {
+    notes.insert(notes.end(), one.notes.begin(), one.notes.end());
+  }
+  return notes;
+}
+
+}  // namespace
+
+void bind_populations(py::module_& module) {
+  py::class_<PopulationReport, std::shared_ptr<PopulationReport>>(module, "PopulationReport")
+      .def("table",
+           [](const PopulationReport& report, const std::string& name) {
+             return table_of(unlocked([&] { return population_table(report, name); }));
+           })
+      .def("json",
+           [](const PopulationReport& report) {
+             std::ostringstream text;
+             write_population_json(text, report);
+             return text.str();
+           })
+      .def("words", &words_of)
+      .def("notes", &notes_of)
+      .def("write",
+           [](const PopulationReport& report, const std::filesystem::path& folder, bool replace) {
+             unlocked([&] {
+               OutputFolder output(folder, population_folder(folder), replace);
+               write_population_report(report, output.temporary());
+               output.commit();
+             });
+           });
+  module.attr("population_tables") = population_table_names();
+  module.attr("schemes") = scheme_names();
+  module.def("classify", &classify);
+}
+
+}  // namespace clast::python_detail

@@ -1,0 +1,273 @@
+// The extension clast._reconstruct: what needs PCL and OpenCV. It is loaded by the first call.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/length_unit.hpp"
+#include "core/number_text.hpp"
+#include "library/block_ranges.hpp"
+#include "pipeline/board_file.hpp"
+#include "pipeline/scan_batch.hpp"
+#include "pipeline/shape_to_block.hpp"
+#include "python/arrays.hpp"
+#include "python/options.hpp"
+#include "python/values.hpp"
+#include "python/watched_call.hpp"
+#include "reconstruct/photos/photo_evidence.hpp"
+#include "report/scans/block_page.hpp"
+#include "report/scans/photo_section.hpp"
+#include "report/scans/scan_report.hpp"
+
+namespace clast::python_detail {
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Metres per unit of a scan in which two points are so far apart.
+double measured_unit(const std::array<Vec3, 2>& points, double metres) {
+  if (!kBlockLength.holds(metres)) {
+    throw InputError("scale_length = " + with_digits(metres, 6) + " m must be " +
+                     kBlockLength.words());
+  }
+  const double units = (points[1] - points[0]).norm();
+  if (!(units > 0.0) || !kLengthUnit.holds(metres / units)) {
+    throw InputError("scale_length: the points are " + with_digits(units, 6) +
+                     " units apart, and a unit must be " + kLengthUnit.words());
+  }
+  return metres / units;
+}
+
+void take_scale(Keywords& given, ScanToBlockOptions& options) {
+  double unit = 1.0;
+  if (given.has("scale_length")) {
+    if (given.has("units")) {
+      throw InputError("units and scale_length both give the scale; leave one out");
+    }
+    const auto [a, b, metres] =
+        py::cast<std::tuple<py::object, py::object, double>>(given.object("scale_length"));
+    options.scale_points = {vector_from(a, "scale_length"), vector_from(b, "scale_length")};
+    unit = measured_unit(*options.scale_points, metres);
+  } else {
+    given.take("units", options.units);
+    unit = length_unit(options.units);
+  }
+  given.take("scale_factor", options.scale_factor);
+  if (!kScaleFactor.holds(options.scale_factor)) {
+    throw InputError("scale_factor = " + with_digits(options.scale_factor, 6) + " must be " +
+                     kScaleFactor.words());
+  }
+  options.scan.unit = unit * options.scale_factor;
+}
+
+void take_scan(Keywords& given, ScanToBlockOptions& options) {
+  options.up_given = given.has("up");
+  given.take("up", options.scan.up);
+  if (given.has("ground")) {
+    const auto ground = py::cast<std::string>(given.object("ground"));
+    if (ground != "auto" && ground != "none") {
+      throw InputError("ground = \"" + ground + "\" must be \"auto\" or \"none\"");
+    }
+    options.find_ground = ground == "auto";
+  }
+  given.take("split", options.split);
+  given.take("any_size", options.any_size);
+  given.take("keep_inner_shells", options.scan.repair.keep_inner_shells);
+}
+
+void take_block(Keywords& given, ScanToBlockOptions& options) {
+  BlockOptions& block = options.block;
+  options.radius_given = given.has("radius") || given.has("radius_share");
+  block.density_given = given.has("density");
+  given.take("vertices", options.vertices);
+  given.take("radius", block.radius);
+  given.take("radius_share", block.radius_share);
+  given.take("core", block.core);
+  given.take("convex", block.convex);
+  given.take("density", block.density);
+  given.take("mass", block.mass);
+  given.take("accuracy", block.accuracy);
+  given.take("tolerance", block.tolerance);
+  if (block.radius && given.has("radius_share")) {
+    throw InputError("radius and radius_share both give the rounding; leave one out");
+  }
+}
+
+void take_photos(Keywords& given, PhotoScanOptions& photos) {
+  std::vector<std::tuple<int, int, double>> bars;
+  given.take("scale_bar", bars);
+  for (const auto& [first, second, length] : bars) {
+    photos.scale.bars.push_back({first, second, length});
+  }
+  std::optional<fs::path> board;
+  given.take("board", board);
+  if (board) photos.scale.board = read_board(*board);
+  double minutes = photos.colmap.seconds / 60.0;
+  given.take("marker_size", photos.scale.marker_side);
+  given.take("markers", photos.markers.dictionary);
+  given.take("allow_unscaled", photos.allow_unscaled);
+  given.take("model", photos.model);
+  given.take("masks", photos.dense.masks);
+  given.take("colmap", photos.colmap.program);
+  given.take("colmap_minutes", minutes);
+  given.take("photo_cache", photos.colmap.cache);
+  photos.colmap.seconds = 60.0 * minutes;
+  photos.check();
+}
+
+ScanToBlockOptions options_from(Keywords& given) {
+  ScanToBlockOptions options;
+  take_scale(given, options);
+  take_scan(given, options);
+  take_block(given, options);
+  take_photos(given, options.photos);
+  given.done();
+  options.check();
+  return options;
+}
+
+py::list shared(std::vector<Block> blocks) {
+  py::list list;
+  for (Block& block : blocks) list.append(std::make_shared<Block>(std::move(block)));
+  return list;
+}
+
+/// The blocks of one scan: more than one with `split` only.
+py::list of_scan(const std::string& scan, const std::optional<std::string>& id,
+                 const py::dict& keywords, const py::object& progress) {
+  Keywords given(keywords);
+  const ScanToBlockOptions options = options_from(given);
+  return shared(watched(progress, [&](const Progress& step) {
+    const std::vector<ScanFile> scans = list_scans({scan});
+    if (scans.size() != 1) {
+      throw InputError(scan + ": holds " + counted(scans.size(), "scan") +
+                       "; reconstruct_batch makes a library of them");
+    }
+    const ScanFile& one = scans.front();
+    const std::string name = id.value_or(one.id);
+    const ScanCallbacks callbacks = {.progress = step};
+    if (!one.is_shp()) return reconstruct_blocks(one.path, name, options, callbacks);
+    const ShpShape shape = one.shape ? *one.shape : read_shp(one.path).front();
+    return std::vector<Block>{make_shape_block(shape, one.path, name, options, callbacks)};
+  }));
+}
+
+/// The same of arrays; without triangles they are points.
+py::list of_mesh(const py::object& vertices, const py::object& triangles, const std::string& id,
+                 const py::dict& keywords, const py::object& progress) {
+  TriangleMesh mesh;
+  if (triangles.is_none()) {
+    mesh.vertices = points_from(vertices, "vertices");
+  } else {
+    mesh = mesh_from(vertices, triangles);
+  }
+  Keywords given(keywords);
+  const ScanToBlockOptions options = options_from(given);
+  return shared(watched(progress, [&](const Progress& step) {
+    return reconstruct_mesh_blocks(mesh, id, options, {.progress = step});
+  }));
+}
+
+/// Keeps what failed and what is to be known, and writes pages where they are wanted.
+class Follower : public BatchObserver {
+ public:
+  Follower(const BatchOptions& options, const std::optional<fs::path>& pages) : options_(options) {
+    if (pages) pages_.emplace(*pages, options.replace || options.resume);
+  }
+
+  void made(const Block& block, const BlockOrigin& origin) override {
+    if (!pages_) return;
+    PagedScan shown{
+        .raw = origin.raw,
+        .found = origin.found,
+        .options = options_.scan.scan,
+        .scale = "one unit of the file is " + with_digits(options_.scan.scan.unit, 6) + " m",
+        .density_given = options_.scan.block.density_given};
+    shown.options.up = origin.up;
+    if (origin.photos != nullptr) {
+      const PhotoEvidence evidence = photo_evidence(*origin.photos, *origin.found, origin.up);
+      shown.sections.push_back(photo_section(*origin.photos, evidence, origin.found->scan.mesh));
+      shown.scale = "by " + origin.photos->scale_source;
+    }
+    std::string page = block_page(block, shown);
+    const std::lock_guard lock(mutex_);
+    prepared_[block.id] = std::move(page);
+  }
+  void added(const Block& block) override {
+    ids.push_back(block.id);
+    if (!pages_) return;
+    std::unique_lock lock(mutex_);
+    const auto page = prepared_.extract(block.id);
+    lock.unlock();
+    pages_->add(block, page.mapped());
+  }
+  void kept(const Block& block) override {
+    if (pages_) pages_->add_earlier(block);
+  }
+  void refused(const std::string& id) override { std::erase(ids, id); }
+  void failed(const ScanFile& scan, const std::string& reason) override {
+    if (pages_) pages_->add_failure(scan.path.string(), reason);
+    failures.emplace_back(scan.path.string(), reason);
+  }
+  void noted(const std::string& text) override { notes.push_back(text); }
+
+  void finish() {
+    if (pages_) pages_->finish();
+  }
+
+  std::vector<std::string> ids, notes;
+  std::vector<std::pair<std::string, std::string>> failures;
+
+ private:
+  const BatchOptions& options_;
+  std::optional<ScanReport> pages_;
+  std::mutex mutex_;  ///< of `prepared_`
+  std::map<std::string, std::string> prepared_;
+};
+
+/// {added: ids, skipped, failed: [(scan, reason)], notes, blocks}
+py::dict batch(const py::object& scans, const fs::path& output, const py::dict& batch_keywords,
+               const py::dict& keywords, const py::object& progress) {
+  using namespace pybind11::literals;
+  const std::vector<std::string> inputs = texts_from(scans, "scans");
+  BatchOptions options;
+  options.library = output;
+  Keywords given(batch_keywords), of_scans(keywords);
+  std::optional<fs::path> pages;
+  given.take("jobs", options.jobs);
+  given.take("replace", options.replace);
+  given.take("resume", options.resume);
+  given.take("report", pages);
+  given.done();
+  options.scan = options_from(of_scans);
+  std::optional<Follower> follower;
+  const BatchResult result = watched(progress, [&](const Progress& step) {
+    const std::vector<ScanFile> files = list_scans(inputs);
+    options.check(files.size());
+    follower.emplace(options, pages);
+    const BatchResult made = reconstruct_batch(files, options, *follower, step);
+    follower->finish();
+    return made;
+  });
+  return py::dict("added"_a = follower->ids, "skipped"_a = result.skipped,
+                  "failed"_a = follower->failures, "notes"_a = follower->notes,
+                  "blocks"_a = result.blocks);
+}
+
+}  // namespace
+
+}  // namespace clast::python_detail
+
+PYBIND11_MODULE(_reconstruct, module) {
+  using namespace clast::python_detail;
+  pybind11::module_::import("clast._core");  // has the types of what is returned
+  module.def("of_scan", &of_scan);
+  module.def("of_mesh", &of_mesh);
+  module.def("batch", &batch);
+}

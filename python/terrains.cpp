@@ -1,0 +1,188 @@
+// Terrains: what `clast terrain` does.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/csv_text.hpp"
+#include "core/error.hpp"
+#include "core/file_kind.hpp"
+#include "core/up_axis.hpp"
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "python/options.hpp"
+#include "python/watched_call.hpp"
+#include "study/release_points.hpp"
+#include "terrain/hillshade.hpp"
+#include "terrain/terrain_file.hpp"
+#include "terrain/terrain_fit.hpp"
+#include "terrain/terrain_input.hpp"
+
+namespace clast::python_detail {
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::shared_ptr<Terrain> read(const py::dict& keywords) {
+  Keywords given(keywords);
+  TerrainOptions options;
+  for (const std::string& input : given.texts("inputs")) options.surface.emplace_back(input);
+  for (const std::string& zones : given.texts("zones")) {
+    for (const std::string& zone : split_list(zones)) options.zones.push_back(zone);
+  }
+  for (const std::string& lines : given.texts("breaklines")) options.breaklines.emplace_back(lines);
+  given.take("up", options.up);
+  given.take("resolution", options.resolution);
+  given.take("percentile", options.percentile);
+  given.take("outliers", options.outliers);
+  given.take("fill", options.fill);
+  given.take("crack", options.crack);
+  given.take("spikes", options.spike_steepness);
+  given.take("smoothing", options.smoothing);
+  given.take("tolerance", options.tolerance);
+  given.take("cut_zones", options.cut_zones);
+  given.done();
+  return unlocked([&] {
+    options.check();
+    return std::make_shared<Terrain>(read_terrain(options));
+  });
+}
+
+py::dict report_of(const Terrain& terrain) {
+  const TerrainReport& report = terrain.report;
+  return py::dict(
+      "triangles_read"_a = report.triangles_read, "welded_vertices"_a = report.welded_vertices,
+      "dropped_degenerate"_a = report.dropped_degenerate,
+      "dropped_duplicates"_a = report.dropped_duplicates,
+      "turned_triangles"_a = report.turned_triangles, "closed_cracks"_a = report.closed_cracks,
+      "filled_holes"_a = report.filled_holes, "open_holes"_a = report.open_holes,
+      "levelled_spikes"_a = report.levelled_spikes, "dropped_pieces"_a = report.dropped_pieces,
+      "slivers"_a = report.slivers, "boundary_edges"_a = report.boundary_edges,
+      "components"_a = report.components, "notes"_a = report.notes);
+}
+
+/// Points in an array, or in a file whose axis `up` points up.
+std::vector<Vec3> take_places(Keywords& given) {
+  std::string up = "z";
+  given.take("up", up);
+  if (up != "y" && up != "z") throw InputError("up = \"" + up + "\" must be \"y\" or \"z\"");
+  if (!given.has("release")) return {};
+  const py::object release = given.object("release");
+  if (!py::isinstance<py::str>(release) && !py::hasattr(release, "__fspath__")) {
+    return points_from(release, "release");
+  }
+  std::vector<Vec3> places = read_points(py::cast<fs::path>(release));
+  if (up == "y") {
+    for (Vec3& place : places) place = turned_z_up(place);
+  }
+  return places;
+}
+
+/// Warnings about places that blocks start from, and about the size of blocks.
+std::vector<std::string> check_fit(const Terrain& terrain, const py::dict& keywords) {
+  Keywords given(keywords);
+  const std::vector<Vec3> places = take_places(given);
+  std::optional<double> border_distance, block_size;
+  given.take("border_distance", border_distance);
+  given.take("block_size", block_size);
+  given.done();
+  std::vector<std::string> warnings;
+  const auto add = [&](const std::optional<std::string>& warning) {
+    if (warning) warnings.push_back(*warning);
+  };
+  if (!places.empty()) {
+    check_over_ground(terrain, places, "release");
+    if (border_distance) add(border_warning(terrain, places, *border_distance));
+  }
+  if (block_size) add(cell_size_warning(terrain, *block_size, *block_size));
+  return warnings;
+}
+
+void draw(const Terrain& terrain, const fs::path& path, const py::dict& keywords) {
+  Keywords given(keywords);
+  MapMarks marks;
+  for (const Vec3& place : take_places(given)) marks.releases.push_back(place.head<2>());
+  std::optional<fs::path> barriers;
+  bool replace = false;
+  given.take("barriers", barriers);
+  given.take("replace", replace);
+  given.done();
+  unlocked([&] {
+    if (barriers) marks.barriers = read_barrier_lines(*barriers, terrain);
+    write_hillshade(path, terrain, marks, {.kind = kind_by_name(path), .replace = replace});
+  });
+}
+
+/// Heights of the ground at places on the map; not a number off it.
+py::array_t<double> heights(const Terrain& terrain, const py::object& x, const py::object& y) {
+  const auto xs = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(x);
+  const auto ys = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(y);
+  if (!xs || !ys) throw py::type_error("x and y must be arrays of numbers");
+  if (xs.ndim() != 1 || ys.ndim() != 1 || xs.size() != ys.size()) {
+    throw InputError("x and y must be arrays of one length");
+  }
+  std::vector<double> found(static_cast<std::size_t>(xs.size()));
+  const double* const eastings = xs.data();
+  const double* const northings = ys.data();
+  unlocked([&] {
+    const TerrainSurface surface = terrain_surface(terrain);
+    const double top = surface.extent().high.z();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const Vec3 place = terrain.frame.local(Vec3(eastings[i], northings[i], 0.0));
+      const std::optional<double> height = surface.height(place.x(), place.y(), top);
+      found[i] = height ? *height + terrain.frame.origin.z() : NAN;
+    }
+  });
+  return owned(std::move(found));
+}
+
+}  // namespace
+
+void bind_terrains(py::module_& module) {
+  py::class_<Terrain, std::shared_ptr<Terrain>>(
+      module, "TerrainData", "Checked ground: triangles in zones, and their place on the map.")
+      .def_property_readonly("vertices",
+                             [](const py::object& self) {
+                               return view(py::cast<const Terrain&>(self).surface.vertices, self);
+                             })
+      .def_property_readonly("triangles",
+                             [](const py::object& self) {
+                               return view(py::cast<const Terrain&>(self).surface.triangles, self);
+                             })
+      .def_property_readonly("zones",
+                             [](const py::object& self) {
+                               const Terrain& terrain = py::cast<const Terrain&>(self);
+                               py::array_t<std::uint16_t> zones(
+                                   static_cast<py::ssize_t>(terrain.zone.size()),
+                                   terrain.zone.data(), self);
+                               zones.attr("setflags")(py::arg("write") = false);
+                               return zones;
+                             })
+      .def_readonly("zone_names", &Terrain::zone_names)
+      .def_property_readonly("origin", [](const Terrain& t) { return array_of(t.frame.origin); })
+      .def_property_readonly("crs", [](const Terrain& t) { return t.frame.crs; })
+      .def_readonly("sources", &Terrain::sources)
+      .def("report", &report_of)
+      .def("heights", &heights)
+      .def("check_fit", &check_fit)
+      .def("draw", &draw)
+      .def("write",
+           [](const Terrain& terrain, const fs::path& path, bool replace) {
+             unlocked([&] {
+               write_terrain(path, terrain, {.kind = kTerrainFormat, .replace = replace});
+             });
+           })
+      .def("export", [](const Terrain& terrain, const fs::path& path, const std::string& up,
+                        double cell, bool replace) {
+        unlocked([&] {
+          export_terrain(path, terrain, up, cell, {.kind = kind_by_name(path), .replace = replace});
+        });
+      });
+  module.def("terrain_read", &read);
+}
+
+}  // namespace clast::python_detail

@@ -1,0 +1,44 @@
+#include "python/values.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "python/arrays.hpp"
+
+namespace clast::python_detail {
+
+namespace py = pybind11;
+
+namespace {
+
+py::array array_from(std::vector<double> numbers) { return owned(std::move(numbers)); }
+
+py::array array_from(const std::vector<std::uint64_t>& counts) {
+  return owned(std::vector<std::int64_t>(counts.begin(), counts.end()));
+}
+
+py::array array_from(const std::vector<std::string>& texts) {
+  py::list list;
+  for (const std::string& text : texts) list.append(text);
+  return py::module_::import("numpy").attr("array")(list, py::arg("dtype") = "str");
+}
+
+}  // namespace
+
+py::tuple table_of(TableValues table) {
+  py::dict values, units, meanings;
+  for (ColumnValues& column : table) {
+    const py::str name(column.name);
+    values[name] =
+        std::visit([](auto& held) { return array_from(std::move(held)); }, column.values);
+    units[name] = column.unit;
+    meanings[name] = column.meaning;
+  }
+  return py::make_tuple(values, units, meanings);
+}
+
+py::object object_of(const nlohmann::ordered_json& json) {
+  // Texts that are not UTF-8 never get here: libraries convert what they read.
+  return py::module_::import("json").attr("loads")(json.dump());
+}
+
+}  // namespace clast::python_detail

@@ -1,0 +1,18 @@
+#pragma once
+/// Tables and JSON as Python values.
+#include <pybind11/pybind11.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/table_values.hpp"
+
+namespace clast::python_detail {
+
+/// (values, units, meanings): dicts by the columns' names, of NumPy arrays (float64, int64, texts)
+/// and of texts.
+pybind11::tuple table_of(TableValues table);
+
+/// dict, list, str, int, float, bool, None.
+pybind11::object object_of(const nlohmann::ordered_json& json);
+
+}  // namespace clast::python_detail
