@@ -17,6 +17,7 @@
 #include "report/maps/plan_map.hpp"
 #include "study/campaign_keys.hpp"
 #include "study/campaign_text.hpp"
+#include "study/engine_scene.hpp"
 #include "study/new_campaign.hpp"
 #include "study/outcome.hpp"
 #include "study/results_place.hpp"
@@ -158,6 +159,29 @@ std::vector<std::string> make_new(const fs::path& library, const py::object& ter
   });
 }
 
+/// (folders, what the other engine can't say)
+py::tuple export_scenes(const std::string& text, const fs::path& file, const fs::path& folder,
+                        const py::dict& keywords) {
+  Keywords given(keywords);
+  EngineSceneOptions options;
+  bool replace = false;
+  given.take("to", options.engine);
+  given.take("runs", options.runs);
+  given.take("replace", replace);
+  given.done();
+  const EngineScenes scenes = watched(py::none(), [&](const Progress&) {
+    options.check();
+    OutputFolder output(folder, scene_folder(), replace);
+    EngineScenes written = write_engine_scenes(prepare_campaign(parse_campaign(text, file)),
+                                               options, output.temporary());
+    output.commit();
+    return written;
+  });
+  std::vector<std::string> folders;
+  for (const std::string& name : scenes.folders) folders.push_back((folder / name).string());
+  return py::make_tuple(folders, scenes.notes);
+}
+
 void merge(const py::object& parts, const fs::path& output, bool replace) {
   std::vector<fs::path> files;
   for (const std::string& part : texts_from(parts, "parts")) files.emplace_back(part);
@@ -180,6 +204,7 @@ void bind_campaigns(py::module_& module) {
   module.def("campaign_check", &check);
   module.def("campaign_run", &run);
   module.def("campaign_dry_run", &dry_run);
+  module.def("campaign_export", &export_scenes);
   module.def("new_campaign", &make_new);
   module.def("merge_results", &merge);
 }

@@ -17,6 +17,7 @@
 #include "report/page_pdf.hpp"
 #include "report/tables/table_values.hpp"
 #include "report/text/answer_text.hpp"
+#include "report/text/effects_text.hpp"
 #include "report/text/measured_text.hpp"
 
 namespace clast::python_detail {
@@ -131,6 +132,10 @@ void bind_comparisons(py::module_& module) {
       .def(
           "first_screen",
           [](const Comparison& comparison) { return first_screen(comparison, answer(comparison)); })
+      .def("effects",
+           [](const Comparison& comparison) {
+             return effects_sentences(design_effects(comparison));
+           })
       .def("write", &write);
   module.attr("comparison_tables") = comparison_table_names();
   module.def("results_read", &read);

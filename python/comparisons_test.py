@@ -5,7 +5,7 @@ from conftest import program
 from populations_test import same_as_csv
 
 TABLES = [
-    "runs", "barriers", "crossings", "deposits", "impacts", "ground_sets", "ensemble", "stays",
+    "runs", "barriers", "crossings", "deposits", "impacts", "ground_sets", "effects", "ensemble", "stays",
     "realisations", "differences", "profiles",
 ]  # fmt: skip
 

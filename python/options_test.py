@@ -14,7 +14,7 @@ CALLS = {
     "cut": [clast.cut],
     "show": [clast.Library.report, clast.Library.chosen],
     "classify": [clast.classify, clast.Population.report],
-    "export": [clast.Library.export],
+    "export": [clast.Library.export, clast.Campaign.export],
     "library-merge": [clast.Library.merge],
     "library-remove": [clast.Library.remove],
     "library-set": [clast.Library.set],
@@ -46,6 +46,7 @@ ELSEWHERE = {
     ("terrain", "output"): clast.Terrain.write,
     ("terrain", "json"): clast.Terrain,
     ("export", "output"): clast.Library.export,  # folder
+    ("compare", "effects"): clast.Comparison.effects_in_words,
     ("compare", "summary"): clast.Comparison.summary,
     ("library-merge", "output"): clast.Library.__init__,
     ("reconstruct", "scans"): clast.reconstruct_batch,

@@ -9,8 +9,10 @@
 #include "classify/form_grid.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
+#include "library/block_ranges.hpp"
 #include "library/block_series.hpp"
 #include "library/library_update.hpp"
 #include "python/bindings.hpp"
@@ -35,6 +37,7 @@ struct SeriesRequest {
   std::vector<Variation> variations;
   std::optional<std::size_t> draw;
   std::optional<fs::path> table;
+  std::optional<std::string> units;  ///< of the table
   std::string prefix = "V";
   std::uint64_t seed = 1;
   SeriesOptions options;
@@ -110,6 +113,7 @@ SeriesRequest request_from(Keywords& given) {
   take_bodies(given, request.variations);
   given.take("draw", request.draw);
   given.take("table", request.table);
+  given.take("units", request.units);
   given.take("prefix", request.prefix);
   given.take("seed", request.seed);
   given.take("keep", keep);
@@ -129,7 +133,14 @@ std::vector<DrawnBlock> population_of(const SeriesRequest& request,
                                       std::span<const Block* const> parents) {
   if (!request.table) return drawn_from(parents);
   std::vector<DrawnBlock> population;
-  for (const MeasuredBlock& block : read_dimension_table(request.table->string()).blocks) {
+  DimensionColumns columns;
+  if (request.units) columns.units = length_unit(*request.units);
+  for (const MeasuredBlock& block : read_dimension_table(*request.table, columns).blocks) {
+    if (!kBlockLength.holds(block.axes.L) || !kBlockLength.holds(block.axes.S)) {
+      throw InputError(request.table->string() + ": block " + block.name + " is " +
+                       with_digits(block.axes.L, 4) + " x " + with_digits(block.axes.S, 4) +
+                       " m; L and S must be " + kBlockLength.words() + "; give `units`");
+    }
     population.push_back({block.axes, std::nullopt});
   }
   return population;

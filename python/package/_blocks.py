@@ -234,6 +234,7 @@ def vary(
     inertia: str | Sequence[str] | None = None,
     draw: int | None = None,
     from_: PathLike | None = None,
+    units: str | None = None,
     seed: int = 1,
     prefix: str = "V",
     keep: str = "mass",
@@ -259,6 +260,7 @@ def vary(
             superellipsoid.
         inertia: bodies with the block's mass and principal moments, "ellipsoid" or "box".
         draw: so many bodies with sizes and forms as the blocks have, or as the table `from_` says.
+        units: of lengths in that table; without, as its header says, else m.
         seed, prefix: of the bodies drawn.
         keep: what bodies have in common with their block: "mass", "volume" or "L".
         threads: 0: one for each core; changes no bit of the result.
@@ -267,7 +269,7 @@ def vary(
         library=library, ids=ids, output=output, replace=replace, to=to, grid=grid, least=least,
         like=like, convexity=convexity, rounding=rounding, vertices=vertices, detail=detail,
         degree=degree, reference=reference, exponent=exponent, inertia=inertia, draw=draw,
-        table=from_, seed=seed, prefix=prefix, keep=keep, threads=threads,
+        table=from_, units=units, seed=seed, prefix=prefix, keep=keep, threads=threads,
     )  # fmt: skip
     return Series(*_core.vary(options, progress))
 

@@ -371,6 +371,27 @@ class Campaign:
         options = dict(map=map, threads=threads, shard=shard)
         return _core.campaign_dry_run(*self._source(), options)
 
+    def export(
+        self,
+        folder: PathLike = "export",
+        *,
+        to: str = "rockable",
+        runs: Iterable[int] | None = None,
+        replace: bool = False,
+    ) -> tuple[list[str], list[str]]:
+        """Writes scenes for another engine.
+
+        Args:
+            to: "rockable" or "exadem".
+            runs: numbers of runs, or of realisations of a mass; without: all.
+            replace: scenes that the folder holds.
+
+        Returns:
+            The folders, one for each scene, and what the other engine can't say.
+        """
+        options = dict(to=to, runs=None if runs is None else list(runs), replace=replace)
+        return _core.campaign_export(*self._source(), folder, options)
+
     def __repr__(self) -> str:
         return f"<clast.Campaign {self.file or 'without a file'}>"
 

@@ -68,6 +68,11 @@ class _Tables:
         return self.table("ground_sets")
 
     @property
+    def effects(self) -> Table:
+        """A row per outcome and factor, its share of the variance: effects.csv."""
+        return self.table("effects")
+
+    @property
     def ensemble(self) -> Table:
         """A row per outcome and drawn parameter: ensemble.csv."""
         return self.table("ensemble")
@@ -171,6 +176,10 @@ class Comparison(_Tables):
     def answer(self) -> list[str]:
         """What the comparison says, in sentences."""
         return self._data.sentences()
+
+    def effects_in_words(self) -> list[str]:
+        """What share of the variance is due to form, mass, orientation and release point."""
+        return self._data.effects()
 
     def summary(self) -> list[str]:
         """The first screen of the report as lines of text."""

@@ -58,6 +58,8 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns();
 
 /// The rows of tables that no list of the comparison holds.
 std::vector<GroupDeposit> deposit_rows(const Comparison& comparison);
+/// They refer to `all`.
+std::vector<EffectShare> effect_rows(const std::vector<DesignEffects>& all);
 std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison);
 std::vector<RunImpact> impact_rows(const Comparison& comparison);
 std::vector<RunStay> stay_rows(const Comparison& comparison);

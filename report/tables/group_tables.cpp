@@ -379,8 +379,7 @@ std::string profiles_csv(const Comparison& comparison, const std::vector<Profile
   return csv_of(profile_columns(), rows_of(comparison, bins));
 }
 
-std::string effects_csv(const Comparison& comparison) {
-  const std::vector<DesignEffects> all = design_effects(comparison);
+std::vector<EffectShare> report_detail::effect_rows(const std::vector<DesignEffects>& all) {
   std::vector<EffectShare> shares;
   for (const DesignEffects& effects : all) {
     for (const OutcomeEffects& outcome : effects.outcomes) {
@@ -391,7 +390,11 @@ std::string effects_csv(const Comparison& comparison) {
       shares.push_back({effects, outcome, "interactions", 0, outcome.shares.interactions});
     }
   }
-  return csv_of(effect_columns(), shares);
+  return shares;
+}
+
+std::string effects_csv(const Comparison& comparison) {
+  return csv_of(effect_columns(), effect_rows(design_effects(comparison)));
 }
 
 std::string ensemble_csv(const Comparison& comparison) {

@@ -32,6 +32,10 @@ const NamedTables<Comparison>& comparison_tables() {
        [](const auto& all) {
          return values_of(ground_set_columns(), rows_of(all, ground_set_rows(all)));
        }},
+      {"effects",
+       [](const auto& all) {
+         return values_of(effect_columns(), effect_rows(design_effects(all)));
+       }},
       {"ensemble",
        [](const auto& all) {
          return values_of(ensemble_columns(), rows_of(all, ensemble_effects(all)));

@@ -44,6 +44,7 @@ TEST(TableValues, AreThoseOfTheCsvFiles) {
   expect_same(comparison_table(comparison, "barriers"), barriers_csv(comparison));
   expect_same(comparison_table(comparison, "deposits"), deposits_csv(comparison));
   expect_same(comparison_table(comparison, "differences"), differences_csv(comparison));
+  expect_same(comparison_table(comparison, "effects"), effects_csv(comparison));
   expect_same(comparison_table(comparison, "ground_sets"), ground_sets_csv(comparison));
 }
 
