@@ -157,7 +157,8 @@ void bind_shape_class(py::module_& module) {
 void bind_core(py::module_& module) {
   py::class_<SpheroPolyhedron, std::shared_ptr<SpheroPolyhedron>>(
       module, "Core",
-      "The polyhedron that a sphere is swept over. The block is every point within `radius` of it.")
+      "The polyhedron that a sphere is swept over. The block is every point within the radius of "
+      "it.")
       .def_property_readonly(
           "vertices",
           [](const py::object& self) {
@@ -185,7 +186,7 @@ void bind_blocks(py::module_& module) {
   py::class_<Block, std::shared_ptr<Block>> block(
       module, "Block",
       "A rock block: a polyhedron swept by a sphere, with exact mass properties.\n\n"
-      "Everything geometric is in the frame of the scan, in metres, z up. Where `unscaled` is true "
+      "Everything geometric is in the frame of the scan, in metres, z up. Where unscaled is true "
       "lengths are in\nunits of the scan, and mass, inertia and moments are not numbers.");
   block.def_readonly("id", &Block::id, "Name in its library.")
       .def_property_readonly(
@@ -257,7 +258,7 @@ void bind_blocks(py::module_& module) {
           "Hausdorff distance to the scan, m.")
       .def(
           "to_dict", [](const Block& b) { return object_of(block_json(b)); },
-          "Everything known, as `clast show --json` has it.")
+          "Everything known, as clast show prints it as JSON.")
       .def("picture", &picture_of, "width"_a = 320, "height"_a = 256,
            "PNG of the rounded surface from the front and above.")
       .def("_repr_png_", [](const Block& b) { return picture_of(b, 320, 256); })

@@ -139,7 +139,7 @@ std::vector<DrawnBlock> population_of(const SeriesRequest& request,
     if (!kBlockLength.holds(block.axes.L) || !kBlockLength.holds(block.axes.S)) {
       throw InputError(request.table->string() + ": block " + block.name + " is " +
                        with_digits(block.axes.L, 4) + " x " + with_digits(block.axes.S, 4) +
-                       " m; L and S must be " + kBlockLength.words() + "; give `units`");
+                       " m; L and S must be " + kBlockLength.words() + "; give their units");
     }
     population.push_back({block.axes, std::nullopt});
   }
