@@ -197,13 +197,13 @@ void warn_of_slopes(Comparison& comparison) {
       if (*slopes[zone] > sliding) {
         sliding_zones.insert(results.zone_names[zone]);
         sliding_texts.push_back(where + "above atan mu = " + degrees(sliding) +
-                                ": geometry decides; nothing comes to rest by friction there, so "
+                                ": friction stops nothing there, so "
                                 "an effect of shape can vanish");
       } else if (*slopes[zone] > rolling) {
         rolling_zones.insert(results.zone_names[zone]);
         rolling_texts.push_back(where + "between atan mu_R = " + degrees(rolling) +
                                 " and atan mu = " + degrees(sliding) +
-                                ": geometry decides; what rolls goes on and what slides stops, so "
+                                ": rolling blocks keep moving and sliding blocks stop, so "
                                 "an effect of shape looks larger than on other slopes");
       }
     }
@@ -213,12 +213,15 @@ void warn_of_slopes(Comparison& comparison) {
     if (texts.empty()) return;
     comparison.warnings.insert(comparison.warnings.end(), texts.begin(), texts.end());
     const std::vector<std::string> names(zones.begin(), zones.end());
-    comparison.cautions.push_back({"On the ground of " + listed(names) + " " + effect, texts});
+    comparison.cautions.push_back(
+        {(names.size() == 1 ? "In the zone " : "In the zones ") + listed(names) + " " + effect,
+         texts});
   };
   add(sliding_texts, sliding_zones,
       "the slope is too steep for friction to stop a block, so an effect of shape can vanish.");
   add(rolling_texts, rolling_zones,
-      "what rolls goes on and what slides stops, so an effect of shape looks larger than on other "
+      "rolling blocks keep moving and sliding blocks stop, so an effect of shape looks larger than "
+      "on other "
       "slopes.");
 }
 

@@ -42,7 +42,7 @@ constexpr std::array kTerms = {
          "many differences. Below 0.05 the difference counts as found."},
     Term{"reach probability", "reach", "Share of all released blocks that come to a place."},
     Term{"s_c", "sc",
-         "Length over width, less 1 (L/I - 1): above 0.3 a block is elongated, else compact, after "
+         "Length over width, minus 1 (L/I - 1): above 0.3 a block is elongated, else compact, after "
          "Garcia et al. (2022)."},
     Term{"clearance", "clearance", "Height of the lowest point of the block above the ground."},
     Term{"cumulative", "cumulative", "Share of the values that lie below."},
@@ -106,7 +106,7 @@ std::string explained(const std::set<std::string_view>& used) {
     list += "<dt>" + std::string(term.word) + "</dt><dd id=\"term-" + std::string(term.id) + "\">" +
             escaped(term.meaning) + "</dd>\n";
   }
-  return section("Words", folded("What the underlined words mean",
+  return section("Glossary", folded("What the underlined words mean",
                                  "<dl class=\"words\">\n" + list + "</dl>\n"));
 }
 

@@ -150,7 +150,7 @@ std::string barrier_section(const Comparison& comparison) {
   if (comparison.lines.empty()) return {};
   std::string html = paragraph(
       "Each run counts at its first crossing. Height is of the centre of mass above the ground; "
-      "energy is of motion and rotation together.");
+      "the top of a block is up to L/2 higher. Energy is translational plus rotational.");
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
     html += "<h3>" + escaped(barrier.name) + "</h3>\n" + barrier_charts(comparison, line);

@@ -128,9 +128,19 @@ std::string table_of(const Comparison& comparison) {
 std::string method_of(const Comparison& comparison) {
   const bool stay = std::any_of(comparison.results.begin(), comparison.results.end(),
                                 [](const CampaignResults& results) { return results.stay; });
-  return paragraph("Intervals are from drawing whole " +
-                   std::string(stay ? "realisations" : "release points") +
-                   " again and again, since runs of one depend on each other. A difference counts "
+  const bool one_point = !stay && std::all_of(comparison.results.begin(), comparison.results.end(),
+                                              [](const CampaignResults& results) {
+                                                return results.release_points.size() == 1;
+                                              });
+  const std::string drawn =
+      one_point
+          ? "Intervals are from drawing runs again and again; there is one release point, so they "
+            "say nothing about others. "
+          : "Intervals are from drawing whole " +
+                std::string(stay ? "realisations" : "release points") +
+                " again and again, since runs of one depend on each other. ";
+  return paragraph(drawn +
+                   "A difference counts "
                    "as found where shuffling the runs gives as large a KS distance in less than "
                    "5 % of the cases, after Holm's correction for all tests of the same kind. "
                    "Pairs of blocks are in differences.csv.");

@@ -56,7 +56,7 @@ std::string effects_section(const Comparison& comparison) {
   if (!any) return "";
   std::string sentences;
   for (const std::string& sentence : effects_sentences(effects)) sentences += paragraph(sentence);
-  return section("What the variance is due to",
+  return section("Sources of variability",
                  sentences + triangles(comparison, effects) +
                      paragraph("Every combination was run once. Shares are estimates for "
                                "blocks, orientations and points like these, with 95 % "

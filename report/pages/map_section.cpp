@@ -20,8 +20,8 @@ std::string map_section(const Comparison& comparison, const MapRasters& paths,
   const std::string stops =
       density ? "The " + std::to_string(comparison.rows.size()) +
                     " stops are shown by their density; stops.gpkg has each of them. "
-              : "A click on a name in the legend hides or shows its stops, a double click leaves "
-                "it alone; open marks did not come to rest. ";
+              : "A click on a name in the legend hides or shows its stops, a double click shows "
+                "only these; open symbols: still moving at the end. ";
   const std::string rasters =
       paths.layers.empty()
           ? ""

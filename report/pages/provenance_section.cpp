@@ -117,7 +117,7 @@ std::string settings_of(const Comparison& comparison, const CampaignResults& res
   html += fact("Stiffness and time step", "k_n " + cells[0] + " N/m, step " + cells[3] + " s");
   html += fact("Downslope (x, y)",
                fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +
-                   (comparison.downslope_asked ? " (as asked)" : " (mean release to stop)"));
+                   (comparison.downslope_asked ? " (as specified)" : " (mean release to stop)"));
   html += fact("Coordinates", results.frame.crs.empty() ? "map frame of the terrain, no CRS given"
                                                         : results.frame.crs);
   return html + fact("Simulated with", "clast " + results.program_version) + "</dl>\n";

@@ -75,7 +75,7 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
   }
   most.filled = true;
   most.notes = all.notes = counts_of(along);
-  ChartAxes axes{title, "distance along downslope, m", "height on the map, m"};
+  ChartAxes axes{title, "distance along downslope, m", "elevation, m"};
   axes.equal_scales = true;
   return plotly_chart(axes, {ground, most, all});
 }
@@ -124,10 +124,10 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
     charts +=
         cut_along_the_mean_path(comparison, bins, group, "The ground along the mean path: " + name);
   }
-  return section(
-      title, paragraph("Of the runs that come so far, each with its largest value there. The cut "
-                       "follows the mean path.") +
-                 charts + "</div>\n");
+  return section(title,
+                 paragraph("Largest value of each run that comes so far, by distance. The section "
+                           "follows the mean path.") +
+                     charts + "</div>\n");
 }
 
 }  // namespace clast::report_detail

@@ -27,7 +27,7 @@ std::string scene_view(const Comparison& comparison) {
 }  // namespace
 
 std::string scene_section(const Comparison& comparison, const SceneLimits& limits) {
-  const std::string title = "In space";
+  const std::string title = "3-D view";
   if (!three_is_installed()) return section(title, paragraph(no_three_text("compare again")));
   const SceneData data = scene_data(comparison, limits);
   if (data.runs_drawn == 0) {

@@ -158,24 +158,24 @@ std::string share_sentence(const Comparison& comparison, const PassageAnswer& pa
          words.name;
 }
 
-/// "95 % pass below 43 kJ and 1.0 m".
-std::string strength_of(const Comparison& comparison, const PassageAnswer& passage) {
+/// "95 % of these carry less than 43 kJ, with their centre below 1.0 m".
+std::string strength_of(const PassageAnswer& passage) {
   if (passage.all.crossed == 0) return "";
-  const std::string limits =
-      energy_in_words(passage.energy) + " and " + height_in_words(passage.height);
+  const std::string energy = energy_in_words(passage.energy);
+  const std::string height = height_in_words(passage.height);
   if (!passage.largest) {
-    return "; 95 % " + words_of(comparison, passage.line).pass + " it below " + limits;
+    return "; 95 % of these carry less than " + energy + ", with their centre below " + height;
   }
   return passage.all.crossed == 1
-             ? ", with " + limits
-             : ", the " + std::to_string(passage.all.crossed) + " of them with at most " + limits;
+             ? ", with " + energy + " and its centre " + height + " above the ground"
+             : ", the " + std::to_string(passage.all.crossed) + " of them with at most " + energy +
+                   " and their centre at most " + height + " above the ground";
 }
 
 std::string passages_in_words(const Comparison& comparison, const Statement& statement) {
   if (statement.passages.empty()) return "";
   const PassageAnswer& first = statement.passages.front();
-  std::string text =
-      capital(share_sentence(comparison, first)) + strength_of(comparison, first) + ".";
+  std::string text = capital(share_sentence(comparison, first)) + strength_of(first) + ".";
   const std::size_t shown = std::min(statement.passages.size() - 1, kMostOthers);
   for (std::size_t i = 1; i <= shown; ++i) {
     text += " " + capital(share_sentence(comparison, statement.passages[i])) + ".";
@@ -260,6 +260,13 @@ KeyFigure runout_figure(const Comparison& comparison, const Statement& statement
   return {pair.values + " m", "mean runout" + class_names(comparison, statement), pair.ranges};
 }
 
+/// L/2 of the longest block that ran, m: a barrier must be that much higher than the centres.
+double half_longest(const Comparison& comparison) {
+  double longest = 0.0;
+  for (const RunRow& row : comparison.rows) longest = std::max(longest, row.block->axes.L);
+  return 0.5 * longest;
+}
+
 std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const Statement& statement) {
   const PassageAnswer& passage = statement.passages.front();
   const BarrierWords words = words_of(comparison, passage.line);
@@ -278,12 +285,15 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const State
       {pair.values + " %", words.pass + " " + words.name + class_names(comparison, statement),
        pair.ranges}};
   if (passage.all.crossed == 0) return figures;
-  const std::string limit = passage.largest
-                                ? "largest of " + counted(passage.all.crossed, "passage") + " at "
-                                : "95 % " + words.pass + " ";
-  const std::string end = passage.largest ? words.name : words.name + " below";
-  figures.push_back({energy_in_words(passage.energy), "energy: " + limit + end, ""});
-  figures.push_back({height_in_words(passage.height), "height: " + limit + end, ""});
+  const std::string limit =
+      passage.largest ? "largest of " + counted(passage.all.crossed, "passage") : "95 % lie below";
+  figures.push_back(
+      {energy_in_words(passage.energy), "energy at " + words.name + ": " + limit, ""});
+  figures.push_back({height_in_words(passage.height),
+                     "height of the centre at " + words.name + ": " + limit +
+                         "; tops of blocks up to " + height_in_words(half_longest(comparison)) +
+                         " higher",
+                     ""});
   return figures;
 }
 

@@ -10,7 +10,13 @@ using namespace report_detail;
 
 std::string whole_percent(double share) { return with_decimals(100.0 * share, 0); }
 
+constexpr double kWideInterval = 0.5;  ///< its middle says nothing
+
 std::string share_text(const VarianceShare& share) {
+  if (share.interval.high - share.interval.low > kWideInterval) {
+    return "between " + whole_percent(share.interval.low) + " and " +
+           whole_percent(share.interval.high) + " % (too few to say more)";
+  }
   return whole_percent(share.estimate) + " % (" + whole_percent(share.interval.low) + " to " +
          whole_percent(share.interval.high) + ")";
 }
@@ -27,7 +33,7 @@ std::string sentence(const DesignEffects& effects, const OutcomeEffects& outcome
                    : " " + share_text(share);
   }
   if (effects.factors.size() > 1) {
-    text += "; " + share_text(outcome.shares.interactions) + " is in how they act together";
+    text += "; " + share_text(outcome.shares.interactions) + " is due to their interaction";
   }
   return text + ".";
 }

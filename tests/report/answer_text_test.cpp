@@ -62,9 +62,9 @@ TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
                 " farther than elongated ones (" + lengths_in_words(*gap.interval, decimals) +
                 "). " + share_in_words(passage.classes[0].share) + " of compact and " +
                 share_in_words(passage.classes[1].share) +
-                " of elongated blocks pass EC22; 95 % pass it below " +
-                energy_in_words(passage.energy) + " and " + height_in_words(passage.height) +
-                ".\n");
+                " of elongated blocks pass EC22; 95 % of these carry less than " +
+                energy_in_words(passage.energy) + ", with their centre below " +
+                height_in_words(passage.height) + ".\n");
 }
 
 TEST(AnswerText, SaysWhenItCanBeChance) {

@@ -32,7 +32,7 @@ TEST(EffectsText, SaysWhatEachFactorExplains) {
   ASSERT_EQ(sentences.size(), 2u);
   EXPECT_EQ(sentences[0],
             "Form explains 22 % (15 to 29) of the variance of the runout, orientation 31 % (10 to "
-            "50); 47 % (30 to 60) is in how they act together.");
+            "50); 47 % (30 to 60) is due to their interaction.");
   EXPECT_TRUE(
       sentences[1].starts_with("Form explains 100 % (90 to 100) of the variance of passing "
                                "N1, orientation 0 %"));
