@@ -38,6 +38,18 @@ TEST(EffectsText, SaysWhatEachFactorExplains) {
                                "N1, orientation 0 %"));
 }
 
+// Three blocks say next to nothing of the share of form.
+TEST(EffectsText, GivesNoMiddleOfAnIntervalThatIsTooWide) {
+  DesignEffects file = effects();
+  file.outcomes[0].shares.factors[0] = share(0.09, 0.02, 0.82);
+  const std::string text = effects_sentences({file}).front();
+  EXPECT_TRUE(
+      text.starts_with("Form explains between 2 and 82 % (too few to say more) of the "
+                       "variance of the runout, orientation 31 % (10 to 50)"))
+      << text;
+  EXPECT_EQ(text.find("9 %"), std::string::npos);
+}
+
 TEST(EffectsText, NamesTheFileWhereThereAreSeveralAndSaysWhyThereIsNothing) {
   DesignEffects second;
   second.file = 1;
