@@ -75,7 +75,7 @@ TEST_F(CampaignChecks, EveryKeyOfTheTablesIsKnown) {
       EXPECT_FALSE(any(found, "unknown")) << title << " " << key;
     }
   }
-  for (const char* title : {"blocks", "terrain", "ground.slope", "run", "contact", "release"}) {
+  for (const char* title : {"blocks", "terrain", "ground.slope", "run", "contact"}) {
     EXPECT_TRUE(any(check("[" + std::string(title) + "]\nmoss = 1\n"), "unknown key")) << title;
   }
   EXPECT_THROW(campaign_keys("moss"), std::out_of_range);
