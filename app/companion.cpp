@@ -25,9 +25,10 @@ fs::path companion() {
   for (const fs::path& path : {beside, installed}) {
     if (fs::is_regular_file(path)) return path;
   }
-  throw InputError(beside.string() + ": is missing, also in " + installed.parent_path().string() +
-                   "; it does the work of clast reconstruct: install the package clast-reconstruct, "
-                   "or move both programs together");
+  throw InputError(
+      beside.string() + ": is missing, also in " + installed.parent_path().string() +
+      "; it does the work of clast reconstruct: install the package clast-reconstruct, "
+      "or move both programs together");
 }
 
 [[noreturn]] void refuse_start(const fs::path& path) {
@@ -65,7 +66,8 @@ std::string companion_output(const std::string& argument) {
   int status = 0;
   ::waitpid(child, &status, 0);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw InputError(path.string() + ": does not describe its options; install clast and clast-reconstruct again");
+    throw InputError(path.string() +
+                     ": does not describe its options; install clast and clast-reconstruct again");
   }
   return output;
 }

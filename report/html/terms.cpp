@@ -41,9 +41,10 @@ constexpr std::array kTerms = {
          "How often chance alone gives such a distance, after a correction for having looked at "
          "many differences. Below 0.05 the difference counts as found."},
     Term{"reach probability", "reach", "Share of all released blocks that come to a place."},
-    Term{"s_c", "sc",
-         "Length over width, minus 1 (L/I - 1): above 0.3 a block is elongated, else compact, after "
-         "Garcia et al. (2022)."},
+    Term{
+        "s_c", "sc",
+        "Length over width, minus 1 (L/I - 1): above 0.3 a block is elongated, else compact, after "
+        "Garcia et al. (2022)."},
     Term{"clearance", "clearance", "Height of the lowest point of the block above the ground."},
     Term{"cumulative", "cumulative", "Share of the values that lie below."},
     Term{"penetration", "penetration", "How deep a block overlaps the ground in the simulation."},
@@ -107,7 +108,7 @@ std::string explained(const std::set<std::string_view>& used) {
             escaped(term.meaning) + "</dd>\n";
   }
   return section("Glossary", folded("What the underlined words mean",
-                                 "<dl class=\"words\">\n" + list + "</dl>\n"));
+                                    "<dl class=\"words\">\n" + list + "</dl>\n"));
 }
 
 }  // namespace

@@ -45,7 +45,11 @@ class BothKernels : public testing::TestWithParam<Kernel> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(Kernels, BothKernels,
-                         testing::Values(Kernel::kMatern52, Kernel::kSquaredExponential));
+                         testing::Values(Kernel::kMatern52, Kernel::kSquaredExponential),
+                         [](const auto& info) {
+                           return info.param == Kernel::kMatern52 ? "Matern52"
+                                                                  : "SquaredExponential";
+                         });
 
 TEST_P(BothKernels, GoThroughValuesWithoutNoise) {
   const MatrixXd places = even_places(2, 20);

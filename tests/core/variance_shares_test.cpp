@@ -120,8 +120,8 @@ double coverage(const Study& study, const std::vector<std::size_t>& levels) {
   return *std::min_element(held.begin(), held.end()) / 200.0;
 }
 
-// Of intervals of 95 %; 200 studies know that share to 0.015. Strongly skewed effects (exponential) are
-// a stated limit: four in five.
+// Of intervals of 95 %; 200 studies know that share to 0.015. Strongly skewed effects (exponential)
+// are a stated limit: four in five.
 TEST(VarianceShares, IntervalsCoverInTwoHundredStudies) {
   const auto normal = [](Random& random) { return random.normal(); };
   EXPECT_GE(coverage({{1.0, 1.0, 1.0, 0.7, 1.0}, normal}, {12, 12, 6}), 0.93);

@@ -145,8 +145,8 @@ TEST(AnswerText, FewPassagesAreCountedNotRanked) {
   add_barrier(results, "road", farthest - 0.5);
   const std::string text = sentences(std::move(results));
   EXPECT_TRUE(contains(text,
-                       "8 % of compact and 0 % of elongated blocks pass road, with 500 J and "
-                       "0.01 m."))
+                       "8 % of compact and 0 % of elongated blocks pass road, with 500 J and its "
+                       "centre 0.01 m above the ground."))
       << text;
 }
 
@@ -157,7 +157,9 @@ TEST(AnswerText, RingsAreReached) {
   results.crossings = {hand_made_crossing(0, 0, 1.0, 2.0)};
   results.crossings[0].forward = false;  // into a ring that runs counter-clockwise
   const std::string text = sentences(std::move(results));
-  EXPECT_TRUE(contains(text, "elongated blocks reach house, with 650 J and 1.0 m.")) << text;
+  EXPECT_TRUE(contains(
+      text, "elongated blocks reach house, with 650 J and its centre 1.0 m above the ground."))
+      << text;
   EXPECT_FALSE(contains(text, "(in)"));
   EXPECT_FALSE(contains(text, "(out)"));
 }
