@@ -1,5 +1,6 @@
 # Debian packages: `cpack -G DEB` in a build folder writes clast (the program), clast-reconstruct (what
-# `clast reconstruct` needs beyond it: PCL, OpenCV) and libclast-dev.
+# `clast reconstruct` needs beyond it: PCL, OpenCV), libclast-dev and, where the module is built,
+# python3-clast.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR clast)
 # Whoever builds packages for others puts an address at which they can be reached.
@@ -41,6 +42,16 @@ if(MPI_CXX_FOUND)
   string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", libopenmpi-dev")
 endif()
 
+set(package_parts program reconstruct dev)
+if(CLAST_PYTHON)
+  list(APPEND package_parts python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-clast)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "This part is the Python module: import clast.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy, libjs-three, python3-plotly")
+endif()
+
 # What every Debian package has in its documentation folder.
 configure_file(${CMAKE_CURRENT_LIST_DIR}/packages/copyright ${PROJECT_BINARY_DIR}/packages/copyright COPYONLY)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/packages/changelog.in ${PROJECT_BINARY_DIR}/packages/changelog @ONLY)
@@ -48,7 +59,7 @@ find_program(GZIP_PROGRAM gzip)
 if(GZIP_PROGRAM)
   execute_process(COMMAND ${GZIP_PROGRAM} -9nf ${PROJECT_BINARY_DIR}/packages/changelog)
 endif()
-foreach(part IN ITEMS program reconstruct dev)
+foreach(part IN LISTS package_parts)
   string(TOUPPER ${part} name)
   install(FILES ${PROJECT_BINARY_DIR}/packages/copyright ${PROJECT_BINARY_DIR}/packages/changelog.gz
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${name}_PACKAGE_NAME}
