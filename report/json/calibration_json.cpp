@@ -18,7 +18,7 @@ Json unknowns_json(const Calibration& calibration) {
                     {"median", marginal.median},
                     {"interval_95", {marginal.low, marginal.high}},
                     {"width_of_prior", marginal.width},
-                    {"told", !marginal.is_untold()},
+                    {"determined", !marginal.is_undetermined()},
                     {"cut_off", marginal.is_cut_off()}});
     if (i >= calibration.posterior.nearest.unknowns.size()) continue;
     const Marginal& near = calibration.posterior.nearest.unknowns[i];

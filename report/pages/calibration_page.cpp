@@ -93,10 +93,11 @@ std::string unknowns_section(const Calibration& calibration) {
   return section(
       "Parameters",
       table.html() +
-          paragraph("Before, all values of a range were as likely. Width left is that of the 95 % "
-                    "interval against that of the range: above 80 % the observations do not tell "
-                    "the parameter. The nearest members are those simulated sets whose own figures "
-                    "lie closest to the observed ones.") +
+          paragraph(
+              "Before, all values of a range were as likely. Width left is that of the 95 % "
+              "interval against that of the range: above 80 % the observations do not determine "
+              "the parameter. The nearest members are those simulated sets whose own figures "
+              "lie closest to the observed ones.") +
           "<div class=\"charts\">\n" + charts + "</div>\n");
 }
 
@@ -158,7 +159,7 @@ std::string ridges_section(const Calibration& calibration) {
   return section(
       "Pairs of parameters",
       paragraph("Draws from the posterior over the pairs that go together most. A narrow "
-                "band means that the observations tell a combination better than "
+                "band means that the observations determine a combination better than "
                 "either of the two.") +
           "<div class=\"charts\">\n" + charts + "</div>\n");
 }

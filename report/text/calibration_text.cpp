@@ -38,7 +38,7 @@ std::string check_sentence(const PredictiveCheck& check, bool fitted) {
                      " within the 95 % interval of what would be observed";
   if (!check.p_value) {
     return text +
-           "; as many parameters are told as there are figures, so that nothing can "
+           "; as many parameters are determined as there are figures, so that nothing can "
            "contradict the fit";
   }
   const std::string p = *check.p_value < 0.001 ? std::string(" (p below 0.001)")
@@ -96,7 +96,7 @@ void add_surrogate_warnings(const Calibration& calibration, std::vector<std::str
   if (!poor.empty()) {
     findings.push_back("simulations vary little with the unknowns, or by chance, in " +
                        listed_in_words(poor) +
-                       ": such figures tell little; more members or releases may help");
+                       ": such figures determine little; more members or releases may help");
   }
   if (!none.empty()) {
     findings.push_back("too few members have " + listed_in_words(none) + " to predict it");
@@ -125,30 +125,31 @@ std::string unknown_in_words(const std::string& parameter) {
 }
 
 std::string calibration_answer(const Calibration& calibration) {
-  std::vector<std::string> told, untold;
+  std::vector<std::string> determined, undetermined;
   const std::vector<Unknown>& unknowns = calibration.study.unknowns;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     const Marginal& marginal = calibration.posterior.marginals[i];
     const std::string name = unknown_in_words(unknowns[i].parameter);
-    if (marginal.is_untold()) {
-      untold.push_back(name);
+    if (marginal.is_undetermined()) {
+      undetermined.push_back(name);
       continue;
     }
-    told.push_back(name + " " + value_text(marginal.median) + unit_of(unknowns[i].parameter) +
-                   " (" + value_text(marginal.low) + " to " + value_text(marginal.high) + ")");
+    determined.push_back(name + " " + value_text(marginal.median) + unit_of(unknowns[i].parameter) +
+                         " (" + value_text(marginal.low) + " to " + value_text(marginal.high) +
+                         ")");
   }
   std::string text;
-  if (told.empty()) {
-    text = "what was observed tells none of the unknowns";
+  if (determined.empty()) {
+    text = "what was observed determines none of the unknowns";
   } else {
-    text = "with 95 % probability within the ranges asked, " + listed_in_words(told);
+    text = "with 95 % probability within the ranges asked, " + listed_in_words(determined);
     if (calibration.posterior.fitted.failed()) {
       text = "the law does not explain what was observed; the least bad ground has " +
-             listed_in_words(told);
+             listed_in_words(determined);
     }
   }
-  if (!untold.empty() && !told.empty()) {
-    text += "; what was observed does not tell " + listed_in_words(untold);
+  if (!undetermined.empty() && !determined.empty()) {
+    text += "; what was observed does not determine " + listed_in_words(undetermined);
   }
   return capital(text) + ".";
 }

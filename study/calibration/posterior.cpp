@@ -143,19 +143,19 @@ PredictiveCheck predict_figures(const CalibrationStudy& study,
 }
 
 /// The best draw leaves a distance with as many degrees of freedom as there are figures more than
-/// parameters that were told.
+/// parameters that were determined.
 void check_fit(const SyntheticLikelihood& likelihood, CalibrationPosterior& posterior) {
   Index best = 0;
   posterior.log_likelihood.maxCoeff(&best);
-  double told = 0.0;
+  double determined = 0.0;
   for (Index i = 0; i < posterior.shares.rows(); ++i) {
     const double variance =
         (posterior.shares.row(i).array() - posterior.shares.row(i).mean()).square().mean();
-    told += std::max(0.0, 1.0 - variance / kUniformVariance);
+    determined += std::max(0.0, 1.0 - variance / kUniformVariance);
   }
   PredictiveCheck& check = posterior.fitted;
   check.squared = likelihood.squared_distance(posterior.shares.col(best), true)[0];
-  check.freedom = static_cast<double>(check.figures) - told;
+  check.freedom = static_cast<double>(check.figures) - determined;
   if (check.freedom >= 0.5) {
     check.p_value = chi_squared_above(check.squared, check.freedom);
   } else {

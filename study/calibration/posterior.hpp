@@ -25,9 +25,9 @@ struct Marginal {
   double at_low = 0.0, at_high = 0.0;  ///< shares of the draws in the outermost 5 % of the range
 
   /// The data say next to nothing of it.
-  bool is_untold() const { return width > 0.8; }
+  bool is_undetermined() const { return width > 0.8; }
   /// The range ends where values were still likely.
-  bool is_cut_off() const { return !is_untold() && (at_low > 0.25 || at_high > 0.25); }
+  bool is_cut_off() const { return !is_undetermined() && (at_low > 0.25 || at_high > 0.25); }
 };
 
 /// What the calibrated simulation says of a figure.
@@ -45,9 +45,9 @@ struct PredictiveCheck {
   std::size_t figures = 0;
   std::size_t covered = 0;  ///< by their 95 % intervals
   double squared = 0.0;     ///< squared distance in units of the covariance
-  double freedom = 0.0;     ///< figures, less the parameters that they told
-  /// Probability of a larger distance if the law is right; none where as many parameters were told
-  /// as there are figures, so that nothing can contradict.
+  double freedom = 0.0;     ///< figures, less the parameters that they determine
+  /// Probability of a larger distance if the law is right; none where as many parameters were
+  /// determined as there are figures, so that nothing can contradict.
   std::optional<double> p_value;
 
   bool failed() const { return p_value && *p_value < 0.05; }

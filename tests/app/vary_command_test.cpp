@@ -116,7 +116,9 @@ TEST_F(VaryCommand, RefusesWhatMakesNoSense) {
   refused({}, 2, "nothing is asked for");
   refused({"--to", "0.5"}, 2, "--to 0.5: give I/L,S/L");
   refused({"--to", "0.5,0.8"}, 2, "S/L at most I/L");
-  refused({"--grid", "folk:3"}, 2, "sneed-folk:STEPS or zingg:STEPS");
+  refused({"--grid", "folk:3"}, 2, "take sneed-folk or zingg");
+  refused({"--grid", "zingg"}, 2, "sneed-folk:STEPS or zingg:STEPS");
+  refused({"--to", "0.5,0.5", "--draw", "100000"}, 1, "the most is 100000");
   refused({"--reference", "cone"}, 2, "cone");
   refused({"--from", "x.csv"}, 2, "--draw");
   refused({"--to", "0.5,0.5", "--keep", "weight"}, 2, "weight");

@@ -35,7 +35,7 @@ TEST(Calibration, FindsWhatHasAnInfluenceAndLeavesTheRestAsItWas) {
   EXPECT_LT(found.marginals[0].width, 0.5);
   EXPECT_LT(found.marginals[1].width, 0.6);
   // The prior is uniform from 0.01 to 0.2.
-  EXPECT_TRUE(found.marginals[2].is_untold());
+  EXPECT_TRUE(found.marginals[2].is_undetermined());
   EXPECT_NEAR(found.marginals[2].median, 0.105, 0.03);
   EXPECT_NEAR(found.marginals[2].low, 0.01 + 0.025 * 0.19, 0.01);
   EXPECT_NEAR(found.marginals[2].high, 0.2 - 0.025 * 0.19, 0.01);
@@ -73,11 +73,12 @@ TEST(Calibration, StatedErrorsWeigh) {
   for (Observation& observation : made.study.observations) {
     for (Figure& figure : observation.figures) figure.error = 1e6;
   }
-  // Errors that large tell nothing.
-  for (const Marginal& marginal : made.posterior().marginals) EXPECT_TRUE(marginal.is_untold());
+  // Errors that large determine nothing.
+  for (const Marginal& marginal : made.posterior().marginals)
+    EXPECT_TRUE(marginal.is_undetermined());
 }
 
-// More parameters told than figures: nothing can contradict, and it is said.
+// More parameters than figures: nothing can contradict, and the check says so.
 TEST(Calibration, AFitOfOneFigureCannotBeContradicted) {
   MadeUpStudy made = study_of({1.0});
   made.study.observations.resize(1);

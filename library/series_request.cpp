@@ -1,0 +1,139 @@
+#include "library/series_request.hpp"
+
+#include <set>
+#include <utility>
+
+#include "classify/dimension_table.hpp"
+#include "classify/form_grid.hpp"
+#include "core/digest.hpp"
+#include "core/error.hpp"
+#include "core/length_unit.hpp"
+#include "core/number_range.hpp"
+#include "core/number_text.hpp"
+#include "core/utf8.hpp"
+#include "library/block_ranges.hpp"
+#include "library/library_update.hpp"
+
+namespace clast {
+
+namespace {
+
+constexpr NumberRange kRatio{0.01, 1.0};
+constexpr std::size_t kMostBodies = 100'000;
+
+std::vector<DrawnBlock> population_of(const SeriesRequest& request,
+                                      std::span<const Block* const> parents,
+                                      std::vector<std::string>& notes) {
+  if (request.table.empty()) return drawn_from(parents);
+  DimensionColumns columns;
+  if (!request.units.empty()) columns.units = length_unit(request.units);
+  const DimensionTable table = read_dimension_table(request.table, columns);
+  for (const std::string& note : table.notes) {
+    notes.push_back(request.table.string() + ": " + note);
+  }
+  std::vector<DrawnBlock> population;
+  for (const MeasuredBlock& block : table.blocks) {
+    if (!kBlockLength.holds(block.axes.L) || !kBlockLength.holds(block.axes.S)) {
+      throw InputError(request.table.string() + ": block " + block.name + " is " +
+                       with_digits(block.axes.L, 4) + " x " + with_digits(block.axes.S, 4) +
+                       " m; L and S must be " + kBlockLength.words() + "; give `units`");
+    }
+    population.push_back({block.axes, std::nullopt});
+  }
+  return population;
+}
+
+/// Two requests for one name would be one body.
+void refuse_repeated(const std::vector<VariationRequest>& bodies) {
+  std::set<std::string> ids;
+  for (const VariationRequest& body : bodies) {
+    if (!ids.insert(body.id).second) {
+      throw InputError("\"" + body.id + "\" is asked for twice; ask for each body once");
+    }
+  }
+}
+
+std::vector<VariationRequest> bodies_wanted(const SeriesRequest& request,
+                                            const BlockLibrary& library, RequestedSeries& made) {
+  const std::vector<const Block*> parents = library.chosen(request.ids);
+  std::vector<Variation> variations = request.variations;
+  for (const std::string& id : request.like) {
+    variations.emplace_back(StretchTo{box_ratios(library.block(id).box)});
+  }
+  std::vector<VariationRequest> bodies = variations_of(parents, variations);
+  if (bodies.size() + request.draw > kMostBodies) {
+    throw InputError(std::to_string(bodies.size() + request.draw) +
+                     " bodies are asked for; the most is " + std::to_string(kMostBodies));
+  }
+  if (request.draw > 0) {
+    DrawnSeries drawn = draw_series(parents, population_of(request, parents, made.notes),
+                                    request.draw, request.seed, request.prefix);
+    made.fit = std::move(drawn.fit);
+    for (VariationRequest& body : drawn.requests) bodies.push_back(std::move(body));
+  }
+  refuse_repeated(bodies);
+  return bodies;
+}
+
+BlockSource source_of(const SeriesRequest& request) {
+  BlockSource source{as_utf8(request.library.string()), sha256_of_file(request.library), "", ""};
+  if (request.draw > 0) source.options = "seed=" + std::to_string(request.seed);
+  if (!request.table.empty()) {
+    source.options += " population_sha256=" + sha256_of_file(request.table);
+  }
+  return source;
+}
+
+}  // namespace
+
+void SeriesRequest::check() const {
+  check_block_id(prefix + "0001");
+  if (!units.empty()) length_unit(units);
+  if (variations.empty() && like.empty() && draw == 0) {
+    throw InputError(
+        "nothing is asked for; give `to`, `grid`, `like`, `convexity`, `rounding`, `vertices`, "
+        "`detail`, `reference`, `inertia` or `draw`");
+  }
+}
+
+StretchTo stretch_to(double i_over_l, double s_over_l, const std::string& asked) {
+  if (kRatio.holds(i_over_l) && kRatio.holds(s_over_l) && s_over_l <= i_over_l) {
+    return {{i_over_l, s_over_l}};
+  }
+  throw InputError("`to` " + asked + ": give I/L,S/L, such as 0.8,0.5, both " + kRatio.words() +
+                   " and S/L at most I/L");
+}
+
+std::vector<Variation> stretches_over(const std::string& diagram, int steps, double least) {
+  if (diagram != "sneed-folk" && diagram != "zingg") {
+    throw InputError("`grid` \"" + diagram + "\" is no diagram; take sneed-folk or zingg");
+  }
+  std::vector<Variation> variations;
+  for (const Axes& axes :
+       diagram == "zingg" ? zingg_grid(steps, least) : sneed_folk_grid(steps, least)) {
+    variations.emplace_back(StretchTo{{axes.I / axes.L, axes.S / axes.L}});
+  }
+  return variations;
+}
+
+RequestedSeries make_series(const SeriesRequest& request) {
+  request.check();
+  if (!request.output.empty()) check_library_place(request.output);
+  const BlockLibrary library = BlockLibrary::read(request.library);
+  RequestedSeries made;
+  const std::vector<VariationRequest> bodies = bodies_wanted(request, library, made);
+  made.wanted = bodies.size();
+  made.series = make_series(bodies, source_of(request), request.options);
+  if (made.series.blocks.empty()) {
+    throw GeometryError("no body could be made; the first: " + made.series.failed.front());
+  }
+  if (request.output.empty()) return made;
+  const BlockLibrary written =
+      update_library(request.output, {.make = true}, [&](BlockLibrary& changed) {
+        for (const Block& block : made.series.blocks) changed.add(block, request.replace);
+      });
+  made.in_all = written.blocks().size();
+  return made;
+}
+
+}  // namespace clast
