@@ -36,8 +36,8 @@ struct VarianceShares {
 /// @param values  the last factor's level changes fastest
 /// @param levels  of each factor, two or more; their product is the number of values
 /// @return all zero where all values are equal
-/// @throws InputError  no factor or more than six, a factor of one level, or another number of
-/// values
+/// @throws InputError  no factor or more than six, a factor of one level, or not as many values
+///                     as combinations
 /// @cite sobol2001 @cite searle1992 @cite weerahandi1993
 VarianceShares variance_shares(std::span<const double> values, std::span<const std::size_t> levels,
                                std::uint64_t seed = 1);

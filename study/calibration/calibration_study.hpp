@@ -46,10 +46,9 @@ struct CalibrationStudy {
 };
 
 /// Paths are resolved as in campaigns, against the study file's folder.
-/// @throws InputError  a key that is unknown, missing, of the wrong type or out of range; a
-/// campaign
-///                     or table that can't be read; a parameter that no site has; what is fitted
-///                     and kept at once; file, line, key, value and what was expected
+/// @throws InputError  a key that is unknown, missing, of the wrong type or out of range; a file it
+///                     names that can't be read; a parameter that no site has; what is fitted and
+///                     kept at once: file, line, key, value and what was expected
 CalibrationStudy read_calibration_study(const std::filesystem::path& file);
 
 }  // namespace clast

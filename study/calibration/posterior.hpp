@@ -78,8 +78,8 @@ struct CalibrationPosterior {
 };
 
 /// @param threads  0: one per core; changes no bit of the result
-/// @throws InputError  a fitted figure that too few members have; a block or shape that a site
-/// lacks
+/// @throws InputError  a fitted figure that too few members have; a site without a block or
+///                     shape that is observed
 /// @cite gelman1996, beaumont2002
 CalibrationPosterior infer_posterior(const CalibrationStudy& study, const CalibrationRuns& runs,
                                      unsigned threads);
