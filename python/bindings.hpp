@@ -11,6 +11,7 @@ void bind_populations(pybind11::module_& module);
 void bind_rock_masses(pybind11::module_& module);
 void bind_variations(pybind11::module_& module);
 void bind_terrains(pybind11::module_& module);
+void bind_calibrations(pybind11::module_& module);
 void bind_campaigns(pybind11::module_& module);
 void bind_comparisons(pybind11::module_& module);
 void bind_worlds(pybind11::module_& module);

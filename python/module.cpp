@@ -13,6 +13,7 @@ PYBIND11_MODULE(_core, module) {
   bind_rock_masses(module);
   bind_variations(module);
   bind_terrains(module);
+  bind_calibrations(module);
   bind_campaigns(module);
   bind_comparisons(module);
   bind_worlds(module);

@@ -3,8 +3,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -18,9 +16,6 @@
 #include "python/options.hpp"
 #include "python/values.hpp"
 #include "python/watched_call.hpp"
-#include "reconstruct/photos/photo_evidence.hpp"
-#include "report/scans/block_page.hpp"
-#include "report/scans/photo_section.hpp"
 #include "report/scans/scan_report.hpp"
 
 namespace clast::python_detail {
@@ -183,29 +178,18 @@ class Follower : public BatchObserver {
 
   void made(const Block& block, const BlockOrigin& origin) override {
     if (!pages_) return;
-    PagedScan shown{
-        .raw = origin.raw,
-        .found = origin.found,
-        .options = options_.scan.scan,
-        .scale = "one unit of the file is " + with_digits(options_.scan.scan.unit, 6) + " m",
-        .density_given = options_.scan.block.density_given};
-    shown.options.up = origin.up;
-    if (origin.photos != nullptr) {
-      const PhotoEvidence evidence = photo_evidence(*origin.photos, *origin.found, origin.up);
-      shown.sections.push_back(photo_section(*origin.photos, evidence, origin.found->scan.mesh));
-      shown.scale = "by " + origin.photos->scale_source;
-    }
-    std::string page = block_page(block, shown);
-    const std::lock_guard lock(mutex_);
-    prepared_[block.id] = std::move(page);
+    pages_->prepare(block, {.raw = origin.raw,
+                            .found = origin.found,
+                            .options = options_.scan.scan,
+                            .up = origin.up,
+                            .scale = "one unit of the file is " +
+                                     with_digits(options_.scan.scan.unit, 6) + " m",
+                            .density_given = options_.scan.block.density_given,
+                            .photos = origin.photos});
   }
   void added(const Block& block) override {
     ids.push_back(block.id);
-    if (!pages_) return;
-    std::unique_lock lock(mutex_);
-    const auto page = prepared_.extract(block.id);
-    lock.unlock();
-    pages_->add(block, page.mapped());
+    if (pages_) pages_->add(block);
   }
   void kept(const Block& block) override {
     if (pages_) pages_->add_earlier(block);
@@ -227,8 +211,6 @@ class Follower : public BatchObserver {
  private:
   const BatchOptions& options_;
   std::optional<ScanReport> pages_;
-  std::mutex mutex_;  ///< of `prepared_`
-  std::map<std::string, std::string> prepared_;
 };
 
 /// {added: ids, skipped, failed: [(scan, reason)], notes, blocks}

@@ -11,9 +11,7 @@
 #include "core/utf8.hpp"
 #include "reconstruct/photos/photo_evidence.hpp"
 #include "report/json/block_json.hpp"
-#include "report/scans/block_page.hpp"
 #include "report/scans/json/photo_json.hpp"
-#include "report/scans/photo_section.hpp"
 #include "report/text/block_text.hpp"
 
 namespace clast {
@@ -39,35 +37,32 @@ BatchPrinter::BatchPrinter(std::size_t scans, const BatchOptions& options,
 }
 
 void BatchPrinter::made(const Block& block, const BlockOrigin& origin) {
-  if (!report_ && (!json_ || origin.photos == nullptr)) return;
-  Prepared prepared;
-  PagedScan shown{.raw = origin.raw,
-                  .found = origin.found,
-                  .options = options_.scan.scan,
-                  .scale = scale_in_words(options_.scan),
-                  .density_given = options_.scan.block.density_given};
-  shown.options.up = origin.up;
-  if (origin.photos != nullptr) {
-    const PhotoEvidence evidence = photo_evidence(*origin.photos, *origin.found, origin.up);
-    shown.sections.push_back(photo_section(*origin.photos, evidence, origin.found->scan.mesh));
-    shown.scale = "by " + origin.photos->scale_source;
-    prepared.photos = photo_json(*origin.photos, evidence);
+  std::optional<PhotoEvidence> evidence;
+  if (origin.photos != nullptr && (report_ || json_)) {
+    evidence = photo_evidence(*origin.photos, *origin.found, origin.up);
+    Json photos = photo_json(*origin.photos, *evidence);
+    const std::lock_guard lock(mutex_);
+    photos_[block.id] = std::move(photos);
   }
-  if (report_) prepared.page = block_page(block, shown);
-  const std::lock_guard lock(mutex_);
-  prepared_[block.id] = std::move(prepared);
+  if (!report_) return;
+  report_->prepare(block, {.raw = origin.raw,
+                           .found = origin.found,
+                           .options = options_.scan.scan,
+                           .up = origin.up,
+                           .scale = scale_in_words(options_.scan),
+                           .density_given = options_.scan.block.density_given,
+                           .photos = origin.photos,
+                           .evidence = evidence ? &*evidence : nullptr});
 }
 
 void BatchPrinter::accept(const Block& block) { accepted_ = block_json(block); }
 
 void BatchPrinter::added(const Block& block) {
   std::unique_lock lock(mutex_);
-  const auto prepared = prepared_.extract(block.id);
+  const auto photos = photos_.extract(block.id);
   lock.unlock();
   made_.push_back(std::move(accepted_));
-  if (!prepared.empty() && !prepared.mapped().photos.is_null()) {
-    made_.back()["photos"] = prepared.mapped().photos;
-  }
+  if (!photos.empty()) made_.back()["photos"] = photos.mapped();
   bar_.clear();
   if (!json_) {
     std::cout << printable(block_line(block)) << "\n";
@@ -78,7 +73,7 @@ void BatchPrinter::added(const Block& block) {
   }
   if (!report_) return;
   try {
-    report_->add(block, prepared.mapped().page);
+    report_->add(block);
   } catch (const Error& error) {  // a name too long for a page never costs the batch
     throw InputError("block " + block.id +
                      " was made, but not its page: " + std::string(error.what()));

@@ -41,12 +41,6 @@ class BatchPrinter : public BatchObserver {
  private:
   using Json = nlohmann::ordered_json;
 
-  /// What is kept of a block from the moment when it is made.
-  struct Prepared {
-    std::string page;
-    Json photos;  ///< null where it is not of photographs
-  };
-
   void print_end(const BatchResult& result) const;
 
   const BatchOptions& options_;
@@ -54,9 +48,9 @@ class BatchPrinter : public BatchObserver {
   bool json_;
   ProgressBar bar_;
   std::optional<ScanReport> report_;
-  std::mutex mutex_;                          ///< of `prepared_`
-  std::map<std::string, Prepared> prepared_;  ///< by id of the block
-  Json accepted_;                             ///< the block that is taken next
+  std::mutex mutex_;                    ///< of `photos_`
+  std::map<std::string, Json> photos_;  ///< of blocks that are made, by id
+  Json accepted_;                       ///< the block that is taken next
   Json made_ = Json::array(), failed_ = Json::array();
   std::string last_failure_;
 };

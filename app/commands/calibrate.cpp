@@ -11,11 +11,9 @@
 #include "app/option_values.hpp"
 #include "app/progress_bar.hpp"
 #include "core/error.hpp"
-#include "core/file_kind.hpp"
-#include "core/output_file.hpp"
 #include "core/printable.hpp"
+#include "report/calibration_report.hpp"
 #include "report/json/calibration_json.hpp"
-#include "report/pages/calibration_page.hpp"
 #include "report/text/calibration_text.hpp"
 
 namespace clast {
@@ -46,16 +44,8 @@ void print_calibration(const Calibration& calibration, const std::filesystem::pa
 
 void calibrate_study(const CalibrateArgs& args) {
   const CalibrationStudy study = read_calibration_study(args.study);
-  std::filesystem::path page = args.output;
-  if (page.extension() == ".html") {
-    throw CLI::ValidationError("--output", args.output +
-                                               ": is the name of the page beside it; "
-                                               "give the posterior the extension .h5");
-  }
-  page.replace_extension(".html");
-  const bool replace = args.replace || args.resume;
-  check_output(args.output, {.kind = kPosteriorFormat, .replace = replace});
-  const OutputRules rules = check_output(page, {.kind = kind_by_name(page), .replace = replace});
+  std::filesystem::path page;
+  check_usage([&] { page = calibration_page_file(args.output); });
   ProgressBar bar("members", study.sites.size() * study.design.members);
   const InterruptionWatch watch;
   CalibrateOptions options;
@@ -73,9 +63,8 @@ void calibrate_study(const CalibrateArgs& args) {
                           " members are kept. Go on with: clast calibrate " + args.study + " -o " +
                           args.output + " --resume");
   };
-  const Calibration calibration = calibrate(study, args.output, options);
+  const Calibration calibration = calibrate_with_page(study, args.output, options);
   bar.clear();
-  write_output(page, calibration_page(calibration), rules);
   if (args.json) {
     std::cout << calibration_json(calibration).dump(2) << "\n";
   } else {

@@ -4,7 +4,7 @@
     >>> block = clast.reconstruct("B017.ply", units="mm", density=2650)
     >>> block.mass, block.box_lengths, block.classes["sneed_folk"].survives
 
-Everything the program `clast` does but `clast calibrate` can be called, with the names of its options, of the keys of
+Everything the program `clast` does can be called, with the names of its options, of the keys of
 campaign files and of the columns of its tables. Lengths are in metres, masses in kilograms, angles in
 radians where a name has no unit, and z is up. What goes wrong is raised as `InputError`,
 `GeometryError` or `SimulationError`, all of which are `Error`, with the program's messages.
@@ -20,6 +20,7 @@ from clast._blocks import (
     reconstruct_batch,
     vary,
 )
+from clast._calibrations import Calibration, calibrate
 from clast._campaigns import Campaign, CampaignTable, new_campaign
 from clast._core import (
     Block,
@@ -42,6 +43,7 @@ from clast._worlds import World
 
 __all__ = [
     "Block",
+    "Calibration",
     "Campaign",
     "CampaignTable",
     "Comparison",
@@ -61,6 +63,7 @@ __all__ = [
     "Terrain",
     "World",
     "__version__",
+    "calibrate",
     "classify",
     "compare",
     "cut",

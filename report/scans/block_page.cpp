@@ -7,6 +7,7 @@
 #include "library/unseen_range.hpp"
 #include "report/blocks/turntable.hpp"
 #include "report/html/html_page.hpp"
+#include "report/scans/photo_section.hpp"
 #include "report/scans/repair_sections.hpp"
 #include "report/scans/scan_page.hpp"
 #include "report/scans/scan_pictures.hpp"
@@ -153,6 +154,27 @@ std::string provenance(const Block& block) {
   return section("Where it comes from", table.html());
 }
 
+/// The surface as it was read beside what it became, what was repaired, and the photographs.
+std::string scan_sections(const Block& block, const PagedScan& scan) {
+  if (scan.found == nullptr) return {};
+  const std::string unit = is_unscaled(block) ? "u" : "m";
+  const RepairReport& report = scan.found->scan.report;
+  ScanOptions options = scan.options;
+  options.up = scan.up;
+  std::string html =
+      before_and_after(*scan.raw, options, *scan.found, repair_marks(report), !is_unscaled(block));
+  html +=
+      repair_section(report, scan.raw->triangles.empty(), scan.found->underside.has_value(), unit);
+  if (scan.found->underside) html += underside_section(*scan.found->underside, unit);
+  if (scan.photos != nullptr) {
+    html += photo_section(
+        *scan.photos,
+        scan.evidence ? *scan.evidence : photo_evidence(*scan.photos, *scan.found, scan.up),
+        scan.found->scan.mesh);
+  }
+  return html;
+}
+
 }  // namespace
 
 std::string block_page(const Block& block, const PagedScan& scan) {
@@ -163,17 +185,8 @@ std::string block_page(const Block& block, const PagedScan& scan) {
         "Unscaled",
         {unscaled_reason() + ". u is a unit of that model; where notes say m they mean it too"});
   }
-  body += facts(block, scan.scale) + notes(block) + turntable_section(block);
-  const std::string unit = is_unscaled(block) ? "u" : "m";
-  if (scan.found != nullptr) {
-    const RepairReport& report = scan.found->scan.report;
-    body += before_and_after(*scan.raw, scan.options, *scan.found, repair_marks(report),
-                             !is_unscaled(block));
-    body += repair_section(report, scan.raw->triangles.empty(), scan.found->underside.has_value(),
-                           unit);
-    if (scan.found->underside) body += underside_section(*scan.found->underside, unit);
-  }
-  for (const std::string& further : scan.sections) body += further;
+  body += facts(block, scan.photos ? "by " + scan.photos->scale_source : scan.scale);
+  body += notes(block) + turntable_section(block) + scan_sections(block, scan);
   if (scan.found != nullptr && !block.from_core) body += certificate(block, *scan.found);
   body += mass_check(block, scan.density_given) + provenance(block);
   body += "<footer>clast " + escaped(version()) + "</footer>\n";

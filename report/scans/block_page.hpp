@@ -1,10 +1,10 @@
 #pragma once
 /// The page about one block and the scan it was made of.
 #include <string>
-#include <vector>
 
 #include "library/block.hpp"
 #include "reconstruct/field_scan.hpp"
+#include "reconstruct/photos/photo_evidence.hpp"
 
 namespace clast {
 
@@ -14,10 +14,11 @@ struct PagedScan {
   const TriangleMesh* raw = nullptr;  ///< as read, in the file's units and axes
   const FieldBlock* found = nullptr;
   ScanOptions options = {};    ///< with which it was read
-  std::string scale = {};      ///< how the block got its size, in words
+  std::string up = "z";        ///< axis of the file that points up, found or asked for
+  std::string scale = {};      ///< how the block got its size, in words; of photographs they say it
   bool density_given = false;  ///< else a weighed mass sets the density
-  /// Further parts of the page, such as `photo_section`: they follow what was repaired.
-  std::vector<std::string> sections = {};
+  const PhotoScan* photos = nullptr;        ///< of a folder of photographs, else null
+  const PhotoEvidence* evidence = nullptr;  ///< what these show; null: the page computes it
 };
 
 /// The page of a block, complete in itself.

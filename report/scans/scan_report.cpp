@@ -1,6 +1,8 @@
 #include "report/scans/scan_report.hpp"
 
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <utility>
 
 #include "core/csv_text.hpp"
@@ -35,7 +37,7 @@ struct ScanReport::Impl {
   void add_csv_row(const Block& block, const std::string& outcome);
 
   fs::path folder;
-  bool replace;  ///< pages of an earlier batch
+  bool replace = false;  ///< pages of an earlier batch
   OutputRules summary_rules, index_rules;
   HtmlTable blocks = {{"block and its scan", "picture", "class", "mass kg", "L m", "I m", "S m",
                        "s_c", "volume m3", "filled in %", "off scan, % of L", "notes"},
@@ -43,10 +45,13 @@ struct ScanReport::Impl {
   HtmlTable failures = {{"scan", "why there is no block"}, 2};
   CsvText csv = {};
   std::size_t made = 0, earlier = 0, failed = 0;
+  std::mutex mutex = {};                          ///< of `pages`
+  std::map<std::string, std::string> pages = {};  ///< prepared, by id of the block
 };
 
-ScanReport::ScanReport(fs::path folder, bool replace)
-    : impl_(std::make_unique<Impl>(Impl{std::move(folder), replace, {}, {}})) {
+ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<Impl>()) {
+  impl_->folder = std::move(folder);
+  impl_->replace = replace;
   impl_->blocks.as_cards();
   const fs::path summary = impl_->folder / "summary.csv";
   std::error_code code;
@@ -66,8 +71,17 @@ ScanReport::ScanReport(fs::path folder, bool replace)
 
 ScanReport::~ScanReport() = default;
 
-void ScanReport::add(const Block& block, const std::string& page) {
-  write_output(impl_->page_of(block), page, {.kind = "HTML", .replace = impl_->replace});
+void ScanReport::prepare(const Block& block, const PagedScan& scan) {
+  std::string page = block_page(block, scan);
+  const std::lock_guard lock(impl_->mutex);
+  impl_->pages[block.id] = std::move(page);
+}
+
+void ScanReport::add(const Block& block) {
+  std::unique_lock lock(impl_->mutex);
+  const auto page = impl_->pages.extract(block.id);
+  lock.unlock();
+  write_output(impl_->page_of(block), page.mapped(), {.kind = "HTML", .replace = impl_->replace});
   ++impl_->made;
   impl_->add_row(block, "made");
 }

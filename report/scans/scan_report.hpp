@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "library/block.hpp"
+#include "report/scans/block_page.hpp"
 
 namespace clast {
 
@@ -17,9 +17,11 @@ class ScanReport {
   ScanReport(std::filesystem::path folder, bool replace);
   ~ScanReport();
 
-  /// Writes the page of a block and adds it to the summary.
+  /// Makes the page of a block while what it was made from is in memory; several threads at once.
+  void prepare(const Block& block, const PagedScan& scan);
+  /// Writes the page of a block that was prepared, and adds the block to the summary.
   /// @throws InputError  the page can't be written
-  void add(const Block& block, const std::string& page);
+  void add(const Block& block);
   /// Adds a block that an earlier batch made; its page is linked where it is there.
   void add_earlier(const Block& block);
   void add_failure(const std::string& scan, const std::string& reason);

@@ -1,0 +1,103 @@
+"""Ground parameters from observations."""
+
+from __future__ import annotations
+
+import copy
+import html
+from typing import TYPE_CHECKING, Any
+
+from clast import _core
+from clast._tables import Table, made
+
+if TYPE_CHECKING:
+    from clast._blocks import PathLike, Progress
+
+
+class Calibration:
+    """What `calibrate` found."""
+
+    def __init__(self, page: str, draws: Table, found: dict[str, Any]) -> None:
+        self._page = page
+        self._draws = draws
+        self._found = found
+
+    @property
+    def path(self) -> str:
+        """Of the posterior file, which [ensemble] posterior of a campaign takes."""
+        return self._found["file"]
+
+    def __fspath__(self) -> str:
+        return self.path
+
+    @property
+    def page(self) -> str:
+        """Of the page beside it."""
+        return self._page
+
+    @property
+    def posterior(self) -> Table:
+        """Draws of equal weight: an array for each unknown, named as in the study, such as
+        "ground.scree.friction", in its unit, and log_likelihood."""
+        return self._draws
+
+    @property
+    def unknowns(self) -> list[dict[str, Any]]:
+        """Of each unknown its range, median, 95 % interval, and whether it is determined."""
+        return copy.deepcopy(self._found["unknowns"])
+
+    @property
+    def figures(self) -> list[dict[str, Any]]:
+        """Of each figure what was observed and what is predicted, and what it depends on."""
+        return copy.deepcopy(self._found["figures"])
+
+    @property
+    def answer(self) -> str:
+        """Which parameters the observations determine, in a sentence."""
+        return self._found["answer"]
+
+    @property
+    def findings(self) -> list[str]:
+        """Whether fit and prediction hold, and what else a reader must know."""
+        return list(self._found["findings"])
+
+    @property
+    def ground(self) -> str:
+        """Tables [ground.NAME] for campaigns, with the medians found."""
+        return self._found["ground"]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Everything but the draws, as `clast calibrate --json` prints it."""
+        return copy.deepcopy(self._found)
+
+    def __repr__(self) -> str:
+        return f"<clast.Calibration {self.path}: {self.answer}>"
+
+    def _repr_html_(self) -> str:
+        return f"<p>{html.escape(self.answer)}</p>{self.posterior._repr_html_()}"
+
+
+def calibrate(
+    study: PathLike,
+    output: PathLike = "posterior.h5",
+    *,
+    threads: int = 0,
+    resume: bool = False,
+    replace: bool = False,
+    progress: Progress | None = None,
+) -> Calibration:
+    """Find ground parameters from what was observed, with their uncertainty.
+
+    Ctrl-C stops it after the current member; what is simulated is kept: `resume=True` goes on.
+
+    Args:
+        study: a study file.
+        output: posterior file; a page is written beside it, with the extension .html.
+        threads: 0: one for each core; changes no bit of the result.
+        resume: takes over the members that an interrupted calibration, or one with other
+            observations, has simulated.
+        replace: the posterior that the file holds.
+        progress: called now and then with a dict: done, total, before, what.
+    """
+    options = dict(threads=threads, resume=resume, replace=replace)
+    page, draws, found = _core.calibrate(study, output, options, progress)
+    return Calibration(page, made(draws), found)

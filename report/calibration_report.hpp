@@ -1,0 +1,18 @@
+#pragma once
+/// A calibration and the page beside its posterior.
+#include <filesystem>
+
+#include "study/calibration/calibrate.hpp"
+
+namespace clast {
+
+/// NAME.html of the posterior NAME.h5.
+/// @throws InputError  the posterior has that name itself
+std::filesystem::path calibration_page_file(const std::filesystem::path& target);
+
+/// `calibrate`, then the page. What can't be written is refused before anything runs.
+/// @throws InputError  as both
+Calibration calibrate_with_page(const CalibrationStudy& study, const std::filesystem::path& target,
+                                const CalibrateOptions& options);
+
+}  // namespace clast
