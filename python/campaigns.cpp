@@ -14,6 +14,7 @@
 #include "python/values.hpp"
 #include "python/watched_call.hpp"
 #include "report/json/campaign_json.hpp"
+#include "report/json/key_schema.hpp"
 #include "report/maps/plan_map.hpp"
 #include "study/campaign_keys.hpp"
 #include "study/campaign_text.hpp"
@@ -195,8 +196,11 @@ void merge(const py::object& parts, const fs::path& output, bool replace) {
 
 void bind_campaigns(py::module_& module) {
   py::dict tables;
-  for (const CampaignTable& table : campaign_tables()) tables[py::str(table.name)] = table.keys;
+  for (const KeyTable& table : campaign_tables()) {
+    tables[py::str(table.name)] = table.key_names();
+  }
   module.attr("campaign_tables") = tables;
+  module.def("campaign_schema", [] { return object_of(campaign_schema()); });
   module.def("campaign_read", &read);
   module.def("campaign_write", [](const fs::path& file, const std::string& text, bool replace) {
     write_output(file, text, {.kind = "text", .replace = replace});

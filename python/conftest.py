@@ -1,6 +1,7 @@
 """What the tests of the module share."""
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -57,6 +58,26 @@ def program(*words, cwd=None, code=0):
     )
     assert done.returncode == code, done.stderr
     return done.stdout if code == 0 else done.stderr
+
+
+def documented_keys():
+    """Units of the keys of the tables of a campaign, from docs/formats.md."""
+    text = (SOURCE / "docs" / "formats.md").read_text(encoding="utf-8")
+    text = text[text.index("## Campaign (TOML)") :]
+    text = text[: text.index("\n## ", 5)]
+    tables, name = {}, None
+    for line in text.splitlines():
+        cells = line.split("|")
+        if len(cells) < 5:
+            continue
+        heading = re.match(r"\s*\*\*\[+([a-z_.A-Z]+)\]+\*\*", cells[1])
+        if heading:
+            name = heading[1].replace(".NAME", "")
+            tables[name] = {}
+        elif name:
+            for key in re.findall(r"`([^`]+)`", cells[1]):
+                tables[name][key.split(".")[0]] = cells[2].strip()
+    return tables
 
 
 @pytest.fixture(scope="session")

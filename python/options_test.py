@@ -35,6 +35,7 @@ ELSEWHERE = {
     ("show", "report"): clast.Library.report,
     ("classify", "json"): clast.Population.to_dict,
     ("reconstruct", "json"): clast.Block.to_dict,
+    ("check", "schema"): clast.campaign_schema,
     ("check", "json"): clast.Campaign.plan,
     ("simulate", "json"): clast.Results.summary,
     ("terrain", "json"): clast.Terrain.report,

@@ -70,7 +70,7 @@ void read_terrain_table(const TomlTable& top, Campaign& campaign) {
                        "), or one zone raster or GeoJSON file, or rules by slope and height");
     }
   }
-  campaign.terrain.up = choice(table, "up", {"z", "y", "auto"}).value_or("auto");
+  campaign.terrain.up = campaign_choice(table, "terrain", "up").value_or("auto");
   read_terrain_checks(table, campaign);
   campaign.terrain_radius = table.number("radius_m", kGroundRadius).value_or(0.0);
 }
@@ -79,8 +79,8 @@ void read_contact(const TomlTable& top, Campaign& campaign) {
   const TomlNode* node = top.find("contact");
   if (!node) return;
   const TomlTable table(*node, top.file(), "[contact]", campaign_keys("contact"));
-  const std::optional<std::string> law = choice(table, "law", contact_law_names());
-  if (const auto weights = choice(table, "weights", {"patch", "overlap", "count", "none"})) {
+  const std::optional<std::string> law = campaign_choice(table, "contact", "law");
+  if (const auto weights = campaign_choice(table, "contact", "weights")) {
     campaign.weights = contact_weights(*weights);
   }
   const TomlNode* automatic = table.find("stiffness");
@@ -191,7 +191,7 @@ void read_run(const TomlTable& top, Campaign& campaign) {
 /// Those at the top of the file.
 std::vector<std::string> table_names() {
   std::vector<std::string> names;
-  for (const CampaignTable& table : campaign_tables()) {
+  for (const KeyTable& table : campaign_tables()) {
     if (table.name.find('.') == std::string::npos) names.push_back(table.name);
   }
   return names;

@@ -10,6 +10,7 @@
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "report/json/campaign_json.hpp"
+#include "report/json/key_schema.hpp"
 #include "study/campaign_check.hpp"
 
 namespace clast {
@@ -19,6 +20,7 @@ namespace {
 struct CheckArgs {
   std::string campaign;
   bool json = false;
+  bool schema = false;
 };
 
 void print_json(const CheckArgs& args, const CampaignCheck& check) {
@@ -32,6 +34,10 @@ void print_json(const CheckArgs& args, const CampaignCheck& check) {
 }
 
 void check_one(const CheckArgs& args) {
+  if (args.schema) {
+    std::cout << campaign_schema().dump(2) << "\n";
+    return;
+  }
   const CampaignCheck check = check_campaign(args.campaign);
   if (args.json) {
     print_json(args, check);
@@ -53,16 +59,26 @@ void add_check(CLI::App& app) {
   const auto args = std::make_shared<CheckArgs>();
   CLI::App* command = app.add_subcommand(
       "check", "Say everything that clast simulate would refuse in a campaign, without running it");
-  command->add_option("campaign", args->campaign, "Campaign file (TOML)")
-      ->required()
-      ->type_name("CAMPAIGN");
-  command->add_flag("--json", args->json, "Print findings, or what would run, as JSON");
+  CLI::Option* campaign = command->add_option("campaign", args->campaign, "Campaign file (TOML)")
+                              ->type_name("CAMPAIGN");
+  CLI::Option* json =
+      command->add_flag("--json", args->json, "Print findings, or what would run, as JSON");
+  command
+      ->add_flag("--schema", args->schema,
+                 "Print the JSON Schema of campaign files, with which editors complete and explain "
+                 "keys, and check nothing")
+      ->excludes(campaign)
+      ->excludes(json);
   command->footer(
       "Lists what is wrong in each table of the file, in the library, the terrain and the starts; "
       "exit code 0\nwhen the campaign would run, else 1.\n"
       "Example:\n"
-      "  clast check campaign.toml");
-  command->callback([args] { check_one(*args); });
+      "  clast check campaign.toml\n"
+      "  clast check --schema > campaign.schema.json");
+  command->callback([args] {
+    if (args->campaign.empty() && !args->schema) throw CLI::RequiredError("campaign");
+    check_one(*args);
+  });
 }
 
 }  // namespace clast

@@ -21,7 +21,7 @@ from clast._blocks import (
     vary,
 )
 from clast._calibrations import Calibration, calibrate
-from clast._campaigns import Campaign, CampaignTable, new_campaign
+from clast._campaigns import Campaign, CampaignTable, campaign_schema, new_campaign
 from clast._core import (
     Block,
     Core,
@@ -64,6 +64,7 @@ __all__ = [
     "World",
     "__version__",
     "calibrate",
+    "campaign_schema",
     "classify",
     "compare",
     "cut",

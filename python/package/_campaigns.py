@@ -401,6 +401,11 @@ class Campaign:
         return f"<pre>{html.escape(self.text)}</pre>"
 
 
+def campaign_schema() -> dict[str, Any]:
+    """The JSON Schema of campaign files, as `clast check --schema` prints it."""
+    return _core.campaign_schema()
+
+
 def new_campaign(
     library: PathLike,
     terrain: PathLike | Iterable[PathLike],

@@ -20,8 +20,6 @@ namespace {
 // Shares written with three digits add up to one within this.
 constexpr double kShareSum = 2e-3;
 
-const std::vector<std::string> kSchemes = {"garcia", "sneed-folk", "zingg"};
-
 /// `select` of a table.
 BlockFilter read_filter(const TomlTable& table, const std::string& title) {
   BlockFilter filter;
@@ -30,7 +28,7 @@ BlockFilter read_filter(const TomlTable& table, const std::string& title) {
   if (select->kind == TomlNode::Kind::kTable) {
     const TomlTable by_class(*select, table.file(), title + " select", {"scheme", "class"});
     by_class.required("scheme", "\"garcia\", \"sneed-folk\" or \"zingg\"");
-    filter.scheme = *choice(by_class, "scheme", kSchemes);
+    filter.scheme = *choice(by_class, "scheme", kSelectingSchemes);
     by_class.required("class", "a class of the scheme");
     filter.shape_class = *choice(by_class, "class", class_names(filter.scheme));
     return filter;
@@ -89,7 +87,7 @@ BlockDraw read_draw(const TomlTable& blocks, const TomlNode& node) {
   BlockDraw draw;
   draw.count = *table.count("count", 1, kMostPerSet);
   draw.seed = table.count("seed", 0, INT64_MAX).value_or(draw.seed);
-  draw.scheme = choice(table, "scheme", kSchemes).value_or(draw.scheme);
+  draw.scheme = choice(table, "scheme", kSelectingSchemes).value_or(draw.scheme);
   draw.shares = read_shares(table, draw.scheme);
   draw.mass = read_uncertain(table, "mass_kg", kBlockMass);
   return draw;
@@ -264,7 +262,7 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
   Ensemble ensemble;
   ensemble.members = static_cast<std::uint32_t>(*table.count("members", 1, kMostPerSet));
   ensemble.seed = table.count("seed", 0, INT64_MAX).value_or(ensemble.seed);
-  if (choice(table, "design", {"random", "sobol"}) == "sobol") {
+  if (campaign_choice(table, "ensemble", "design") == "sobol") {
     ensemble.design = Ensemble::Design::kSobol;
     const std::size_t numbers = uncertain_numbers(campaign);
     if (numbers > kMostSobolDimensions) {

@@ -45,6 +45,11 @@ const TomlNode& element(const TomlNode& node, std::size_t index) {
   return node.kind == TomlNode::Kind::kList ? node.list[index] : node;
 }
 
+std::optional<std::string> campaign_choice(const TomlTable& table, const std::string& name,
+                                           const std::string& key) {
+  return choice(table, key, campaign_words(name, key));
+}
+
 std::optional<std::string> choice(const TomlTable& table, const std::string& key,
                                   const std::vector<std::string>& words) {
   const std::optional<std::string> text = table.text(key);

@@ -18,6 +18,9 @@ inline constexpr std::uint64_t kMostPerSet = 1'000'000;
 /// would be so short that the run never ended.
 inline constexpr double kMostSpeed = 1000.0, kMostSpin = 1e4;
 
+/// Schemes whose classes blocks are selected and drawn by.
+inline const std::vector<std::string> kSelectingSchemes = {"garcia", "sneed-folk", "zingg"};
+
 /// Runs what reads a part of a campaign, and says whether that was done.
 using PartReader = std::function<bool(const std::function<void()>&)>;
 
@@ -38,6 +41,9 @@ std::filesystem::path input_file(const TomlTable& table, const std::string& key,
 /// The value itself where it is no list.
 const TomlNode& element(const TomlNode& node, std::size_t index);
 
+/// One of the `campaign_words` of a table of the campaign.
+std::optional<std::string> campaign_choice(const TomlTable& table, const std::string& name,
+                                           const std::string& key);
 /// One of a few words.
 std::optional<std::string> choice(const TomlTable& table, const std::string& key,
                                   const std::vector<std::string>& words);

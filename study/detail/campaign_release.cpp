@@ -81,7 +81,7 @@ std::vector<Vec3> read_release_points(const TomlTable& table, bool y_up, Release
 void read_orientation_set(const TomlTable& table, bool y_up, ReleasePlan& plan) {
   const std::string expected = "\"grid-45\", a quaternion file, or { random = N, seed = S }";
   const TomlNode& node = table.required("orientations", expected);
-  const std::optional<std::string> frame = choice(table, "frame", {"source", "principal"});
+  const std::optional<std::string> frame = campaign_choice(table, "release", "frame");
   plan.in_principal_frame = frame == "principal";
   if (node.kind == TomlNode::Kind::kTable) {
     const TomlTable rule(node, table.file(), "[release] orientations", {"random", "seed", "fresh"});

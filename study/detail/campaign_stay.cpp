@@ -162,7 +162,7 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
   if (const std::optional<TomlTable> mass = mass_table(top)) return read_mass(top, *mass, campaign);
   const std::vector<const TomlNode*> nodes = tables_of(top, "release");
   const TomlTable table(*nodes.front(), top.file(), "[release]", campaign_keys("release"));
-  const bool stay = choice(table, "sequence", {"single", "stay"}) == "stay";
+  const bool stay = campaign_choice(table, "release", "sequence") == "stay";
   if (!stay) {
     for (const char* key : {"realisations", "order", "remove"}) {
       if (const TomlNode* node = table.find(key)) {
@@ -187,7 +187,7 @@ std::optional<StayPlan> read_stay_plan(const TomlTable& top, const Campaign& cam
   }
   StayPlan plan;
   plan.realisations = read_realisations(table);
-  const std::optional<std::string> order = choice(table, "order", {"random", "listed"});
+  const std::optional<std::string> order = campaign_choice(table, "release", "order");
   plan.random_order = order != "listed";
   if (!plan.random_order && campaign.blocks.draw) {
     table.refuse("order", *table.find("order"),

@@ -67,10 +67,10 @@ TEST_F(CampaignChecks, ATextInNoFileIsJudgedAsInOne) {
 }
 
 TEST_F(CampaignChecks, EveryKeyOfTheTablesIsKnown) {
-  for (const CampaignTable& table : campaign_tables()) {
-    EXPECT_EQ(campaign_keys(table.name), table.keys);
+  for (const KeyTable& table : campaign_tables()) {
+    EXPECT_EQ(campaign_keys(table.name), table.key_names());
     const std::string title = table.name == "ground" ? "ground.slope" : table.name;
-    for (const std::string& key : table.keys) {
+    for (const std::string& key : table.key_names()) {
       const CampaignCheck found = check("[" + title + "]\n" + key + " = 1979-05-27\n");
       EXPECT_FALSE(any(found, "unknown")) << title << " " << key;
     }

@@ -1,0 +1,131 @@
+#include "report/json/key_schema.hpp"
+
+#include <string>
+#include <vector>
+
+#include "core/version.hpp"
+#include "study/campaign_keys.hpp"
+
+namespace clast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json schema_of(const std::vector<ValueForm>& forms);
+
+/// Numbers as editors of TOML compare them: 0 is allowed apart from the range where it means
+/// something.
+Json number_schema(const NumberRange& range) {
+  Json json = {{"type", "number"}};
+  if (range.zero != nullptr) {
+    json["minimum"] = 0.0;
+    json["maximum"] = range.high;
+    json["anyOf"] = {{{"maximum", 0.0}}, {{"minimum", range.low}}};
+    return json;
+  }
+  json["minimum"] = range.low;
+  json["maximum"] = range.high;
+  return json;
+}
+
+Json key_schema(const TableKey& key) {
+  Json json = {{"description", key.meaning + (key.unit.empty() ? "" : ", " + key.unit)}};
+  if (!key.unit.empty()) json["unit"] = key.unit;
+  json.update(schema_of(key.forms));
+  return json;
+}
+
+Json keys_schema(const std::vector<TableKey>& keys) {
+  Json json = {{"type", "object"}, {"additionalProperties", false}};
+  Json required = Json::array();
+  for (const TableKey& key : keys) {
+    json["properties"][key.name] = key_schema(key);
+    if (key.required) required.push_back(key.name);
+  }
+  if (!required.empty()) json["required"] = std::move(required);
+  return json;
+}
+
+Json list_schema(Json items, std::uint64_t least, std::uint64_t most) {
+  Json json = {{"type", "array"}, {"items", std::move(items)}, {"minItems", least}};
+  if (most != INT64_MAX) json["maxItems"] = most;
+  return json;
+}
+
+Json named_schema(Json value) {
+  return {{"type", "object"}, {"minProperties", 1}, {"additionalProperties", std::move(value)}};
+}
+
+Json schema_of(const ValueForm& form) {
+  switch (form.kind) {
+    case ValueForm::Kind::kText:
+      if (form.words.empty()) return {{"type", "string"}, {"minLength", 1}};
+      return {{"enum", form.words}};
+    case ValueForm::Kind::kFlag:
+      return {{"type", "boolean"}};
+    case ValueForm::Kind::kCount:
+      return {{"type", "integer"}, {"minimum", form.least}, {"maximum", form.most}};
+    case ValueForm::Kind::kNumber:
+      return number_schema(form.range);
+    case ValueForm::Kind::kList:
+      return list_schema(schema_of(form.items), form.least, form.most);
+    case ValueForm::Kind::kTable:
+      return keys_schema(form.keys);
+    case ValueForm::Kind::kNamed:
+      break;
+  }
+  return named_schema(schema_of(form.items));
+}
+
+Json schema_of(const std::vector<ValueForm>& forms) {
+  if (forms.size() == 1) return schema_of(forms.front());
+  Json any = Json::array();
+  for (const ValueForm& form : forms) any.push_back(schema_of(form));
+  return {{"anyOf", std::move(any)}};
+}
+
+Json table_schema(const KeyTable& table) {
+  const Json one = keys_schema(table.keys);
+  Json json = {{"description", table.meaning}};
+  switch (table.repeat) {
+    case KeyTable::Repeat::kOnce:
+      json.update(one);
+      break;
+    case KeyTable::Repeat::kMany:
+      json.update(list_schema(one, 1, INT64_MAX));
+      break;
+    case KeyTable::Repeat::kEither:
+      json["anyOf"] = {one, list_schema(one, 1, INT64_MAX)};
+      break;
+    case KeyTable::Repeat::kNamed:
+      json.update(named_schema(one));
+  }
+  return json;
+}
+
+/// @param either  of these tables there must be one
+Json file_schema(const std::string& title, const std::vector<KeyTable>& tables,
+                 const std::vector<std::string>& either) {
+  Json json = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+               {"title", title},
+               {"description", std::string("Written by clast ") + version()},
+               {"type", "object"},
+               {"additionalProperties", false}};
+  Json required = Json::array();
+  for (const KeyTable& table : tables) {
+    if (table.name.find('.') != std::string::npos) continue;  // a key of another table
+    json["properties"][table.name] = table_schema(table);
+    if (table.required) required.push_back(table.name);
+  }
+  json["required"] = std::move(required);
+  for (const std::string& name : either) json["anyOf"].push_back({{"required", {name}}});
+  return json;
+}
+
+}  // namespace
+
+Json campaign_schema() {
+  return file_schema("clast campaign", campaign_tables(), {"release", "mass"});
+}
+
+}  // namespace clast

@@ -1,0 +1,57 @@
+#pragma once
+/// Tables of TOML files that are written by people: their keys with unit, meaning and what each may
+/// be. Readers and the JSON Schema for editors have them from the same declarations.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/number_range.hpp"
+
+namespace clast {
+
+struct ValueForm;
+
+struct TableKey {
+  std::string name;
+  std::string unit;              ///< empty: none, or those of the parts
+  std::string meaning;           ///< a sentence's part, for who points at the key in an editor
+  std::vector<ValueForm> forms;  ///< a value has one of them
+  bool required = false;
+};
+
+/// What a value may be.
+struct ValueForm {
+  enum class Kind {
+    kText,    ///< one of `words`, or any where there are none
+    kFlag,    ///< true or false
+    kCount,   ///< a whole number, `least` to `most`
+    kNumber,  ///< in `range`
+    kList,    ///< `least` to `most` values, each of one of `items`
+    kTable,   ///< with `keys`
+    kNamed    ///< a table whose keys are names of the user's, each value of one of `items`
+  };
+  Kind kind = Kind::kText;
+  std::vector<std::string> words = {};
+  std::uint64_t least = 0, most = INT64_MAX;
+  NumberRange range = {0.0, 0.0};
+  std::vector<ValueForm> items = {};
+  std::vector<TableKey> keys = {};
+};
+
+struct KeyTable {
+  enum class Repeat {
+    kOnce,    ///< [name]
+    kMany,    ///< [[name]], any number
+    kEither,  ///< [name], or several [[name]]
+    kNamed    ///< [name.NAME], by names of the user's
+  };
+  std::string name;  ///< "blocks"; a table within another is "contact.blocks"
+  std::string meaning;
+  Repeat repeat = Repeat::kOnce;
+  std::vector<TableKey> keys;
+  bool required = false;
+
+  std::vector<std::string> key_names() const;
+};
+
+}  // namespace clast
