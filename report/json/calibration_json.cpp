@@ -42,6 +42,8 @@ Json figures_json(const Calibration& calibration) {
         if (one.observation != o || one.figure != i) continue;
         json["predicted"] = one.median;
         json["interval_95"] = {one.low, one.high};
+        json["prior"] = one.prior.median;
+        json["prior_95"] = {one.prior.low, one.prior.high};
         json["covered"] = one.covers(figure.observed);
       }
       if (const std::optional<SurrogateQuality>& quality = calibration.posterior.surrogates[at]) {

@@ -165,7 +165,8 @@ std::string ridges_section(const Calibration& calibration) {
 }
 
 std::string prediction_section(const Calibration& calibration) {
-  HtmlTable table({"observation", "use", "figure", "observed", "predicted", "95 % from", "95 % to"},
+  HtmlTable table({"observation", "use", "figure", "observed", "predicted", "95 % from", "95 % to",
+                   "prior from", "prior to"},
                   3);
   std::vector<IntervalMark> marks;
   for (const PredictedFigure& one : calibration.posterior.predicted) {
@@ -173,7 +174,8 @@ std::string prediction_section(const Calibration& calibration) {
     const Figure& figure = observation.figures[one.figure];
     table.row({observation.name, observation.fitted ? "fit" : "keep", figure.name,
                significant(figure.observed, 4), significant(one.median, 4), significant(one.low, 4),
-               significant(one.high, 4)});
+               significant(one.high, 4), significant(one.prior.low, 4),
+               significant(one.prior.high, 4)});
     const double half = std::max(0.5 * (one.high - one.low), 1e-300);
     constexpr double kFarthest = 5.0;  // of what would push the others together
     const auto scaled = [&](double value) {
@@ -191,9 +193,12 @@ std::string prediction_section(const Calibration& calibration) {
       interval_chart("Predicted less observed",
                      "predicted less observed, in half widths of the 95 % interval", marks) +
           table.html() +
-          paragraph("Intervals are of what would be observed: they hold the uncertainty of the "
-                    "parameters, the chance of as many releases as there were in the field, and "
-                    "the error of the surrogate. Kept figures had no part in the fit."));
+          paragraph(
+              "Intervals are of what would be observed: they hold the uncertainty of the "
+              "parameters, the chance of as many releases as there were in the field, and "
+              "the error of the surrogate. Those of the prior are of parameters anywhere in their "
+              "ranges: an interval that is hardly narrower owes little to what was fitted. "
+              "Kept figures had no part in the fit."));
 }
 
 std::string sensitivity_table(const Calibration& calibration, double SobolIndices::*share) {

@@ -192,7 +192,7 @@ std::string unknowns_text(const Calibration& calibration) {
 
 std::string figures_text(const Calibration& calibration) {
   TextTable table{{"observation", "use", "figure", "observed", "predicted", "95 % from", "95 % to",
-                   "surrogate"},
+                   "prior from", "prior to", "surrogate"},
                   {}};
   const std::vector<Observation>& observations = calibration.study.observations;
   for (std::size_t o = 0, at = 0; o < observations.size(); ++o) {
@@ -205,9 +205,10 @@ std::string figures_text(const Calibration& calibration) {
           predicted.begin(), predicted.end(),
           [&](const PredictedFigure& one) { return one.observation == o && one.figure == i; });
       if (found == predicted.end()) {
-        row.insert(row.end(), 4, "-");
+        row.insert(row.end(), 6, "-");
       } else {
-        for (const double value : {found->median, found->low, found->high}) {
+        for (const double value :
+             {found->median, found->low, found->high, found->prior.low, found->prior.high}) {
           row.push_back(value_text(value));
         }
         row.push_back(percent(std::max(0.0, calibration.posterior.surrogates[at]->explained), 0));

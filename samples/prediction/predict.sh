@@ -2,14 +2,15 @@
 # The blind prediction of docs/prediction.md: makes the field's blocks, calibrates on one profile of the
 # quarry, predicts the other, and the other way round.
 #
-#   samples/prediction/predict.sh DATA OUT [MEMBERS RELEASES PREDICTED]
+#   samples/prediction/predict.sh DATA OUT
 #
-# DATA holds authume/ (samples/authume/README.md says where it comes from); results go to OUT. MEMBERS and
-# RELEASES replace those of study.toml, PREDICTED the members of the predictions. CLAST is the program.
-# What was interrupted goes on when the command is given again.
+# DATA holds authume/ (samples/authume/README.md says where it comes from); results go to OUT. What was
+# interrupted goes on when the command is given again. Variables for a try in a short time: MEMBERS and
+# RELEASES instead of those of study.toml, PREDICTED members of the predictions, EVERY n-th block of the
+# field alone. CLAST is the program.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-[ $# -ge 2 ] || { echo "usage: $0 DATA OUT [MEMBERS RELEASES PREDICTED]" >&2; exit 2; }
+[ $# -eq 2 ] || { echo "usage: $0 DATA OUT" >&2; exit 2; }
 export CLAST_DATA="$(cd "$1" && pwd)"
 mkdir -p "$2"
 cd "$2"
@@ -35,7 +36,7 @@ SP3A 0.005 514.0"
 make_blocks() {
   local profile=$1 id parent ratios mass factor
   rm -rf "stretched-$profile"
-  awk '{ elongated = $5 / $6 - 1 > 0.3
+  awk -v every="${EVERY:-1}" 'NR % every == 0 { elongated = $5 / $6 - 1 > 0.3
          split("SP1A SP2A SP2B", scans, " "); split("0.1370 0.5889 0.7079", volumes, " ")
          if (elongated) { parent = "SP3A"; volume = 0.2056 }
          else { k = compact++ % 3 + 1; parent = scans[k]; volume = volumes[k] }
@@ -68,27 +69,28 @@ make_tables() {
 
 # study.toml fits P2 and keeps P1; fit-p1 exchanges them, and takes over the simulations.
 calibrate() {
-  sed -e "s/^members .*/members  = ${members:-$(design members)}/" \
-      -e "s/^releases .*/releases = ${releases:-$(design releases)}/" "$here/study.toml" > fit-p2.toml
+  sed -e "${MEMBERS:+s/^members .*/members = $MEMBERS/}" \
+      -e "${RELEASES:+s/^releases .*/releases = $RELEASES/}" "$here/study.toml" > fit-p2.toml
   sed -e 's/"fit"/"other"/; s/"keep"/"fit"/; s/"other"/"keep"/' fit-p2.toml > fit-p1.toml
   [ -e fit-p2.h5 ] || "$clast" calibrate fit-p2.toml -o fit-p2.h5 --resume
   [ -e fit-p1.h5 ] || { cp fit-p2.h5 begun.h5 && mv begun.h5 fit-p1.h5 &&
     "$clast" calibrate fit-p1.toml -o fit-p1.h5 --resume; }
 }
 
-design() { awk -v key="$1" '$1 == key { print $3 }' "$here/study.toml"; }
-
-# Every block of profile $1 with ground drawn from what the other profile, $2, told.
+# Every block of profile $1 with ground drawn from what the other profile, $2, told; $3 are the edges of its
+# deposit zones.
 predict() {
-  sed -e "/^\[release\]/i [ensemble]\nmembers   = ${predicted:-12}\nposterior = \"fit-p$2.h5\"\n" \
+  sed -e "/^\[release\]/i [ensemble]\nmembers   = ${PREDICTED:-12}\nposterior = \"fit-p$2.h5\"\n" \
       -e "s/starts-p$1.xyz/corners-p$1.xyz/; s/random = 4/random = 1/" \
       "campaign-p$1.toml" > "predict-p$1.toml"
   sed -n '1p; 5p; 13p; 21p; 25p' "starts-p$1.xyz" > "corners-p$1.xyz"
   "$clast" simulate "predict-p$1.toml" -o "predict-p$1.h5" --resume
   "$clast" compare "predict-p$1.h5" -o "predict-p$1" --measured "field-p$1.csv" --replace
+  echo "P$1, predicted, and measured:"
+  awk -v edges="$3" -f "$here/stops.awk" "predict-p$1/runs.csv"
+  awk -v edges="$3" -f "$here/stops.awk" "field-p$1.csv"
 }
 
-members=${3-} releases=${4-} predicted=${5-}
 [ -e forms.h5 ] || make_scans
 for profile in 1 2; do
   [ -e "blocks-p$profile.h5" ] || make_blocks "$profile"
@@ -96,5 +98,5 @@ for profile in 1 2; do
   cp "$here/campaign-p$profile.toml" .
 done
 calibrate
-predict 1 2
-predict 2 1
+predict 1 2 "22 30 40"
+predict 2 1 "25 45 57"

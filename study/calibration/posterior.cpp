@@ -10,6 +10,7 @@
 #include "core/probability.hpp"
 #include "core/random.hpp"
 #include "core/sample_tests.hpp"
+#include "core/sobol.hpp"
 #include "core/statistics.hpp"
 #include "core/tempered_sampling.hpp"
 #include "study/calibration/synthetic_likelihood.hpp"
@@ -107,6 +108,25 @@ double possible(const Figure& figure, double value) {
   }
 }
 
+/// From the draws of a figure, one row of `draws`.
+PredictedInterval interval_of(const Figure& figure, const MatrixXd& draws, Index row) {
+  const std::vector<double> values = sorted(row_of(draws, row));
+  return {possible(figure, quantile(values, 0.5)), possible(figure, quantile(values, 0.025)),
+          possible(figure, quantile(values, 0.975))};
+}
+
+/// As many places all over the ranges as there are draws.
+MatrixXd prior_places(const CalibrationStudy& study) {
+  SobolSequence sequence(study.unknowns.size(), named_seed(study.design.seed, "prior"));
+  MatrixXd places(static_cast<Index>(study.unknowns.size()),
+                  static_cast<Index>(study.design.draws));
+  for (Index i = 0; i < places.cols(); ++i) {
+    const std::vector<double> point = sequence.next();
+    places.col(i) = Eigen::Map<const VectorXd>(point.data(), places.rows());
+  }
+  return places;
+}
+
 /// Adds the predictions of fitted or kept figures, and counts how many cover what was observed.
 PredictiveCheck predict_figures(const CalibrationStudy& study,
                                 const SyntheticLikelihood& likelihood, bool fitted,
@@ -115,17 +135,20 @@ PredictiveCheck predict_figures(const CalibrationStudy& study,
   PredictiveCheck check;
   check.figures = which.size();
   if (which.empty()) return check;
+  const std::string name = fitted ? "fitted" : "kept";
   const MatrixXd draws =
-      predictive_draws(likelihood, which, posterior.shares,
-                       named_seed(study.design.seed, fitted ? "fitted" : "kept"));
+      predictive_draws(likelihood, which, posterior.shares, named_seed(study.design.seed, name));
+  const MatrixXd prior = predictive_draws(likelihood, which, prior_places(study),
+                                          named_seed(study.design.seed, name + " prior"));
   const VectorXd observed = likelihood.observed(which);
   for (std::size_t i = 0; i < which.size(); ++i) {
     PredictedFigure figure = place_of_figure(study, static_cast<std::size_t>(which[i]));
-    const std::vector<double> values = sorted(row_of(draws, static_cast<Index>(i)));
     const Figure& asked = study.observations[figure.observation].figures[figure.figure];
-    figure.median = possible(asked, quantile(values, 0.5));
-    figure.low = possible(asked, quantile(values, 0.025));
-    figure.high = possible(asked, quantile(values, 0.975));
+    const PredictedInterval found = interval_of(asked, draws, static_cast<Index>(i));
+    figure.median = found.median;
+    figure.low = found.low;
+    figure.high = found.high;
+    figure.prior = interval_of(asked, prior, static_cast<Index>(i));
     if (figure.covers(observed[static_cast<Index>(i)])) ++check.covered;
     posterior.predicted.push_back(figure);
   }

@@ -30,12 +30,19 @@ struct Marginal {
   bool is_cut_off() const { return !is_undetermined() && (at_low > 0.25 || at_high > 0.25); }
 };
 
+/// What would be observed of a figure.
+struct PredictedInterval {
+  double median = 0.0;
+  double low = 0.0, high = 0.0;  ///< 95 % interval
+};
+
 /// What the calibrated simulation says of a figure.
 struct PredictedFigure {
   std::size_t observation = 0;  ///< into CalibrationStudy::observations
   std::size_t figure = 0;       ///< into its figures
   double median = 0.0;
   double low = 0.0, high = 0.0;  ///< 95 % interval of what would be observed
+  PredictedInterval prior;       ///< the same of unknowns anywhere in their ranges
 
   bool covers(double observed) const { return low <= observed && observed <= high; }
 };

@@ -141,15 +141,22 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
     count += one.figures.size();
   }
   std::vector<double> median(count, kNone), low(count, kNone), high(count, kNone);
+  std::vector<double> prior_median = median, prior_low = median, prior_high = median;
   for (const PredictedFigure& figure : posterior.predicted) {
     const std::size_t at = first[figure.observation] + figure.figure;
     median[at] = figure.median;
     low[at] = figure.low;
     high[at] = figure.high;
+    prior_median[at] = figure.prior.median;
+    prior_low[at] = figure.prior.low;
+    prior_high[at] = figure.prior.high;
   }
   group.write<double>("predicted_median", median);
   group.write<double>("predicted_low", low);
   group.write<double>("predicted_high", high);
+  group.write<double>("prior_median", prior_median);
+  group.write<double>("prior_low", prior_low);
+  group.write<double>("prior_high", prior_high);
   std::vector<double> first_order, total;
   for (const std::vector<SobolIndices>& shares : posterior.sensitivities) {
     for (std::size_t i = 0; i < study.unknowns.size(); ++i) {

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/error.hpp"
 #include "core/hdf5_file.hpp"
 #include "core/progress.hpp"
+#include "core/statistics.hpp"
 #include "core/text_file.hpp"
 #include "study/calibration/calibrate.hpp"
 #include "tests/study/calibration/made_up_site.hpp"
@@ -114,6 +118,25 @@ TEST(Calibration, PredictionsEndWhereFiguresDo) {
     EXPECT_GE(one.low, 0.0);
     EXPECT_LE(one.high, 1.0);
   }
+}
+
+// The mean place of compact blocks is 75 - 30 mu - 60 mu_R, with mu uniform from 0.3 to 0.9 and
+// ln mu_R from ln 0.05 to ln 0.5.
+TEST(Calibration, PriorPredictionsAreOfTheWholeRanges) {
+  const MadeUpStudy made = study_of({1.0});
+  const PredictedFigure mean = made.posterior().predicted.front();
+  ASSERT_EQ(made.study.observations[mean.observation].figures[mean.figure].name, "mean_place_m");
+  std::vector<double> means;
+  Random random(11);
+  for (int i = 0; i < 20'000; ++i) {
+    const double mu = 0.3 + 0.6 * random.uniform();
+    means.push_back(75.0 - 30.0 * mu - 60.0 * 0.05 * std::pow(10.0, random.uniform()));
+  }
+  std::sort(means.begin(), means.end());
+  EXPECT_NEAR(mean.prior.median, quantile(means, 0.5), 1.5);
+  EXPECT_NEAR(mean.prior.low, quantile(means, 0.025), 3.0);
+  EXPECT_NEAR(mean.prior.high, quantile(means, 0.975), 3.0);
+  EXPECT_LT(mean.high - mean.low, 0.5 * (mean.prior.high - mean.prior.low));
 }
 
 TEST(Calibration, BlocksThatASiteLacksAreNamed) {
