@@ -39,6 +39,15 @@ double quantile(std::span<const double> sorted, double p) {
   return sorted[below] + fraction * (sorted[above] - sorted[below]);
 }
 
+int decimals_known(const Interval& interval, int most) {
+  int decimals = 0;
+  for (double step = 1.0; decimals < most && !(5.0 * step <= interval.high - interval.low);
+       step /= 10.0) {
+    ++decimals;
+  }
+  return decimals;
+}
+
 Interval wilson_interval(std::size_t hits, std::size_t trials) {
   if (trials == 0) return {};
   const double n = static_cast<double>(trials);

@@ -24,11 +24,15 @@ Summary summarise(std::span<const double> values);
 /// @cite hyndman1996
 double quantile(std::span<const double> sorted, double p);
 
-/// Bounds of a probability.
+/// Bounds of a value; of a probability that nothing is known of, unless they are set.
 struct Interval {
   double low = 0.0;
   double high = 1.0;
 };
+
+/// Decimals that are known of a value with that interval, `most` at most: the interval is five
+/// steps of the last one wide, or more.
+int decimals_known(const Interval& interval, int most);
 
 /// Wilson's 95 % interval for a probability seen `hits` times in `trials` independent trials; [0,
 /// 1] when there was none.

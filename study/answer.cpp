@@ -63,6 +63,7 @@ RunoutAnswer runout_of(const Comparison& comparison, std::size_t group) {
   found.started = deposit.started;
   found.at_rest = deposit.stops.rest;
   found.mean = deposit.runout.mean;
+  found.median = deposit.runout.median;
   found.p95 = deposit.runout.p95;
   found.farthest = deposit.runout.max;
   const std::vector<std::size_t>& rows = comparison.groups[group].rows;
@@ -101,6 +102,7 @@ GapAnswer gap_between(const Comparison& comparison, const RunoutAnswer& a, const
   gap.farther = ahead ? a.group : b.group;
   gap.nearer = ahead ? b.group : a.group;
   gap.gap = std::abs(a.mean - b.mean);
+  gap.of_few = (ahead ? a.median - b.median : b.median - a.median) < kGapOfFew * gap.gap;
   if (!a.stands() || !b.stands() || !difference) return gap;
   std::vector<std::size_t> rows = comparison.groups[a.group].rows;
   const std::vector<std::size_t>& others = comparison.groups[b.group].rows;
@@ -130,6 +132,11 @@ std::optional<Difference> class_difference(const Comparison& comparison, std::si
 
 ShareAnswer share_of(const Comparison& comparison, const BarrierGroup& group) {
   ShareAnswer share{group.group_index, group.started, group.crossed, group.probability, {}};
+  share.largest = group.crossed < kFewestPassages;
+  share.energy = share.largest ? group.total.max : group.total.p95;
+  share.height = share.largest ? group.height.max : group.height.p95;
+  share.largest_energy = group.total.max;
+  share.largest_height = group.height.max;
   if (!is_one_realisation(comparison, comparison.groups[group.group_index].rows)) {
     share.interval = group.interval;
   }
@@ -161,9 +168,6 @@ std::vector<PassageAnswer> passages_of(const Comparison& comparison, const State
     PassageAnswer passage;
     passage.line = line;
     passage.all = share_of(comparison, *all);
-    passage.largest = all->crossed < kFewestPassages;
-    passage.energy = passage.largest ? all->total.max : all->total.p95;
-    passage.height = passage.largest ? all->height.max : all->height.p95;
     for (const RunoutAnswer& one : statement.classes) {
       const BarrierGroup* group = barrier_group(comparison, line, one.group);
       if (group != nullptr && statement.classes.size() > 1) {

@@ -26,6 +26,7 @@ struct RunoutAnswer {
   std::size_t at_rest = 0;
   double mean = 0.0;                 ///< of the runs at rest, m
   std::optional<Interval> interval;  ///< 95 %, of the mean, m; none of one realisation
+  double median = 0.0;               ///< half of the runs at rest stop before, m
   double p95 = 0.0;                  ///< 95 % of the runs at rest stop before, m
   double farthest = 0.0;             ///< m
 
@@ -40,15 +41,23 @@ struct GapAnswer {
   Standing standing = Standing::kFewAtRest;
   double gap = 0.0;                  ///< mean of `farther` less that of `nearer`, m
   std::optional<Interval> interval;  ///< 95 %, m; none of one realisation
+  /// The medians differ far less than the means: some blocks of `farther` run on, most do not.
+  bool of_few = false;
 };
 
-/// How many runs of a group pass a barrier.
+/// How many runs of a group pass a barrier, and how strongly.
 struct ShareAnswer {
   std::size_t group = 0;
   std::size_t started = 0;
   std::size_t crossed = 0;
   double share = 0.0;
   std::optional<Interval> interval;  ///< 95 %; none of one realisation
+  /// What 95 % of the passages stay below; from few of them, the largest.
+  double energy = 0.0;  ///< J
+  double height = 0.0;  ///< of the centre above the ground, m
+  bool largest = false;
+  double largest_energy = 0.0;  ///< of all passages, J
+  double largest_height = 0.0;  ///< m
 };
 
 /// One barrier.
@@ -56,10 +65,6 @@ struct PassageAnswer {
   std::size_t line = 0;  ///< into Comparison::lines
   ShareAnswer all;
   std::vector<ShareAnswer> classes;  ///< those of Garcia that occur, if more than one
-  /// What 95 % of the passages stay below; from few of them, the largest.
-  double energy = 0.0;  ///< J
-  double height = 0.0;  ///< of the centre above the ground, m
-  bool largest = false;
 };
 
 /// The range of an outcome over the draws of uncertain ground.
@@ -89,6 +94,9 @@ struct Answer {
   /// Between two files with the same release points.
   std::optional<GapAnswer> files;
 };
+
+/// Medians that differ by less than this share of the gap of the means leave it to few runs.
+inline constexpr double kGapOfFew = 0.25;
 
 /// Passages from which on 95 % of them mean something.
 inline constexpr std::size_t kFewestPassages = 20;

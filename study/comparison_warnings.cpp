@@ -177,6 +177,23 @@ std::vector<std::optional<double>> zone_slopes(const CampaignResults& results) {
   return slopes;
 }
 
+/// Stops that show that a zone stops blocks: not a stray one.
+bool are_many(std::size_t stops, std::size_t runs) { return 50 * stops > runs; }
+
+/// How many runs came to rest on every ground zone.
+std::vector<std::size_t> stops_by_zone(const CampaignResults& results) {
+  std::vector<std::size_t> stops(results.zone_names.size(), 0);
+  if (results.terrain.surface.triangles.empty()) return stops;
+  const TerrainSurface ground = terrain_surface(results.terrain);
+  for (const RunRecord& run : results.runs) {
+    if (run.result.stop_reason != StopReason::kRest) continue;
+    const Vec3& place = run.result.final_state.position;
+    const std::optional<std::uint16_t> zone = ground.zone(place.x(), place.y(), place.z());
+    if (zone && *zone < stops.size()) ++stops[*zone];
+  }
+  return stops;
+}
+
 void warn_of_slopes(Comparison& comparison) {
   const auto degrees = [](double angle) {
     return with_digits(angle * kDegreesPerRadian, 3) + " deg";
@@ -186,6 +203,7 @@ void warn_of_slopes(Comparison& comparison) {
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
     const CampaignResults& results = comparison.results[file];
     const std::vector<std::optional<double>> slopes = zone_slopes(results);
+    const std::vector<std::size_t> stops = stops_by_zone(results);
     for (std::size_t zone = 0; zone < slopes.size() && zone < results.ground.size(); ++zone) {
       if (!slopes[zone]) continue;
       const double sliding = std::atan(results.ground[zone].friction);
@@ -194,7 +212,12 @@ void warn_of_slopes(Comparison& comparison) {
           (comparison.results.size() > 1 ? "file " + std::to_string(file + 1) + ": " : "") +
           "zone " + results.zone_names[zone] + " slopes " + degrees(*slopes[zone]) +
           " on average, ";
-      if (*slopes[zone] > sliding) {
+      if (*slopes[zone] > sliding && are_many(stops[zone], results.runs.size())) {
+        comparison.warnings.push_back(
+            where + "above atan mu = " + degrees(sliding) + ", but " +
+            of(stops[zone], results.runs.size()) +
+            " runs stopped where it is flatter, so the zone's mean slope says little");
+      } else if (*slopes[zone] > sliding) {
         sliding_zones.insert(results.zone_names[zone]);
         sliding_texts.push_back(where + "above atan mu = " + degrees(sliding) +
                                 ": friction stops nothing there, so "
@@ -220,9 +243,7 @@ void warn_of_slopes(Comparison& comparison) {
   add(sliding_texts, sliding_zones,
       "the slope is too steep for friction to stop a block, so an effect of shape can vanish.");
   add(rolling_texts, rolling_zones,
-      "rolling blocks keep moving and sliding blocks stop, so an effect of shape looks larger than "
-      "on other "
-      "slopes.");
+      "blocks that roll keep moving and those that slide stop: shape counts for more there.");
 }
 
 void warn_of_changed_blocks(Comparison& comparison) {

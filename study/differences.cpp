@@ -14,6 +14,7 @@ namespace clast {
 namespace {
 
 constexpr std::size_t kFewest = 3;  ///< values of a group
+constexpr int kMostDecimals = 4;
 /// Any seed is good; a fixed one gives the same interval every time.
 constexpr std::uint64_t kSeed = 20220310;
 
@@ -171,9 +172,7 @@ std::optional<Difference> runout_difference(const Comparison& comparison, std::s
 
 Evidence evidence_of(const Difference& difference) {
   if (!difference.found()) return Evidence::kCanBeChance;
-  const std::optional<Interval>& interval = difference.interval;
-  const bool apart = interval && (interval->low > 0.0 || interval->high < 0.0);
-  return apart ? Evidence::kMoreThanChance : Evidence::kOtherSpread;
+  return difference.interval_excludes_zero() ? Evidence::kMoreThanChance : Evidence::kOtherSpread;
 }
 
 QuantityWords words_of_quantity(const std::string& quantity) {
@@ -194,13 +193,15 @@ std::string gap_in_words(const Difference& difference) {
   const QuantityWords words = words_of_quantity(difference.quantity);
   const double gap = words.factor * (difference.first_mean - difference.second_mean);
   const double sign = gap < 0.0 ? -1.0 : 1.0;
-  std::string text =
-      with_digits(sign * gap, 3) + " " + words.unit + (gap < 0.0 ? " less" : " more");
-  if (!difference.interval) return text;
+  const std::string way = gap < 0.0 ? " less" : " more";
+  if (!difference.interval) return with_digits(sign * gap, 3) + " " + words.unit + way;
   double low = sign * words.factor * difference.interval->low;
   double high = sign * words.factor * difference.interval->high;
   if (low > high) std::swap(low, high);
-  return text + " (" + with_digits(low, 3) + " to " + with_digits(high, 3) + " " + words.unit + ")";
+  const int decimals = decimals_known({low, high}, kMostDecimals);
+  return with_decimals(sign * gap, decimals) + " " + words.unit + way + " (" +
+         with_decimals(low, decimals) + " to " + with_decimals(high, decimals) + " " + words.unit +
+         ")";
 }
 
 std::string in_words(const Difference& difference, const Comparison& comparison) {

@@ -33,6 +33,9 @@ struct Difference {
   std::size_t tests = 0;  ///< that it was corrected for
 
   bool found() const { return p_holm < 0.05; }
+  bool interval_excludes_zero() const {
+    return interval && (interval->low > 0.0 || interval->high < 0.0);
+  }
 };
 
 /// Groups of one kind beyond this are not compared pair by pair.
@@ -68,7 +71,8 @@ struct QuantityWords {
 };
 QuantityWords words_of_quantity(const std::string& quantity);
 
-/// "13.2 m more (10.1 to 17 m)", or "less": of the first group.
+/// "13 m more (10 to 17 m)", or "less": of the first group, with the decimals that its interval
+/// leaves.
 std::string gap_in_words(const Difference& difference);
 
 /// A sentence to quote.

@@ -83,4 +83,18 @@ std::vector<ProfileBin> profiles(const Comparison& comparison) {
   return bins;
 }
 
+const ProfileBin* least_energy_place(const std::vector<ProfileBin>& bins, std::size_t group,
+                                     std::size_t started) {
+  const ProfileBin *least = nullptr, *before = nullptr;
+  bool past_peak = false;
+  for (const ProfileBin& bin : bins) {
+    if (bin.group != group) continue;
+    past_peak = past_peak || (before != nullptr && bin.energy.p95 < before->energy.p95);
+    before = &bin;
+    if (!past_peak || 2 * bin.runs < started) continue;
+    if (least == nullptr || bin.energy.p95 < least->energy.p95) least = &bin;
+  }
+  return least;
+}
+
 }  // namespace clast

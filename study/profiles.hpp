@@ -24,4 +24,10 @@ struct ProfileBin {
 /// about a fiftieth of the longest runout and at least 0.5 m, a round number of metres.
 std::vector<ProfileBin> profiles(const Comparison& comparison);
 
+/// Where a barrier would meet the least energy while it still meets blocks: beyond the first peak
+/// of energy, of the bins that at least half of the `started` runs of a group come by, the one with
+/// the smallest 95th percentile. None where there is no such bin.
+const ProfileBin* least_energy_place(const std::vector<ProfileBin>& bins, std::size_t group,
+                                     std::size_t started);
+
 }  // namespace clast

@@ -10,10 +10,30 @@ const clastCharts = (() => {
   const boxes = Array.from(document.querySelectorAll('.chart'));
   const drawn = new Set();
 
+  // Height of a chart and place of its names, in rows below, for a plot of that size (px).
+  function withNames({data, layout}, plotWidth, plotHeight) {
+    const {t, b} = layout.margin, shown = data.filter(({showlegend}) => showlegend !== false);
+    const widest = Math.max(...shown.map(({name}) => 48 + 6.6 * (name || '').length));
+    const rows = Math.ceil(shown.length / Math.max(1, Math.floor(plotWidth / widest)));
+    return {height: Math.round(t + plotHeight + b + 19 * rows), 'legend.y': -b / plotHeight};
+  }
+  // A map is as high as its window asks for at that width.
+  function fitted(map, width, highest) {
+    const {margin, xaxis, yaxis} = map.layout, plotWidth = width - margin.l - margin.r;
+    const length = ({range}) => Math.abs(range[1] - range[0]);
+    return withNames(map, plotWidth, Math.min(plotWidth * length(yaxis) / length(xaxis), highest));
+  }
+  const highestMap = () => Math.max(300, Math.min(520, .58 * innerHeight));
+
   async function plot(box) {
     if (drawn.has(box)) return;
     drawn.add(box);
     const figure = JSON.parse(box.nextElementSibling.textContent);
+    if (box.classList.contains('map')) {
+      const {height, 'legend.y': y} = fitted(figure, box.clientWidth, highestMap());
+      figure.layout.height = height;
+      figure.layout.legend.y = y;
+    }
     await Plotly.newPlot(box, figure.data, figure.layout, {...settings, ...figure.config});
     box.dispatchEvent(new CustomEvent('drawn', {bubbles: true}));
   }
@@ -39,23 +59,27 @@ const clastCharts = (() => {
   // Paper waits for nothing: the library must be there by then, and draws at once, in the widths of
   // A4 (px): a map takes the page, two charts stand side by side.
   const paper = (box) => {
-    const alone = !box.closest('.charts'), map = box.classList.contains('map');
-    // Below the curves their names take lines of their own.
-    const beside = 232 + 14 * Math.max(0, box.data.length - 2);
-    return {width: alone ? 680 : 334, height: map ? 430 : alone ? undefined : beside};
+    const alone = !box.closest('.charts'), width = alone ? 680 : 334;
+    if (box.classList.contains('map')) return {width, ...fitted(box, width, 380)};
+    if (alone) return {width, height: box.layout.height};
+    const {l, r} = box.layout.margin;
+    return {width, ...withNames(box, width - l - r, 140)};
   };
+  const folded = Array.from(document.querySelectorAll('details.paper:not([open])'));
   addEventListener('load', () => clastRun('plotly-code').catch(() => {}));
   addEventListener('beforeprint', () => {
     if (!window.Plotly) return;
+    for (const fold of folded) fold.open = true;
     for (const box of boxes) {
       if (box.closest('details:not([open])')) continue;
       plot(box);
-      const {width, height} = paper(box), before = box.layout;
-      box.onScreen = {autosize: true, width: null, height: before.height};
-      Plotly.relayout(box, {autosize: false, width, height: height || before.height});
+      const {height, legend} = box.layout;
+      box.onScreen = {autosize: true, width: null, height, 'legend.y': legend.y};
+      Plotly.relayout(box, {autosize: false, ...paper(box)});
     }
   });
   addEventListener('afterprint', () => {
+    for (const fold of folded) fold.open = false;
     for (const box of boxes) if (box.onScreen) Plotly.relayout(box, box.onScreen);
   });
   return {draw, drawAll};

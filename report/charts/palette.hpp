@@ -14,11 +14,8 @@ inline constexpr std::array<const char*, 6> kDataColours = {"#0072B2", "#D55E00"
                                                             "#CC79A7", "#E69F00", "#56B4E9"};
 inline constexpr std::array<const char*, 4> kDashes = {"", "6 3", "2 2", "8 3 2 3"};
 
-/// Colour and line of the n-th curve; together they repeat after 24.
+/// Colour of the n-th curve; they repeat after six.
 inline std::string data_colour(std::size_t n) { return kDataColours[n % kDataColours.size()]; }
-inline std::string data_dash(std::size_t n) {
-  return kDashes[n / kDataColours.size() % kDashes.size()];
-}
 
 /// "#0072b2", as HTML, plotly.js and QGIS read it.
 inline std::string colour_text(const Rgb& colour) {
@@ -26,6 +23,18 @@ inline std::string colour_text(const Rgb& colour) {
   std::string text = "#";
   for (const std::uint8_t part : colour) text += {kDigits[part >> 4], kDigits[part & 15]};
   return text;
+}
+
+/// "#0072B2" mixed with so much of another, "#ffffff" for a paler one.
+inline std::string mixed(const std::string& colour, const std::string& other, double share) {
+  Rgb parts{};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto part = [&](const std::string& text) {
+      return static_cast<double>(std::stoi(text.substr(1 + 2 * i, 2), nullptr, 16));
+    };
+    parts[i] = static_cast<std::uint8_t>((1.0 - share) * part(colour) + share * part(other) + 0.5);
+  }
+  return colour_text(parts);
 }
 
 /// Compact and elongated keep their colours in every report.

@@ -59,6 +59,11 @@ Json trace_json(const Trace& trace, const ChartAxes& axes) {
     return json;
   }
   json["type"] = "scatter";
+  if (trace.kind == Trace::Kind::kPoints) {
+    json["mode"] = "markers";
+    json["marker"] = {{"color", trace.colour}, {"size", 9}};
+    return json;
+  }
   json["mode"] = "lines";
   json["line"] = {{"color", trace.colour},
                   {"width", 2},
@@ -78,6 +83,33 @@ Json trace_json(const Trace& trace, const ChartAxes& axes) {
     json["line"]["width"] = 0;
   }
   return json;
+}
+
+/// A dotted line at every place, its name beside it at the top.
+void add_places(const std::vector<ChartPlace>& places, Json& layout) {
+  if (places.empty()) return;
+  Json lines = Json::array(), names = Json::array();
+  for (const ChartPlace& place : places) {
+    const double x = short_number(place.x);
+    lines.push_back({{"type", "line"},
+                     {"x0", x},
+                     {"x1", x},
+                     {"yref", "paper"},
+                     {"y0", 0},
+                     {"y1", 1},
+                     {"line", {{"color", "#1d2733"}, {"width", 1.5}, {"dash", "dot"}}}});
+    names.push_back({{"x", x},
+                     {"yref", "paper"},
+                     {"y", 1},
+                     {"xanchor", "left"},
+                     {"yanchor", "top"},
+                     {"bgcolor", "rgba(255,255,255,.7)"},
+                     {"text", plain(shortened(place.name, kMostCharacters))},
+                     {"showarrow", false},
+                     {"font", {{"size", 11}}}});
+  }
+  layout["shapes"] = std::move(lines);
+  layout["annotations"] = std::move(names);
 }
 
 Json layout_json(const ChartAxes& axes, const std::vector<Trace>& traces) {
@@ -105,6 +137,7 @@ Json layout_json(const ChartAxes& axes, const std::vector<Trace>& traces) {
   if (axes.y_in_percent || !axes.equal_scales) layout["yaxis"]["rangemode"] = "tozero";
   if (axes.equal_scales) layout["yaxis"]["scaleanchor"] = "x";
   if (bars) layout["barmode"] = "overlay";
+  add_places(axes.places, layout);
   return layout;
 }
 
@@ -225,13 +258,26 @@ std::vector<Trace> cumulative_traces(const std::vector<Series>& samples, bool ex
     if (sample.values.empty()) continue;
     std::vector<double> sorted = sample.values;
     std::sort(sorted.begin(), sorted.end());
-    Trace trace{with_count(sample), sample.colour, sample.dash, Trace::Kind::kSteps, {}, {}};
+    const bool few = sorted.size() < kFewestForCurve;
+    Trace trace{with_count(sample),
+                sample.colour,
+                sample.dash,
+                few ? Trace::Kind::kPoints : Trace::Kind::kSteps,
+                {},
+                {}};
     const auto add = [&](double x, double below) {
       trace.x.push_back(x);
       trace.y.push_back(exceeding ? 1.0 - below : below);
     };
-    add(sorted.front(), 0.0);
     const double total = static_cast<double>(sorted.size());
+    if (few) {
+      for (std::size_t i = 0; i < sorted.size(); ++i) {
+        add(sorted[i], static_cast<double>(exceeding ? i : i + 1) / total);
+      }
+      traces.push_back(std::move(trace));
+      continue;
+    }
+    add(sorted.front(), 0.0);
     const std::size_t stride = 1 + sorted.size() / kMostSteps;
     for (std::size_t i = stride - 1; i + 1 < sorted.size(); i += stride) {
       add(sorted[i], static_cast<double>(i + 1) / total);

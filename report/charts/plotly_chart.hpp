@@ -15,7 +15,7 @@ bool plotly_is_installed();
 
 /// What one entry of a chart's legend shows and hides.
 struct Trace {
-  enum class Kind { kLine, kSteps, kBars };
+  enum class Kind { kLine, kSteps, kBars, kPoints };
   std::string name;  ///< plain text
   std::string colour;
   std::string dash = {};  ///< SVG dash pattern; empty for a full line
@@ -28,12 +28,19 @@ struct Trace {
   bool named = true;                    ///< has a legend entry; else it belongs to the one after it
 };
 
+/// A place on the x axis that a chart names: a line over its whole height.
+struct ChartPlace {
+  double x = 0.0;
+  std::string name;  ///< plain text
+};
+
 struct ChartAxes {
   std::string title;
   std::string x;  ///< label with unit
   std::string y;
   bool y_in_percent = false;  ///< y are shares
   bool equal_scales = false;  ///< of both axes, as on a map
+  std::vector<ChartPlace> places = {};
 };
 
 /// A value with its interval, a row of `interval_chart`.
@@ -64,8 +71,12 @@ std::string plotly_figure(const std::string& label, const std::string& style, st
 /// Where plotly.js is not installed, a sentence that says what to do.
 std::string charts_script();
 
+/// Fewer values than these are drawn one by one: a curve would promise a distribution.
+inline constexpr std::size_t kFewestForCurve = 4;
+
 /// Share of each sample that is at or below x, or above x with `exceeding`. Samples without values
-/// are left out; of large ones about 1,500 steps are drawn.
+/// are left out; of large ones about 1,500 steps are drawn, of few values points, each with what is
+/// at or beyond it.
 std::vector<Trace> cumulative_traces(const std::vector<Series>& samples, bool exceeding = false);
 
 /// Share of each sample in every bin, over common bins.

@@ -195,9 +195,10 @@ std::string section(std::string_view title, std::string_view body) {
          std::string(body) + "</section>\n";
 }
 
-std::string folded(std::string_view line, std::string_view body) {
-  return "<details class=\"fold\"><summary>" + escaped(line) + "</summary>\n" + std::string(body) +
-         "</details>\n";
+std::string folded(std::string_view line, std::string_view body, OnPaper on_paper) {
+  const std::string classes = on_paper == OnPaper::kOpen ? "fold paper" : "fold";
+  return "<details class=\"" + classes + "\"><summary>" + escaped(line) + "</summary>\n" +
+         std::string(body) + "</details>\n";
 }
 
 std::string paragraph(std::string_view text) { return "<p>" + with_code(text) + "</p>\n"; }

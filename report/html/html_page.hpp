@@ -61,8 +61,11 @@ std::string fill(std::string_view skeleton, const std::map<std::string, std::str
 
 /// "<section id=title><h2>title</h2>body</section>", with the id in small letters and dashes.
 std::string section(std::string_view title, std::string_view body);
+/// What a page does with a fold when it is printed.
+enum class OnPaper { kLeftOut, kOpen };
 /// What is seen once its one line is clicked: plain text, and HTML below it.
-std::string folded(std::string_view line, std::string_view body);
+std::string folded(std::string_view line, std::string_view body,
+                   OnPaper on_paper = OnPaper::kLeftOut);
 /// Plain text, escaped here; what stands between backticks is shown as code.
 std::string paragraph(std::string_view text);
 /// A picture with a line below it.

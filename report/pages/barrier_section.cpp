@@ -1,5 +1,7 @@
 #include "report/pages/report_sections.hpp"
 
+#include <algorithm>
+
 #include "report/charts/plotly_chart.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
@@ -111,15 +113,17 @@ std::string place_of(const BarrierLine& barrier) {
   return points + " m";
 }
 
-std::string barrier_charts(const Comparison& comparison, std::size_t line) {
+/// The counted crossing of every row; none where a run did not cross the line.
+std::vector<const Crossing*> counted_crossings(const Comparison& comparison, std::size_t line) {
   std::vector<const Crossing*> first(comparison.rows.size(), nullptr);
-  bool any = false;
   for (const CrossingRow& crossing : comparison.crossings) {
-    if (!crossing.counted || crossing.barrier != line) continue;
-    first[crossing.row] = crossing.crossing;
-    any = true;
+    if (crossing.counted && crossing.barrier == line) first[crossing.row] = crossing.crossing;
   }
-  if (!any) return paragraph("No run crossed this barrier.");
+  return first;
+}
+
+std::string barrier_charts(const Comparison& comparison, std::size_t line) {
+  const std::vector<const Crossing*> first = counted_crossings(comparison, line);
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
     return plotly_chart({title, label, "share of crossings", true},
                         cumulative_traces(series_of(comparison, GroupKind::kGarcia,
@@ -131,8 +135,7 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
                                                     }),
                                           true));
   };
-  return "<div class=\"charts\">\n" +
-         chart(comparison.lines[line].name + ": crossings above an energy",
+  return chart(comparison.lines[line].name + ": crossings above an energy",
                "total kinetic energy, kJ",
                [](const Crossing& c) {
                  return (c.translational_energy + c.rotational_energy) / 1000.0;
@@ -140,8 +143,7 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
          chart(comparison.lines[line].name + ": crossings above a height", "height above ground, m",
                [](const Crossing& c) { return c.height; }) +
          chart(comparison.lines[line].name + ": crossings faster than a speed", "speed, m/s",
-               [](const Crossing& c) { return c.velocity.norm(); }) +
-         "</div>\n";
+               [](const Crossing& c) { return c.velocity.norm(); });
 }
 
 }  // namespace
@@ -151,14 +153,23 @@ std::string barrier_section(const Comparison& comparison) {
   std::string html = paragraph(
       "Each run counts at its first crossing. Height is of the centre of mass above the ground; "
       "the top of a block is up to L/2 higher. Energy is translational plus rotational.");
+  std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
-    html += "<h3>" + escaped(barrier.name) + "</h3>\n" + barrier_charts(comparison, line);
-    html += folded("Figures at " + barrier.name, "<p class=\"note\">" + escaped(place_of(barrier)) +
-                                                     "; " + directions_of(comparison, line) +
-                                                     ".</p>\n" + passage_table(comparison, line) +
-                                                     impact_table(comparison, line));
+    const std::vector<const Crossing*> first = counted_crossings(comparison, line);
+    const bool any = std::any_of(first.begin(), first.end(), [](auto* one) { return one; });
+    if (any)
+      charts += barrier_charts(comparison, line);
+    else
+      figures += paragraph("No run crossed " + barrier.name + ".");
+    figures += folded("Figures at " + barrier.name,
+                      "<p class=\"note\">" + escaped(place_of(barrier)) + "; " +
+                          directions_of(comparison, line) + ".</p>\n" +
+                          passage_table(comparison, line) + impact_table(comparison, line),
+                      OnPaper::kOpen);
   }
+  if (!charts.empty()) html += "<div class=\"charts by-three\">\n" + charts + "</div>\n";
+  html += figures;
   return section("Barriers", html);
 }
 

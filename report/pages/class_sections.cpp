@@ -86,9 +86,9 @@ std::string block_section(const Comparison& comparison) {
                mean_and_std(deposit.runout, 1), measured(deposit.runout.p95, deposit.runout, 1),
                mean_and_std(deposit.lateral, 1, kDegreesPerRadian), fixed(fastest, 1)});
   }
-  return section("Blocks",
-                 folded("Shapes: L, I, S are the sides of the smallest box", shapes.html()) +
-                     folded("Runs of every block", stops.html()));
+  return section("Blocks", folded("Shapes: L, I, S are the sides of the smallest box",
+                                  shapes.html(), OnPaper::kOpen) +
+                               folded("Runs of every block", stops.html(), OnPaper::kOpen));
 }
 
 std::string runout_section(const Comparison& comparison) {
@@ -111,7 +111,7 @@ std::string runout_section(const Comparison& comparison) {
                    histogram_traces(series_of(comparison, GroupKind::kGarcia, lateral)));
   charts += plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
                          cumulative_traces(by_class));
-  // Colours and dashes distinguish two dozen curves.
+  // Shades and dashes distinguish a dozen curves of either class.
   constexpr std::size_t kMostCurves = 24;
   if (groups_of(comparison, GroupKind::kBlock).size() <= kMostCurves) {
     charts += plotly_chart({"Share of runs that stop before, by block", "runout, m", "share", true},

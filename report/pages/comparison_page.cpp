@@ -20,8 +20,8 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
   const std::string sections = with_terms(
-      head_section(comparison, answer(comparison)) +
-      map_section(comparison, paths, deposits.rasters) + class_section(comparison) +
+      "<div class=\"opening\">\n" + head_section(comparison, answer(comparison)) +
+      map_section(comparison, paths, deposits.rasters) + "</div>\n" + class_section(comparison) +
       differences_section(comparison) + measured_section(comparison) + runout_section(comparison) +
       barrier_section(comparison) + slope_section(comparison, bins) +
       deposit_section(comparison, deposits) + stay_section(comparison) +

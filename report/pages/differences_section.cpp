@@ -75,7 +75,7 @@ std::string chart_of(const Comparison& comparison, const Picture& picture) {
 
 /// "More than chance: runout 13 m more (10 to 17 m), ..."
 std::string words_for(const Comparison& comparison, const Picture& picture) {
-  std::string clear, spread, chance;
+  std::string clear, spread, chance, open;
   const auto add = [](std::string& list, const std::string& item) {
     list += (list.empty() ? "" : "; ") + item;
   };
@@ -89,7 +89,7 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
         add(spread, name);
         break;
       case Evidence::kCanBeChance:
-        add(chance, name);
+        add(one->interval_excludes_zero() ? open : chance, name);
         break;
     }
   }
@@ -99,6 +99,10 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
   };
   line(escaped(picture.title) + ", more than chance:", clear);
   line("Equal on average, but spread differently:", spread);
+  const std::size_t tests = picture.rows.front()->tests;
+  line("Not sure: the interval excludes zero, but among the " + std::to_string(tests) +
+           " differences tested one like this can be chance:",
+       open);
   line("Can be chance:", chance);
   return html;
 }

@@ -4,6 +4,7 @@
 
 #include "report/html/html_page.hpp"
 #include "report/text/answer_text.hpp"
+#include "report/text/key_figures.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -29,8 +30,9 @@ std::string figures_of(const Comparison& comparison, const Answer& answer) {
   std::string html = "<dl class=\"figures\">\n";
   for (const KeyFigure& figure : key_figures(comparison, answer)) {
     html += "<div><dd class=\"value\">" + unbroken(figure.value) + "</dd><dt>" +
-            escaped(figure.label) + "</dt>" +
-            (figure.range.empty() ? "" : "<dd>(" + escaped(figure.range) + ")</dd>") + "</div>\n";
+            unbroken(figure.label) + "</dt>" +
+            (figure.range.empty() ? "" : "<dd>(" + escaped(figure.range) + ")</dd>") +
+            (figure.more.empty() ? "" : "<dd>" + unbroken(figure.more) + "</dd>") + "</div>\n";
   }
   return html + "</dl>\n";
 }

@@ -26,16 +26,17 @@ std::string map_section(const Comparison& comparison, const MapRasters& paths,
       paths.layers.empty()
           ? ""
           : "The other maps show every path, cell by cell; rasters/ has them for a GIS. ";
-  return section(
-      "Where the blocks stop",
-      paragraph("Centres of mass at the end of each run, in map coordinates. The wheel zooms, "
-                "dragging moves the map. " +
-                stops + rasters + "Relief lit from the north-west, contours every " +
-                significant(contour_interval(comparison), 2) + " m" +
-                (several_files(comparison) ? "; the surface is that of file 1." : ".")) +
-          page_map(comparison, {.id = "map",
-                                .label = "map of stops, release points and barriers",
-                                .rasters = {&paths, &deposits}}));
+  const std::string reading =
+      "Centres of mass at the end of each run, in map coordinates. The wheel zooms, dragging moves "
+      "the map. " +
+      stops + rasters + "Relief lit from the north-west, contours every " +
+      significant(contour_interval(comparison), 2) + " m" +
+      (several_files(comparison) ? "; the surface is that of file 1." : ".");
+  return section("Where the blocks stop",
+                 page_map(comparison, {.id = "map",
+                                       .label = "map of stops, release points and barriers",
+                                       .rasters = {&paths, &deposits}}) +
+                     folded("How to read and use the map", paragraph(reading)));
 }
 
 }  // namespace clast::report_detail

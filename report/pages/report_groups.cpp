@@ -1,5 +1,8 @@
 #include "report/pages/report_groups.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "report/html/html_page.hpp"
 
 namespace clast::report_detail {
@@ -21,6 +24,28 @@ std::string short_name(const Group& group) {
   std::string name = group.kind == GroupKind::kAll ? "all" : group.key;
   if (group.kind == GroupKind::kSneedFolk) name += " (Sneed-Folk)";
   return group.file ? "file " + std::to_string(*group.file + 1) + ": " + name : name;
+}
+
+std::string class_of(const Comparison& comparison, const Group& group) {
+  const std::string& first = comparison.rows[group.rows.front()].block->garcia;
+  const bool same = std::all_of(group.rows.begin(), group.rows.end(), [&](std::size_t row) {
+    return comparison.rows[row].block->garcia == first;
+  });
+  return same ? first : std::string();
+}
+
+std::pair<std::string, std::string> curve_style(const Comparison& comparison, const Group& group,
+                                                const std::vector<std::string>& classes_before) {
+  if (group.kind == GroupKind::kGarcia) {
+    return {class_colour(group.key), kDashes[group.file.value_or(0) % kDashes.size()]};
+  }
+  const std::string name = class_of(comparison, group);
+  const std::string colour = class_colour(name);
+  const auto before =
+      static_cast<std::size_t>(std::count(classes_before.begin(), classes_before.end(), name));
+  const std::array<std::string, 3> shades = {colour, mixed(colour, "#ffffff", 0.45),
+                                             mixed(colour, "#000000", 0.45)};
+  return {shades[before / kDashes.size() % shades.size()], kDashes[before % kDashes.size()]};
 }
 
 std::string mean_and_std(const Summary& summary, int decimals, double unit) {

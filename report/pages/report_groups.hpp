@@ -2,6 +2,8 @@
 /// Which groups a report shows, what they are called, and what its sections share.
 #include <optional>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "report/charts/palette.hpp"
@@ -21,18 +23,26 @@ std::string mean_and_std(const Summary& summary, int decimals, double unit = 1.0
 /// `value` of a summary; "-" for an empty sample.
 std::string measured(double value, const Summary& summary, int decimals);
 
-/// One curve per group. Classes keep their colours; with several files the dash distinguishes
-/// files.
+/// Class of the block that all runs of a group are of; empty where they are of several.
+std::string class_of(const Comparison& comparison, const Group& group);
+
+/// Colour and dash of the curve of a group: a block has the colour of its class, and a dash or
+/// shade of its own. Together they repeat after twelve blocks of a class.
+/// @param classes_before  of the groups drawn before it
+std::pair<std::string, std::string> curve_style(const Comparison& comparison, const Group& group,
+                                                const std::vector<std::string>& classes_before);
+
+/// One curve per group.
 template <class Value>
 std::vector<Series> series_of(const Comparison& comparison, GroupKind kind, Value value_of) {
   std::vector<Series> series;
+  std::vector<std::string> classes;
   for (const std::size_t g : groups_of(comparison, kind)) {
     const Group& group = comparison.groups[g];
     Series one;
     one.name = short_name(group);
-    one.colour = kind == GroupKind::kGarcia ? class_colour(group.key) : data_colour(series.size());
-    one.dash = kind == GroupKind::kGarcia ? kDashes[group.file.value_or(0) % kDashes.size()]
-                                          : data_dash(series.size());
+    std::tie(one.colour, one.dash) = curve_style(comparison, group, classes);
+    classes.push_back(class_of(comparison, group));
     for (const std::size_t row : group.rows) {
       const std::optional<double> value = value_of(row);
       if (value) one.values.push_back(*value);

@@ -5,6 +5,7 @@
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
+#include "report/text/plain_numbers.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -23,6 +24,75 @@ std::vector<std::string> counts_of(const Bins& bins) {
   std::vector<std::string> notes;
   for (const ProfileBin* bin : bins) notes.push_back(std::to_string(bin->runs) + " runs");
   return notes;
+}
+
+/// Barriers on the axis of distance: where half of their counted crossings lie before.
+std::vector<ChartPlace> barrier_places(const Comparison& comparison,
+                                       std::optional<std::uint32_t> file) {
+  std::vector<ChartPlace> places;
+  for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
+    std::vector<double> distances;
+    for (const CrossingRow& crossing : comparison.crossings) {
+      const RunRow& row = comparison.rows[crossing.row];
+      if (!crossing.counted || crossing.barrier != line || (file && row.file != *file)) continue;
+      const Vec3 way = crossing.crossing->position - row.record->start.position;
+      distances.push_back(comparison.downslope.dot(way.head<2>()));
+    }
+    if (distances.empty()) continue;
+    places.push_back({summarise(distances).median, comparison.lines[line].name});
+  }
+  return places;
+}
+
+/// How many of the runs of every class come so far.
+std::string share_against_distance(const Comparison& comparison,
+                                   const std::vector<ProfileBin>& bins,
+                                   std::optional<std::uint32_t> file, const ChartAxes& axes) {
+  std::vector<Trace> traces;
+  for (const std::size_t g : groups_of(comparison, GroupKind::kGarcia)) {
+    const Group& group = comparison.groups[g];
+    if (group.file != file) continue;
+    Trace trace{group.key, class_colour(group.key), {}, Trace::Kind::kSteps, {}, {}};
+    const Bins along = bins_of_group(bins, g);
+    for (const ProfileBin* bin : along) {
+      trace.x.push_back(bin->from);
+      trace.y.push_back(static_cast<double>(bin->runs) / static_cast<double>(group.rows.size()));
+    }
+    trace.notes = counts_of(along);
+    traces.push_back(std::move(trace));
+  }
+  return plotly_chart(axes, traces);
+}
+
+/// What a barrier would meet at every distance, over all runs of a group.
+std::string barrier_table(const Comparison& comparison, const std::vector<ProfileBin>& bins,
+                          std::size_t group) {
+  HtmlTable table({"distance, m", "runs that come by", "share", "energy p95, kJ", "energy max, kJ",
+                   "height p95, m", "height max, m", "speed p95, m/s"},
+                  1);
+  const auto runs = static_cast<double>(comparison.groups[group].rows.size());
+  for (const ProfileBin* bin : bins_of_group(bins, group)) {
+    table.row({with_digits(bin->from, 4) + " to " + with_digits(bin->to, 4),
+               std::to_string(bin->runs), percent(static_cast<double>(bin->runs) / runs, 0),
+               significant(bin->energy.p95 / 1000.0), significant(bin->energy.max / 1000.0),
+               measured(bin->height.p95, bin->height, 2), measured(bin->height.max, bin->height, 2),
+               measured(bin->speed.p95, bin->speed, 1)});
+  }
+  return table.html();
+}
+
+/// "Of the places that at least half of the runs come to, ... asks least of a barrier: ..."
+std::string least_demand(const Comparison& comparison, const std::vector<ProfileBin>& bins,
+                         std::size_t group) {
+  const std::size_t runs = comparison.groups[group].rows.size();
+  const ProfileBin* place = least_energy_place(bins, group, runs);
+  if (place == nullptr || runs < kFewestPassages) return {};
+  return "Of the places that at least half of the " + std::to_string(runs) +
+         " runs come to, a barrier at " + with_digits(place->from, 4) + " to " +
+         with_digits(place->to, 4) + " m would meet the least energy: 95 % of the " +
+         std::to_string(place->runs) + " runs there stay below " +
+         energy_in_words(place->energy.p95) + " and pass with their centre below " +
+         height_in_words(place->height.p95) + ". ";
 }
 
 /// Mean, 95th percentile and largest of a quantity of every class.
@@ -103,21 +173,30 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
                                     "trajectory_interval_s above zero to see energies and passing "
                                     "heights against distance."));
   }
-  std::string charts = "<div class=\"charts\">\n";
+  std::string words, charts, tables;
   for (const std::size_t all : groups_of(comparison, GroupKind::kAll)) {
     const std::optional<std::uint32_t> file = comparison.groups[all].file;
     const std::string where = file ? ", file " + std::to_string(*file + 1) : std::string();
-    const std::string distance = "distance along downslope, m";
+    const auto axes = [&](const std::string& what, const std::string& label) {
+      ChartAxes axes{what + where, "distance along downslope, m", label};
+      axes.places = barrier_places(comparison, file);
+      return axes;
+    };
+    const std::string least = least_demand(comparison, bins, all);
+    if (!least.empty()) words += (file ? short_name(comparison.groups[all]) + ": " : "") + least;
+    ChartAxes share = axes("Runs that come so far", "share of runs");
+    share.y_in_percent = true;
+    charts += share_against_distance(comparison, bins, file, share);
+    charts +=
+        against_distance(comparison, bins, file, axes("Energy against distance", "energy, kJ"),
+                         &ProfileBin::energy, 1e-3);
     charts += against_distance(comparison, bins, file,
-                               {"Energy against distance" + where, distance, "energy, kJ"},
-                               &ProfileBin::energy, 1e-3);
-    charts += against_distance(
-        comparison, bins, file,
-        {"Passing height against distance" + where, distance, "height above ground, m"},
-        &ProfileBin::height, 1.0);
-    charts += against_distance(comparison, bins, file,
-                               {"Speed against distance" + where, distance, "speed, m/s"},
+                               axes("Passing height against distance", "height, m"),
+                               &ProfileBin::height, 1.0);
+    charts += against_distance(comparison, bins, file, axes("Speed against distance", "speed, m/s"),
                                &ProfileBin::speed, 1.0);
+    tables += folded("What a barrier would meet at every distance" + where,
+                     barrier_table(comparison, bins, all));
   }
   for (const std::size_t group : groups_with_a_path(comparison)) {
     const std::string name = short_name(comparison.groups[group]);
@@ -125,9 +204,9 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
         cut_along_the_mean_path(comparison, bins, group, "The ground along the mean path: " + name);
   }
   return section(title,
-                 paragraph("Largest value of each run that comes so far, by distance. The section "
-                           "follows the mean path.") +
-                     charts + "</div>\n");
+                 paragraph(words + "Each run counts with its largest value at a distance; heights "
+                                   "are of the centre. The section follows the mean path.") +
+                     "<div class=\"charts by-three\">\n" + charts + "</div>\n" + tables);
 }
 
 }  // namespace clast::report_detail

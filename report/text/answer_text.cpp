@@ -1,11 +1,14 @@
 #include "report/text/answer_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/number_text.hpp"
 #include "report/text/capital.hpp"
+#include "report/text/key_figures.hpp"
 #include "report/text/measured_text.hpp"
 #include "report/text/plain_numbers.hpp"
+#include "report/text/subject_words.hpp"
 
 namespace clast {
 
@@ -15,12 +18,6 @@ namespace {
 constexpr std::size_t kMostStatements = 3;   // in full
 constexpr std::size_t kMostOthers = 2;       // barriers beside the first
 constexpr std::size_t kFewestForShare = 20;  // runs for "95 % stop before"
-
-/// "file 2 (soft)".
-std::string file_name(const Comparison& comparison, std::uint32_t file) {
-  const std::string stem = comparison.results[file].file.stem().string();
-  return "file " + std::to_string(file + 1) + (stem.empty() ? "" : " (" + stem + ")");
-}
 
 /// Who runs: "compact blocks", "block B01", "the blocks".
 std::string blocks_of(const Comparison& comparison, std::size_t group) {
@@ -75,6 +72,17 @@ std::string mean_runout(const Comparison& comparison, const Statement& statement
               : "; 95 % stop before " + length_in_words(all.p95, decimals));
 }
 
+/// "; half of either stop before 17 m: ..."
+std::string few_run_on(const RunoutAnswer& farther, const RunoutAnswer& nearer,
+                       const std::string& a, const std::string& b, int decimals) {
+  const std::string first = length_in_words(farther.median, decimals);
+  const std::string second = length_in_words(nearer.median, decimals);
+  return (first == second ? "; half of either stop before " + first
+                          : "; half of the " + a + " stop before " + first + ", half of the " + b +
+                                " before " + second) +
+         ", so the difference is made by those that run on";
+}
+
 std::string gap_in_words(const Comparison& comparison, const Statement& statement) {
   const GapAnswer& gap = *statement.gap;
   const auto of = [&](std::size_t group) -> const RunoutAnswer& {
@@ -92,7 +100,8 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
   switch (gap.standing) {
     case Standing::kMoreThanChance:
       return prefix + a + " blocks run " + length_in_words(gap.gap, decimals) + " farther than " +
-             b + " ones" + interval;
+             b + " ones" + (gap.of_few ? " on average" : "") + interval +
+             (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
     case Standing::kOtherSpread:
       return prefix + means + ", a difference that can be chance" + interval +
              "; but their stops are spread differently";
@@ -115,18 +124,6 @@ std::string gap_in_words(const Comparison& comparison, const Statement& statemen
   return "runouts can't be compared: " + std::to_string(farther.at_rest) + " of " +
          std::to_string(farther.started) + " " + a + " and " + std::to_string(nearer.at_rest) +
          " of " + std::to_string(nearer.started) + " " + b + " blocks came to rest (" + ends + ")";
-}
-
-/// What a barrier is called in a sentence, and what blocks do there.
-struct BarrierWords {
-  std::string name;
-  std::string pass;  ///< "pass", "reach"
-};
-
-BarrierWords words_of(const Comparison& comparison, std::size_t line) {
-  const BarrierLine& barrier = comparison.lines[line];
-  if (!barrier.of_ring()) return {barrier.name, "pass"};
-  return {barrier.name.substr(0, barrier.name.rfind(" (")), "reach"};
 }
 
 std::string with_interval(const ShareAnswer& share) {
@@ -161,9 +158,9 @@ std::string share_sentence(const Comparison& comparison, const PassageAnswer& pa
 /// "95 % of these carry less than 43 kJ, with their centre below 1.0 m".
 std::string strength_of(const PassageAnswer& passage) {
   if (passage.all.crossed == 0) return "";
-  const std::string energy = energy_in_words(passage.energy);
-  const std::string height = height_in_words(passage.height);
-  if (!passage.largest) {
+  const std::string energy = energy_in_words(passage.all.energy);
+  const std::string height = height_in_words(passage.all.height);
+  if (!passage.all.largest) {
     return "; 95 % of these carry less than " + energy + ", with their centre below " + height;
   }
   return passage.all.crossed == 1
@@ -224,77 +221,15 @@ std::string files_in_words(const Comparison& comparison, const GapAnswer& gap) {
          ", which can be chance" + interval + ".";
 }
 
-/// Values of the classes, or of all where there is one: "45 / 32 m".
-struct Pair {
-  std::string values, ranges;
-
-  void add(const std::string& value, const std::string& range) {
-    values += (values.empty() ? "" : " / ") + value;
-    if (!range.empty()) ranges += (ranges.empty() ? "" : " / ") + range;
+/// "330 to 580 kg".
+std::string masses_in_words(const Comparison& comparison) {
+  double low = INFINITY, high = 0.0;
+  for (const RunRow& row : comparison.rows) {
+    low = std::min(low, row.block->mass);
+    high = std::max(high, row.block->mass);
   }
-};
-
-std::string class_names(const Comparison& comparison, const Statement& statement) {
-  std::string names;
-  if (statement.classes.size() < 2) return names;
-  for (const RunoutAnswer& one : statement.classes) {
-    names += (names.empty() ? ", " : " / ") + comparison.groups[one.group].key;
-  }
-  return names;
-}
-
-KeyFigure runout_figure(const Comparison& comparison, const Statement& statement) {
-  std::vector<RunoutAnswer> shown = statement.classes;
-  if (shown.size() < 2) shown = {statement.all};
-  int decimals = 2;
-  for (const RunoutAnswer& one : shown) {
-    if (one.stands()) decimals = std::min(decimals, decimals_of_length(one.mean, one.interval));
-  }
-  Pair pair;
-  for (const RunoutAnswer& one : shown) {
-    pair.add(one.stands() ? with_decimals(one.mean, decimals) : "?",
-             one.stands() && one.interval ? with_decimals(one.interval->low, decimals) + " to " +
-                                                with_decimals(one.interval->high, decimals)
-                                          : "");
-  }
-  return {pair.values + " m", "mean runout" + class_names(comparison, statement), pair.ranges};
-}
-
-/// L/2 of the longest block that ran, m: a barrier must be that much higher than the centres.
-double half_longest(const Comparison& comparison) {
-  double longest = 0.0;
-  for (const RunRow& row : comparison.rows) longest = std::max(longest, row.block->axes.L);
-  return 0.5 * longest;
-}
-
-std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const Statement& statement) {
-  const PassageAnswer& passage = statement.passages.front();
-  const BarrierWords words = words_of(comparison, passage.line);
-  std::vector<ShareAnswer> shown = passage.classes;
-  if (shown.empty()) shown = {passage.all};
-  Pair pair;
-  for (const ShareAnswer& share : shown) {
-    std::string value = share_in_words(share.share), range;
-    if (share.interval) range = shares_in_words(*share.interval);
-    for (std::string* text : {&value, &range}) {
-      if (text->ends_with(" %")) text->resize(text->size() - 2);
-    }
-    pair.add(value, range);
-  }
-  std::vector<KeyFigure> figures = {
-      {pair.values + " %", words.pass + " " + words.name + class_names(comparison, statement),
-       pair.ranges}};
-  if (passage.all.crossed == 0) return figures;
-  const std::string limit =
-      passage.largest ? "largest of " + counted(passage.all.crossed, "passage") : "95 % lie below";
-  figures.push_back(
-      {energy_in_words(passage.energy), "energy at " + words.name + ": " + limit, ""});
-  figures.push_back({height_in_words(passage.height),
-                     "height of the centre at " + words.name + ": " + limit +
-                         "; tops of blocks up to " + height_in_words(half_longest(comparison)) +
-                         " higher",
-                     ""});
-  return figures;
+  const std::string from = mass_in_words(low), to = mass_in_words(high);
+  return from == to ? to : from.substr(0, from.find(' ')) + " to " + to;
 }
 
 }  // namespace
@@ -315,36 +250,6 @@ std::vector<std::string> answer_sentences(const Comparison& comparison, const An
   return sentences;
 }
 
-std::vector<KeyFigure> key_figures(const Comparison& comparison, const Answer& answer) {
-  constexpr std::size_t kMost = 4;
-  std::vector<KeyFigure> figures;
-  if (answer.statements.size() == 1) {
-    const Statement& statement = answer.statements.front();
-    figures.push_back(runout_figure(comparison, statement));
-    if (!statement.passages.empty()) {
-      for (KeyFigure& figure : barrier_figures(comparison, statement)) {
-        figures.push_back(std::move(figure));
-      }
-    } else if (statement.all.stands()) {
-      const int decimals = decimals_of_length(statement.all.farthest);
-      figures.push_back({length_in_words(statement.all.p95, decimals), "95 % stop before", ""});
-      figures.push_back({length_in_words(statement.all.farthest, decimals), "farthest stop", ""});
-    }
-    return figures;
-  }
-  for (const Statement& statement : answer.statements) {
-    if (figures.size() == kMost) break;
-    KeyFigure figure = runout_figure(comparison, statement);
-    figure.label = file_name(comparison, *statement.file) + ": " + figure.label;
-    figures.push_back(std::move(figure));
-    if (answer.statements.size() > 2 || statement.passages.empty()) continue;
-    figure = barrier_figures(comparison, statement).front();
-    figure.label = file_name(comparison, *statement.file) + ": " + figure.label;
-    figures.push_back(std::move(figure));
-  }
-  return figures;
-}
-
 std::string runs_in_words(const Comparison& comparison) {
   std::size_t blocks = 0, classes = 0;
   for (const Group& group : comparison.groups) {
@@ -353,7 +258,8 @@ std::string runs_in_words(const Comparison& comparison) {
     classes += group.kind == GroupKind::kGarcia;
   }
   std::string text = counted(comparison.rows.size(), "run") + " of " + counted(blocks, "block") +
-                     " in " + counted(classes, "shape class", "shape classes");
+                     " (" + masses_in_words(comparison) + ") in " +
+                     counted(classes, "shape class", "shape classes");
   const std::size_t files = comparison.results.size();
   return files > 1 ? text + ", from " + counted(files, "file") : text;
 }
@@ -386,7 +292,8 @@ std::vector<std::string> first_screen(const Comparison& comparison, const Answer
   for (const KeyFigure& figure : figures) width = std::max(width, figure.value.size());
   for (const KeyFigure& figure : figures) {
     lines.push_back("  " + figure.value + std::string(width - figure.value.size() + 2, ' ') +
-                    figure.label + (figure.range.empty() ? "" : " (" + figure.range + ")"));
+                    figure.label + (figure.range.empty() ? "" : " (" + figure.range + ")") +
+                    (figure.more.empty() ? "" : "; " + figure.more));
   }
   lines.push_back(intervals_in_words(answer));
   const std::vector<std::string> measured = measured_sentences(comparison);

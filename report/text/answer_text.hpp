@@ -10,17 +10,7 @@ namespace clast {
 /// A sentence or two for each statement.
 std::vector<std::string> answer_sentences(const Comparison& comparison, const Answer& answer);
 
-/// One of the large numbers of a first screen.
-struct KeyFigure {
-  std::string value;  ///< "45 / 32 m"
-  std::string label;  ///< "mean runout, compact / elongated"
-  std::string range;  ///< "42 to 48 / 30 to 34"; empty: none
-};
-
-/// Four at most.
-std::vector<KeyFigure> key_figures(const Comparison& comparison, const Answer& answer);
-
-/// "192 runs of 3 blocks in 2 shape classes"
+/// "192 runs of 3 blocks (330 to 580 kg) in 2 shape classes"
 std::string runs_in_words(const Comparison& comparison);
 
 /// What the intervals rest on: "Ranges in brackets are 95 % intervals, from 16 release points."

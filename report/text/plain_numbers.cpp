@@ -16,8 +16,7 @@ std::string share_number(double share) {
 }  // namespace
 
 int decimals_of_length(double length, const std::optional<Interval>& interval) {
-  const double size = interval ? 4.0 * (interval->high - interval->low) : std::abs(length);
-  return size >= 20.0 ? 0 : size >= 2.0 ? 1 : 2;
+  return decimals_known(interval.value_or(Interval{0.0, 0.25 * std::abs(length)}), 2);
 }
 
 std::string length_in_words(double length, int decimals) {
@@ -40,6 +39,10 @@ std::string energy_in_words(double joules) {
   if (kilojoules >= 10.0) return with_decimals(kilojoules, 0) + " kJ";
   if (kilojoules >= 1.0) return with_decimals(kilojoules, 1) + " kJ";
   return joules >= 10.0 ? with_decimals(joules, 0) + " J" : with_digits(joules, 2) + " J";
+}
+
+std::string mass_in_words(double kilograms) {
+  return (kilograms < 100.0 ? with_digits(kilograms, 2) : with_decimals(kilograms, 0)) + " kg";
 }
 
 std::string height_in_words(double metres) {

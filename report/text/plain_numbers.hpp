@@ -21,6 +21,8 @@ std::string shares_in_words(const Interval& interval);
 
 /// "43 kJ", "850 J".
 std::string energy_in_words(double joules);
+/// "542 kg", "8.4 kg".
+std::string mass_in_words(double kilograms);
 /// "1.0 m", "0.35 m".
 std::string height_in_words(double metres);
 

@@ -36,6 +36,9 @@ probe.arrow=head.getAttribute('aria-sort');
 clastScene.start().then(use).then(function(){return clastRun('plotly-code')}).then(function(){
   dispatchEvent(new Event('beforeprint'));
   probe.printed=document.querySelectorAll('.chart .main-svg .plot').length;
+  probe.paper=document.querySelectorAll('details.paper[open]').length;
+  dispatchEvent(new Event('afterprint'));
+  probe.screen=document.querySelectorAll('details.paper[open]').length;
   return clastCharts.drawAll();
 }).then(function(boxes){
   probe.charts=boxes.length;
@@ -82,7 +85,7 @@ clastRun('plotly-code').then(function(){return clastCharts.drawAll()}).then(func
   seen.focus();probe.hint=hint.hidden?'':hint.textContent;probe.hint_box=box(hint);
   dispatchEvent(new KeyboardEvent('keydown',{key:'Escape'}));probe.hint_gone=hint.hidden;
   probe.links=Array.from(document.querySelectorAll('nav.contents a')).filter(function(a){return document.getElementById(a.hash.slice(1))}).length;
-  probe.sections=document.querySelectorAll('main > section').length;
+  probe.sections=document.querySelectorAll('main > section, .opening > section').length;
 }).then(tell,function(error){probe.failed=String(error);tell()});
 function tell(){
   var told=document.createElement('pre');told.id='probe';told.textContent=JSON.stringify(probe);
@@ -138,10 +141,12 @@ TEST_F(ReportPage, DrawsItsChartsAndMovesItsBlocks) {
   EXPECT_GT(double(probe["without_blocks"]), 1000) << "the ground is drawn";
   EXPECT_GT(double(probe["colours"]), 100) << "the picture is shaded";
   EXPECT_FALSE(probe.contains("failed")) << probe["failed"];
-  // Map, differences, four of runouts, three along the slope, the cut, three of the barrier.
-  EXPECT_EQ(probe["charts"], 13);
+  // Map, differences, four of runouts, four along the slope, the cut, three of the barrier.
+  EXPECT_EQ(probe["charts"], 14);
   EXPECT_EQ(probe["inked"], probe["charts"]);
   EXPECT_EQ(probe["printed"], probe["charts"]) << "paper does not wait until a chart is seen";
+  EXPECT_EQ(probe["paper"], 3) << "both tables of blocks, and the figures of the barrier";
+  EXPECT_EQ(probe["screen"], 0) << "and folded again on the screen";
   EXPECT_TRUE(probe["buttons_and_names"]);
   EXPECT_FALSE(probe["names_covered"]) << "the map's buttons lie over its legend";
   EXPECT_EQ(probe["relief"], 1);
@@ -166,7 +171,7 @@ TEST_F(ReportPage, AnswersOnItsFirstScreen) {
   ASSERT_GE(probe["numbers"].size(), 3u);
   for (const Json& number : probe["numbers"]) EXPECT_LT(double(number["bottom"]), 0.6 * height);
   for (const Json& lines : probe["cautions"]) EXPECT_LT(double(lines), 2.5) << "lines of a caution";
-  EXPECT_LT(double(probe["map"]["top"]), height - 100.0) << "a part of the map is seen";
+  EXPECT_LT(double(probe["map"]["bottom"]), height) << "the map is seen, with its legend";
   EXPECT_EQ(probe["wide"], Json::array()) << "wider than the page";
   EXPECT_GT(int(probe["terms"]), 2);
   EXPECT_NE(probe["hint"], "") << "a word is explained where it has the focus";

@@ -76,6 +76,14 @@ TEST_P(RandomSample, QuantileAtAnOrderStatisticIsThatValueAndNeverFalls) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomSample, testing::Range(0u, 20u));
 
+TEST(Decimals, AreThoseThatTheIntervalLeaves) {
+  EXPECT_EQ(decimals_known({10.0, 17.0}, 4), 0);
+  EXPECT_EQ(decimals_known({0.208, 0.983}, 4), 1);
+  EXPECT_EQ(decimals_known({0.135, 0.2}, 4), 2);
+  EXPECT_EQ(decimals_known({5.0, 5.0}, 4), 4) << "no wider than nothing";
+  EXPECT_EQ(decimals_known({-INFINITY, INFINITY}, 4), 0);
+}
+
 TEST(WilsonInterval, EndsSolveTheScoreEquation) {
   for (const std::size_t trials : {1u, 7u, 64u, 256u}) {
     for (std::size_t hits = 0; hits <= trials; ++hits) {

@@ -1,11 +1,13 @@
 // The first screen in words, for every kind of campaign.
 #include "report/text/answer_text.hpp"
+#include "report/text/key_figures.hpp"
 #include "report/text/measured_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "report/pages/report_sections.hpp"
 #include "report/text/plain_numbers.hpp"
@@ -63,8 +65,8 @@ TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
                 "). " + share_in_words(passage.classes[0].share) + " of compact and " +
                 share_in_words(passage.classes[1].share) +
                 " of elongated blocks pass EC22; 95 % of these carry less than " +
-                energy_in_words(passage.energy) + ", with their centre below " +
-                height_in_words(passage.height) + ".\n");
+                energy_in_words(passage.all.energy) + ", with their centre below " +
+                height_in_words(passage.all.height) + ".\n");
 }
 
 TEST(AnswerText, SaysWhenItCanBeChance) {
@@ -120,6 +122,36 @@ TEST(AnswerText, OneRealisationIsNotEvidence) {
   for (const KeyFigure& figure : key_figures(comparison, answer(comparison))) {
     EXPECT_EQ(figure.range, "") << figure.label;
   }
+}
+
+// Most runs of both classes stop at the same place, a quarter of one class runs on.
+TEST(AnswerText, DifferenceMadeByFewIsCalledSo) {
+  CampaignResults results = made_up_results({.compact = 30.0, .elongated = 30.0, .seed = 4});
+  for (RunRecord& run : results.runs) {
+    if (run.block == 0 && run.run % 4 == 0) run.result.final_state.position.x() += 60.0;
+  }
+  const Comparison comparison = compared(std::move(results));
+  EXPECT_TRUE(answer(comparison).statements.at(0).gap->of_few);
+  EXPECT_TRUE(contains(sentences(comparison), " farther than elongated ones on average ("));
+  EXPECT_TRUE(contains(sentences(comparison), "so the difference is made by those that run on"));
+  EXPECT_FALSE(answer(compared(made_up_results())).statements.at(0).gap->of_few);
+}
+
+TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
+  CampaignResults results = made_up_results();
+  add_barrier(results, "road", 30.0);
+  const Comparison comparison = compared(std::move(results));
+  const Answer said = answer(comparison);
+  const std::vector<KeyFigure> figures = key_figures(comparison, said);
+  ASSERT_EQ(figures.size(), 4u);
+  const RunoutAnswer& compact = said.statements[0].classes[0];
+  EXPECT_TRUE(figures[0].more.starts_with("half stop before " + with_decimals(compact.median, 0)))
+      << figures[0].more;
+  const PassageAnswer& road = said.statements[0].passages[0];
+  EXPECT_EQ(figures[2].more, "compact " + energy_in_words(road.classes[0].energy) + ", elongated " +
+                                 energy_in_words(road.classes[1].energy) + "; largest " +
+                                 energy_in_words(road.all.largest_energy));
+  EXPECT_GE(road.all.largest_energy, road.all.energy);
 }
 
 TEST(AnswerText, NobodyPassesIsNotNever) {

@@ -258,7 +258,11 @@ CampaignResults clean_results() {
 }
 
 TEST(Compare, SlopesWhereGeometryDecidesAreNamed) {
-  const Comparison comparison = compared(hand_made_results());
+  CampaignResults results = hand_made_results();
+  for (RunRecord& run : results.runs) {
+    if (run.result.final_state.position.x() > 20.0) run.result.stop_reason = StopReason::kMaxTime;
+  }
+  const Comparison comparison = compared(std::move(results));
   EXPECT_TRUE(warns(comparison,
                     "zone blue slopes 26.6 deg on average, between atan mu_R = 19.3 deg and atan "
                     "mu = 35 deg: "));
@@ -271,6 +275,24 @@ TEST(Compare, SlopesWhereGeometryDecidesAreNamed) {
   const Comparison short_runs = compared(std::move(upper));
   EXPECT_TRUE(warns(short_runs, "zone blue slopes"));
   EXPECT_FALSE(warns(short_runs, "zone scree slopes"));
+}
+
+TEST(Compare, ZoneThatStopsBlocksIsNotCalledTooSteepToStopThem) {
+  CampaignResults results = hand_made_results();
+  const auto at_rest_on_scree = [&](std::size_t count) {
+    for (std::size_t i = 0; i < results.runs.size(); ++i) {
+      results.runs[i].result.stop_reason = StopReason::kRest;
+      results.runs[i].result.final_state.position =
+          i < count ? Vec3(30.0, 0.0, -15.0) : Vec3(5.0, 0.0, -2.5);
+    }
+    return compared(results);
+  };
+  const Comparison some = at_rest_on_scree(2);
+  EXPECT_TRUE(warns(some, "but 2 of 6 runs stopped where it is flatter"));
+  EXPECT_FALSE(warns(some, "friction stops nothing there"));
+  for (const Caution& caution : some.cautions) {
+    EXPECT_FALSE(contains(caution.brief, "too steep")) << caution.brief;
+  }
 }
 
 TEST(Compare, CleanRunsOfEqualMassGiveNoWarning) {

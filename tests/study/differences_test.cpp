@@ -146,11 +146,13 @@ TEST(Differences, AreSaidInASentence) {
   const Comparison comparison = compared(synthetic_results(5, -6.0));
   const Difference& runout = between_classes(comparison, "runout_m");
   const Interval& interval = runout.interval.value();
+  const int decimals = decimals_known(interval, 4);
   EXPECT_EQ(in_words(runout, comparison),
             "runout: class compact " + with_digits(runout.first_mean, 3) +
                 " m on average, class elongated " + with_digits(runout.second_mean, 3) + " m; " +
-                with_digits(runout.first_mean - runout.second_mean, 3) + " m more (" +
-                with_digits(interval.low, 3) + " to " + with_digits(interval.high, 3) + " m)");
+                with_decimals(runout.first_mean - runout.second_mean, decimals) + " m more (" +
+                with_decimals(interval.low, decimals) + " to " +
+                with_decimals(interval.high, decimals) + " m)");
   const Comparison same = compared(synthetic_results(5, 0.0));
   EXPECT_TRUE(in_words(between_classes(same, "runout_m"), same)
                   .ends_with(", which can be chance among 4 differences"));
@@ -159,9 +161,9 @@ TEST(Differences, AreSaidInASentence) {
   std::swap(back.first, back.second);
   std::swap(back.first_mean, back.second_mean);
   back.interval = Interval{-interval.high, -interval.low};
-  EXPECT_EQ(gap_in_words(back), with_digits(runout.first_mean - runout.second_mean, 3) +
-                                    " m less (" + with_digits(interval.low, 3) + " to " +
-                                    with_digits(interval.high, 3) + " m)");
+  EXPECT_EQ(gap_in_words(back), with_decimals(runout.first_mean - runout.second_mean, decimals) +
+                                    " m less (" + with_decimals(interval.low, decimals) + " to " +
+                                    with_decimals(interval.high, decimals) + " m)");
 }
 
 TEST(Differences, NameTheirQuantitiesForReaders) {

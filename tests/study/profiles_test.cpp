@@ -68,5 +68,23 @@ TEST(Profiles, AreEmptyWithoutTrajectories) {
   EXPECT_TRUE(profiles(compared(hand_made_results())).empty());
 }
 
+TEST(Profiles, BarrierMeetsTheLeastEnergyBeyondThePeakWhereBlocksStillCome) {
+  std::vector<ProfileBin> bins;
+  const auto add = [&](std::size_t group, std::size_t runs, double energy) {
+    ProfileBin bin{.group = group, .from = 2.0 * static_cast<double>(bins.size()), .runs = runs};
+    bin.energy.p95 = energy;
+    bins.push_back(bin);
+  };
+  // A start from rest, a peak, a bench, a wall, and a foot that few reach.
+  for (const double energy : {1.0, 20.0, 30.0, 9.0, 40.0, 25.0}) add(0, 10, energy);
+  add(0, 4, 3.0);
+  add(1, 10, 2.0);
+  const ProfileBin* place = least_energy_place(bins, 0, 10);
+  ASSERT_NE(place, nullptr);
+  EXPECT_EQ(place->from, 6.0);
+  EXPECT_EQ(least_energy_place(bins, 1, 10), nullptr) << "no peak is behind";
+  EXPECT_EQ(least_energy_place(bins, 0, 30), nullptr) << "fewer than half come by";
+}
+
 }  // namespace
 }  // namespace clast

@@ -1,0 +1,145 @@
+#include "report/text/key_figures.hpp"
+
+#include <algorithm>
+
+#include "core/number_text.hpp"
+#include "report/text/plain_numbers.hpp"
+#include "report/text/subject_words.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+namespace {
+
+/// Values of the classes, or of all where there is one: "45 / 32 m".
+struct Pair {
+  std::string values, ranges;
+
+  void add(const std::string& value, const std::string& range) {
+    values += (values.empty() ? "" : " / ") + value;
+    if (!range.empty()) ranges += (ranges.empty() ? "" : " / ") + range;
+  }
+};
+
+std::string class_names(const Comparison& comparison, const Statement& statement) {
+  std::string names;
+  if (statement.classes.size() < 2) return names;
+  for (const RunoutAnswer& one : statement.classes) {
+    names += (names.empty() ? ", " : " / ") + comparison.groups[one.group].key;
+  }
+  return names;
+}
+
+KeyFigure runout_figure(const Comparison& comparison, const Statement& statement) {
+  std::vector<RunoutAnswer> shown = statement.classes;
+  if (shown.size() < 2) shown = {statement.all};
+  int decimals = 2;
+  for (const RunoutAnswer& one : shown) {
+    if (one.stands()) decimals = std::min(decimals, decimals_of_length(one.mean, one.interval));
+  }
+  Pair means, medians, farthest;
+  for (const RunoutAnswer& one : shown) {
+    means.add(one.stands() ? with_decimals(one.mean, decimals) : "?",
+              one.stands() && one.interval ? with_decimals(one.interval->low, decimals) + " to " +
+                                                 with_decimals(one.interval->high, decimals)
+                                           : "");
+    medians.add(one.stands() ? with_decimals(one.median, decimals) : "?", "");
+    farthest.add(one.stands() ? with_decimals(one.p95, decimals) : "?", "");
+  }
+  const bool some =
+      std::any_of(shown.begin(), shown.end(), [](const RunoutAnswer& one) { return one.stands(); });
+  return {means.values + " m", "mean runout" + class_names(comparison, statement), means.ranges,
+          some ? "half stop before " + medians.values + " m, 95 % before " + farthest.values + " m"
+               : ""};
+}
+
+/// L/2 of the longest block that ran, m: a barrier must be that much higher than the centres.
+double half_longest(const Comparison& comparison) {
+  double longest = 0.0;
+  for (const RunRow& row : comparison.rows) longest = std::max(longest, row.block->axes.L);
+  return 0.5 * longest;
+}
+
+/// Of each class that passes, and of all the largest: "compact 33, elongated 17 kJ; largest 37 kJ".
+std::string by_class(const Comparison& comparison, const PassageAnswer& passage,
+                     double ShareAnswer::*value, double ShareAnswer::*largest,
+                     std::string (*in_words)(double)) {
+  std::string text;
+  for (const ShareAnswer& share : passage.classes) {
+    if (share.crossed == 0) continue;
+    text += (text.empty() ? "" : ", ") + comparison.groups[share.group].key + " " +
+            in_words(share.*value) +
+            (share.largest ? " (" + counted(share.crossed, "passage") + ")" : "");
+  }
+  if (passage.all.largest) return text;
+  return text + (text.empty() ? "" : "; ") + "largest " + in_words(passage.all.*largest);
+}
+
+std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const Statement& statement) {
+  const PassageAnswer& passage = statement.passages.front();
+  const BarrierWords words = words_of(comparison, passage.line);
+  std::vector<ShareAnswer> shown = passage.classes;
+  if (shown.empty()) shown = {passage.all};
+  Pair pair;
+  for (const ShareAnswer& share : shown) {
+    std::string value = share_in_words(share.share), range;
+    if (share.interval) range = shares_in_words(*share.interval);
+    for (std::string* text : {&value, &range}) {
+      if (text->ends_with(" %")) text->resize(text->size() - 2);
+    }
+    pair.add(value, range);
+  }
+  std::vector<KeyFigure> figures = {
+      {pair.values + " %", words.pass + " " + words.name + class_names(comparison, statement),
+       pair.ranges}};
+  if (passage.all.crossed == 0) return figures;
+  const std::string limit = passage.all.largest
+                                ? "largest of " + counted(passage.all.crossed, "passage")
+                                : "95 % lie below";
+  figures.push_back({energy_in_words(passage.all.energy), "energy at " + words.name + ": " + limit,
+                     "",
+                     by_class(comparison, passage, &ShareAnswer::energy,
+                              &ShareAnswer::largest_energy, energy_in_words)});
+  figures.push_back({height_in_words(passage.all.height),
+                     "height of the centre at " + words.name + ": " + limit +
+                         "; tops of blocks up to " + height_in_words(half_longest(comparison)) +
+                         " higher",
+                     "",
+                     by_class(comparison, passage, &ShareAnswer::height,
+                              &ShareAnswer::largest_height, height_in_words)});
+  return figures;
+}
+
+}  // namespace
+
+std::vector<KeyFigure> key_figures(const Comparison& comparison, const Answer& answer) {
+  constexpr std::size_t kMost = 4;
+  std::vector<KeyFigure> figures;
+  if (answer.statements.size() == 1) {
+    const Statement& statement = answer.statements.front();
+    figures.push_back(runout_figure(comparison, statement));
+    if (!statement.passages.empty()) {
+      for (KeyFigure& figure : barrier_figures(comparison, statement)) {
+        figures.push_back(std::move(figure));
+      }
+    } else if (statement.all.stands()) {
+      const int decimals = decimals_of_length(statement.all.farthest);
+      figures.push_back({length_in_words(statement.all.p95, decimals), "95 % stop before", ""});
+      figures.push_back({length_in_words(statement.all.farthest, decimals), "farthest stop", ""});
+    }
+    return figures;
+  }
+  for (const Statement& statement : answer.statements) {
+    if (figures.size() == kMost) break;
+    KeyFigure figure = runout_figure(comparison, statement);
+    figure.label = file_name(comparison, *statement.file) + ": " + figure.label;
+    figures.push_back(std::move(figure));
+    if (answer.statements.size() > 2 || statement.passages.empty()) continue;
+    figure = barrier_figures(comparison, statement).front();
+    figure.label = file_name(comparison, *statement.file) + ": " + figure.label;
+    figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+}  // namespace clast

@@ -1,0 +1,20 @@
+#pragma once
+/// What files and barriers are called in a sentence.
+#include <cstdint>
+#include <string>
+
+#include "study/comparison.hpp"
+
+namespace clast::report_detail {
+
+/// "file 2 (soft)".
+std::string file_name(const Comparison& comparison, std::uint32_t file);
+
+/// A barrier, and what blocks do there.
+struct BarrierWords {
+  std::string name;
+  std::string pass;  ///< "pass", "reach"
+};
+BarrierWords words_of(const Comparison& comparison, std::size_t line);
+
+}  // namespace clast::report_detail
