@@ -46,7 +46,7 @@ campaign() {
     higher) base "$2" | sed 's/^height_m .*/height_m = 2.0/' ;;
     elastoplastic) base "$2" | sed 's/"energy-restitution"/"elastoplastic"/' ;;
     slip) base "$2" | sed '/^\[ground/a slip_growth_per_m = 3.0\nfriction_min = 0.3\nslip_memory_s = 0.0054' ;;
-    scar-drag) base "$2" | sed '/^\[ground.blue/a scar_drag = 1.5\nsoil_density_kg_m3 = 1800.0' ;;
+    scar-drag) base "$2" | sed "/^\[ground/a scar_drag = 1.5\nsoil_density_kg_m3 = 1800.0" ;;
     raster) base "$2" | raster "$2" 0.0 ;;
     bumps) base "$2" | raster "$2" 0.15 ;;
     stay) base "$2" | sed -e "/^height_m/a sequence = \"stay\"\nrealisations = 2" \
