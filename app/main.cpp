@@ -37,6 +37,7 @@ void add_commands(CLI::App& app, char** argv) {
   clast::add_check(app);
   clast::add_simulate(app);
   clast::add_compare(app);
+  clast::add_import(app);
   clast::add_calibrate(app);
   clast::add_help(app, help_of_reconstruct(argv[0]));
 }

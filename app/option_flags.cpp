@@ -18,6 +18,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"board", "--board"},
     {"box", "--box"},
     {"cache", "--photo-cache"},
+    {"campaign", "--campaign"},
     {"columns", "--columns"},
     {"convexity", "--convexity"},
     {"core", "--core"},

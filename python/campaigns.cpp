@@ -18,6 +18,7 @@
 #include "report/maps/plan_map.hpp"
 #include "study/campaign_keys.hpp"
 #include "study/campaign_text.hpp"
+#include "study/engine_results.hpp"
 #include "study/engine_scene.hpp"
 #include "study/new_campaign.hpp"
 #include "study/outcome.hpp"
@@ -183,6 +184,21 @@ py::tuple export_scenes(const std::string& text, const fs::path& file, const fs:
   return py::make_tuple(folders, scenes.notes);
 }
 
+/// (runs, scenes without results, notes)
+py::tuple import_results(const std::string& engine, const fs::path& scenes, const fs::path& output,
+                         const py::dict& keywords, const py::object& progress) {
+  Keywords given(keywords);
+  EngineResultsOptions options{.engine = engine, .scenes = scenes};
+  given.take("campaign", options.campaign);
+  given.take("replace", options.replace);
+  given.done();
+  const EngineRuns found = watched(progress, [&](const Progress& step) {
+    options.progress = step;
+    return import_engine_results(options, output);
+  });
+  return py::make_tuple(found.runs, found.without, found.notes);
+}
+
 void merge(const py::object& parts, const fs::path& output, bool replace) {
   std::vector<fs::path> files;
   for (const std::string& part : texts_from(parts, "parts")) files.emplace_back(part);
@@ -210,6 +226,7 @@ void bind_campaigns(py::module_& module) {
   module.def("campaign_dry_run", &dry_run);
   module.def("campaign_export", &export_scenes);
   module.def("new_campaign", &make_new);
+  module.def("import_results", &import_results);
   module.def("merge_results", &merge);
 }
 

@@ -271,3 +271,36 @@ def test_ctrl_c_ends_a_campaign_in_order(made, tmp_path):
     assert "interrupted" in out and err == "" and process.returncode == 0
     assert time.monotonic() - begin < 30
     assert (tmp_path / "r.h5.part").exists()  # what was done is kept
+
+
+def test_results_of_another_engine_come_back(campaign, tmp_path):
+    campaign.export(tmp_path / "scenes", runs=[0, 1])
+    for number in (0, 1):
+        folder = tmp_path / "scenes" / f"run{number:05d}"
+        text = (folder / "input.txt").read_text()
+        for step in range(11):  # held where it starts
+            (folder / f"conf{step}").write_text(text.replace("\nt 0\n", f"\nt {0.1 * step}\n"))
+    steps = []
+    other = clast.import_results("rockable", tmp_path / "scenes", tmp_path / "r.h5", progress=steps.append)
+    assert other.engine == "rockable" and other.runs.rows == 2 and steps
+    assert list(other.runs["stop_reason"]) == ["rest", "rest"]
+    assert other.runs["duration_s"] == pytest.approx([1.0, 1.0])
+    for name in ("impacts", "contact_steps", "max_penetration_m", "energy_normal_j", "energy_error"):
+        assert np.isnan(other.runs[name]).all(), name
+    assert other.summary()["largest_energy_error"] is None
+    program("import", "rockable", tmp_path / "scenes", "-o", tmp_path / "p.h5")
+    theirs = clast.Results(tmp_path / "p.h5").runs
+    assert np.array_equal(theirs["stop_x_m"], other.runs["stop_x_m"])
+    comparison = clast.compare([campaign.run(tmp_path / "own.h5"), other], by="engine")
+    with open(comparison.report(tmp_path / "report"), encoding="utf-8") as page:
+        text = page.read()
+    assert "rockable, read by clast" in text and "do not tell energy balance" in text
+    with open(tmp_path / "report" / "runs.csv", encoding="utf-8") as table:
+        header, *rows = [line.rstrip("\n").split(",") for line in table]
+    of_other = [row for row in rows if row[header.index("engine")] == "rockable"]
+    assert len(of_other) == 2
+    assert all(row[header.index("impacts")] == "" == row[header.index("energy_error")] for row in of_other)
+    with pytest.raises(clast.InputError, match="r.h5"):
+        clast.import_results("rockable", tmp_path / "scenes", tmp_path / "r.h5")
+    with pytest.raises(clast.InputError, match="exadem"):
+        clast.import_results("exadem", tmp_path / "scenes", tmp_path / "x.h5")

@@ -24,6 +24,7 @@ CALLS = {
     "simulate": [type(clast.Campaign().run).__call__, clast.Campaign.dry_run, clast.merge_results],
     "vary": [clast.vary],
     "calibrate": [clast.calibrate],
+    "import": [clast.import_results],
     "compare": [clast.compare, clast.Comparison.report],
 }
 # What is no parameter: an object or a method of its own.
@@ -40,6 +41,7 @@ ELSEWHERE = {
     ("simulate", "json"): clast.Results.summary,
     ("terrain", "json"): clast.Terrain.report,
     ("calibrate", "json"): clast.Calibration.to_dict,
+    ("import", "json"): clast.Results.summary,
     ("simulate", "merge"): clast.merge_results,
     ("simulate", "dry_run"): clast.Campaign.dry_run,
     ("terrain", "export"): clast.Terrain.export,

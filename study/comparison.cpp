@@ -53,7 +53,7 @@ void check_given_once(const std::vector<CampaignResults>& results, std::size_t f
   for (std::size_t other = 0; other < file; ++other) {
     const CampaignResults &a = results[other], &b = results[file];
     if (a.campaign_sha256 == b.campaign_sha256 && a.inputs == b.inputs &&
-        a.program_version == b.program_version) {
+        a.program_version == b.program_version && a.engine == b.engine) {
       if (share_no_run(a, b)) {
         throw InputError(label(results, file) + " and " + label(results, other) +
                          ": are parts of one campaign; join all its parts first with "

@@ -69,7 +69,8 @@ void warn_of_lost_runs(Comparison& comparison) {
   for (const RunRow& row : comparison.rows) {
     if (row.record->result.below_ground) ++below;
     // Written so that a balance that is not a number counts too.
-    if (row.record->result.stop_reason != StopReason::kError &&
+    if (comparison.results[row.file].has_contacts() &&
+        row.record->result.stop_reason != StopReason::kError &&
         !(row.record->result.energy.error <= kNotableEnergyError)) {
       ++unbalanced;
     }

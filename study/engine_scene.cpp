@@ -16,9 +16,6 @@ namespace clast {
 using namespace study_detail;
 namespace {
 
-constexpr const char* kMarkFile = "SCENE.txt";
-constexpr const char* kMark = "Scenes of a clast campaign";
-
 bool is_rockable(const EngineSceneOptions& options) {
   return options.engine == scene_engines().front();
 }
@@ -60,7 +57,7 @@ void check_campaign_fits(const PreparedCampaign& prepared, const EngineSceneOpti
 
 std::string scene_text(const PreparedCampaign& prepared, const EngineSceneOptions& options,
                        const SceneSet& set, const EngineScenes& scenes) {
-  std::string text = std::string(kMark) + " for " + options.engine + ", written by clast " +
+  std::string text = std::string(kSceneMark) + " for " + options.engine + ", written by clast " +
                      prepared.header.program_version + "\n\ncampaign " +
                      prepared.campaign.file.string() + "\nsha256 " + prepared.campaign.sha256 +
                      "\n";
@@ -97,10 +94,11 @@ void EngineSceneOptions::check() const {
 }
 
 FolderKind scene_folder() {
-  return {"scenes", kMarkFile, kMark, [](const std::filesystem::path& file) {
+  return {"scenes", kSceneFile, kSceneMark, [](const std::filesystem::path& file) {
             const std::string first = file.begin()->string();
             return first.starts_with("run") || first.starts_with("realisation") ||
-                   first.starts_with("ground") || first == "shapes.shp" || first == kMarkFile;
+                   first.starts_with("ground") || first == "shapes.shp" || first == kSceneFile ||
+                   first == kSceneCampaign;
           }};
 }
 
@@ -127,7 +125,8 @@ EngineScenes write_engine_scenes(const PreparedCampaign& prepared,
                                                                        folder);
     scenes.folders.push_back(scene.name);
   }
-  write_output(folder / kMarkFile, scene_text(prepared, options, set, scenes), {});
+  write_output(folder / kSceneCampaign, prepared.campaign.text, {});
+  write_output(folder / kSceneFile, scene_text(prepared, options, set, scenes), {});
   return scenes;
 }
 

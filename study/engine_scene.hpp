@@ -28,6 +28,11 @@ struct EngineScenes {
   std::vector<std::string> notes;
 };
 
+/// In a folder of scenes: what is what, its first words, and the campaign, byte for byte.
+inline constexpr const char* kSceneFile = "SCENE.txt";
+inline constexpr const char* kSceneMark = "Scenes of a clast campaign";
+inline constexpr const char* kSceneCampaign = "campaign.toml";
+
 /// How folders of scenes are recognised.
 FolderKind scene_folder();
 

@@ -14,10 +14,13 @@ CampaignOutcome outcome_of(const CampaignResults& results) {
     const auto reason = std::find(kStopReasons.begin(), kStopReasons.end(), run.result.stop_reason);
     ++outcome.reasons[static_cast<std::size_t>(reason - kStopReasons.begin())];
     if (run.result.below_ground) ++outcome.below_ground;
-    outcome.largest_energy_error = std::max(outcome.largest_energy_error, run.result.energy.error);
-    const double reassigned = reassigned_share(run.result.energy).value_or(0.0);
-    if (reassigned > kNotableReassigned) ++outcome.reassigned;
-    outcome.largest_reassigned = std::max(outcome.largest_reassigned, reassigned);
+    if (results.has_contacts()) {
+      outcome.largest_energy_error =
+          std::max(outcome.largest_energy_error.value_or(0.0), run.result.energy.error);
+      const double reassigned = reassigned_share(run.result.energy).value_or(0.0);
+      if (reassigned > kNotableReassigned) ++outcome.reassigned;
+      outcome.largest_reassigned = std::max(outcome.largest_reassigned.value_or(0.0), reassigned);
+    }
     if (run.result.stop_reason == StopReason::kError && outcome.first_error.empty()) {
       outcome.first_error = "run " + std::to_string(run.run) + ": " + run.result.message;
     }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "study/results.hpp"
@@ -15,9 +16,9 @@ inline constexpr std::array<StopReason, 4> kStopReasons = {
 struct CampaignOutcome {
   std::array<std::size_t, 4> reasons = {};  ///< runs by `kStopReasons`
   std::size_t below_ground = 0;
-  double largest_energy_error = 0.0;
-  std::size_t reassigned = 0;  ///< runs above `kNotableReassigned`
-  double largest_reassigned = 0.0;
+  std::optional<double> largest_energy_error;  ///< none where contacts are not known
+  std::size_t reassigned = 0;                  ///< runs above `kNotableReassigned`
+  std::optional<double> largest_reassigned;
   std::string first_error;
 
   std::size_t errors() const { return reasons.back(); }

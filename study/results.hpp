@@ -99,6 +99,8 @@ struct CampaignResults {
   std::string campaign_sha256;
   std::vector<std::string> inputs;  ///< "path sha256" of library, terrain and release files
   std::string program_version;
+  /// That computed the runs where it was not clast, "rockable": what needs contacts is not known.
+  std::string engine = {};
   std::vector<BlockSummary> blocks;
   std::vector<Barrier> barriers;            ///< local frame
   std::vector<Vec3> release_points;         ///< local frame; z as started for the first orientation
@@ -121,6 +123,8 @@ struct CampaignResults {
   std::vector<Impact> impacts;      ///< in run order, then time
   std::vector<StayRecord> stays;    ///< in run order
 
+  /// Whether the runs tell of contacts: penetration, impacts, dissipation.
+  bool has_contacts() const { return engine.empty(); }
   /// Runs that are computed together: those of a realisation, or one.
   std::uint32_t runs_together() const { return stay ? stay->blocks_each : 1; }
   /// What is kept of a run whose block stayed among others; null: none.

@@ -35,6 +35,8 @@ void check_same_campaign(const CampaignResults& first, const CampaignResults& ot
   } else if (other.program_version != first.program_version) {
     difference =
         "was made by clast " + other.program_version + ", not " + first.program_version + " like ";
+  } else if (other.engine != first.engine) {
+    difference = "was not computed by the same program as ";
   } else if (other.planned_runs != first.planned_runs) {
     difference = "has " + std::to_string(other.planned_runs) + " planned runs, not " +
                  std::to_string(first.planned_runs) + " like ";

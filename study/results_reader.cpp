@@ -11,6 +11,7 @@
 #include "study/detail/results_layout.hpp"
 #include "study/ground_fields.hpp"
 #include "study/results.hpp"
+#include "study/stored_columns.hpp"
 
 namespace clast {
 
@@ -173,14 +174,21 @@ void read_terrain_group(const CheckedGroup& reader, CampaignResults& results) {
 }
 
 /// Reads rows by their columns, which are as long as "run".
-/// @param common  values that all rows share, of columns that the file does not have
+/// @param common    values that all rows share, of columns that the file does not have
+/// @param contacts  whether the runs tell of them
 template <class Row>
 void read_rows(const CheckedGroup& reader, std::vector<Row>& rows,
-               const std::map<std::string, double>& common = {}) {
+               const std::map<std::string, double>& common = {}, bool contacts = true) {
   rows.resize(reader.length("run"));
   visit_columns(
       kRowsOf<Row>, [&](const std::string& name, const auto&, const auto&, const auto& field) {
         using Value = std::remove_reference_t<decltype(std::invoke(field, rows.front()))>;
+        if (!contacts && is_of_contacts(name)) {
+          if constexpr (std::is_same_v<Value, double>) {
+            for (Row& row : rows) std::invoke(field, row) = std::nan("");
+          }
+          return;
+        }
         if constexpr (std::is_same_v<Value, double>) {
           if (const auto one = common.find(name); one != common.end()) {
             for (Row& row : rows) std::invoke(field, row) = one->second;
@@ -262,7 +270,7 @@ void read_stays(const CheckedGroup& reader, CampaignResults& results) {
   }
   std::map<std::string, double> absent;
   if (!reader.group.has("removed_at_s")) absent["removed_at_s"] = std::nan("");
-  read_rows(reader, results.stays, absent);
+  read_rows(reader, results.stays, absent, results.has_contacts());
   check_events(reader, results.stays, results);
 }
 
@@ -288,6 +296,10 @@ CampaignResults read_results(const fs::path& path) {
   results.campaign_text = root.column<std::string>("campaign", 1).front();
   results.inputs = root.group.read<std::string>("inputs");
   results.warnings = root.group.read<std::string>("warnings");
+  // Added to schema 4 later.
+  if (root.group.has_attribute("engine")) {
+    results.engine = root.group.attribute<std::string>("engine");
+  }
   const auto planned = root.group.attribute<std::int64_t>("planned_runs");
   if (planned < 0 || planned > std::numeric_limits<std::uint32_t>::max()) {
     root.damaged("@planned_runs", "is " + std::to_string(planned));
@@ -313,7 +325,7 @@ CampaignResults read_results(const fs::path& path) {
   results.weights = contact_weights(contact.attribute<std::string>("weights"));
   read_terrain_group(root.into("terrain"), results);
 
-  read_rows(root.into("runs"), results.runs, common_stiffness(contact));
+  read_rows(root.into("runs"), results.runs, common_stiffness(contact), results.has_contacts());
   check_runs(root.into("runs"), results);
   const CheckedGroup crossings = root.into("crossings"), impacts = root.into("impacts");
   read_rows(crossings, results.crossings);

@@ -63,15 +63,21 @@ TableColumns<Row> own_columns() {
          [](const Row& r) { return release_set_of(results_of(r), r->record->point); }},
         {"ground_set", "", "of the campaign; ground_sets.csv has the parameters",
          [](const Row& r) { return std::uint64_t{r->record->ground_set}; }},
-        {"ensemble_member", "", "of the ground set", ensemble_member}}});
+        {"ensemble_member", "", "of the ground set", ensemble_member},
+        {"engine", "", "program that computed the run: `clast`, `rockable`", [](const Row& r) {
+           const std::string& engine = results_of(r).engine;
+           return engine.empty() ? std::string("clast") : engine;
+         }}}});
 }
 
 /// Own columns first: where the file has one of the same name, it holds an index, or is local.
 const TableColumns<Row>& all_columns() {
   static const TableColumns<Row> columns = joined<Row>(
-      {own_columns(),
-       columns_of_part<Row>(stored_run_columns(),
-                            [](const Row& row) -> const RunRecord& { return *row->record; })});
+      {own_columns(), with_known_cells(columns_of_part<Row>(stored_run_columns(),
+                                                            [](const Row& row) -> const RunRecord& {
+                                                              return *row->record;
+                                                            }),
+                                       results_of)});
   return columns;
 }
 
@@ -98,7 +104,8 @@ const TableColumns<Row>& group_columns() {
                                                                   "zingg",
                                                                   "L_m",
                                                                   "I_m",
-                                                                  "S_m"});
+                                                                  "S_m",
+                                                                  "engine"});
   return columns;
 }
 
@@ -186,7 +193,8 @@ const TableColumns<Row>& run_columns() {
                                                                   "most_contact_points",
                                                                   "longest_flight_m",
                                                                   "max_energy_j",
-                                                                  "max_spin_rad_s"});
+                                                                  "max_spin_rad_s",
+                                                                  "engine"});
   return columns;
 }
 
@@ -194,6 +202,11 @@ void append_column_groups(Comparison& comparison, const std::string& name) {
   const TableColumn<Row>& column = group_column(name);
   std::vector<Value> values;
   for (const RunRow& row : comparison.rows) {
+    const CampaignResults& results = comparison.results[row.file];
+    if (!results.has_contacts() && is_of_contacts(name)) {
+      throw InputError(results.file.string() + ": its runs, computed by " + results.engine +
+                       ", do not tell their " + name + ", so they can't be grouped by it");
+    }
     values.push_back(value_of(column.value({comparison, row})));
   }
   const std::set<Value> distinct(values.begin(), values.end());

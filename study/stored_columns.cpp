@@ -1,5 +1,7 @@
 #include "study/stored_columns.hpp"
 
+#include <algorithm>
+
 #include "study/detail/results_layout.hpp"
 
 namespace clast {
@@ -26,6 +28,17 @@ TableColumns<Row> stored_columns() {
 }
 
 }  // namespace
+
+bool is_of_contacts(std::string_view column) {
+  static constexpr std::string_view kColumns[] = {"max_penetration_m",   "settled_penetration_m",
+                                                  "energy_normal_j",     "energy_friction_j",
+                                                  "energy_rolling_j",    "energy_reassigned_j",
+                                                  "energy_error",        "contact_time_s",
+                                                  "contact_steps",       "mean_contact_points",
+                                                  "most_contact_points", "impacts",
+                                                  "longest_flight_m",    "blocks_hit"};
+  return std::find(std::begin(kColumns), std::end(kColumns), column) != std::end(kColumns);
+}
 
 const TableColumns<RunRecord>& stored_run_columns() {
   static const TableColumns<RunRecord> columns = stored_columns<RunRecord>();

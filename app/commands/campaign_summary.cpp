@@ -104,13 +104,15 @@ void print_outcome(const CampaignResults& results) {
   }
   std::cout << table.text() << outcome.below_ground << " runs ended below ground, "
             << results.crossings.size() << " barrier crossings, largest energy error "
-            << rounded(outcome.largest_energy_error, 2) << "\n";
+            << (outcome.largest_energy_error ? rounded(*outcome.largest_energy_error, 2)
+                                             : std::string("not known"))
+            << "\n";
   if (outcome.reassigned > 0) {
     std::cout
         << "warning: " << counted(outcome.reassigned, "run")
         << " lose or gain more than 10 % of the energy they dissipate where contacts change, at "
            "most "
-        << rounded(100.0 * outcome.largest_reassigned, 2)
+        << rounded(100.0 * outcome.largest_reassigned.value_or(0.0), 2)
         << " %; clast compare says which and what to try\n";
   }
 }

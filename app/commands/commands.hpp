@@ -23,6 +23,7 @@ void add_new(CLI::App& app);
 void add_check(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_import(CLI::App& app);
 void add_calibrate(CLI::App& app);
 
 /// Where `help` finds what the program itself does not know of a command.

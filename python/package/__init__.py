@@ -36,7 +36,7 @@ from clast._core import (
 )
 from clast._core import version as __version__
 from clast._populations import Population, classify
-from clast._results import Comparison, Results, compare, merge_results
+from clast._results import Comparison, Results, compare, import_results, merge_results
 from clast._tables import Table
 from clast._terrain import Terrain, terrain
 from clast._worlds import World
@@ -68,6 +68,7 @@ __all__ = [
     "classify",
     "compare",
     "cut",
+    "import_results",
     "mass_properties",
     "merge_results",
     "new_campaign",

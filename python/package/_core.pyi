@@ -113,6 +113,7 @@ class ResultsData:
     campaign_sha256: str
     inputs: list[str]
     program_version: str
+    engine: str
     zone_names: list[str]
     warnings: list[str]
     planned_runs: int
@@ -175,6 +176,9 @@ def new_campaign(
 def calibrate(
     study: Path, output: Path, options: dict[str, Any], progress: Progress
 ) -> tuple[str, TableParts, dict[str, Any]]: ...
+def import_results(
+    engine: str, scenes: Path, output: Path, options: dict[str, Any], progress: Progress
+) -> tuple[int, int, list[str]]: ...
 def merge_results(parts: Path | Sequence[Path], output: Path, replace: bool) -> None: ...
 def results_read(path: Path) -> ResultsData: ...
 def compare(

@@ -11,7 +11,7 @@ from clast._tables import Table, made
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from clast._blocks import PathLike
+    from clast._blocks import PathLike, Progress
 
 
 class _Tables:
@@ -131,6 +131,12 @@ class Results(_Tables):
         return self._data.program_version
 
     @property
+    def engine(self) -> str:
+        """That computed the runs: "clast", or "rockable" of imported ones, which tell nothing of
+        contacts."""
+        return self._data.engine or "clast"
+
+    @property
     def zone_names(self) -> list[str]:
         """Of the ground."""
         return self._data.zone_names
@@ -220,6 +226,31 @@ def compare(
     opened = [one if isinstance(one, Results) else Results(one) for one in several]
     columns = [by] if isinstance(by, str) else list(by)
     return Comparison(_core.compare([one._data for one in opened], columns, measured))
+
+
+def import_results(
+    engine: str,
+    scenes: PathLike,
+    output: PathLike = "results.h5",
+    *,
+    campaign: PathLike | None = None,
+    replace: bool = False,
+    progress: Progress | None = None,
+) -> Results:
+    """Read what another engine computed of the scenes that `Campaign.export` wrote.
+
+    What the results can't tell is in their `warnings`.
+
+    Args:
+        engine: "rockable".
+        scenes: folder of the scenes, with the conf files of each run in its folder.
+        campaign: the campaign file, where it is no longer in its folder.
+        replace: results that the file holds.
+        progress: called now and then with a dict: done, total, before, what.
+    """
+    options = dict(campaign=campaign, replace=replace)
+    _core.import_results(engine, os.path.abspath(scenes), output, options, progress)
+    return Results(output)
 
 
 def merge_results(

@@ -44,11 +44,14 @@ nlohmann::ordered_json outcome_json(const CampaignResults& results) {
   for (std::size_t i = 0; i < kStopReasons.size(); ++i) {
     reasons[name_of(kStopReasons[i])] = outcome.reasons[i];
   }
+  const auto or_null = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  };
   return {{"stop_reasons", reasons},
           {"below_ground", outcome.below_ground},
           {"crossings", results.crossings.size()},
-          {"largest_energy_error", outcome.largest_energy_error},
-          {"largest_reassigned_share", outcome.largest_reassigned}};
+          {"largest_energy_error", or_null(outcome.largest_energy_error)},
+          {"largest_reassigned_share", or_null(outcome.largest_reassigned)}};
 }
 
 }  // namespace clast

@@ -120,7 +120,11 @@ std::string settings_of(const Comparison& comparison, const CampaignResults& res
                    (comparison.downslope_asked ? " (as specified)" : " (mean release to stop)"));
   html += fact("Coordinates", results.frame.crs.empty() ? "map frame of the terrain, no CRS given"
                                                         : results.frame.crs);
-  return html + fact("Simulated with", "clast " + results.program_version) + "</dl>\n";
+  return html +
+         (results.has_contacts() ? fact("Simulated with", "clast " + results.program_version)
+                                 : fact("Computed by", results.engine + ", read by clast " +
+                                                           results.program_version)) +
+         "</dl>\n";
 }
 
 std::string scales_of(const CampaignResults& results) {

@@ -25,7 +25,7 @@ std::vector<std::string> extreme(const Comparison& comparison, const std::string
       worst = &row;
     }
   }
-  if (worst == nullptr) return {what, "-", "-", "-", "-"};
+  if (worst == nullptr) return {what + unit, "not known", "-", "-", "-"};
   const Summary summary = summarise(values);
   const std::string run =
       (several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run " : "run ") +
@@ -83,13 +83,21 @@ std::string quality_section(const Comparison& comparison) {
   std::size_t below = 0;
   for (const RunRow& row : comparison.rows) below += row.record->result.below_ground;
   const StopCounts& stops = comparison.deposits.front().stops;
+  std::string without;
+  for (const CampaignResults& results : comparison.results) {
+    if (results.has_contacts()) continue;
+    without = paragraph("Runs that " + results.engine +
+                        " computed do not tell energy balance and penetration: the figures below "
+                        "are without them.");
+  }
   return section(
       "Quality of the runs",
       paragraph("At rest " + std::to_string(stops.rest) + ", left the terrain " +
                 std::to_string(stops.left_terrain) + ", still moving at max_time " +
                 std::to_string(stops.max_time) + ", error " + std::to_string(stops.error) +
                 "; below ground " + std::to_string(below) + ".") +
-          folded("Energy balance, penetration and time", table.html()) + lost_runs(comparison));
+          without + folded("Energy balance, penetration and time", table.html()) +
+          lost_runs(comparison));
 }
 
 }  // namespace clast::report_detail

@@ -31,12 +31,14 @@ std::string count_and_share(std::size_t count, std::size_t all) {
 std::vector<std::string> cells_of(const Comparison& comparison, const Group& group,
                                   const std::vector<const StayRecord*>& stays) {
   std::size_t runs = 0, hitting = 0, removed = 0;
+  bool known = true;  // whether blocks that were hit are
   double hit = 0.0;
   std::vector<double> moved;
   for (const std::size_t row : group.rows) {
     const StayRecord* stay = stays[row];
     if (!stay) continue;
     ++runs;
+    known &= comparison.results[comparison.rows[row].file].has_contacts();
     hitting += stay->blocks_hit > 0;
     hit += stay->blocks_hit;
     removed += std::isfinite(stay->removed_at);
@@ -47,8 +49,8 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
   if (runs == 0) return {};
   const Summary summary = summarise(moved);
   return {std::to_string(runs),
-          count_and_share(hitting, runs),
-          fixed(hit / static_cast<double>(runs), 2),
+          known ? count_and_share(hitting, runs) : "not known",
+          known ? fixed(hit / static_cast<double>(runs), 2) : "not known",
           count_and_share(moved.size(), runs),
           measured(summary.median, summary, 2),
           measured(summary.max, summary, 2),

@@ -38,6 +38,7 @@ std::string provenance_json(const Comparison& comparison) {
     json["files"].push_back({{"file", file + 1},
                              {"results", results.file.filename().string()},
                              {"program_version", results.program_version},
+                             {"engine", results.has_contacts() ? "clast" : results.engine},
                              {"campaign_sha256", results.campaign_sha256},
                              {"inputs", results.inputs},
                              {"runs", results.runs.size()},

@@ -121,17 +121,21 @@ const TableColumns<ComparisonRow<RunStay>>& report_detail::stay_columns() {
   const auto each = [](const Row& row) -> std::uint64_t {
     return row.comparison.results[row->run.file].runs_together();
   };
-  static const auto columns =
-      joined<Row>({of_run<Row>({"run", "block", "class", "shape"}, run),
-                   {{"realisation", "", "from 1",
-                     [=](const Row& row) { return row->stay.run / each(row) + 1; }},
-                    {"order", "", "of its release in the realisation, from 1",
-                     [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
-                   columns_of_part<Row>(
-                       chosen(stored_stay_columns(), {"released_at_s", "raised_m", "moved_later_m",
-                                                      "blocks_hit", "removed_at_s"}),
-                       [](const Row& row) -> const StayRecord& { return row->stay; }),
-                   of_run<Row>({"file"}, run)});
+  static const auto columns = joined<Row>(
+      {of_run<Row>({"run", "block", "class", "shape"}, run),
+       {{"realisation", "", "from 1",
+         [=](const Row& row) { return row->stay.run / each(row) + 1; }},
+        {"order", "", "of its release in the realisation, from 1",
+         [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
+       with_known_cells(
+           columns_of_part<Row>(
+               chosen(stored_stay_columns(),
+                      {"released_at_s", "raised_m", "moved_later_m", "blocks_hit", "removed_at_s"}),
+               [](const Row& row) -> const StayRecord& { return row->stay; }),
+           [](const Row& row) -> const CampaignResults& {
+             return row.comparison.results[row->run.file];
+           }),
+       of_run<Row>({"file"}, run)});
   return columns;
 }
 

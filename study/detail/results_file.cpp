@@ -7,6 +7,7 @@
 #include "library/body_record.hpp"
 #include "study/detail/results_layout.hpp"
 #include "study/ground_fields.hpp"
+#include "study/stored_columns.hpp"
 
 namespace clast::study_detail {
 
@@ -77,6 +78,7 @@ void write_ground_sets(Hdf5Group group, const CampaignResults& header) {
 void write_header(Hdf5Group root, const CampaignResults& header) {
   root.set_attribute<std::string>("campaign_sha256", header.campaign_sha256);
   root.set_attribute<std::int64_t>("planned_runs", header.planned_runs);
+  if (!header.engine.empty()) root.set_attribute<std::string>("engine", header.engine);
   write_texts(root, "campaign", {header.campaign_text});
   write_texts(root, "inputs", header.inputs);
   write_texts(root, "warnings", header.warnings);
@@ -137,22 +139,26 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   write_terrain_group(root.create_group("terrain"), header.terrain, header.frame);
 }
 
+/// @param contacts  whether the runs tell of them
 template <class Row>
-void write_rows(Hdf5Group group, const std::vector<Row>& rows) {
+void write_rows(Hdf5Group group, const std::vector<Row>& rows, bool contacts = true) {
   visit_columns(kRowsOf<Row>, [&](const std::string& name, const std::string& unit, const auto&,
                                   const auto& field) {
+    if (!contacts && is_of_contacts(name)) return;
     write_column(group, name, unit, rows,
                  [&](const Row& row) { return stored(std::invoke(field, row)); });
   });
 }
 
-void write_stays(Hdf5Group group, const StaySummary& stay, const std::vector<StayRecord>& rows) {
+void write_stays(Hdf5Group group, const CampaignResults& header,
+                 const std::vector<StayRecord>& rows) {
+  const StaySummary& stay = *header.stay;
   group.set_attribute<std::int64_t>("blocks_each", stay.blocks_each);
   group.set_attribute<std::int64_t>("at_once", stay.at_once ? 1 : 0);
   for (const GroundField& field : ground_fields()) {
     if (!field.of_soil) group.set_attribute<double>(field.name, stay.between_blocks.*field.value);
   }
-  write_rows(group, rows);
+  write_rows(group, rows, header.has_contacts());
 }
 
 void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& trajectory) {
@@ -196,10 +202,10 @@ void write_results_file(const fs::path& target, const CampaignResults& header, s
       stays.insert(stays.end(), stored.stays.begin(), stored.stays.end());
       write_trajectory(trajectories, stored.record.run, stored.trajectory);
     }
-    write_rows(root.create_group("runs"), records);
+    write_rows(root.create_group("runs"), records, header.has_contacts());
     write_rows(root.create_group("crossings"), crossings);
     write_rows(root.create_group("impacts"), impacts);
-    if (header.stay) write_stays(root.create_group("stays"), *header.stay, stays);
+    if (header.stay) write_stays(root.create_group("stays"), header, stays);
     file.flush();
   }
   output.commit();

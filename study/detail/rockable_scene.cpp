@@ -9,9 +9,8 @@
 namespace clast::study_detail {
 namespace {
 
-constexpr double kSnapshot = 0.1;           ///< s between conf files, where no trajectory is wanted
-constexpr double kTrackedSpin = 0.05;       ///< rad/s, below which a slow block is at rest
-constexpr std::size_t kTrackedSteps = 200;  ///< between two lines of the track
+constexpr double kSnapshot = 0.1;      ///< s between conf files, where no trajectory is wanted
+constexpr double kTrackedSpin = 0.05;  ///< rad/s, below which a slow block is at rest
 
 std::string contact_lines(const SceneContact& contact) {
   const std::string pair =

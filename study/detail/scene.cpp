@@ -100,6 +100,11 @@ void add_contacts(const PreparedCampaign& prepared, const SceneSet& set, std::ui
 
 }  // namespace
 
+std::string scene_name(const PreparedCampaign& prepared, std::uint32_t first) {
+  return prepared.header.stay ? "realisation" + padded(first / prepared.header.runs_together(), 4)
+                              : "run" + padded(first, 5);
+}
+
 SceneSet scene_set(const PreparedCampaign& prepared) {
   SceneSet set;
   const Terrain& terrain = prepared.header.terrain;
@@ -120,8 +125,7 @@ SceneSet scene_set(const PreparedCampaign& prepared) {
 Scene scene_of(const PreparedCampaign& prepared, const SceneSet& set, std::uint32_t first) {
   const std::uint32_t together = prepared.header.runs_together();
   Scene scene;
-  scene.name =
-      prepared.header.stay ? "realisation" + padded(first / together, 4) : "run" + padded(first, 5);
+  scene.name = scene_name(prepared, first);
   double speed = 0.0, step = prepared.runs[first].stiffness.time_step;
   double smallest = prepared.bodies[prepared.runs[first].block].size();
   for (std::uint32_t i = first; i < first + together; ++i) {

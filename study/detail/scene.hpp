@@ -35,6 +35,9 @@ struct SceneSet {
   }
 };
 
+/// Steps between two lines of a track of Rockable.
+inline constexpr std::size_t kTrackedSteps = 200;
+
 struct SceneBody {
   std::uint32_t shape = 0;  ///< and group
   double scale = 1.0;       ///< of lengths
@@ -58,6 +61,9 @@ struct Scene {
   double search_margin = 0.0;    ///< m, by which near pairs are listed
   double search_interval = 0.0;  ///< s, in which no block moves farther than half that margin
 };
+
+/// Of the scene that begins with this run.
+std::string scene_name(const PreparedCampaign& prepared, std::uint32_t first);
 
 SceneSet scene_set(const PreparedCampaign& prepared);
 

@@ -1,0 +1,88 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/campaign_summary.hpp"
+#include "app/commands/commands.hpp"
+#include "app/interruption.hpp"
+#include "app/progress_bar.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "core/printable.hpp"
+#include "report/json/campaign_json.hpp"
+#include "study/engine_results.hpp"
+
+namespace clast {
+
+namespace {
+
+struct ImportArgs {
+  EngineResultsOptions options;
+  std::string output = "results.h5";
+  bool json = false;
+};
+
+void import_results(ImportArgs& args) {
+  ProgressBar bar("runs", 0);
+  const InterruptionWatch watch;
+  args.options.progress = [&](const ProgressStep& step) {
+    bar.update(step.done);
+    if (watch.interrupted()) throw SimulationError("interrupted; nothing was written");
+  };
+  const EngineRuns found = import_engine_results(args.options, args.output);
+  bar.clear();
+  const CampaignResults results = read_results(args.output);
+  if (args.json) {
+    nlohmann::ordered_json json = {{"runs", found.runs},
+                                   {"planned_runs", found.planned},
+                                   {"scenes_without_results", found.without},
+                                   {"notes", found.notes}};
+    json.update(outcome_json(results));
+    std::cout << json.dump(2) << "\n";
+    return;
+  }
+  print_outcome(results);
+  for (const std::string& note : found.notes) std::cout << "note: " << printable(note) << "\n";
+  std::cout << printable(args.output) << ": " << found.runs << " of "
+            << counted(found.planned, "planned run") << "\n";
+}
+
+}  // namespace
+
+void add_import(CLI::App& app) {
+  const auto args = std::make_shared<ImportArgs>();
+  CLI::App* command = app.add_subcommand(
+      "import", "Read what another engine computed of exported scenes, as results for compare");
+  command->add_option("engine", args->options.engine, "Engine that ran the scenes: rockable")
+      ->required()
+      ->check(CLI::IsMember(result_engines()))
+      ->type_name("ENGINE");
+  command
+      ->add_option("scenes", args->options.scenes,
+                   "Folder that clast export wrote, with the conf files of each run in its folder")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("-o,--output", args->output, "Results file")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command
+      ->add_option("--campaign", args->options.campaign,
+                   "The campaign that was exported, where it is no longer in its folder")
+      ->type_name("FILE");
+  command->add_flag("--replace", args->options.replace, "Replace the results that FILE holds");
+  command->add_flag("--json", args->json, "Print the summary as JSON");
+  command->footer(
+      "Places, speeds, energies and crossings of barriers come from the states in the conf files. "
+      "What takes contacts\nto know (penetration, impacts, dissipation by cause) is left out, and "
+      "reports say so.\n"
+      "Example:\n"
+      "  clast export campaign.toml --to rockable -o scenes\n"
+      "  for run in scenes/run*; do (cd $run && rockable input.txt); done\n"
+      "  clast import rockable scenes -o rockable.h5\n"
+      "  clast simulate campaign.toml -o clast.h5\n"
+      "  clast compare clast.h5 rockable.h5 --by engine -o report");
+  command->callback([args] { import_results(*args); });
+}
+
+}  // namespace clast
