@@ -110,7 +110,7 @@ TEST_F(Prediction, StopsOfTheOtherProfileAreHeldAgainstTheFields) {
         read_csv(read_text_file(path("out/predict-p" + profile + "/measured.csv")));
     std::size_t stops = 0;
     for (const std::string shape : {"compact", "elongated"}) {
-      const std::size_t row = measured.find("group", shape);
+      const std::size_t row = measured.find("group", "class " + shape);
       stops += static_cast<std::size_t>(measured.number(row, "measured"));
       EXPECT_GT(measured.number(row, "simulated"), 0.0);
     }
