@@ -178,9 +178,9 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
     const std::optional<std::uint32_t> file = comparison.groups[all].file;
     const std::string where = file ? ", file " + std::to_string(*file + 1) : std::string();
     const auto axes = [&](const std::string& what, const std::string& label) {
-      ChartAxes axes{what + where, "distance along downslope, m", label};
-      axes.places = barrier_places(comparison, file);
-      return axes;
+      ChartAxes chart{what + where, "distance along downslope, m", label};
+      chart.places = barrier_places(comparison, file);
+      return chart;
     };
     const std::string least = least_demand(comparison, bins, all);
     if (!least.empty()) words += (file ? short_name(comparison.groups[all]) + ": " : "") + least;
