@@ -4,9 +4,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numeric>
-#include <regex>
 #include <sstream>
 #include <string_view>
 
@@ -149,16 +149,47 @@ const TomlNode* TomlNode::find(const std::string& key) const {
 
 namespace {
 
+/// "-0,5" with nothing behind it but a comment.
+bool is_decimal_comma(std::string_view value) {
+  constexpr std::string_view kDigits = "0123456789";
+  value = value.substr(0, value.find('#'));
+  value = value.substr(0, value.find_last_not_of(" \t\r") + 1);
+  if (value.starts_with('-') || value.starts_with('+')) value.remove_prefix(1);
+  const std::size_t comma = value.find(',');
+  if (comma == 0 || comma == value.npos || comma + 1 == value.size()) return false;
+  return value.substr(0, comma).find_first_not_of(kDigits) == value.npos &&
+         value.substr(comma + 1).find_first_not_of(kDigits) == value.npos;
+}
+
+/// A backslash within double quotes.
+bool has_backslash_in_quotes(std::string_view value) {
+  bool quoted = false;
+  for (const char c : value) {
+    if (c == '"') quoted = !quoted;
+    if (c == '\\' && quoted) return true;
+  }
+  return false;
+}
+
+/// A word or path without quotes.
+bool is_bare_text(std::string_view value) {
+  const auto first = static_cast<unsigned char>(value.empty() ? ' ' : value.front());
+  return (std::isalpha(first) || first == '_' || first == '.' || first == '/') &&
+         value.find_first_of("\"'[{") == value.npos;
+}
+
 /// What a line that is not TOML was probably meant to be; empty: not known.
-std::string hint_for(const std::string& line) {
-  static const std::regex kDecimalComma("=\\s*[-+]?[0-9]+,[0-9]+\\s*(#.*)?$"),
-      kBareText("=\\s*[A-Za-z_./][^\"'\\[{]*$"), kBackslash("=.*\"[^\"]*\\\\");
-  if (std::regex_search(line, kDecimalComma)) return "numbers have a decimal point, as in 0.5";
-  if (std::regex_search(line, kBackslash)) {
+std::string hint_for(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  const std::size_t begin =
+      line.find_first_not_of(" \t", equals == line.npos ? equals : equals + 1);
+  if (begin == line.npos) return "";
+  const std::string_view value = line.substr(begin);
+  if (is_decimal_comma(value)) return "numbers have a decimal point, as in 0.5";
+  if (has_backslash_in_quotes(value)) {
     return "write paths with /, or between single quotes, as in 'C:\\blocks.h5'";
   }
-  if (std::regex_search(line, kBareText)) return "texts and paths need quotes, as in \"blocks.h5\"";
-  return "";
+  return is_bare_text(value) ? "texts and paths need quotes, as in \"blocks.h5\"" : "";
 }
 
 std::string line_of(const std::string& text, std::size_t number) {

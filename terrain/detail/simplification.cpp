@@ -340,10 +340,10 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
   Growing growing(mesh.vertices, free.edges, length, tolerance);
   grow_from(growing, free.constraints, free.vertices);
 
-  RawSurface result{.mesh = {.vertices = mesh.vertices, .triangles = {}},
-                    .source = {},
-                    .crs = surface.crs,
-                    .notes = surface.notes};
+  RawSurface result;
+  result.mesh.vertices = mesh.vertices;
+  result.crs = surface.crs;
+  result.notes = surface.notes;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!kept[t]) continue;
     result.mesh.triangles.push_back(mesh.triangles[t]);
