@@ -75,7 +75,7 @@ void print_page(const fs::path& page, const fs::path& pdf, const fs::path& brows
   std::error_code code;
   fs::remove(pdf, code);
   std::vector<std::string> words = {
-      browser.string(), "--headless", "--disable-gpu", "--disable-quic", "--no-first-run",
+      browser.string(), "--headless", "--use-angle=swiftshader", "--disable-quic", "--no-first-run",
       "--disable-background-networking", "--disable-component-update", "--disable-sync",
       // Nothing but the page is read, and nothing asked of the network.
       "--host-resolver-rules=MAP * ~NOTFOUND", "--user-data-dir=" + profile.folder().string(),
@@ -84,7 +84,7 @@ void print_page(const fs::path& page, const fs::path& pdf, const fs::path& brows
       "--no-pdf-header-footer", "--print-to-pdf=" + fs::absolute(pdf).string()};
   // The browser refuses to run for root with its own protection.
   if (::geteuid() == 0) words.push_back("--no-sandbox");
-  words.push_back("file://" + report_detail::link_to(fs::absolute(page).string()));
+  words.push_back("file://" + report_detail::link_to(fs::absolute(page).string()) + "#print");
   const ChildEnd end =
       run_child(words, {{"HOME", profile.folder().string()}}, profile.folder() / "log", seconds);
   if (end.timed_out) {

@@ -232,6 +232,18 @@ const clastScene = (() => {
     seek(0);
     box.dataset.runs = data.runs.length;
   }
+  // Paper has the view as it stands, as a picture.
+  function picture() {
+    draw();
+    const image = new Image();
+    image.className = 'paper';
+    image.src = renderer.domElement.toDataURL();
+    view.append(image);
+  }
+  addEventListener('beforeprint', () => {
+    if (box.dataset.runs) picture();
+  });
+  addEventListener('afterprint', () => view.querySelectorAll('.paper').forEach((image) => image.remove()));
   let opened;
   const start = () => opened = opened || open().catch((error) => view.textContent = error.message);
 
@@ -240,5 +252,6 @@ const clastScene = (() => {
     watcher.disconnect();
     start();
   }, {rootMargin: '200px'}).observe(box);
+  if (location.hash === '#print') start();  // by a browser that prints without looking
   return {start, seek, draw};
 })();

@@ -37,8 +37,9 @@ clastScene.start().then(use).then(function(){return clastRun('plotly-code')}).th
   dispatchEvent(new Event('beforeprint'));
   probe.printed=document.querySelectorAll('.chart .main-svg .plot').length;
   probe.paper=document.querySelectorAll('details.paper[open]').length;
+  probe.picture=document.querySelectorAll('#scene img.paper[src^="data:image/png"]').length;
   dispatchEvent(new Event('afterprint'));
-  probe.screen=document.querySelectorAll('details.paper[open]').length;
+  probe.screen=document.querySelectorAll('details.paper[open], #scene img').length;
   return clastCharts.drawAll();
 }).then(function(boxes){
   probe.charts=boxes.length;
@@ -146,6 +147,7 @@ TEST_F(ReportPage, DrawsItsChartsAndMovesItsBlocks) {
   EXPECT_EQ(probe["inked"], probe["charts"]);
   EXPECT_EQ(probe["printed"], probe["charts"]) << "paper does not wait until a chart is seen";
   EXPECT_EQ(probe["paper"], 3) << "both tables of blocks, and the figures of the barrier";
+  EXPECT_EQ(probe["picture"], 1) << "of the 3-D view";
   EXPECT_EQ(probe["screen"], 0) << "and folded again on the screen";
   EXPECT_TRUE(probe["buttons_and_names"]);
   EXPECT_FALSE(probe["names_covered"]) << "the map's buttons lie over its legend";
