@@ -133,10 +133,13 @@ std::optional<Difference> class_difference(const Comparison& comparison, std::si
 ShareAnswer share_of(const Comparison& comparison, const BarrierGroup& group) {
   ShareAnswer share{group.group_index, group.started, group.crossed, group.probability, {}};
   share.largest = group.crossed < kFewestPassages;
-  share.energy = share.largest ? group.total.max : group.total.p95;
-  share.height = share.largest ? group.height.max : group.height.p95;
+  const auto below = [&](const Summary& of) { return share.largest ? of.max : of.p95; };
+  share.energy = below(group.total);
+  share.speed = below(group.speed);
+  share.height = below(group.height);
+  share.top = below(group.top);
   share.largest_energy = group.total.max;
-  share.largest_height = group.height.max;
+  share.largest_top = group.top.max;
   if (!is_one_realisation(comparison, comparison.groups[group.group_index].rows)) {
     share.interval = group.interval;
   }

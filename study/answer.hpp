@@ -54,10 +54,12 @@ struct ShareAnswer {
   std::optional<Interval> interval;  ///< 95 %; none of one realisation
   /// What 95 % of the passages stay below; from few of them, the largest.
   double energy = 0.0;  ///< J
+  double speed = 0.0;   ///< m/s
   double height = 0.0;  ///< of the centre above the ground, m
+  double top = 0.0;     ///< as `BarrierGroup::top`, m
   bool largest = false;
   double largest_energy = 0.0;  ///< of all passages, J
-  double largest_height = 0.0;  ///< m
+  double largest_top = 0.0;     ///< m
 };
 
 /// One barrier.

@@ -82,6 +82,7 @@ struct BarrierGroup {
   double probability = 0.0;
   Interval interval;                 ///< 95 %, of the probability, as `clustered_share_interval`
   Summary height, clearance, speed;  ///< m, m, m/s
+  Summary top;  ///< no skin point is higher above that ground, m: height and farthest skin point
   Summary translational, rotational, total;  ///< J
   Summary rotation_rate;                     ///< rad/s
 };

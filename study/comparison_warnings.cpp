@@ -242,7 +242,8 @@ void warn_of_slopes(Comparison& comparison) {
          texts});
   };
   add(sliding_texts, sliding_zones,
-      "the slope is too steep for friction to stop a block, so an effect of shape can vanish.");
+      "the slope is too steep for friction to stop a block: shape may make little difference "
+      "there.");
   add(rolling_texts, rolling_zones,
       "blocks that roll keep moving and those that slide stop: shape counts for more there.");
 }

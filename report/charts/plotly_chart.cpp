@@ -187,7 +187,7 @@ std::string interval_chart(const std::string& title, const std::string& label,
     const char* colour = clear ? "#0072B2" : "#7b8794";
     data.push_back({{"type", "scatter"},
                     {"mode", "markers"},
-                    {"name", clear ? "more than chance" : "can be chance"},
+                    {"name", clear ? "more than chance" : "not clear"},
                     {"x", values},
                     {"y", names},
                     {"text", notes},

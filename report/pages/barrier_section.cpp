@@ -37,8 +37,8 @@ void append(std::vector<std::string>& cells, const Summary& summary, int decimal
 
 std::string passage_table(const Comparison& comparison, std::size_t line) {
   HtmlTable table({"group", "runs", "crossings", "probability", "95 % interval", "height mean, m",
-                   "height p95, m", "height max, m", "clearance mean, m", "clearance p95, m",
-                   "clearance max, m"},
+                   "height p95, m", "height max, m", "top p95, m", "top max, m",
+                   "clearance mean, m", "clearance p95, m", "clearance max, m"},
                   1);
   for (const BarrierGroup* group : shown_groups(comparison, line)) {
     const Interval& interval = group->interval;
@@ -47,6 +47,9 @@ std::string passage_table(const Comparison& comparison, std::size_t line) {
         std::to_string(group->crossed), percent(group->probability),
         fixed(100.0 * interval.low, 1) + kDash + fixed(100.0 * interval.high, 1) + " %"};
     append(cells, group->height, 2);
+    for (const double top : {group->top.p95, group->top.max}) {
+      cells.push_back(measured(top, group->top, 2));
+    }
     append(cells, group->clearance, 2);
     table.row(std::move(cells));
   }
@@ -152,7 +155,9 @@ std::string barrier_section(const Comparison& comparison) {
   if (comparison.lines.empty()) return {};
   std::string html = paragraph(
       "Each run counts at its first crossing. Height is of the centre of mass above the ground; "
-      "the top of a block is up to L/2 higher. Energy is translational plus rotational.");
+      "the "
+      "top is where the block's farthest corner would be if it pointed upwards. Energy is "
+      "translational plus rotational.");
   std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];

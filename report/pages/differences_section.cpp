@@ -100,10 +100,10 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
   line(escaped(picture.title) + ", more than chance:", clear);
   line("Equal on average, but spread differently:", spread);
   const std::size_t tests = picture.rows.front()->tests;
-  line("Not sure: the interval excludes zero, but among the " + std::to_string(tests) +
-           " differences tested one like this can be chance:",
+  line("Not clear, since one of " + std::to_string(tests) +
+           " differences tested can be as large by chance:",
        open);
-  line("Can be chance:", chance);
+  line("No clear difference:", chance);
   return html;
 }
 

@@ -66,7 +66,9 @@ std::string head_section(const Comparison& comparison, const Answer& answer) {
     html += "<p class=\"answer\">" + unbroken(sentence) + "</p>\n";
   }
   html += figures_of(comparison, answer);
-  html += "<p class=\"note\">" + escaped(intervals_in_words(answer)) + "</p>\n";
+  html += "<p class=\"note\">" +
+          escaped(intervals_in_words(answer) + " " + limits_in_words(comparison, answer)) +
+          "</p>\n";
   return html + cautions_of(comparison) + "</header>\n";
 }
 

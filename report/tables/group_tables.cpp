@@ -87,6 +87,10 @@ const TableColumns<BarrierGroup>& report_detail::barrier_columns() {
                   &Row::height),
        statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",
                   &Row::clearance),
+       statistics("top_*_m", "m",
+                  "no skin point is higher above that ground: the height of the centre and the "
+                  "distance of the skin point that is farthest from it",
+                  &Row::top),
        statistics("speed_*_m_s", "m/s", "speed of the centre of mass", &Row::speed),
        statistics("translational_energy_*_j", "J", "kinetic energy of the centre of mass",
                   &Row::translational),

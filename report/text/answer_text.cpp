@@ -72,15 +72,15 @@ std::string mean_runout(const Comparison& comparison, const Statement& statement
               : "; 95 % stop before " + length_in_words(all.p95, decimals));
 }
 
-/// "; half of either stop before 17 m: ..."
+/// "; half of both stop within 17 m: the means differ because more compact blocks run on"
 std::string few_run_on(const RunoutAnswer& farther, const RunoutAnswer& nearer,
                        const std::string& a, const std::string& b, int decimals) {
   const std::string first = length_in_words(farther.median, decimals);
   const std::string second = length_in_words(nearer.median, decimals);
-  return (first == second ? "; half of either stop before " + first
-                          : "; half of the " + a + " stop before " + first + ", half of the " + b +
-                                " before " + second) +
-         ", so the difference is made by those that run on";
+  return (first == second ? "; half of both stop within " + first
+                          : "; half of the " + a + " stop within " + first + ", half of the " + b +
+                                " within " + second) +
+         ": the means differ because more " + a + " blocks run on";
 }
 
 std::string gap_in_words(const Comparison& comparison, const Statement& statement) {
@@ -158,15 +158,16 @@ std::string share_sentence(const Comparison& comparison, const PassageAnswer& pa
 /// "95 % of these carry less than 43 kJ, with their centre below 1.0 m".
 std::string strength_of(const PassageAnswer& passage) {
   if (passage.all.crossed == 0) return "";
-  const std::string energy = energy_in_words(passage.all.energy);
-  const std::string height = height_in_words(passage.all.height);
+  const std::string energy = energy_limit(passage.all.energy);
+  const std::string height = height_limit(passage.all.top);
   if (!passage.all.largest) {
-    return "; 95 % of these carry less than " + energy + ", with their centre below " + height;
+    return "; 95 % of these carry less than " + energy + ", and the tops of 95 % stay below " +
+           height;
   }
   return passage.all.crossed == 1
-             ? ", with " + energy + " and its centre " + height + " above the ground"
+             ? ", with " + energy + " and its top at most " + height + " above the ground"
              : ", the " + std::to_string(passage.all.crossed) + " of them with at most " + energy +
-                   " and their centre at most " + height + " above the ground";
+                   " and their tops at most " + height + " above the ground";
 }
 
 std::string passages_in_words(const Comparison& comparison, const Statement& statement) {
@@ -276,8 +277,23 @@ std::string intervals_in_words(const Answer& answer) {
     return fewest == 1 ? "One realisation: no interval can be given for runouts and shares."
                        : ranges + ", from " + std::to_string(fewest) + " realisations.";
   }
-  if (fewest == 1) return ranges + " for this one release point; others may differ more.";
-  return ranges + ", from " + std::to_string(fewest) + " release points.";
+  return ranges + ", from " +
+         (fewest == 1 ? "runs of one release point." : std::to_string(fewest) + " release points.");
+}
+
+std::string limits_in_words(const Comparison& comparison, const Answer& answer) {
+  double heaviest = 0.0;
+  for (const RunRow& row : comparison.rows) heaviest = std::max(heaviest, row.block->mass);
+  std::string text = "Not run: blocks above " + mass_in_words(heaviest);
+  const auto& statements = answer.statements;
+  const bool one_ground = std::all_of(statements.begin(), statements.end(),
+                                      [](const Statement& one) { return one.ground.empty(); });
+  const bool one_point =
+      std::any_of(statements.begin(), statements.end(),
+                  [](const Statement& one) { return one.clusters == 1 && !one.of_realisations; });
+  if (one_ground) text += ", other ground";
+  if (one_point) text += ", other release points";
+  return text + ".";
 }
 
 std::vector<std::string> first_screen(const Comparison& comparison, const Answer& answer) {
@@ -296,6 +312,7 @@ std::vector<std::string> first_screen(const Comparison& comparison, const Answer
                     (figure.more.empty() ? "" : "; " + figure.more));
   }
   lines.push_back(intervals_in_words(answer));
+  lines.push_back(limits_in_words(comparison, answer));
   const std::vector<std::string> measured = measured_sentences(comparison);
   if (!measured.empty()) add({"", "Measured stops against simulated ones:"});
   add(measured);

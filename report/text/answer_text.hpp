@@ -16,6 +16,9 @@ std::string runs_in_words(const Comparison& comparison);
 /// What the intervals rest on: "Ranges in brackets are 95 % intervals, from 16 release points."
 std::string intervals_in_words(const Answer& answer);
 
+/// What the answer does not speak of: "Not run: blocks above 580 kg, other ground."
+std::string limits_in_words(const Comparison& comparison, const Answer& answer);
+
 /// The first screen as lines of plain text, cautions included.
 std::vector<std::string> first_screen(const Comparison& comparison, const Answer& answer);
 

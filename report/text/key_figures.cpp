@@ -53,13 +53,6 @@ KeyFigure runout_figure(const Comparison& comparison, const Statement& statement
                : ""};
 }
 
-/// L/2 of the longest block that ran, m: a barrier must be that much higher than the centres.
-double half_longest(const Comparison& comparison) {
-  double longest = 0.0;
-  for (const RunRow& row : comparison.rows) longest = std::max(longest, row.block->axes.L);
-  return 0.5 * longest;
-}
-
 /// Of each class that passes, and of all the largest: "compact 33, elongated 17 kJ; largest 37 kJ".
 std::string by_class(const Comparison& comparison, const PassageAnswer& passage,
                      double ShareAnswer::*value, double ShareAnswer::*largest,
@@ -89,24 +82,22 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const State
     }
     pair.add(value, range);
   }
+  const ShareAnswer& all = passage.all;
+  const std::string limit =
+      all.largest ? "largest of " + counted(all.crossed, "passage") : "95 % lie below";
   std::vector<KeyFigure> figures = {
       {pair.values + " %", words.pass + " " + words.name + class_names(comparison, statement),
-       pair.ranges}};
-  if (passage.all.crossed == 0) return figures;
-  const std::string limit = passage.all.largest
-                                ? "largest of " + counted(passage.all.crossed, "passage")
-                                : "95 % lie below";
-  figures.push_back({energy_in_words(passage.all.energy), "energy at " + words.name + ": " + limit,
-                     "",
+       pair.ranges,
+       std::to_string(all.crossed) + " of " + counted(all.started, "run") +
+           (all.crossed == 0 ? "" : "; speed there: " + limit + " " + speed_limit(all.speed))}};
+  if (all.crossed == 0) return figures;
+  figures.push_back({energy_limit(all.energy), "energy at " + words.name + ": " + limit, "",
                      by_class(comparison, passage, &ShareAnswer::energy,
-                              &ShareAnswer::largest_energy, energy_in_words)});
-  figures.push_back({height_in_words(passage.all.height),
-                     "height of the centre at " + words.name + ": " + limit +
-                         "; tops of blocks up to " + height_in_words(half_longest(comparison)) +
-                         " higher",
-                     "",
-                     by_class(comparison, passage, &ShareAnswer::height,
-                              &ShareAnswer::largest_height, height_in_words)});
+                              &ShareAnswer::largest_energy, energy_limit)});
+  figures.push_back(
+      {height_limit(all.top), "top of the blocks at " + words.name + ": " + limit, "",
+       by_class(comparison, passage, &ShareAnswer::top, &ShareAnswer::largest_top, height_limit) +
+           "; centres " + height_limit(all.height)});
   return figures;
 }
 

@@ -13,6 +13,17 @@ std::string share_number(double share) {
   return with_decimals(percent, near_an_end ? 1 : 0);
 }
 
+/// The next value up that so many decimals can say.
+double raised(double value, int decimals) {
+  const double steps = std::pow(10.0, decimals);
+  return std::ceil(value * steps - 1e-9) / steps;
+}
+
+int decimals_of_height(double metres) { return std::abs(metres) < 0.95 ? 2 : 1; }
+
+/// Of a number of joules or kilojoules.
+int decimals_of_energy(double joules) { return joules >= 1e3 && joules < 1e4 ? 1 : 0; }
+
 }  // namespace
 
 int decimals_of_length(double length, const std::optional<Interval>& interval) {
@@ -35,10 +46,18 @@ std::string shares_in_words(const Interval& interval) {
 }
 
 std::string energy_in_words(double joules) {
-  const double kilojoules = joules / 1000.0;
-  if (kilojoules >= 10.0) return with_decimals(kilojoules, 0) + " kJ";
-  if (kilojoules >= 1.0) return with_decimals(kilojoules, 1) + " kJ";
-  return joules >= 10.0 ? with_decimals(joules, 0) + " J" : with_digits(joules, 2) + " J";
+  const int decimals = decimals_of_energy(joules);
+  if (joules >= 1e3) return with_decimals(joules / 1e3, decimals) + " kJ";
+  return joules >= 10.0 ? with_decimals(joules, decimals) + " J" : with_digits(joules, 2) + " J";
+}
+
+std::string energy_limit(double joules) {
+  const double unit = joules >= 1e3 ? 1e3 : 1.0;
+  return energy_in_words(unit * raised(joules / unit, decimals_of_energy(joules)));
+}
+
+std::string speed_limit(double metres_per_second) {
+  return with_decimals(raised(metres_per_second, 1), 1) + " m/s";
 }
 
 std::string mass_in_words(double kilograms) {
@@ -46,7 +65,11 @@ std::string mass_in_words(double kilograms) {
 }
 
 std::string height_in_words(double metres) {
-  return with_decimals(metres, std::abs(metres) < 0.95 ? 2 : 1) + " m";
+  return with_decimals(metres, decimals_of_height(metres)) + " m";
+}
+
+std::string height_limit(double metres) {
+  return height_in_words(raised(metres, decimals_of_height(metres)));
 }
 
 }  // namespace clast::report_detail

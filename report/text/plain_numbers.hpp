@@ -21,6 +21,11 @@ std::string shares_in_words(const Interval& interval);
 
 /// "43 kJ", "850 J".
 std::string energy_in_words(double joules);
+/// What values stay below, in the same digits, never rounded down: 33.4 kJ is "34 kJ".
+std::string energy_limit(double joules);
+std::string height_limit(double metres);
+/// "10.2 m/s".
+std::string speed_limit(double metres_per_second);
 /// "542 kg", "8.4 kg".
 std::string mass_in_words(double kilograms);
 /// "1.0 m", "0.35 m".

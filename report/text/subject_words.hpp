@@ -12,7 +12,7 @@ std::string file_name(const Comparison& comparison, std::uint32_t file);
 
 /// A barrier, and what blocks do there.
 struct BarrierWords {
-  std::string name;
+  std::string name;  ///< with an article where it is a noun: "the road", "EC22"
   std::string pass;  ///< "pass", "reach"
 };
 BarrierWords words_of(const Comparison& comparison, std::size_t line);

@@ -107,8 +107,33 @@ std::vector<CrossingRow> collect_crossings(const std::vector<CampaignResults>& r
   return crossings;
 }
 
-BarrierGroup measured(const std::vector<const Crossing*>& crossings) {
+/// How far from its centre a block reaches at most, m, for every row.
+std::vector<double> farthest_skin_points(const std::vector<CampaignResults>& results,
+                                         const std::vector<RunRow>& rows) {
+  std::map<const BlockSummary*, double> of_block;
+  std::vector<double> farthest;
+  for (const RunRow& row : rows) {
+    const auto [found, is_new] = of_block.emplace(row.block, 0.0);
+    if (is_new) {
+      const SpheroPolyhedron& shape = results[row.file].shapes.at(row.block->shape);
+      for (const Vec3& vertex : shape.vertices) {
+        found->second = std::max(found->second, row.block->scale * (vertex.norm() + shape.radius));
+      }
+    }
+    farthest.push_back(found->second);
+  }
+  return farthest;
+}
+
+/// @param farthest  skin point of each crossing's block, m from its centre
+BarrierGroup measured(const std::vector<const Crossing*>& crossings,
+                      const std::vector<double>& farthest) {
   BarrierGroup group;
+  std::vector<double> tops;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    tops.push_back(crossings[i]->height + farthest[i]);
+  }
+  group.top = summarise(tops);
   const auto over = [&](auto value) {
     std::vector<double> values;
     for (const Crossing* crossing : crossings) values.push_back(value(*crossing));
@@ -135,6 +160,7 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
   compared.crossings = collect_crossings(results, rows, lines);
   compared.lines = std::move(lines.lines);
 
+  const std::vector<double> farthest = farthest_skin_points(results, rows);
   for (std::size_t line = 0; line < compared.lines.size(); ++line) {
     std::vector<const Crossing*> first(rows.size(), nullptr);  // counted, by row
     std::vector<const Crossing*> any(rows.size(), nullptr);    // counted or not
@@ -147,6 +173,7 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
     for (std::size_t g = 0; g < groups.size(); ++g) {
       std::size_t started = 0, backward = 0;
       std::vector<const Crossing*> crossings;
+      std::vector<double> of_crossings;
       RunClusters clusters(results);
       ClusteredValues hits;
       for (const std::size_t row : groups[g].rows) {
@@ -154,12 +181,15 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
         ++started;
         hits.values.push_back(first[row] != nullptr ? 1.0 : 0.0);
         hits.clusters.push_back(clusters.of(rows[row]));
-        if (first[row] != nullptr) crossings.push_back(first[row]);
+        if (first[row] != nullptr) {
+          crossings.push_back(first[row]);
+          of_crossings.push_back(farthest[row]);
+        }
         const bool ring = compared.lines[line].of_ring();
         backward += !ring && any[row] != nullptr && !any[row]->forward;
       }
       if (started == 0) continue;
-      BarrierGroup group = measured(crossings);
+      BarrierGroup group = measured(crossings, of_crossings);
       group.barrier = compared.lines[line].name;
       group.group = groups[g].name;
       group.counted = compared.lines[line].counted_direction();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/number_text.hpp"
 #include "core/text_file.hpp"
@@ -49,6 +50,13 @@ TEST(PlainNumbers, HaveTheDigitsThatAreKnown) {
   EXPECT_EQ(energy_in_words(432.0), "432 J");
   EXPECT_EQ(height_in_words(1.04), "1.0 m");
   EXPECT_EQ(height_in_words(0.354), "0.35 m");
+  EXPECT_EQ(energy_limit(33'400.0), "34 kJ") << "no load is rounded down";
+  EXPECT_EQ(energy_limit(33'000.0), "33 kJ");
+  EXPECT_EQ(energy_limit(4310.0), "4.4 kJ");
+  EXPECT_EQ(energy_limit(431.2), "432 J");
+  EXPECT_EQ(height_limit(1.04), "1.1 m");
+  EXPECT_EQ(height_limit(0.354), "0.36 m");
+  EXPECT_EQ(speed_limit(10.11), "10.2 m/s");
 }
 
 TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
@@ -65,8 +73,8 @@ TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
                 "). " + share_in_words(passage.classes[0].share) + " of compact and " +
                 share_in_words(passage.classes[1].share) +
                 " of elongated blocks pass EC22; 95 % of these carry less than " +
-                energy_in_words(passage.all.energy) + ", with their centre below " +
-                height_in_words(passage.all.height) + ".\n");
+                energy_limit(passage.all.energy) + ", and the tops of 95 % stay below " +
+                height_limit(passage.all.top) + ".\n");
 }
 
 TEST(AnswerText, SaysWhenItCanBeChance) {
@@ -133,7 +141,8 @@ TEST(AnswerText, DifferenceMadeByFewIsCalledSo) {
   const Comparison comparison = compared(std::move(results));
   EXPECT_TRUE(answer(comparison).statements.at(0).gap->of_few);
   EXPECT_TRUE(contains(sentences(comparison), " farther than elongated ones on average ("));
-  EXPECT_TRUE(contains(sentences(comparison), "so the difference is made by those that run on"));
+  EXPECT_TRUE(
+      contains(sentences(comparison), ": the means differ because more compact blocks run on"));
   EXPECT_FALSE(answer(compared(made_up_results())).statements.at(0).gap->of_few);
 }
 
@@ -148,24 +157,51 @@ TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
   EXPECT_TRUE(figures[0].more.starts_with("half stop before " + with_decimals(compact.median, 0)))
       << figures[0].more;
   const PassageAnswer& road = said.statements[0].passages[0];
-  EXPECT_EQ(figures[2].more, "compact " + energy_in_words(road.classes[0].energy) + ", elongated " +
-                                 energy_in_words(road.classes[1].energy) + "; largest " +
-                                 energy_in_words(road.all.largest_energy));
+  EXPECT_EQ(figures[2].more, "compact " + energy_limit(road.classes[0].energy) + ", elongated " +
+                                 energy_limit(road.classes[1].energy) + "; largest " +
+                                 energy_limit(road.all.largest_energy));
+  EXPECT_TRUE(figures[1].more.starts_with(std::to_string(road.all.crossed) + " of 192 runs; "))
+      << figures[1].more;
+  EXPECT_TRUE(contains(figures[3].label, "top of the blocks at the road")) << figures[3].label;
+  EXPECT_GT(road.all.top, road.all.height);
   EXPECT_GE(road.all.largest_energy, road.all.energy);
+}
+
+TEST(AnswerText, NamesThatAreNounsHaveAnArticle) {
+  for (const auto& [name, said] :
+       std::map<std::string, std::string>{{"road", "pass the road"},
+                                          {"the road", "pass the road"},
+                                          {"EC22", "pass EC22"},
+                                          {"Fence 2", "pass Fence 2"},
+                                          {"haul road", "pass the haul road"}}) {
+    CampaignResults results = made_up_results();
+    add_barrier(results, name, 1.0);
+    EXPECT_TRUE(contains(sentences(std::move(results)), said + " (")) << name;
+  }
+}
+
+TEST(AnswerText, SaysWhatWasNotRun) {
+  const auto limits = [](CampaignResults results) {
+    const Comparison comparison = compared(std::move(results));
+    return limits_in_words(comparison, answer(comparison));
+  };
+  EXPECT_EQ(limits(made_up_results({.points = 1, .runs_each = 12})),
+            "Not run: blocks above 300 kg, other ground, other release points.");
+  EXPECT_EQ(limits(made_up_results()), "Not run: blocks above 300 kg, other ground.");
 }
 
 TEST(AnswerText, NobodyPassesIsNotNever) {
   CampaignResults results = made_up_results();
   add_barrier(results, "road", 500.0);
   EXPECT_TRUE(contains(sentences(std::move(results)),
-                       "None of 192 runs passes road (with more runs, up to 2 % might)."));
+                       "None of 192 runs passes the road (with more runs, up to 2 % might)."));
 }
 
 TEST(AnswerText, EverybodyPassesIsSaidOnce) {
   CampaignResults results = made_up_results();
   add_barrier(results, "road", 1.0);
   EXPECT_TRUE(
-      contains(sentences(std::move(results)), "All 192 runs pass road (98 to 100 %); 95 %"));
+      contains(sentences(std::move(results)), "All 192 runs pass the road (98 to 100 %); 95 %"));
 }
 
 TEST(AnswerText, FewPassagesAreCountedNotRanked) {
@@ -176,9 +212,10 @@ TEST(AnswerText, FewPassagesAreCountedNotRanked) {
   }
   add_barrier(results, "road", farthest - 0.5);
   const std::string text = sentences(std::move(results));
-  EXPECT_TRUE(contains(text,
-                       "8 % of compact and 0 % of elongated blocks pass road, with 500 J and its "
-                       "centre 0.01 m above the ground."))
+  EXPECT_TRUE(
+      contains(text,
+               "8 % of compact and 0 % of elongated blocks pass the road, with 500 J and its "
+               "top at most 0.79 m above the ground."))
       << text;
 }
 
@@ -189,8 +226,10 @@ TEST(AnswerText, RingsAreReached) {
   results.crossings = {hand_made_crossing(0, 0, 1.0, 2.0)};
   results.crossings[0].forward = false;  // into a ring that runs counter-clockwise
   const std::string text = sentences(std::move(results));
-  EXPECT_TRUE(contains(
-      text, "elongated blocks reach house, with 650 J and its centre 1.0 m above the ground."))
+  EXPECT_TRUE(
+      contains(text,
+               "elongated blocks reach the house, with 650 J and its top at most 1.8 m above the "
+               "ground."))
       << text;
   EXPECT_FALSE(contains(text, "(in)"));
   EXPECT_FALSE(contains(text, "(out)"));

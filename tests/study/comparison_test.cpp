@@ -176,6 +176,8 @@ TEST(Compare, FirstCrossingCounts) {
   EXPECT_NEAR(compact.total.mean, 150.0 * (4.0 + 16.0 + 36.0) / 3.0 + 50.0, 1e-9);
   EXPECT_NEAR(compact.rotation_rate.mean, 5.0, 1e-12);
   EXPECT_NEAR(compact.clearance.median, 0.25, 1e-12);
+  // A box of 1.0, 0.9 and 0.8 m reaches half its diagonal from its centre, which passes at 1 m.
+  EXPECT_NEAR(compact.top.max, 1.0 + 0.5 * std::sqrt(1.0 + 0.81 + 0.64), 1e-12);
   EXPECT_DOUBLE_EQ(at_barrier(comparison, "B2", "all").probability, 1.0 / 6.0);
   EXPECT_EQ(at_barrier(comparison, "B2", "class elongated").crossed, 0u);
 }
