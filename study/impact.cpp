@@ -22,6 +22,7 @@ void ImpactObserver::end_impact() {
   open_->translational_after = translational_energy(body_, last_touch_);
   open_->rotational_after = rotational_energy(body_, last_touch_);
   impacts.push_back(*open_);
+  last_touches.push_back(last_touch_);
   open_.reset();
 }
 

@@ -48,6 +48,7 @@ class ImpactObserver {
   void finish();
 
   std::vector<Impact> impacts;
+  std::vector<RigidState> last_touches;  ///< state at the last touch of each impact
   ContactStatistics statistics;
 
  private:

@@ -34,6 +34,22 @@ std::string design_digest(const CalibrationStudy& study, const std::vector<std::
   return sha256(text);
 }
 
+/// What members are to be observed at must have been looked at when they were simulated.
+void check_moments(const fs::path& from, const CalibrationSimulator& simulator,
+                   const StoredCalibration& stored) {
+  for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
+    const std::vector<Moment>& asked = simulator.sites[site].moments;
+    const std::vector<Moment>& had = stored.runs.sites[site].moments;
+    const bool done = std::count(stored.done[site].begin(), stored.done[site].end(), false) == 0;
+    if (asked == had || (done && std::includes(had.begin(), had.end(), asked.begin(), asked.end())))
+      continue;
+    throw InputError(
+        from.string() + ": the members of site " + simulator.sites[site].name +
+        " were simulated to be observed at other impacts or times; delete the file, or "
+        "give another output");
+  }
+}
+
 /// The members that are there already.
 StoredCalibration begun(const CalibrationStudy& study, const CalibrationSimulator& simulator,
                         const fs::path& target, const CalibrateOptions& options) {
@@ -55,6 +71,10 @@ StoredCalibration begun(const CalibrationStudy& study, const CalibrationSimulato
                      "it, or give another output");
   }
   stored.inputs = simulator.inputs;
+  check_moments(from, simulator, stored);
+  for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
+    stored.runs.sites[site].releases = simulator.sites[site].releases;
+  }
   return stored;
 }
 
@@ -151,8 +171,9 @@ Calibration calibrate(const CalibrationStudy& study, const fs::path& target,
   check_partial(target, options);
   std::vector<SiteSimulator> sites;
   CalibrationSimulator simulator;
-  for (const CalibrationSite& site : study.sites) {
-    sites.emplace_back(site, study.unknowns, study.design);
+  for (std::size_t i = 0; i < study.sites.size(); ++i) {
+    sites.emplace_back(study.sites[i], study.unknowns, study.design,
+                       observed_moments(study.observations, i));
     simulator.sites.push_back(sites.back().facts());
     const std::vector<std::string>& inputs = sites.back().inputs();
     simulator.inputs.insert(simulator.inputs.end(), inputs.begin(), inputs.end());

@@ -1,6 +1,7 @@
 #include "study/calibration/figure_scatter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <numeric>
@@ -38,12 +39,12 @@ struct SiteBlocks {
 SiteBlocks blocks_of(const std::vector<const Observation*>& observations,
                      const std::vector<std::vector<Seen>>& seen) {
   SiteBlocks site;
-  std::map<std::pair<std::string, std::string>, std::size_t> numbers;
+  std::map<std::array<std::string, 3>, std::size_t> numbers;
   std::set<std::uint32_t> points;
   for (std::size_t o = 0; o < observations.size(); ++o) {
     const Observation& own = *observations[o];
     const auto [number, is_new] =
-        numbers.emplace(std::pair(own.shape, own.block), site.blocks.size());
+        numbers.emplace(std::array{own.shape, own.block, own.release}, site.blocks.size());
     site.of_observation.push_back(number->second);
     if (is_new) {
       site.blocks.push_back({seen[o].size(), {}, 0, {}});
@@ -177,6 +178,7 @@ void put_stated(const std::vector<const Observation*>& observations, const Vecto
         scatter.field.col(at).setZero();
         scatter.field(at, at) = *figure.error * *figure.error;
       }
+      scatter.field(at, at) += figure.measuring_error * figure.measuring_error;
       ++at;
     }
   }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/listed.hpp"
+#include "core/number_text.hpp"
 #include "core/statistics.hpp"
 
 namespace clast {
@@ -22,6 +24,17 @@ void check_known(const Observation& observation, const SiteFacts& site, const st
   throw InputError("observation " + observation.name + ": the campaign of site " + site.name +
                    " has no " + what + " \"" + wanted + "\"; it has " +
                    (once.empty() ? "none" : listed(once)));
+}
+
+std::size_t place_of_moment(const Observation& observation, const SiteFacts& site) {
+  if (!observation.moment) return 0;
+  const auto moment = std::find(site.moments.begin(), site.moments.end(), *observation.moment);
+  if (moment == site.moments.end()) {
+    throw InputError("observation " + observation.name + ": site " + site.name +
+                     " was simulated without " + observation.moment->name() +
+                     "; simulate its members anew");
+  }
+  return static_cast<std::size_t>(moment - site.moments.begin());
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -61,23 +74,38 @@ double figure_of_places(const Figure& figure, std::vector<double> along,
   }
 }
 
-/// What is measured at barriers; null for other figures.
-double OutcomeAtBarrier::*measured(Figure::Kind kind) {
+/// What is measured at barriers and moments; null for other figures.
+double OutcomeAt::*measured(Figure::Kind kind) {
   switch (kind) {
     case Figure::Kind::kMeanSpeed:
-      return &OutcomeAtBarrier::speed;
+      return &OutcomeAt::speed;
     case Figure::Kind::kMeanSpin:
-      return &OutcomeAtBarrier::spin;
+      return &OutcomeAt::spin;
     case Figure::Kind::kMeanHeight:
-      return &OutcomeAtBarrier::height;
+      return &OutcomeAt::height;
     case Figure::Kind::kMeanEnergy:
-      return &OutcomeAtBarrier::energy;
+      return &OutcomeAt::energy;
+    case Figure::Kind::kMeanDepth:
+      return &OutcomeAt::depth;
     default:
       return nullptr;
   }
 }
 
 }  // namespace
+
+std::string Moment::name() const {
+  return kind == Kind::kImpact ? "impact " + with_digits(value, 6) : with_digits(value, 6) + " s";
+}
+
+std::vector<Moment> observed_moments(const std::vector<Observation>& observations,
+                                     std::size_t site) {
+  std::set<Moment> moments;
+  for (const Observation& observation : observations) {
+    if (observation.site == site && observation.moment) moments.insert(*observation.moment);
+  }
+  return {moments.begin(), moments.end()};
+}
 
 ObservedStop place_of(const Observation& observation, const SiteFacts& site, const Vec2& start,
                       const Vec2& stop) {
@@ -91,16 +119,24 @@ std::vector<Seen> seen_by(const Observation& observation, const SiteFacts& site,
   check_known(observation, site, "block", observation.block, site.blocks);
   check_known(observation, site, "block of shape", observation.shape, site.shapes);
   check_known(observation, site, "barrier", observation.barrier, site.barriers);
+  check_known(observation, site, "release set", observation.release, site.releases);
   const auto barrier = static_cast<std::size_t>(
       std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) -
       site.barriers.begin());
+  const std::size_t moment = place_of_moment(observation, site);
   std::vector<Seen> seen;
   for (const ReleaseOutcome& outcome : outcomes) {
     if (!observation.block.empty() && site.blocks[outcome.block] != observation.block) continue;
     if (!observation.shape.empty() && site.shapes[outcome.block] != observation.shape) continue;
-    const ObservedStop place = place_of(observation, site, outcome.start, outcome.stop);
-    seen.push_back({outcome.point, place.along, place.aside, {}});
-    if (!observation.barrier.empty()) seen.back().at_barrier = outcome.barriers[barrier];
+    if (!observation.release.empty() && site.releases[outcome.release] != observation.release) {
+      continue;
+    }
+    OutcomeAt at;
+    if (observation.moment) at = outcome.moments[moment];
+    if (!observation.barrier.empty()) at = outcome.barriers[barrier];
+    const ObservedStop place =
+        place_of(observation, site, outcome.start, observation.moment ? at.place : outcome.stop);
+    seen.push_back({outcome.point, place.along, place.aside, at});
   }
   return seen;
 }
@@ -116,12 +152,12 @@ double figure_of(const Figure& figure, std::span<const Seen> seen,
                  std::span<const std::size_t> sample) {
   std::vector<double> values, aside;
   if (figure.kind == Figure::Kind::kPassed) {
-    for (const std::size_t i : sample) values.push_back(seen[i].at_barrier.passed() ? 1.0 : 0.0);
+    for (const std::size_t i : sample) values.push_back(seen[i].at.passed() ? 1.0 : 0.0);
     return mean_of(values);
   }
-  if (double OutcomeAtBarrier::*const quantity = measured(figure.kind)) {
+  if (double OutcomeAt::*const quantity = measured(figure.kind)) {
     for (const std::size_t i : sample) {
-      if (seen[i].at_barrier.passed()) values.push_back(seen[i].at_barrier.*quantity);
+      if (seen[i].at.passed()) values.push_back(seen[i].at.*quantity);
     }
     return mean_of(values);
   }

@@ -24,6 +24,7 @@ struct Figure {
     kMeanSpin,    ///< rad/s
     kMeanHeight,  ///< of the centre above ground, m
     kMeanEnergy,  ///< J
+    kMeanDepth,   ///< of the scars, m
   };
   Kind kind = Kind::kMeanPlace;
   double level = 0.0;
@@ -32,6 +33,8 @@ struct Figure {
   /// Standard error of the observed value, where it is stated; none: that of a sample of the
   /// observation's size.
   std::optional<double> error;
+  /// Standard error of measuring the value of a sample, on top of the scatter of such samples.
+  double measuring_error = 0.0;
 };
 
 /// A stop in the field, along the path and to the right of it, m.
@@ -40,15 +43,16 @@ struct ObservedStop {
   double aside = 0.0;
 };
 
-/// Stops, or passages of a barrier, of blocks of one site.
+/// Stops, passages of a barrier, or what blocks of one site did at a moment: after an impact, or so
+/// long after their release.
 struct Observation {
   std::string name;
   std::size_t site = 0;         ///< into CalibrationStudy::sites
   bool fitted = true;           ///< else it is kept, to judge the prediction by
   std::string shape;            ///< of these blocks only; empty: any
   std::string block;            ///< ... with this id
-  std::string barrier;          ///< empty: stops
-  std::filesystem::path table;  ///< of stops, as it was read; empty: none
+  std::string barrier;          ///< empty: stops, or a moment
+  std::filesystem::path table;  ///< of stops or trajectories, as it was read; empty: none
   std::string sha256;           ///< of the table
   /// Each stop has a start of its own in the table: places are counted from there, of simulated
   /// stops from theirs; else all from the middle of the release points.
@@ -57,17 +61,24 @@ struct Observation {
   /// Numbers of field releases that share a start; empty: each has one of its own.
   std::vector<std::size_t> clusters;
   std::vector<Figure> figures;
+  std::optional<Moment> moment = {};
+  std::string release = {};  ///< of blocks of this release set only; empty: any
 };
 
-/// A release as an observation sees it: stops by their place, passages by what was measured.
+/// The moments of a site that are observed, each once, rising.
+std::vector<Moment> observed_moments(const std::vector<Observation>& observations,
+                                     std::size_t site);
+
+/// A release as an observation sees it: stops by their place, the rest by what was measured.
 struct Seen {
   std::uint32_t point = 0;  ///< releases of one share its ground
   double along = 0.0, aside = 0.0;
-  OutcomeAtBarrier at_barrier;
+  OutcomeAt at;  ///< the barrier or moment
 };
 
 /// The releases of a member that the observation is of.
-/// @throws InputError  the site has no such block, shape or barrier
+/// @throws InputError  the site has no such block, shape, release set or barrier, or
+///                     its members were simulated without the moment
 std::vector<Seen> seen_by(const Observation& observation, const SiteFacts& site,
                           std::span<const ReleaseOutcome> outcomes);
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "core/error.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
+#include "study/calibration/observed_trajectories.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/measured_stops.hpp"
@@ -16,7 +19,52 @@ namespace {
 constexpr std::size_t kFewestStops = 3;
 constexpr std::uint64_t kMostReleased = 1'000'000;
 
-/// A figure of a barrier that is given as [value, standard error].
+/// What an observation can be of: the key that says so.
+constexpr const char* kSources[] = {"stops", "barrier", "impact", "trajectories"};
+
+/// Keys that belong to some of them only.
+struct SourceKey {
+  const char* key;
+  std::vector<std::string> sources;
+};
+const std::vector<SourceKey>& source_keys() {
+  static const std::vector<SourceKey> kKeys = {{"figures", {"stops", "trajectories"}},
+                                               {"beyond_m", {"stops"}},
+                                               {"times_s", {"trajectories"}},
+                                               {"releases", {"barrier", "impact"}},
+                                               {"passed", {"barrier"}},
+                                               {"speed_m_s", {"barrier", "impact"}},
+                                               {"spin_rad_s", {"barrier", "impact"}},
+                                               {"height_m", {"barrier"}},
+                                               {"energy_j", {"barrier", "impact"}},
+                                               {"depth_m", {"impact"}}};
+  return kKeys;
+}
+
+/// The source of an observation, whose keys fit it.
+std::string source_of(const TomlTable& table) {
+  std::string source;
+  for (const char* one : kSources) {
+    if (!table.find(one)) continue;
+    if (!source.empty()) table.refuse("has " + source + " and " + one + "; write two observations");
+    source = one;
+  }
+  if (source.empty()) {
+    table.refuse(
+        "needs stops or trajectories, a table of them, barrier, a name, or impact, a number");
+  }
+  for (const SourceKey& one : source_keys()) {
+    const TomlNode* node = table.find(one.key);
+    if (!node || std::find(one.sources.begin(), one.sources.end(), source) != one.sources.end()) {
+      continue;
+    }
+    table.refuse(one.key, *node,
+                 "belongs to an observation with " + listed(one.sources) + "; leave it out here");
+  }
+  return source;
+}
+
+/// A figure of a barrier or an impact that is given as [value, standard error].
 struct Quantity {
   const char* key;
   Figure::Kind kind;
@@ -26,7 +74,8 @@ constexpr Quantity kQuantities[] = {
     {"speed_m_s", Figure::Kind::kMeanSpeed, {0.0, kMostSpeed, "m/s"}},
     {"spin_rad_s", Figure::Kind::kMeanSpin, {0.0, kMostSpin, "rad/s"}},
     {"height_m", Figure::Kind::kMeanHeight, {-1e4, 1e4, "m"}},
-    {"energy_j", Figure::Kind::kMeanEnergy, {0.0, 1e15, "J"}}};
+    {"energy_j", Figure::Kind::kMeanEnergy, {0.0, 1e15, "J"}},
+    {"depth_m", Figure::Kind::kMeanDepth, {0.0, 1e3, "m"}}};
 
 /// "mean", "std", "aside", or "p10" for a percentile.
 Figure figure_named(const TomlTable& table, const TomlNode& node, const std::string& name) {
@@ -88,16 +137,6 @@ void read_starts(const std::vector<MeasuredStop>& stops, Observation& observatio
 }
 
 void read_stops(const TomlTable& table, const SiteFacts& site, Observation& observation) {
-  for (const char* key : {"releases", "passed"}) {
-    if (const TomlNode* node = table.find(key)) {
-      table.refuse(key, *node, "is of a barrier; a table of stops has its own number");
-    }
-  }
-  for (const Quantity& quantity : kQuantities) {
-    if (const TomlNode* node = table.find(quantity.key)) {
-      table.refuse(quantity.key, *node, "is of a barrier; name it, or leave this out");
-    }
-  }
   const TomlNode& file = *table.find("stops");
   table.text("stops");
   const MeasuredStops measured = read_measured_stops(input_file(table, "stops", file));
@@ -126,12 +165,110 @@ void read_stops(const TomlTable& table, const SiteFacts& site, Observation& obse
   }
 }
 
-void read_passages(const TomlTable& table, const SiteFacts& site, Observation& observation) {
-  for (const char* key : {"figures", "beyond_m"}) {
-    if (const TomlNode* node = table.find(key)) {
-      table.refuse(key, *node, "is of stops; name a table of them, or leave this out");
-    }
+/// Quantities that are given as [value, standard error].
+std::vector<Figure> stated_figures(const TomlTable& table) {
+  std::vector<Figure> figures;
+  for (const Quantity& quantity : kQuantities) {
+    const TomlNode* node = table.find(quantity.key);
+    if (!node) continue;
+    const std::vector<double> given = table.numbers(
+        quantity.key, *node, 2, 2, "two numbers, [mean, its standard error]", quantity.range);
+    if (!(given[1] > 0.0)) table.refuse(quantity.key, *node, "the error must be more than 0");
+    figures.push_back(
+        {quantity.kind, 0.0, std::string("mean_") + quantity.key, given[0], given[1]});
   }
+  return figures;
+}
+
+/// One impact, or the mean of several: how the blocks hit is known no better than the campaign has
+/// it, so that the scatter of as many simulated ones comes on top of the error of measuring.
+void read_impact(const TomlTable& table, Observation& observation) {
+  constexpr std::uint64_t kLastImpact = 1000;
+  observation.moment = {Moment::Kind::kImpact,
+                        static_cast<double>(*table.count("impact", 1, kLastImpact))};
+  observation.releases = table.count("releases", 1, kMostReleased).value_or(1);
+  observation.figures = stated_figures(table);
+  for (Figure& figure : observation.figures)
+    figure.measuring_error = *std::exchange(figure.error, {});
+  if (observation.figures.empty()) {
+    table.refuse("names nothing that was observed: speed_m_s, spin_rad_s, energy_j or depth_m");
+  }
+}
+
+/// The figures of trajectories at each time: places along the path, speed and spin.
+std::vector<Figure> trajectory_figures(const TomlTable& table) {
+  std::vector<Figure> figures;
+  const auto add = [&](const std::string& name, const auto& place) {
+    if (name == "speed") {
+      figures.push_back({Figure::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}});
+    } else if (name == "spin") {
+      figures.push_back({Figure::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}});
+    } else {
+      figures.push_back(place());
+    }
+  };
+  if (const TomlNode* asked = table.find("figures")) {
+    const std::vector<std::string> names = *table.texts("figures");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      add(names[i], [&] { return figure_named(table, element(*asked, i), names[i]); });
+    }
+  } else {
+    add("mean", [] { return Figure{Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}}; });
+    add("speed", [] { return Figure(); });
+    add("spin", [] { return Figure(); });
+  }
+  return figures;
+}
+
+/// One observation at each of the times.
+std::vector<Observation> read_followed(const TomlTable& table, const SiteFacts& site,
+                                       Observation common) {
+  const TomlNode& file = *table.find("trajectories");
+  table.text("trajectories");
+  common.table = input_file(table, "trajectories", file);
+  const ObservedTrajectories followed = read_trajectories(common.table);
+  common.sha256 = followed.sha256;
+  common.releases = followed.all.size();
+  if (common.releases < kFewestStops) {
+    table.refuse("trajectories", file,
+                 "has " + std::to_string(common.releases) + " trajectories; " +
+                     std::to_string(kFewestStops) + " are needed at least");
+  }
+  std::vector<MeasuredStop> starts;
+  for (const ObservedTrajectory& one : followed.all) {
+    starts.push_back({one.front().place, one.front().place, {}, {}, 0.0, 0.0});
+  }
+  read_starts(starts, common);
+  common.figures = trajectory_figures(table);
+  check_once(table, common.figures);
+  const TomlNode& times = table.required("times_s", "a list of times since the release");
+  std::vector<Observation> observations;
+  for (const double time : table.numbers(
+           "times_s", times, 1, 100, "a list of times since the release, [s, s, ...]", kRunTime)) {
+    if (time > followed.longest()) {
+      table.refuse("times_s", times, "the longest trajectory ends before " + with_digits(time, 6));
+    }
+    Observation own = common;
+    own.moment = {Moment::Kind::kTime, time};
+    own.name += " at " + own.moment->name();
+    std::vector<Seen> seen;
+    std::vector<std::size_t> all;
+    for (const ObservedTrajectory& one : followed.all) {
+      const TrajectoryPoint point = point_at(one, time);
+      const ObservedStop place = place_of(own, site, one.front().place, point.place);
+      OutcomeAt at;
+      at.speed = point.speed;
+      at.spin = point.spin;
+      all.push_back(seen.size());
+      seen.push_back({0, place.along, place.aside, at});
+    }
+    for (Figure& figure : own.figures) figure.observed = figure_of(figure, seen, all);
+    observations.push_back(std::move(own));
+  }
+  return observations;
+}
+
+void read_passages(const TomlTable& table, const SiteFacts& site, Observation& observation) {
   observation.barrier = *table.text("barrier");
   if (std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) ==
       site.barriers.end()) {
@@ -155,15 +292,8 @@ void read_passages(const TomlTable& table, const SiteFacts& site, Observation& o
                                    static_cast<double>(*passed) / static_cast<double>(*releases),
                                    {}});
   }
-  for (const Quantity& quantity : kQuantities) {
-    const TomlNode* node = table.find(quantity.key);
-    if (!node) continue;
-    const std::vector<double> given = table.numbers(
-        quantity.key, *node, 2, 2, "two numbers, [mean, its standard error]", quantity.range);
-    if (!(given[1] > 0.0)) table.refuse(quantity.key, *node, "the error must be more than 0");
-    observation.figures.push_back(
-        {quantity.kind, 0.0, std::string("mean_") + quantity.key, given[0], given[1]});
-  }
+  const std::vector<Figure> stated = stated_figures(table);
+  observation.figures.insert(observation.figures.end(), stated.begin(), stated.end());
   if (observation.figures.empty()) {
     table.refuse(
         "names nothing that was observed: passed, speed_m_s, spin_rad_s, height_m or energy_j");
@@ -180,7 +310,17 @@ std::size_t site_of(const TomlTable& table, const std::vector<CalibrationSite>& 
   table.refuse("site", node, "there is no [[site]] of this name");
 }
 
-Observation read_observation(const TomlTable& table, const std::vector<CalibrationSite>& sites) {
+void check_release(const TomlTable& table, const SiteFacts& site, const std::string& release) {
+  if (release.empty() ||
+      std::find(site.releases.begin(), site.releases.end(), release) != site.releases.end()) {
+    return;
+  }
+  table.refuse("release", *table.find("release"),
+               "the campaign of site " + site.name + " has no [[release]] of this name");
+}
+
+std::vector<Observation> read_observation(const TomlTable& table,
+                                          const std::vector<CalibrationSite>& sites) {
   Observation observation;
   table.required("name", "a text in quotes");
   observation.name = *table.text("name");
@@ -190,22 +330,31 @@ Observation read_observation(const TomlTable& table, const std::vector<Calibrati
   observation.shape = choice(table, "shape", {"compact", "elongated"}).value_or("");
   observation.block = table.text("block").value_or("");
   const SiteFacts site = path_of(sites[observation.site]);
-  if (!table.find("stops") == !table.find("barrier")) {
-    table.refuse("needs either stops, a table of them, or barrier, a name");
-  }
-  table.find("stops") ? read_stops(table, site, observation)
-                      : read_passages(table, site, observation);
-  return observation;
+  observation.release = table.text("release").value_or("");
+  check_release(table, site, observation.release);
+  const std::string source = source_of(table);
+  if (source == "trajectories") return read_followed(table, site, std::move(observation));
+  if (source == "stops") read_stops(table, site, observation);
+  if (source == "barrier") read_passages(table, site, observation);
+  if (source == "impact") read_impact(table, observation);
+  return {observation};
 }
 
 bool overlap(const std::string& a, const std::string& b) {
   return a.empty() || b.empty() || a == b;
 }
 
+/// Number of the impact; 0 of what is of none.
+double impact_of(const Observation& observation) {
+  const std::optional<Moment>& moment = observation.moment;
+  return moment && moment->kind == Moment::Kind::kImpact ? moment->value : 0.0;
+}
+
 /// Are the same blocks behind both?
 bool share_blocks(const Observation& a, const Observation& b) {
   return a.site == b.site && a.barrier == b.barrier && a.sha256 == b.sha256 &&
-         overlap(a.shape, b.shape) && overlap(a.block, b.block);
+         impact_of(a) == impact_of(b) && overlap(a.shape, b.shape) && overlap(a.block, b.block) &&
+         overlap(a.release, b.release);
 }
 
 }  // namespace
@@ -214,6 +363,7 @@ SiteFacts path_of(const CalibrationSite& site) {
   SiteFacts facts;
   facts.name = site.name;
   for (const Barrier& barrier : site.campaign.barriers) facts.barriers.push_back(barrier.name);
+  for (const ReleasePlan& release : site.campaign.releases) facts.releases.push_back(release.name);
   facts.downslope = site.campaign.downslope.value_or(Vec2::UnitX()).normalized();
   // Summed from the first: map coordinates of 5e6 m would cost digits.
   const Vec2 first = site.campaign.releases.front().points.front().head<2>();
@@ -235,20 +385,22 @@ std::vector<Observation> read_observations(const TomlTable& top,
   for (const TomlNode* node : tables_of(top, "observation")) {
     const TomlTable table(
         *node, top.file(), "[[observation]]",
-        {"name", "site", "use", "shape", "block", "stops", "figures", "beyond_m", "barrier",
-         "releases", "passed", "speed_m_s", "spin_rad_s", "height_m", "energy_j"});
-    Observation observation = read_observation(table, sites);
-    for (const Observation& other : observations) {
-      if (other.name == observation.name) {
-        table.refuse("name", *table.find("name"), "another observation has this name");
+        {"name",     "site",    "use",      "shape",   "block",        "stops",      "figures",
+         "beyond_m", "barrier", "releases", "passed",  "speed_m_s",    "spin_rad_s", "height_m",
+         "energy_j", "release", "impact",   "depth_m", "trajectories", "times_s"});
+    for (Observation& observation : read_observation(table, sites)) {
+      for (const Observation& other : observations) {
+        if (other.name == observation.name) {
+          table.refuse("name", *table.find("name"), "another observation has this name");
+        }
+        if (other.fitted != observation.fitted && share_blocks(other, observation)) {
+          table.refuse("use", *table.find("use"),
+                       "observation " + other.name +
+                           " is of the same blocks; what is fitted can't be kept to judge by");
+        }
       }
-      if (other.fitted != observation.fitted && share_blocks(other, observation)) {
-        table.refuse("use", *table.find("use"),
-                     "observation " + other.name +
-                         " is of the same blocks; what is fitted can't be kept to judge by");
-      }
+      observations.push_back(std::move(observation));
     }
-    observations.push_back(std::move(observation));
   }
   if (std::none_of(observations.begin(), observations.end(),
                    [](const Observation& observation) { return observation.fitted; })) {

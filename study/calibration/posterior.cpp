@@ -102,6 +102,7 @@ double possible(const Figure& figure, double value) {
     case Figure::Kind::kMeanSpeed:
     case Figure::Kind::kMeanSpin:
     case Figure::Kind::kMeanEnergy:
+    case Figure::Kind::kMeanDepth:
       return std::max(value, 0.0);
     default:
       return value;

@@ -29,22 +29,77 @@ Campaign with_middles(Campaign campaign, const std::vector<Unknown>& unknowns) {
   return campaign;
 }
 
+/// Sees what a run does at the moments that are observed.
+class MomentObserver {
+ public:
+  MomentObserver(const std::vector<Moment>& moments, const RigidBody& body, const MapFrame& frame,
+                 double gravity)
+      : moments_(moments), body_(body), frame_(frame), gravity_(gravity), impacts_(body, 0) {
+    outcomes_.resize(moments.size());
+  }
+
+  void see(const MotionStep& step) {
+    impacts_.see(step);
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+      const double time = moments_[i].value;
+      if (moments_[i].kind != Moment::Kind::kTime || outcomes_[i].passed()) continue;
+      if (time <= step.end_time) outcomes_[i] = at(state_at(body_, step, time, gravity_));
+    }
+  }
+
+  /// @param end  of the run
+  std::vector<OutcomeAt> outcomes(const RigidState& end) {
+    impacts_.finish();
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+      if (moments_[i].kind == Moment::Kind::kTime) {
+        if (!outcomes_[i].passed()) outcomes_[i] = at(end);
+        continue;
+      }
+      const auto number = static_cast<std::size_t>(moments_[i].value);
+      if (number > impacts_.impacts.size()) continue;
+      outcomes_[i] = at(impacts_.last_touches[number - 1]);
+      outcomes_[i].depth = impacts_.impacts[number - 1].depth;
+    }
+    return outcomes_;
+  }
+
+ private:
+  OutcomeAt at(const RigidState& state) const {
+    OutcomeAt outcome;
+    outcome.speed = state.velocity.norm();
+    outcome.spin = state.angular_velocity.norm();
+    outcome.energy = translational_energy(body_, state) + rotational_energy(body_, state);
+    outcome.place = frame_.map(state.position).head<2>();
+    return outcome;
+  }
+
+  const std::vector<Moment>& moments_;
+  const RigidBody& body_;
+  const MapFrame& frame_;
+  double gravity_;
+  ImpactObserver impacts_;
+  std::vector<OutcomeAt> outcomes_;
+};
+
 ReleaseOutcome outcome_of(const StoredRun& run, const PreparedCampaign& prepared) {
   const MapFrame& frame = prepared.header.frame;
   ReleaseOutcome outcome;
   outcome.block = run.record.block;
   outcome.point = run.record.point;
+  outcome.release = prepared.header.set_of_point[run.record.point];
   outcome.start = frame.map(run.record.start.position).head<2>();
   outcome.stop = frame.map(run.record.result.final_state.position).head<2>();
   outcome.barriers.resize(prepared.header.barriers.size());
   for (const Crossing& crossing : run.crossings) {
-    OutcomeAtBarrier& at = outcome.barriers[crossing.barrier];
+    OutcomeAt& at = outcome.barriers[crossing.barrier];
     const bool counts =
         prepared.header.barriers[crossing.barrier].counted != CountedCrossings::kForward ||
         crossing.forward;
     if (at.passed() || !counts) continue;
-    at = {crossing.velocity.norm(), crossing.angular_velocity.norm(), crossing.height,
-          crossing.translational_energy + crossing.rotational_energy};
+    at.speed = crossing.velocity.norm();
+    at.spin = crossing.angular_velocity.norm();
+    at.height = crossing.height;
+    at.energy = crossing.translational_energy + crossing.rotational_energy;
   }
   return outcome;
 }
@@ -86,7 +141,7 @@ struct SiteSimulator::Impl {
 };
 
 SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
-                             const CalibrationDesign& design)
+                             const CalibrationDesign& design, const std::vector<Moment>& moments)
     : impl_(std::make_unique<Impl>(prepare_campaign(with_middles(site.campaign, unknowns)))) {
   Impl& own = *impl_;
   own.name = site.name;
@@ -102,6 +157,7 @@ SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unkn
                      " releases of each member; add orientations or points, or lower releases");
   }
   own.facts = path_of(site);
+  own.facts.moments = moments;
   for (const BlockSummary& block : own.prepared.header.blocks) {
     own.facts.blocks.push_back(block.id);
     own.facts.shapes.push_back(block.garcia);
@@ -138,8 +194,14 @@ std::vector<ReleaseOutcome> SiteSimulator::simulate(std::uint32_t member,
   std::vector<ReleaseOutcome> outcomes(prepared.runs.size());
   std::vector<std::string> failures(prepared.runs.size());
   parallel_for(prepared.runs.size(), threads, [&](std::size_t i) {
-    const StoredRun run = runs_from(prepared, static_cast<std::uint32_t>(i)).front();
+    MomentObserver moments(own.facts.moments, prepared.bodies[prepared.runs[i].block],
+                           prepared.header.frame, prepared.campaign.gravity);
+    MotionObserver observe;
+    if (!own.facts.moments.empty()) observe = [&](const MotionStep& step) { moments.see(step); };
+    const StoredRun run =
+        runs_from(prepared, static_cast<std::uint32_t>(i), {}, 1, observe).front();
     outcomes[i] = outcome_of(run, prepared);
+    outcomes[i].moments = moments.outcomes(run.record.result.final_state);
     if (run.record.result.stop_reason == StopReason::kError) {
       failures[i] = run.record.result.message;
     }

@@ -15,11 +15,12 @@ namespace clast {
 class SiteSimulator {
  public:
   /// @param unknowns  those that the campaign does not have are left out
+  /// @param moments   of the site that are observed
   /// @throws InputError, SimulationError  as `prepare_campaign`; or the campaign has fewer runs
   /// than
   ///                                      the design asks for
   SiteSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
-                const CalibrationDesign& design);
+                const CalibrationDesign& design, const std::vector<Moment>& moments = {});
   ~SiteSimulator();
   SiteSimulator(SiteSimulator&&) noexcept;
 

@@ -112,7 +112,7 @@ ReleaseResult failed(const RunObserver& observer, const RunRecord& run, const ch
 }
 
 StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
-                     const std::function<void(double)>& after_step) {
+                     const std::function<void(double)>& after_step, const MotionObserver& observe) {
   RunObserver observer(prepared, planned);
   try {
     return observer.stored(
@@ -120,6 +120,7 @@ StoredRun single_run(const PreparedCampaign& prepared, const RunRecord& planned,
                          prepared.bodies[planned.block], planned.start,
                          release_settings(prepared.campaign, planned), [&](const MotionStep& step) {
                            observer.see(step);
+                           if (observe) observe(step);
                            if (after_step) after_step(step.end_time);
                          }));
   } catch (const std::exception& error) {  // one bad run never costs the campaign
@@ -249,8 +250,11 @@ void check_mass_start(const PreparedCampaign& prepared, std::uint32_t first) {
 }
 
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
-                                 const std::function<void(double)>& after_step, unsigned threads) {
-  if (!prepared.header.stay) return {single_run(prepared, prepared.runs[first], after_step)};
+                                 const std::function<void(double)>& after_step, unsigned threads,
+                                 const MotionObserver& observe) {
+  if (!prepared.header.stay) {
+    return {single_run(prepared, prepared.runs[first], after_step, observe)};
+  }
   const std::uint32_t each = prepared.header.stay->blocks_each;
   return realisation(prepared, std::span(&prepared.runs[first], each), after_step, threads);
 }

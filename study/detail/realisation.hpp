@@ -13,9 +13,10 @@ namespace clast::study_detail {
 /// @param after_step  called with the simulated time since the first release, after every step and
 ///                    flight; what it throws ends the run
 /// @param threads     that a realisation may use
+/// @param observe     sees the motion of a single run; nothing of blocks that stay
 std::vector<StoredRun> runs_from(const PreparedCampaign& prepared, std::uint32_t first,
                                  const std::function<void(double)>& after_step = {},
-                                 unsigned threads = 1);
+                                 unsigned threads = 1, const MotionObserver& observe = {});
 
 /// Makes sure that no two blocks of a mass overlap at the start, so that it can run.
 /// @param first  number of the first of its runs

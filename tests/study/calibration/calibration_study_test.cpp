@@ -165,7 +165,7 @@ TEST_F(StudyFile, WhatMakesNoSenseIsRefused) {
             "study.toml:22: [[observation]] colour = 3: unknown key; known here are name, site, "
             "use, shape, "
             "block, stops, figures, beyond_m, barrier, releases, passed, speed_m_s, spin_rad_s, "
-            "height_m, energy_j");
+            "height_m, energy_j, release, impact, depth_m, trajectories, times_s");
 }
 
 TEST_F(StudyFile, WhatIsFittedCantBeKept) {
@@ -182,6 +182,76 @@ TEST_F(StudyFile, WhatIsFittedCantBeKept) {
   EXPECT_EQ(refused("[[observation]]\nname = \"passages\"",
                     again + "shape = \"elongated\"\n[[observation]]\nname = \"passages\""),
             "");
+}
+
+const std::string kImpact = R"([[observation]]
+name = "hit"
+use = "fit"
+block = "B7"
+impact = 2
+speed_m_s = [3.0, 0.2]
+depth_m = [0.12, 0.02]
+)";
+
+TEST_F(StudyFile, ImpactsAndScarsAreSamplesOfOne) {
+  const CalibrationStudy study = read_study(kStudy + kImpact);
+  const Observation& hit = study.observations.back();
+  EXPECT_EQ(hit.moment, (Moment{Moment::Kind::kImpact, 2.0}));
+  EXPECT_EQ(hit.releases, 1u);
+  ASSERT_EQ(hit.figures.size(), 2u);
+  EXPECT_EQ(hit.figures[1].kind, Figure::Kind::kMeanDepth);
+  EXPECT_EQ(hit.figures[1].observed, 0.12);
+  EXPECT_EQ(hit.figures[1].measuring_error, 0.02);
+  EXPECT_FALSE(hit.figures[1].error);
+  EXPECT_EQ(observed_moments(study.observations, 0),
+            (std::vector<Moment>{{Moment::Kind::kImpact, 2.0}}));
+  // Its depth kept, while its speed is fitted.
+  std::string kept = kImpact;
+  kept.replace(kept.find("hit"), 3, "scar");
+  kept.replace(kept.find("\"fit\""), 5, "\"keep\"");
+  EXPECT_EQ(refused("[[observation]]\nname = \"passages\"",
+                    kImpact + kept + "[[observation]]\nname = \"passages\""),
+            "study.toml:33: [[observation]] use = \"keep\": observation hit is of the same blocks; "
+            "what is fitted can't be kept to judge by");
+}
+
+TEST_F(StudyFile, TrajectoriesAreObservedAtTimes) {
+  write_text_file(folder_ / "paths.csv",
+                  "trajectory,time_s,x_m,y_m,speed_m_s,spin_rad_s\n1,10,0,0,0,0\n1,11,4,0,8,2\n"
+                  "1,12,12,0,8,2\n2,0,100,0,2,0\n2,2,104,0,2,4\n3,5,0,0,1,1\n3,5.5,3,0,7,1\n");
+  const std::string followed =
+      "[[observation]]\nname = \"paths\"\nuse = \"fit\"\ntrajectories = \"paths.csv\"\n";
+  const CalibrationStudy study = read_study(kStudy + followed + "times_s = [0.5, 2]\n");
+  ASSERT_EQ(study.observations.size(), 4u);
+  const Observation& early = study.observations[2];
+  EXPECT_EQ(early.name, "paths at 0.5 s");
+  EXPECT_EQ(early.moment, (Moment{Moment::Kind::kTime, 0.5}));
+  EXPECT_EQ(early.releases, 3u);
+  EXPECT_EQ(early.clusters, (std::vector<std::size_t>{2, 1}));
+  ASSERT_EQ(early.figures.size(), 3u);
+  EXPECT_NEAR(early.figures[0].observed, (2.0 + 1.0 + 3.0) / 3.0 / std::sqrt(1.01), 1e-12);
+  EXPECT_NEAR(early.figures[1].observed, (4.0 + 2.0 + 7.0) / 3.0, 1e-12);
+  EXPECT_NEAR(early.figures[2].observed, (1.0 + 1.0 + 1.0) / 3.0, 1e-12);
+  // The third is over by then.
+  EXPECT_NEAR(study.observations[3].figures[0].observed, (12.0 + 4.0 + 3.0) / 3.0 / std::sqrt(1.01),
+              1e-12);
+  const auto refused_with = [&](const std::string& rest) {
+    return refused("[[observation]]\nname = \"passages\"",
+                   followed + rest + "[[observation]]\nname = \"passages\"");
+  };
+  EXPECT_EQ(refused_with("times_s = [3]\n"),
+            "study.toml:28: [[observation]] times_s = [3]: the longest trajectory ends before 3");
+  EXPECT_EQ(refused_with("times_s = [1]\ndepth_m = [0.1, 0.1]\n"),
+            "study.toml:29: [[observation]] depth_m = [0.1, 0.1]: belongs to an observation with "
+            "impact; leave it out here");
+  EXPECT_EQ(refused_with("stops = \"stops.csv\"\n"),
+            "study.toml:24: [[observation]]: has stops and trajectories; write two observations");
+  EXPECT_EQ(refused_with("release = \"west\"\ntimes_s = [1]\n"),
+            "study.toml:28: [[observation]] release = \"west\": the campaign of site north has no "
+            "[[release]] of this name");
+  write_text_file(folder_ / "paths.csv", "1 0 0 0 0 0\n1 0 1 0 0 0\n");
+  EXPECT_EQ(refused_with("times_s = [1]\n"),
+            "paths.csv:2: the times of a trajectory must rise; sort its rows");
 }
 
 TEST_F(StudyFile, CampaignsMustSayWhereDownslopeIs) {

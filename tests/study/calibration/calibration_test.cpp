@@ -51,6 +51,34 @@ TEST(Calibration, FindsWhatHasAnInfluenceAndLeavesTheRestAsItWas) {
   EXPECT_GT(found.surrogates[0]->explained, 0.9);
 }
 
+TEST(Calibration, SingleImpactsTellTheGround) {
+  MadeUpStudy made(32, 60, 3);
+  made.observe_throws(made.add_throws(), {}, kTruth, 8);
+  const CalibrationPosterior found = made.posterior();
+  for (std::size_t i = 0; i < kTruth.size(); ++i) {
+    EXPECT_TRUE(covers(found.marginals[i], kTruth[i])) << i << " " << found.marginals[i].median;
+    EXPECT_LT(found.marginals[i].width, 0.7) << i;
+  }
+  EXPECT_FALSE(found.fitted.failed());
+  MadeUpStudy wrong(32, 60, 3);
+  wrong.observe_throws(wrong.add_throws(), {.bend = 3.0}, kTruth, 8);
+  EXPECT_TRUE(wrong.posterior().fitted.failed());
+}
+
+// One impact is a sample of one, however well it was measured.
+TEST(Calibration, ASingleImpactScattersWithHowTheBlockHit) {
+  MadeUpStudy made(32, 60, 3);
+  made.observe_throws(made.add_throws(), {}, kTruth, 8);
+  const double measured_well = made.posterior().marginals[0].width;
+  for (Observation& observation : made.study.observations) observation.releases = 100;
+  const double of_many = made.posterior().marginals[0].width;
+  EXPECT_LT(of_many, 0.8 * measured_well);
+  for (Observation& observation : made.study.observations) {
+    for (Figure& figure : observation.figures) figure.measuring_error = 1e6;
+  }
+  EXPECT_TRUE(made.posterior().marginals[0].is_undetermined());
+}
+
 TEST(Calibration, TwoSitesTellMoreThanOne) {
   double one = 0.0, two = 0.0;
   for (const std::uint64_t seed : {1u, 2u}) {
@@ -95,7 +123,7 @@ TEST(Calibration, AFitOfOneFigureCannotBeContradicted) {
 TEST(Calibration, AFigureThatNoMemberHasIsRefusedWhereItIsFitted) {
   MadeUpStudy made = study_of({1.0});
   for (auto& member : made.runs.outcomes[0]) {
-    for (ReleaseOutcome& outcome : member) outcome.barriers = {OutcomeAtBarrier()};
+    for (ReleaseOutcome& outcome : member) outcome.barriers = {OutcomeAt()};
   }
   EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
             "study.toml: observation site 1 compact passages, mean_speed_m_s: only 0 members of "
@@ -215,6 +243,45 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
   EXPECT_EQ(simulated, 21u);
   EXPECT_EQ(before, 11u);
   EXPECT_FALSE(std::filesystem::exists(partial_calibration(target())));
+}
+
+TEST_F(CalibrationFile, KeepsImpactsAndTimes) {
+  const std::vector<Moment> moments = {{Moment::Kind::kImpact, 2.0}, {Moment::Kind::kTime, 0.5}};
+  for (std::size_t site = 0; site < 2; ++site) {
+    simulator.sites[site].moments = moments;
+    simulator.sites[site].releases = {"low", "high"};
+    for (auto& member : made.runs.outcomes[site]) {
+      for (ReleaseOutcome& outcome : member) {
+        outcome.release = 1;
+        outcome.moments.resize(2);
+        outcome.moments[0].depth = 0.1 * outcome.stop.x();
+        outcome.moments[1].speed = outcome.stop.y();
+        outcome.moments[1].place = outcome.stop;
+      }
+    }
+  }
+  run();
+  const StoredCalibration stored = read_calibration_runs(target());
+  EXPECT_EQ(stored.runs.sites[0].moments, moments);
+  EXPECT_EQ(stored.runs.sites[0].releases, (std::vector<std::string>{"low", "high"}));
+  const ReleaseOutcome& kept = stored.runs.outcomes[1][7][3];
+  const ReleaseOutcome& had = made.runs.outcomes[1][7][3];
+  EXPECT_EQ(kept.release, 1u);
+  EXPECT_EQ(kept.moments[0].depth, had.moments[0].depth);
+  EXPECT_FALSE(kept.moments[0].passed());
+  EXPECT_EQ(kept.moments[1].speed, had.moments[1].speed);
+  EXPECT_EQ(kept.moments[1].place, had.moments[1].place);
+  CalibrateOptions options;
+  options.resume = true;
+  simulated = 0;
+  simulator.sites[0].moments.pop_back();  // fewer are there too
+  run(options);
+  EXPECT_EQ(simulated, 0u);
+  simulator.sites[1].moments.push_back({Moment::Kind::kTime, 0.75});
+  EXPECT_EQ(refusal<InputError>([&] { run(options); }),
+            target().string() +
+                ": the members of site site 2 were simulated to be observed at other impacts or "
+                "times; delete the file, or give another output");
 }
 
 TEST_F(CalibrationFile, OtherObservationsUseTheSameRuns) {

@@ -35,7 +35,7 @@ struct MadeUpSite {
     outcome.block = shape;
     outcome.point = point;
     outcome.stop = {mean + effect + kRunSpread * random.normal(), 2.0 * random.normal()};
-    OutcomeAtBarrier passage;
+    OutcomeAt passage;
     const double speed = 12.0 - 5.0 * mu - 2.0 * rolling + 1.5 * random.normal();
     const double spin = 9.0 - 12.0 * rolling - 2.0 * mu + 1.2 * random.normal();
     const double height = 1.0 + 0.2 * random.normal();
@@ -55,6 +55,45 @@ struct MadeUpSite {
     for (std::uint32_t i = 0; i < releases; ++i) {
       const auto point = static_cast<std::uint32_t>((i / 2) % points);
       outcomes.push_back(release(values, i % 2, point, point_effect(point), random));
+    }
+    return outcomes;
+  }
+};
+
+/// Throws of known speed, and what one impact makes of them; how a block hits is not known.
+struct MadeUpThrows {
+  static constexpr std::uint32_t kThrows = 6;
+  static constexpr double kMeasuringError = 0.2;  ///< of speeds, m/s, and spins, rad/s
+  double bend = 0.0;                              ///< of the law, m/s: what no unknown makes up for
+
+  ReleaseOutcome thrown(const std::vector<double>& values, std::uint32_t number,
+                        Random& random) const {
+    const double incoming = 5.0 + number;
+    OutcomeAt after;
+    after.speed = incoming * (0.9 - 0.6 * values[0]) + 0.5 * random.normal() +
+                  (number % 2 == 0 ? bend : -bend);
+    after.spin = incoming * (1.2 - 0.3 * values[0] - 1.5 * values[1]) + 0.6 * random.normal();
+    after.depth = 0.01 * incoming * (1.5 - 4.0 * values[2]) + 0.01 * random.normal();
+    ReleaseOutcome outcome;
+    outcome.point = outcome.release = number;
+    outcome.moments = {after};
+    return outcome;
+  }
+
+  static std::string name(std::uint32_t number) { return "throw " + std::to_string(number); }
+  static SiteFacts facts() {
+    SiteFacts facts{"throws", {"A"}, {"compact"}, {}, Vec2::UnitX(), Vec2::Zero()};
+    for (std::uint32_t i = 0; i < kThrows; ++i) facts.releases.push_back(name(i));
+    facts.moments = {{Moment::Kind::kImpact, 1.0}};
+    return facts;
+  }
+
+  std::vector<ReleaseOutcome> member(const std::vector<double>& values, std::uint32_t releases,
+                                     std::uint64_t member_seed) const {
+    Random random(member_seed);
+    std::vector<ReleaseOutcome> outcomes;
+    for (std::uint32_t i = 0; i < releases; ++i) {
+      outcomes.push_back(thrown(values, i % kThrows, random));
     }
     return outcomes;
   }
@@ -97,6 +136,45 @@ struct MadeUpStudy {
                                                  97 * study.design.seed + 13 * ++member));
     }
     return runs.sites.size() - 1;
+  }
+
+  /// @returns the number of the site
+  std::size_t add_throws() {
+    study.sites.push_back({"throws", {}});
+    runs.sites.push_back(MadeUpThrows::facts());
+    runs.outcomes.emplace_back();
+    std::uint64_t member = 0;
+    for (const std::vector<double>& place : study.design.places(study.unknowns.size())) {
+      runs.outcomes.back().push_back(MadeUpThrows().member(
+          study.values(place), study.design.releases, 89 * study.design.seed + 17 * ++member));
+    }
+    return runs.sites.size() - 1;
+  }
+
+  /// Speed, spin and scar of one impact of each throw, with errors of measuring.
+  void observe_throws(std::size_t number, const MadeUpThrows& field,
+                      const std::vector<double>& truth, std::uint64_t seed) {
+    Random random(seed);
+    for (std::uint32_t i = 0; i < MadeUpThrows::kThrows; ++i) {
+      const OutcomeAt after = field.thrown(truth, i, random).moments.front();
+      Observation impact;
+      impact.name = MadeUpThrows::name(i);
+      impact.site = number;
+      impact.release = impact.name;
+      impact.releases = 1;
+      impact.moment = {Moment::Kind::kImpact, 1.0};
+      const auto measured = [&](Figure::Kind kind, const char* name, double value, double error) {
+        Figure figure{kind, 0.0, name, value + error * random.normal(), {}};
+        figure.measuring_error = error;
+        impact.figures.push_back(figure);
+      };
+      measured(Figure::Kind::kMeanSpeed, "mean_speed_m_s", after.speed,
+               MadeUpThrows::kMeasuringError);
+      measured(Figure::Kind::kMeanSpin, "mean_spin_rad_s", after.spin,
+               MadeUpThrows::kMeasuringError);
+      measured(Figure::Kind::kMeanDepth, "mean_depth_m", after.depth, 0.005);
+      study.observations.push_back(impact);
+    }
   }
 
   /// Stops of both shapes and passages of the compact ones, as the field would give them.

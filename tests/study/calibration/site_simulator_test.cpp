@@ -1,8 +1,10 @@
 // Members of a calibration, simulated by the DEM.
 #include "study/calibration/site_simulator.hpp"
 
+#include <numeric>
 #include <set>
 
+#include "study/calibration/posterior.hpp"
 #include "tests/study/campaign_run.hpp"
 
 namespace clast {
@@ -69,6 +71,91 @@ TEST_F(SiteSimulation, StartsFollowTheirUnknowns) {
   simulator.simulate(0, {5.0}, 2);
   expect_runs_of(with("orientations =", "velocity_m_s = [2.5, 0, 0]\norientations ="),
                  simulator.simulate(1, {2.5}, 2));
+}
+
+// A population of blocks is drawn once: all members have the same.
+TEST_F(SiteSimulation, DrawnBlocksAreThoseOfTheCampaign) {
+  const std::string text =
+      with("library = \"blocks.h5\"",
+           "library = \"blocks.h5\"\ndraw = { count = 3, seed = 2, mass_kg = { log_normal = [300, "
+           "0.3] } }");
+  CalibrationDesign design;
+  design.releases = 18;
+  SiteSimulator simulator(site(text), kFriction, design);
+  EXPECT_EQ(simulator.facts().blocks.size(), 3u);
+  simulator.simulate(0, {0.55}, 2);
+  expect_runs_of(replaced_once(text, "friction = 0.4", "friction = 0.25"),
+                 simulator.simulate(1, {0.25}, 2));
+}
+
+TEST_F(SiteSimulation, ImpactsAndTimesAreThoseOfTheRuns) {
+  CalibrationDesign design;
+  design.releases = 12;
+  const std::vector<Moment> moments = {{Moment::Kind::kImpact, 1.0},
+                                       {Moment::Kind::kImpact, 1e6},
+                                       {Moment::Kind::kTime, 0.1},
+                                       {Moment::Kind::kTime, 1e4}};
+  SiteSimulator simulator(site(), kFriction, design, moments);
+  EXPECT_EQ(simulator.facts().moments, moments);
+  const std::vector<ReleaseOutcome> member = simulator.simulate(0, {0.4}, 2);
+  const std::filesystem::path file = *folder_ / "results.h5";
+  RunOptions options;
+  options.replace = true;
+  run_campaign(prepared(campaign_text()), file, options);
+  const CampaignResults results = read_results(file);
+  std::size_t seen = 0;
+  for (const Impact& impact : results.impacts) {
+    if (impact.run != seen) continue;  // the first of each run
+    const OutcomeAt& at = member[seen++].moments[0];
+    EXPECT_EQ(at.speed, impact.speed_after);
+    EXPECT_EQ(at.depth, impact.depth);
+    EXPECT_EQ(at.energy, impact.translational_after + impact.rotational_after);
+  }
+  EXPECT_EQ(seen, member.size());
+  for (const ReleaseOutcome& outcome : member) {
+    EXPECT_FALSE(outcome.moments[1].passed());
+    EXPECT_NEAR(outcome.moments[2].speed, 0.981, 1e-9);  // it falls from rest
+    EXPECT_EQ(outcome.moments[2].place, outcome.start);
+    EXPECT_EQ(outcome.moments[3].place, outcome.stop);
+  }
+}
+
+// Blocks hit as they happen to lie: the mean of 200 impacts tells the friction.
+TEST_F(SiteSimulation, TheGroundIsFoundAgainFromImpactsAlone) {
+  const std::vector<double> truth = {0.35};
+  CalibrationStudy study;
+  study.design.members = 16;
+  study.design.releases = 64;
+  study.design.draws = 500;
+  study.unknowns = kFriction;
+  study.sites = {site(replaced_once(with("max_time_s = 6", "max_time_s = 1.2"), "\"turns.txt\"",
+                                    "{ random = 50, fresh = true }"))};
+  const std::vector<Moment> moments = {{Moment::Kind::kImpact, 1.0}};
+  SiteSimulator simulator(study.sites[0], study.unknowns, study.design, moments);
+  CalibrationRuns runs{{simulator.facts()}, {{}}};
+  std::uint32_t number = 0;
+  for (const std::vector<double>& place : study.design.places(1)) {
+    runs.outcomes[0].push_back(simulator.simulate(number++, study.values(place), 2));
+  }
+  Observation impacts;
+  impacts.name = "impacts";
+  impacts.moment = moments[0];
+  impacts.releases = 200;
+  impacts.figures = {{Figure::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}, 0.02},
+                     {Figure::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}, 0.05}};
+  CalibrationDesign all_runs = study.design;
+  all_runs.releases = 200;
+  const std::vector<ReleaseOutcome> field =
+      SiteSimulator(study.sites[0], study.unknowns, all_runs, moments).simulate(number, truth, 2);
+  const std::vector<Seen> seen = seen_by(impacts, runs.sites[0], field);
+  std::vector<std::size_t> all(seen.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (Figure& figure : impacts.figures) figure.observed = figure_of(figure, seen, all);
+  study.observations = {impacts};
+  const CalibrationPosterior found = infer_posterior(study, runs, 2);
+  EXPECT_LE(found.marginals[0].low, truth[0]);
+  EXPECT_GE(found.marginals[0].high, truth[0]);
+  EXPECT_LT(found.marginals[0].width, 0.8);
 }
 
 TEST_F(SiteSimulation, MoreReleasesThanPlannedAreRefused) {
