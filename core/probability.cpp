@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cassert>
@@ -26,6 +27,16 @@ double chi_squared_above(double x, double freedom) {
 double student_beyond(double t, double freedom) {
   assert(freedom > 0.0);
   return 2.0 * cdf(complement(boost::math::students_t(freedom), std::abs(t)));
+}
+
+double student_quantile(double p, double freedom) {
+  assert(p > 0.0 && p < 1.0 && freedom > 0.0);
+  return quantile(boost::math::students_t(freedom), p);
+}
+
+double noncentral_student_above(double t, double freedom, double centre) {
+  assert(freedom > 0.0);
+  return cdf(complement(boost::math::non_central_t(freedom, centre), t));
 }
 
 double kolmogorov_above(double x) {

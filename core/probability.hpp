@@ -18,6 +18,11 @@ double chi_squared_above(double x, double freedom);
 /// I_x(freedom/2, 1/2) at x = freedom/(freedom + t^2).
 /// @cite dlmf
 double student_beyond(double t, double freedom);
+/// The t that Student's t is below with probability `p`.
+/// @param p  in (0, 1)
+double student_quantile(double p, double freedom);
+/// P(T > t) of the non-central t, whose normal number has the mean `centre`.
+double noncentral_student_above(double t, double freedom, double centre);
 
 /// P(K > x) of Kolmogorov's limit distribution of sqrt(n) D.
 /// @cite kolmogorov1933

@@ -127,7 +127,9 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
   Keywords given(keywords);
   unsigned threads = 0;
   std::optional<fs::path> map;
+  std::optional<double> margin;
   given.take("threads", threads);
+  given.take("margin", margin);
   given.take("map", map);
   const Shard shard = take_shard(given).value_or(Shard());
   given.done();
@@ -138,6 +140,9 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
     const TimeProbe probe = probe_time(prepared, kProbeTime);
     nlohmann::ordered_json json = plan_json(prepared);
     json["expected_time_s"] = expected_time(prepared, probe, shard, thread_count(threads));
+    PlannedPower power = planned_power(prepared, probe);
+    power.margin = margin;
+    json.update(power_json(power));
     json["probed_runs"] = probe.runs;
     json["probe_cut_short"] = probe.cut_short;
     json["threads"] = thread_count(threads);

@@ -19,6 +19,7 @@
 #include "report/text/answer_text.hpp"
 #include "report/text/effects_text.hpp"
 #include "report/text/measured_text.hpp"
+#include "report/text/trends_text.hpp"
 
 namespace clast::python_detail {
 
@@ -69,12 +70,13 @@ py::dict trajectory_of(const CampaignResults& results, std::uint32_t run) {
 
 std::shared_ptr<Comparison> compare_all(const std::vector<SharedResults>& results,
                                         const std::vector<std::string>& by,
-                                        const std::optional<fs::path>& measured) {
+                                        const std::optional<fs::path>& measured,
+                                        const std::optional<double>& margin) {
   return watched(py::none(), [&](const Progress&) {
     std::vector<CampaignResults> copies;
     for (const SharedResults& one : results) copies.push_back(*one);
     return std::make_shared<Comparison>(
-        compare(std::move(copies), {.by = by, .measured = measured}));
+        compare(std::move(copies), {.by = by, .measured = measured, .margin = margin}));
   });
 }
 
@@ -133,10 +135,15 @@ void bind_comparisons(py::module_& module) {
       .def(
           "first_screen",
           [](const Comparison& comparison) { return first_screen(comparison, answer(comparison)); })
-      .def("effects",
-           [](const Comparison& comparison) {
-             return effects_sentences(design_effects(comparison));
-           })
+      .def(
+          "effects",
+          [](const Comparison& comparison) {
+            std::vector<std::string> lines = effects_sentences(design_effects(comparison));
+            for (std::string& line : trend_sentences(shape_trends(comparison), comparison.margin)) {
+              lines.push_back(std::move(line));
+            }
+            return lines;
+          })
       .def("write", &write);
   module.attr("comparison_tables") = comparison_table_names();
   module.def("results_read", &read);

@@ -25,7 +25,7 @@ FolderKind comparison_folder() {
         "runs.csv",         "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
         "ground_sets.csv",  "profiles.csv", "measured.csv",  "stops.gpkg",   "differences.csv",
         "provenance.json",  "report.html",  "report.pdf",    "ensemble.csv", "stays.csv",
-        "realisations.csv", "effects.csv"};
+        "realisations.csv", "effects.csv",  "trends.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
@@ -53,6 +53,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("ground_sets.csv", ground_sets_csv(comparison));
   write("ensemble.csv", ensemble_csv(comparison));
   write("effects.csv", effects_csv(comparison));
+  write("trends.csv", trends_csv(comparison));
   write("stays.csv", stays_csv(comparison));
   const RealisationDeposits deposits = realisation_deposits(comparison);
   write("realisations.csv", realisations_csv(deposits));

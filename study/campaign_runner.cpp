@@ -12,8 +12,10 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
+#include "core/statistics.hpp"
 #include "study/detail/realisation.hpp"
 #include "study/detail/results_journal.hpp"
+#include "study/runout.hpp"
 
 namespace clast {
 
@@ -216,6 +218,17 @@ ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run)
           .rest_duration = campaign.rest_duration};
 }
 
+namespace {
+
+double probed_runout(const PreparedCampaign& prepared, const StoredRun& run) {
+  const Vec3& start = run.record.start.position;
+  const Vec3& stop = run.record.result.final_state.position;
+  if (!prepared.campaign.downslope) return (stop - start).head<2>().norm();
+  return runout(start, stop, prepared.campaign.downslope->normalized()).along;
+}
+
+}  // namespace
+
 TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   // Steps of the golden ratio are spread evenly however many are taken.
   constexpr double kGoldenRatio = 0.61803398874989485;
@@ -245,7 +258,9 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
     while (probe.runs < prepared.runs.size() && (probe.runs == 0 || whole < budget)) {
       const double share = std::fmod(0.5 + static_cast<double>(probe.runs) * kGoldenRatio, 1.0);
       const auto items = static_cast<double>(prepared.runs.size() / together);
-      runs_from(prepared, together * static_cast<std::uint32_t>(share * items), in_time);
+      const std::vector<StoredRun> tried =
+          runs_from(prepared, together * static_cast<std::uint32_t>(share * items), in_time);
+      for (const StoredRun& run : tried) probe.runouts.push_back(probed_runout(prepared, run));
       probe.runs += together;
       whole = spent();
       halfway = -1.0;
@@ -260,6 +275,12 @@ TimeProbe probe_time(const PreparedCampaign& prepared, double budget) {
   }
   if (probe.runs > 0) probe.each = whole / static_cast<double>(probe.runs);
   return probe;
+}
+
+PlannedPower planned_power(const PreparedCampaign& prepared, const TimeProbe& probe) {
+  if (prepared.header.stay) return {};
+  return {prepared.runs.size(), prepared.bodies.size(), probe.runouts.size(),
+          summarise(probe.runouts).std, std::nullopt};
 }
 
 double expected_time(const PreparedCampaign& prepared, const TimeProbe& probe, const Shard& shard,

@@ -9,6 +9,7 @@
 #include "study/campaign.hpp"
 #include "study/process_team.hpp"
 #include "study/results.hpp"
+#include "study/shape_trends.hpp"
 
 namespace clast {
 
@@ -69,10 +70,15 @@ struct TimeProbe {
   /// The last took too long to be waited for: it counts as if it went on like that to the time
   /// limit, so `each` is the most to expect.
   bool cut_short = false;
+  /// How far those went that were not cut short: along `downslope` where it is given, else in plan,
+  /// m.
+  std::vector<double> runouts = {};
 };
 /// Tries runs from all over the campaign, one after the other, until `budget` seconds are spent,
 /// or a run has taken several times that; one at least. Nothing is kept.
 TimeProbe probe_time(const PreparedCampaign& prepared, double budget);
+/// What could be told apart, judging by those runs; nothing where blocks stay.
+PlannedPower planned_power(const PreparedCampaign& prepared, const TimeProbe& probe);
 /// How long a shard of the campaign takes on so many threads, s.
 double expected_time(const PreparedCampaign& prepared, const TimeProbe& probe, const Shard& shard,
                      unsigned threads);

@@ -7,6 +7,7 @@
 
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "study/barrier_line.hpp"
 #include "study/detail/comparison_barriers.hpp"
 #include "study/run_columns.hpp"
@@ -289,9 +290,17 @@ const std::string& release_set_of(const CampaignResults& results, std::uint32_t 
   return results.release_sets[results.set_of_point[point]];
 }
 
+void CompareOptions::check() const {
+  if (margin && !(*margin > 0.0 && std::isfinite(*margin))) {
+    throw InputError("margin " + with_digits(*margin, 4) + " m: give a length above 0");
+  }
+}
+
 Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options) {
+  options.check();
   check_results(results);
   Comparison comparison;
+  comparison.margin = options.margin;
   comparison.results = std::move(results);
   comparison.rows = collect_rows(comparison.results);
 

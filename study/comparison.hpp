@@ -149,6 +149,7 @@ struct Comparison {
       barriers;  ///< by barrier, then group; groups that never met it left out
   std::vector<Difference> differences;
   std::optional<MeasuredStops> measured;
+  std::optional<double> margin;       ///< as asked for
   std::vector<std::string> warnings;  ///< for example "mass differs between classes"
   std::vector<Caution> cautions;      ///< of the warnings
 };
@@ -157,6 +158,9 @@ struct Comparison {
 struct CompareOptions {
   std::vector<std::string> by;  ///< columns of `run_columns` whose values make groups
   std::optional<std::filesystem::path> measured;  ///< table of stops seen in the field
+  std::optional<double> margin;  ///< differences in runout up to this do not matter, m
+
+  void check() const;  ///< throws InputError naming the margin that is not positive
 };
 
 /// @throws InputError  no runs; results on terrains with different map frames or asking for

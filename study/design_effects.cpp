@@ -8,12 +8,13 @@
 #include <utility>
 
 #include "core/number_text.hpp"
+#include "study/detail/run_outcomes.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
-/// Masses that differ by less are one.
-constexpr double kSameMass = 5e-3;
 constexpr double kSameTurn = 1e-6;  ///< rad
 
 /// The level of every run of a file, by one factor.
@@ -36,26 +37,13 @@ FactorLevels levels_by(const std::string& name, const std::vector<const RunRow*>
   return levels;
 }
 
-/// The masses of the blocks that fell, each within 0.5 % of the first of its kind.
-std::vector<double> distinct_masses(const std::vector<const RunRow*>& rows) {
-  std::set<double> all;
-  for (const RunRow* row : rows) all.insert(row->block->mass);
-  std::vector<double> distinct;
-  for (const double mass : all) {
-    if (distinct.empty() || mass > distinct.back() * (1.0 + kSameMass)) distinct.push_back(mass);
-  }
-  return distinct;
-}
-
 /// Form and mass where they are crossed, else the block.
 std::vector<FactorLevels> block_factors(const std::vector<const RunRow*>& rows) {
   const std::vector<double> masses = distinct_masses(rows);
   const FactorLevels form = levels_by<std::string>(
       "form", rows, [](const RunRow& row) { return row.block->library_block(); });
-  const FactorLevels mass = levels_by<std::size_t>("mass", rows, [&](const RunRow& row) {
-    const auto above = std::upper_bound(masses.begin(), masses.end(), row.block->mass);
-    return static_cast<std::size_t>(above - masses.begin());
-  });
+  const FactorLevels mass = levels_by<std::size_t>(
+      "mass", rows, [&](const RunRow& row) { return mass_level(masses, row.block->mass); });
   const FactorLevels block =
       levels_by<std::uint32_t>("block", rows, [](const RunRow& row) { return row.record->block; });
   std::set<std::pair<std::size_t, std::size_t>> met;
@@ -133,40 +121,6 @@ std::string refusal_of(const std::vector<FactorLevels>& factors, std::size_t run
          "and orientations, and let it finish";
 }
 
-/// Values of all runs of a file, in their order.
-struct Outcome {
-  std::string name, unit;
-  std::vector<double> values;
-};
-
-std::vector<Outcome> outcomes_of(const Comparison& comparison, std::uint32_t file,
-                                 const std::vector<const RunRow*>& rows) {
-  std::vector<Outcome> outcomes = {
-      {"runout", "m", {}}, {"lateral angle", "rad", {}}, {"largest energy", "J", {}}};
-  for (const RunRow* row : rows) {
-    outcomes[0].values.push_back(row->runout);
-    outcomes[1].values.push_back(row->lateral);
-    const double speed = row->record->result.max_speed;
-    outcomes[2].values.push_back(0.5 * row->block->mass * speed * speed);
-  }
-  for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
-    const BarrierLine& barrier = comparison.lines[line];
-    if (std::find(barrier.files.begin(), barrier.files.end(), file) == barrier.files.end()) {
-      continue;
-    }
-    std::set<const RunRow*> passed;
-    for (const CrossingRow& crossing : comparison.crossings) {
-      if (crossing.counted && crossing.barrier == line) {
-        passed.insert(&comparison.rows[crossing.row]);
-      }
-    }
-    Outcome outcome{"passing " + barrier.name, "", {}};
-    for (const RunRow* row : rows) outcome.values.push_back(passed.contains(row) ? 1.0 : 0.0);
-    outcomes.push_back(std::move(outcome));
-  }
-  return outcomes;
-}
-
 DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
   DesignEffects effects;
   effects.file = file;
@@ -175,10 +129,7 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
     effects.refusal = "its blocks stay among others, so that runs depend on each other";
     return effects;
   }
-  std::vector<const RunRow*> rows;
-  for (const RunRow& row : comparison.rows) {
-    if (row.file == file) rows.push_back(&row);
-  }
+  const std::vector<const RunRow*> rows = rows_of_file(comparison, file);
   if (has_fresh_orientations(rows, results)) {
     effects.refusal =
         "its orientations are drawn anew for each block and point, so that none is met twice; set "
@@ -200,7 +151,7 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
     effects.factors.push_back({factor.name, factor.count});
     levels.push_back(factor.count);
   }
-  for (const Outcome& outcome : outcomes_of(comparison, file, rows)) {
+  for (const RunOutcome& outcome : run_outcomes(comparison, file, rows)) {
     std::vector<double> values(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) values[places[i]] = outcome.values[i];
     const auto [least, most] = std::minmax_element(values.begin(), values.end());

@@ -17,6 +17,7 @@
 #include "report/text/answer_text.hpp"
 #include "report/text/effects_text.hpp"
 #include "report/text/measured_text.hpp"
+#include "report/text/trends_text.hpp"
 #include "study/comparison.hpp"
 
 namespace clast {
@@ -33,6 +34,7 @@ struct CompareArgs {
   bool summary = false;
   bool pdf = false;
   bool effects = false;
+  double margin = 0.0;  ///< m; 0: none
 };
 
 Comparison read_and_compare(const CompareArgs& args) {
@@ -41,6 +43,7 @@ Comparison read_and_compare(const CompareArgs& args) {
   CompareOptions options;
   options.by = args.by;
   if (!args.measured.empty()) options.measured = args.measured;
+  if (args.margin > 0.0) options.margin = args.margin;
   return compare(std::move(results), options);
 }
 
@@ -55,7 +58,9 @@ void print_lines(const std::vector<std::string>& lines) {
 }
 
 void print_effects(const CompareArgs& args, const Comparison& comparison) {
-  if (args.effects) print_lines(effects_sentences(design_effects(comparison)));
+  if (!args.effects) return;
+  print_lines(effects_sentences(design_effects(comparison)));
+  print_lines(trend_sentences(shape_trends(comparison), comparison.margin));
 }
 
 void compare_results(const CompareArgs& args) {
@@ -122,7 +127,13 @@ void add_compare(CLI::App& app) {
   command->add_flag("--effects", args->effects,
                     "Print what share of the variance of runout, lateral angle, energy and passing "
                     "is due to form, mass, orientation and release point, where every combination "
-                    "was run");
+                    "was run, and what rises and falls with the shape of the blocks");
+  command
+      ->add_option("--margin", args->margin,
+                   "Differences in runout up to this do not matter: say whether those between "
+                   "blocks are smaller, and how many runs it takes to know")
+      ->check(within({1e-3, 1e5, "m"}))
+      ->type_name("M");
   command->add_flag("--pdf", args->pdf,
                     "Write the report as report.pdf too (needs Chromium or Chrome)");
   command->add_flag("--summary", args->summary,

@@ -23,6 +23,7 @@
 #include "core/printable.hpp"
 #include "report/json/campaign_json.hpp"
 #include "report/maps/plan_map.hpp"
+#include "report/text/trends_text.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/outcome.hpp"
 #include "study/results_place.hpp"
@@ -39,6 +40,7 @@ struct SimulateArgs {
   bool replace = false;
   bool dry_run = false;
   bool json = false;
+  double margin = 0.0;  ///< m; 0: none
   std::string shard;
   std::vector<std::string> parts;
 };
@@ -95,7 +97,15 @@ void silence() {
 
 constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
 
-/// Expected time, and the map.
+/// What the campaign could tell apart, judging by the runs that were tried.
+PlannedPower power_of(const SimulateArgs& args, const PreparedCampaign& prepared,
+                      const TimeProbe& probe) {
+  PlannedPower plan = planned_power(prepared, probe);
+  if (args.margin > 0.0) plan.margin = args.margin;
+  return plan;
+}
+
+/// Expected time, what could be found, and the map.
 void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, const Shard& shard,
                     nlohmann::ordered_json summary) {
   std::filesystem::path map = args.output;
@@ -108,7 +118,9 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
   const double each = probe.each * static_cast<double>(together);
   const double expected = expected_time(prepared, probe, shard, threads);
   write_output(map, plan_map(prepared.header), rules);
+  const PlannedPower power = power_of(args, prepared, probe);
   if (args.json) {
+    summary.update(power_json(power));
     summary["expected_time_s"] = expected;
     summary["probed_runs"] = probe.runs;
     summary["probe_cut_short"] = probe.cut_short;
@@ -117,13 +129,15 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
     std::cout << summary.dump(2) << "\n";
     return;
   }
+  const std::string sentence = planned_power_sentence(power);
   std::cout << (probe.cut_short ? "at most " : "about ") << duration_text(expected) << " for "
             << counted(items, prepared.header.stay ? "realisation" : "run") << " on "
             << counted(threads, "thread") << ", judging by "
             << counted(probe.runs / together, prepared.header.stay ? "realisation" : "run")
             << " of " << rounded(each, 2) << " s"
             << (probe.cut_short ? ", the last of which was not waited for" : "") << "\n"
-            << printable(map.string()) << ": written\n";
+            << (sentence.empty() ? "" : sentence + "\n") << printable(map.string())
+            << ": written\n";
 }
 
 /// What shapes a run: that it is the same on all processes.
@@ -236,6 +250,11 @@ void add_simulate(CLI::App& app) {
   command->add_flag("--dry-run", args->dry_run,
                     "Check everything, report what would run and the estimated time, draw "
                     "FILE.map.svg, and stop");
+  command
+      ->add_option("--margin", args->margin,
+                   "Difference in runout that matters: the dry run says how many runs find it")
+      ->check(within({1e-3, 1e5, "m"}))
+      ->type_name("M");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
       "Ctrl-C stops after the current runs (of blocks that stay, at once, without the realisation "

@@ -362,13 +362,15 @@ class Campaign:
         *,
         threads: int = 0,
         shard: tuple[int, int] | None = None,
+        margin: float | None = None,
     ) -> dict[str, Any]:
         """The plan, and how long it would take, as `clast simulate --dry-run --json` says it.
 
         Args:
             map: draws it there (svg).
+            margin: difference in runout that matters, m: says how many runs find it.
         """
-        options = dict(map=map, threads=threads, shard=shard)
+        options = dict(map=map, threads=threads, shard=shard, margin=margin)
         return _core.campaign_dry_run(*self._source(), options)
 
     def export(

@@ -73,6 +73,11 @@ class _Tables:
         return self.table("effects")
 
     @property
+    def trends(self) -> Table:
+        """A row per outcome and property of the blocks, what rises and falls with it: trends.csv."""
+        return self.table("trends")
+
+    @property
     def ensemble(self) -> Table:
         """A row per outcome and drawn parameter: ensemble.csv."""
         return self.table("ensemble")
@@ -184,7 +189,8 @@ class Comparison(_Tables):
         return self._data.sentences()
 
     def effects_in_words(self) -> list[str]:
-        """What share of the variance is due to form, mass, orientation and release point."""
+        """What share of the variance is due to form, mass, orientation and release point, and what
+        rises and falls with the shape of the blocks."""
         return self._data.effects()
 
     def summary(self) -> list[str]:
@@ -214,6 +220,7 @@ def compare(
     *,
     by: str | Iterable[str] = (),
     measured: PathLike | None = None,
+    margin: float | None = None,
 ) -> Comparison:
     """Compare shapes and classes in the results of one or more campaigns.
 
@@ -221,11 +228,12 @@ def compare(
         results: of campaigns, or their files.
         by: columns of runs.csv by whose values runs are grouped too.
         measured: table of stops observed in the field.
+        margin: differences in runout up to this do not matter, m.
     """
     several = [results] if isinstance(results, (Results, str, os.PathLike)) else list(results)
     opened = [one if isinstance(one, Results) else Results(one) for one in several]
     columns = [by] if isinstance(by, str) else list(by)
-    return Comparison(_core.compare([one._data for one in opened], columns, measured))
+    return Comparison(_core.compare([one._data for one in opened], columns, measured, margin))
 
 
 def import_results(

@@ -5,6 +5,16 @@
 
 namespace clast {
 
+nlohmann::ordered_json power_json(const PlannedPower& power) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (!power.known()) return json;
+  json["runout_scatter_m"] = power.scatter;
+  json["design_effect_assumed"] = power.design_effect();
+  json["smallest_difference_m"] = power.smallest();
+  if (power.margin) json["runs_needed"] = power.runs_needed();
+  return json;
+}
+
 nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
   nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
   for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);

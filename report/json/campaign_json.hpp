@@ -8,6 +8,9 @@
 
 namespace clast {
 
+/// What the campaign could tell apart, with its assumptions; empty where nothing is known.
+nlohmann::ordered_json power_json(const PlannedPower& power);
+
 /// Runs, blocks, release points, stiffness by block and warnings.
 nlohmann::ordered_json plan_json(const PreparedCampaign& prepared);
 

@@ -7,6 +7,7 @@
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
 #include "report/text/effects_text.hpp"
+#include "report/text/trends_text.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -44,6 +45,14 @@ std::string triangles(const Comparison& comparison, const std::vector<DesignEffe
   return html;
 }
 
+std::string trends(const Comparison& comparison) {
+  std::string html;
+  for (const std::string& sentence : trend_sentences(shape_trends(comparison), comparison.margin)) {
+    html += paragraph(sentence);
+  }
+  return html;
+}
+
 }  // namespace
 
 std::string effects_section(const Comparison& comparison) {
@@ -57,7 +66,7 @@ std::string effects_section(const Comparison& comparison) {
   std::string sentences;
   for (const std::string& sentence : effects_sentences(effects)) sentences += paragraph(sentence);
   return section("Sources of variability",
-                 sentences + triangles(comparison, effects) +
+                 sentences + triangles(comparison, effects) + trends(comparison) +
                      paragraph("Every combination was run once. Shares are estimates for "
                                "blocks, orientations and points like these, with 95 % "
                                "intervals; those of these runs alone are in effects.csv."));

@@ -8,6 +8,7 @@
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
 #include "study/run_columns.hpp"
+#include "study/shape_trends.hpp"
 
 namespace clast::report_detail {
 
@@ -43,6 +44,12 @@ struct EffectShare {
   const VarianceShare& share;
 };
 
+/// An outcome against a property of the blocks, and the file.
+struct TrendOfFile {
+  std::uint32_t file = 0;
+  const ShapeTrend& trend;
+};
+
 const TableColumns<BarrierGroup>& barrier_columns();
 const TableColumns<ComparisonRow<CrossingRow>>& crossing_columns();
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns();
@@ -55,6 +62,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns();
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns();
 const TableColumns<RealisationDeposit>& realisation_columns();
 const TableColumns<ComparisonRow<RunStay>>& stay_columns();
+const TableColumns<TrendOfFile>& trend_columns();
 
 /// The rows of tables that no list of the comparison holds.
 std::vector<GroupDeposit> deposit_rows(const Comparison& comparison);
@@ -63,6 +71,8 @@ std::vector<EffectShare> effect_rows(const std::vector<DesignEffects>& all);
 std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison);
 std::vector<RunImpact> impact_rows(const Comparison& comparison);
 std::vector<RunStay> stay_rows(const Comparison& comparison);
+/// They refer to `all`.
+std::vector<TrendOfFile> trend_rows(const std::vector<ShapeTrends>& all);
 
 /// The rows of a list in a comparison.
 template <class Item>

@@ -34,6 +34,54 @@ const TableColumns<EffectShare>& report_detail::effect_columns() {
   return columns;
 }
 
+const TableColumns<TrendOfFile>& report_detail::trend_columns() {
+  using Row = TrendOfFile;
+  const char *unit = "m, rad, J or share", *halves = "upper half of the blocks less the lower one";
+  static const TableColumns<Row> columns = {
+      {"file", "", "number of the results file",
+       [](const Row& row) { return std::uint64_t{row.file + 1}; }},
+      {"outcome", "", "`runout`, `lateral angle`, `largest energy` or `passing NAME` of a barrier",
+       [](const Row& row) { return row.trend.outcome; }},
+      {"property", "",
+       "of the blocks: `I/L`, `S/L`, `convexity`, `rounding` (Minkowski radius over S) or `mass`",
+       [](const Row& row) { return row.trend.property; }},
+      {"blocks", "", "that are compared",
+       [](const Row& row) { return std::uint64_t{row.trend.blocks}; }},
+      {"runs", "", "of them", [](const Row& row) { return std::uint64_t{row.trend.runs}; }},
+      {"rank_correlation", "",
+       "of the property and the mean rank of the outcome within release points",
+       [](const Row& row) { return row.trend.trend.statistic; }},
+      {"p_value", "", "of the trend, two-sided, from exchanges of the property between blocks",
+       [](const Row& row) { return row.trend.trend.p_value; }},
+      {"p_corrected", "", "after Holm's correction for all properties of the outcome",
+       [](const Row& row) { return row.trend.corrected_p; }},
+      {"upper_half_from", "kg or share", "least value of the property in the upper half",
+       [](const Row& row) { return row.trend.limit; }},
+      {"difference", unit, halves, [](const Row& row) { return row.trend.halves.difference; }},
+      {"difference_low", unit, "95 % interval",
+       [](const Row& row) { return row.trend.halves.interval.low; }},
+      {"difference_high", unit, "95 % interval",
+       [](const Row& row) { return row.trend.halves.interval.high; }},
+      {"difference_p", "", "of no difference, two-sided",
+       [](const Row& row) { return row.trend.halves.p_value; }},
+      {"equivalence_p", "",
+       "of a difference as large as the margin; below 0.05: it is within the margin. Of the "
+       "runout, "
+       "where a margin is given",
+       [](const Row& row) { return row.trend.equivalence.value_or(NAN); }},
+      {"scatter", unit, "standard deviation of a run within its half and release point",
+       [](const Row& row) { return row.trend.halves.scatter; }},
+      {"design_effect", "", "variance of the difference over that of as many independent runs",
+       [](const Row& row) { return row.trend.halves.design_effect; }},
+      {"smallest_difference", unit, "that a campaign like this finds in 80 % of cases, at 5 %",
+       [](const Row& row) { return row.trend.smallest; }},
+      {"runs_needed", "",
+       "that find a difference of the margin in 80 % of cases, with blocks and points in "
+       "proportion",
+       [](const Row& row) { return row.trend.runs_needed.value_or(NAN); }}};
+  return columns;
+}
+
 const TableColumns<ComparisonRow<ParameterEffect>>& report_detail::ensemble_columns() {
   using Row = ComparisonRow<ParameterEffect>;
   using Effect = ParameterEffect;
@@ -78,6 +126,18 @@ std::vector<EffectShare> report_detail::effect_rows(const std::vector<DesignEffe
 
 std::string effects_csv(const Comparison& comparison) {
   return csv_of(effect_columns(), effect_rows(design_effects(comparison)));
+}
+
+std::vector<TrendOfFile> report_detail::trend_rows(const std::vector<ShapeTrends>& all) {
+  std::vector<TrendOfFile> rows;
+  for (const ShapeTrends& file : all) {
+    for (const ShapeTrend& trend : file.trends) rows.push_back({file.file, trend});
+  }
+  return rows;
+}
+
+std::string trends_csv(const Comparison& comparison) {
+  return csv_of(trend_columns(), trend_rows(shape_trends(comparison)));
 }
 
 std::string ensemble_csv(const Comparison& comparison) {

@@ -18,6 +18,8 @@ std::string measured_csv(const Comparison& comparison);
 /// A row for each outcome and factor of campaigns that run every combination; the header alone
 /// without one.
 std::string effects_csv(const Comparison& comparison);
+/// A row for each outcome and property of blocks; the header alone below four blocks.
+std::string trends_csv(const Comparison& comparison);
 /// A row for each drawn ground parameter and outcome; the header alone without ensembles.
 std::string ensemble_csv(const Comparison& comparison);
 /// @param bins  `profiles` of the comparison

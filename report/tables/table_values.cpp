@@ -36,6 +36,8 @@ const NamedTables<Comparison>& comparison_tables() {
        [](const auto& all) {
          return values_of(effect_columns(), effect_rows(design_effects(all)));
        }},
+      {"trends",
+       [](const auto& all) { return values_of(trend_columns(), trend_rows(shape_trends(all))); }},
       {"ensemble",
        [](const auto& all) {
          return values_of(ensemble_columns(), rows_of(all, ensemble_effects(all)));

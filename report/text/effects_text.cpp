@@ -21,16 +21,20 @@ std::string share_text(const VarianceShare& share) {
          whole_percent(share.interval.high) + ")";
 }
 
+std::string name_in_text(const std::string& factor) {
+  if (factor == "orientation") return "the orientation at release";
+  return factor == "release point" || factor == "ground" ? "the " + factor : factor;
+}
+
 std::string sentence(const DesignEffects& effects, const OutcomeEffects& outcome) {
-  // Of "passing NAME", which has no unit, without one.
-  const std::string article = outcome.unit.empty() ? "" : "the ";
+  const std::string variance = outcome.unit.empty()
+                                   ? "the variance of " + outcome.outcome  // "passing NAME"
+                                   : "the " + outcome.outcome + "'s variance";
   std::string text;
   for (std::size_t f = 0; f < effects.factors.size(); ++f) {
     const VarianceShare& share = outcome.shares.factors[f];
-    text += (f == 0 ? "" : ", ") + effects.factors[f].name;
-    text += f == 0 ? " explains " + share_text(share) + " of the variance of " + article +
-                         outcome.outcome
-                   : " " + share_text(share);
+    text += (f == 0 ? "" : ", ") + name_in_text(effects.factors[f].name);
+    text += f == 0 ? " explains " + share_text(share) + " of " + variance : " " + share_text(share);
   }
   if (effects.factors.size() > 1) {
     text += "; " + share_text(outcome.shares.interactions) + " is due to their interaction";

@@ -261,7 +261,7 @@ TEST(AnswerText, MeasuredStopsHaveAVerdict) {
     std::vector<CampaignResults> all;
     all.push_back(made_up_results({.elongated = NAN}));
     const Comparison comparison =
-        compare(std::move(all), {.by = {}, .measured = folder / "seen.csv"});
+        compare(std::move(all), {.by = {}, .measured = folder / "seen.csv", .margin = {}});
     const std::string html = measured_section(comparison);
     EXPECT_EQ(unbalanced(html), "");
     return measured_sentences(comparison).at(0);

@@ -30,12 +30,13 @@ DesignEffects effects() {
 TEST(EffectsText, SaysWhatEachFactorExplains) {
   const std::vector<std::string> sentences = effects_sentences({effects()});
   ASSERT_EQ(sentences.size(), 2u);
-  EXPECT_EQ(sentences[0],
-            "Form explains 22 % (15 to 29) of the variance of the runout, orientation 31 % (10 to "
-            "50); 47 % (30 to 60) is due to their interaction.");
+  EXPECT_EQ(
+      sentences[0],
+      "Form explains 22 % (15 to 29) of the runout's variance, the orientation at release 31 % "
+      "(10 to 50); 47 % (30 to 60) is due to their interaction.");
   EXPECT_TRUE(
       sentences[1].starts_with("Form explains 100 % (90 to 100) of the variance of passing "
-                               "N1, orientation 0 %"));
+                               "N1, the orientation at release 0 %"));
 }
 
 // Three blocks say next to nothing of the share of form.
@@ -45,7 +46,7 @@ TEST(EffectsText, GivesNoMiddleOfAnIntervalThatIsTooWide) {
   const std::string text = effects_sentences({file}).front();
   EXPECT_TRUE(
       text.starts_with("Form explains between 2 and 82 % (too few to say more) of the "
-                       "variance of the runout, orientation 31 % (10 to 50)"))
+                       "runout's variance, the orientation at release 31 % (10 to 50)"))
       << text;
   EXPECT_EQ(text.find("9 %"), std::string::npos);
 }

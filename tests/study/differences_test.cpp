@@ -183,7 +183,7 @@ TEST(Columns, GroupRunsByValueOrQuarter) {
   std::vector<CampaignResults> all;
   all.push_back(synthetic_results(1, 0.0));
   const Comparison comparison =
-      compare(std::move(all), {.by = {"point", "max_speed_m_s"}, .measured = {}});
+      compare(std::move(all), {.by = {"point", "max_speed_m_s"}, .measured = {}, .margin = {}});
   std::size_t points = 0, quarters = 0;
   for (const Group& group : comparison.groups) {
     if (group.column == "point") {
@@ -200,7 +200,7 @@ TEST(Columns, GroupRunsByValueOrQuarter) {
   std::vector<CampaignResults> one;
   one.push_back(synthetic_results(1, 0.0));
   try {
-    compare(std::move(one), {.by = {"colour"}, .measured = {}});
+    compare(std::move(one), {.by = {"colour"}, .measured = {}, .margin = {}});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("no column \"colour\""), std::string::npos);

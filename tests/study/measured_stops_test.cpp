@@ -21,7 +21,7 @@ Comparison against(const std::string& table, const ScratchFolder& folder) {
   write_text_file(folder / "seen.csv", table);
   std::vector<CampaignResults> all;
   all.push_back(hand_made_results());
-  return compare(std::move(all), {.by = {}, .measured = folder / "seen.csv"});
+  return compare(std::move(all), {.by = {}, .measured = folder / "seen.csv", .margin = {}});
 }
 
 // Runs start over (900000, 6500000) and stop 10, 20, 30, 40 m (compact) and 10, 20 m (elongated)

@@ -1,0 +1,114 @@
+#include "report/text/trends_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/listed.hpp"
+#include "core/number_text.hpp"
+#include "report/text/capital.hpp"
+
+namespace clast {
+namespace {
+
+using namespace report_detail;
+
+constexpr double kLevel = 0.05;
+
+std::string p_text(double p) {
+  return p < 1e-3 ? "p < 0.001" : "p = " + with_digits(p, p < 0.1 ? 1 : 2);
+}
+
+std::string value_text(double value, const std::string& unit) {
+  return with_digits(value, 2) + (unit.empty() ? "" : " " + unit);
+}
+
+/// A number of runs, two digits of it.
+std::string about(double runs) {
+  const double digits = std::pow(10.0, std::floor(std::log10(std::max(runs, 10.0))) - 1.0);
+  return with_decimals(std::round(runs / digits) * digits, 0);
+}
+
+/// "Runout rises with S/L (...) and falls with rounding (...); no trend with mass."
+std::string trend_sentence(const std::vector<const ShapeTrend*>& outcome) {
+  std::vector<std::string> found, none;
+  for (const ShapeTrend* trend : outcome) {
+    if (trend->corrected_p >= kLevel) {
+      none.push_back(trend->property);
+      continue;
+    }
+    found.push_back(std::string(trend->trend.statistic > 0.0 ? "rises" : "falls") + " with " +
+                    trend->property + " (rank correlation " +
+                    with_decimals(trend->trend.statistic, 2) + ", " + p_text(trend->corrected_p) +
+                    ")");
+  }
+  const std::string& name = outcome.front()->outcome;
+  if (found.empty()) return name + " has no trend with " + listed(none) + " beyond chance.";
+  return name + " " + listed(found) + (none.empty() ? "" : "; no trend with " + listed(none)) + ".";
+}
+
+/// Difference of the halves by one property, what it means, and what could be found.
+std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>& margin) {
+  const CrossedDifference& halves = trend.halves;
+  std::string text = "between the halves of the blocks by " + trend.property + " the " +
+                     trend.outcome + " differs by " + value_text(halves.difference, trend.unit) +
+                     " (" + with_digits(halves.interval.low, 2) + " to " +
+                     with_digits(halves.interval.high, 2) + ")";
+  if (trend.equivalence) {
+    const std::string limit = value_text(*margin, trend.unit);
+    const bool beyond = std::max(halves.interval.low, -halves.interval.high) > *margin;
+    const std::string p = " (" + p_text(*trend.equivalence) + ")";
+    text += *trend.equivalence < kLevel ? ", within +-" + limit + ": no effect that matters" + p
+            : beyond                    ? ", more than +-" + limit
+                                        : ", which is not shown to be within +-" + limit + p;
+  }
+  text += "; a campaign like this finds " + value_text(trend.smallest, trend.unit) +
+          " in 80 % of cases";
+  if (trend.runs_needed) {
+    text += ", and " + value_text(*margin, trend.unit) + " with " + about(*trend.runs_needed) +
+            " runs of blocks and points in proportion";
+  }
+  return text + ".";
+}
+
+}  // namespace
+
+std::vector<std::string> trend_sentences(const std::vector<ShapeTrends>& trends,
+                                         const std::optional<double>& margin) {
+  std::vector<std::string> sentences;
+  for (const ShapeTrends& file : trends) {
+    const std::string where =
+        trends.size() > 1 ? "file " + std::to_string(file.file + 1) + ": " : "";
+    for (std::size_t i = 0; i < file.trends.size();) {
+      std::vector<const ShapeTrend*> outcome;
+      const std::string& name = file.trends[i].outcome;
+      for (; i < file.trends.size() && file.trends[i].outcome == name; ++i) {
+        outcome.push_back(&file.trends[i]);
+      }
+      sentences.push_back(capital(where + trend_sentence(outcome)));
+      if (name != "runout") continue;
+      for (const ShapeTrend* trend : outcome) {
+        sentences.push_back(capital(where + halves_sentence(*trend, margin)));
+      }
+    }
+  }
+  return sentences;
+}
+
+std::string planned_power_sentence(const PlannedPower& plan) {
+  if (!plan.known()) return "";
+  std::string text = "a difference in runout of " + value_text(plan.smallest(), "m") +
+                     " between two halves of the blocks is found in 80 % of such campaigns, if "
+                     "the runout scatters by " +
+                     value_text(plan.scatter, "m") + " as in " +
+                     counted(plan.trial_runs, "trial run") + " and " +
+                     with_digits(100.0 * kAssumedBlockShare, 2) +
+                     " % of its variance goes with the block (design effect " +
+                     with_digits(plan.design_effect(), 2) + ")";
+  if (plan.margin) {
+    text += "; " + value_text(*plan.margin, "m") + " takes " + about(plan.runs_needed()) +
+            " runs, with blocks in proportion";
+  }
+  return text;
+}
+
+}  // namespace clast

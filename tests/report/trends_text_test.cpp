@@ -1,0 +1,72 @@
+// What rises and falls with the shape of the blocks, in words.
+#include "report/text/trends_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/refusal.hpp"
+
+namespace clast {
+namespace {
+
+ShapeTrend trend(const std::string& property, double correlation, double p) {
+  ShapeTrend found;
+  found.outcome = "runout";
+  found.unit = "m";
+  found.property = property;
+  found.blocks = 66;
+  found.runs = 1584;
+  found.trend = {correlation, p, false};
+  found.corrected_p = p;
+  found.halves.difference = 5.2;
+  found.halves.interval = {3.1, 7.3};
+  found.smallest = 3.0;
+  return found;
+}
+
+TEST(TrendsText, SaysWhatRisesAndFallsAndWhatCouldBeFound) {
+  const std::vector<ShapeTrends> trends = {
+      {0, {trend("S/L", 0.714, 1e-4), trend("mass", -0.3, 0.02), trend("rounding", 0.1, 0.6)}}};
+  const std::vector<std::string> text = trend_sentences(trends, std::nullopt);
+  ASSERT_EQ(text.size(), 4u);
+  EXPECT_EQ(text[0],
+            "Runout rises with S/L (rank correlation 0.71, p < 0.001), falls with mass (rank "
+            "correlation -0.30, p = 0.02); no trend with rounding.");
+  EXPECT_EQ(text[1],
+            "Between the halves of the blocks by S/L the runout differs by 5.2 m (3.1 to 7.3); a "
+            "campaign like this finds 3 m in 80 % of cases.");
+}
+
+TEST(TrendsText, SaysWhetherADifferenceIsWithinTheMargin) {
+  ShapeTrend none = trend("S/L", 0.1, 0.5);
+  none.halves.difference = 0.2;
+  none.halves.interval = {-0.5, 0.9};
+  none.equivalence = 0.004;
+  none.runs_needed = 3564.0;
+  const std::string within = trend_sentences({{0, {none}}}, 2.0).back();
+  EXPECT_TRUE(contains(within, "within +-2 m: no effect that matters (p = 0.004)")) << within;
+  EXPECT_TRUE(contains(within, "and 2 m with 3600 runs")) << within;
+  none.equivalence = 0.3;
+  EXPECT_TRUE(contains(trend_sentences({{0, {none}}}, 2.0).back(), "not shown to be within +-2 m"));
+  none.halves.interval = {2.5, 4.0};
+  EXPECT_TRUE(contains(trend_sentences({{0, {none}}}, 2.0).back(), ", more than +-2 m;"));
+  EXPECT_EQ(trend_sentences({{0, {none}}}, 2.0).front(),
+            "Runout has no trend with S/L beyond chance.");
+}
+
+// 1,600 runs of 16 blocks have D = 1 + 99 x 0.1, and 4 D s^2 7.849/x^2 = 1,600 gives x.
+TEST(TrendsText, SaysBeforeACampaignWhatItCouldTellApart) {
+  PlannedPower plan{1600, 16, 30, 5.0, 1.0};
+  EXPECT_NEAR(plan.design_effect(), 10.9, 1e-12);
+  EXPECT_NEAR(plan.smallest(), 5.0 * std::sqrt(4.0 * 10.9 * 7.8489 / 1600.0), 1e-3);
+  const std::string text = planned_power_sentence(plan);
+  EXPECT_TRUE(contains(text, "a difference in runout of 2.3 m between two halves")) << text;
+  EXPECT_TRUE(contains(text, "scatters by 5 m as in 30 trial runs")) << text;
+  EXPECT_TRUE(contains(text, "; 1 m takes 8600 runs")) << text;
+  plan.blocks = 2;
+  EXPECT_EQ(planned_power_sentence(plan), "");
+}
+
+}  // namespace
+}  // namespace clast
