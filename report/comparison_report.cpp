@@ -5,10 +5,13 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "report/charts/form_responses.hpp"
+#include "report/html/html_page.hpp"
 #include "report/maps/gis_layers.hpp"
 #include "report/maps/raster_files.hpp"
 #include "report/page_pdf.hpp"
 #include "report/pages/comparison_page.hpp"
+#include "report/pages/report_groups.hpp"
 #include "report/scene/vtk_animation.hpp"
 #include "report/tables/comparison_provenance.hpp"
 #include "report/tables/group_tables.hpp"
@@ -25,10 +28,11 @@ FolderKind comparison_folder() {
         "runs.csv",         "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
         "ground_sets.csv",  "profiles.csv", "measured.csv",  "stops.gpkg",   "differences.csv",
         "provenance.json",  "report.html",  "report.pdf",    "ensemble.csv", "stays.csv",
-        "realisations.csv", "effects.csv",  "trends.csv"};
+        "realisations.csv", "effects.csv",  "trends.csv",    "responses.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
+    if (folder.empty() && extension == ".svg") return file.string().starts_with("response_");
     return kFiles.contains(file.string());
   };
   return {"comparison", "provenance.json", "\"downslope_from\"", owns};
@@ -54,6 +58,11 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("ensemble.csv", ensemble_csv(comparison));
   write("effects.csv", effects_csv(comparison));
   write("trends.csv", trends_csv(comparison));
+  write("responses.csv", responses_csv(comparison));
+  for (const ResponsePicture& picture :
+       response_pictures(outcomes_of_forms(comparison), several_files(comparison))) {
+    write(picture.file.c_str(), svg_file(picture.svg));
+  }
   write("stays.csv", stays_csv(comparison));
   const RealisationDeposits deposits = realisation_deposits(comparison);
   write("realisations.csv", realisations_csv(deposits));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/number_text.hpp"
+#include "core/unbalanced_shares.hpp"
 #include "study/detail/run_outcomes.hpp"
 
 namespace clast {
@@ -108,17 +109,60 @@ bool has_fresh_orientations(const std::vector<const RunRow*>& rows,
          results.campaign_text.find("fresh") != std::string::npos;
 }
 
-std::string refusal_of(const std::vector<FactorLevels>& factors, std::size_t runs) {
+/// Why the design is not full.
+std::string gap_of(const std::vector<FactorLevels>& factors, std::size_t runs) {
   std::string text;
   std::size_t combinations = 1;
   for (const FactorLevels& factor : factors) {
     text += (text.empty() ? "" : ", ") + factor.name + " " + std::to_string(factor.count);
     combinations *= factor.count;
   }
-  return "its " + counted(runs, "run") + " are not every combination once (" + text + ": " +
-         std::to_string(combinations) +
-         " combinations); give all blocks the same release points "
-         "and orientations, and let it finish";
+  return counted(runs, "run") + " are not every combination once (" + text + ": " +
+         std::to_string(combinations) + " combinations)";
+}
+
+/// Shares of the outcomes that differ, by what a function makes of all of them.
+template <class Shares>
+std::vector<OutcomeEffects> outcomes_with(const std::vector<RunOutcome>& outcomes,
+                                          const Shares& shares) {
+  std::vector<const RunOutcome*> differing;
+  for (const RunOutcome& outcome : outcomes) {
+    const auto [least, most] = std::minmax_element(outcome.values.begin(), outcome.values.end());
+    if (*least < *most) differing.push_back(&outcome);  // else there is nothing to explain
+  }
+  std::vector<std::vector<double>> values;
+  for (const RunOutcome* outcome : differing) values.push_back(outcome->values);
+  const std::vector<VarianceShares> found = shares(values);
+  std::vector<OutcomeEffects> effects;
+  for (std::size_t i = 0; i < differing.size(); ++i) {
+    const Summary summary = summarise(values[i]);
+    effects.push_back(
+        {differing[i]->name, differing[i]->unit, summary.mean, summary.std, found[i]});
+  }
+  return effects;
+}
+
+std::vector<VarianceShares> shares_of_design(const std::vector<std::vector<double>>& outcomes,
+                                             const std::vector<std::size_t>& places,
+                                             const std::vector<FactorLevels>& factors) {
+  std::vector<std::size_t> levels;
+  for (const FactorLevels& factor : factors) levels.push_back(factor.count);
+  std::vector<VarianceShares> shares;
+  for (const std::vector<double>& outcome : outcomes) {
+    std::vector<double> values(outcome.size());
+    for (std::size_t i = 0; i < outcome.size(); ++i) values[places[i]] = outcome[i];
+    shares.push_back(variance_shares(values, levels));
+  }
+  return shares;
+}
+
+std::vector<VarianceShares> shares_of_model(const std::vector<std::vector<double>>& outcomes,
+                                            const std::vector<FactorLevels>& factors) {
+  std::vector<std::vector<std::uint32_t>> levels;
+  for (const FactorLevels& factor : factors) {
+    levels.emplace_back(factor.of_run.begin(), factor.of_run.end());
+  }
+  return unbalanced_shares(outcomes, levels);
 }
 
 DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
@@ -130,36 +174,30 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
     return effects;
   }
   const std::vector<const RunRow*> rows = rows_of_file(comparison, file);
-  if (has_fresh_orientations(rows, results)) {
-    effects.refusal =
-        "its orientations are drawn anew for each block and point, so that none is met twice; set "
-        "fresh = false in [release]";
-    return effects;
+  std::vector<FactorLevels> factors = factors_of(rows, results);
+  const bool fresh = has_fresh_orientations(rows, results);
+  if (fresh) {
+    std::erase_if(factors, [](const FactorLevels& factor) { return factor.name == "orientation"; });
   }
-  const std::vector<FactorLevels> factors = factors_of(rows, results);
   if (factors.empty()) {
-    effects.refusal = "there is nothing in it that differs from run to run";
+    effects.refusal = fresh ? "its orientations are drawn anew for each block and point, so that "
+                              "none is met twice, and nothing else differs from run to run"
+                            : "there is nothing in it that differs from run to run";
     return effects;
   }
+  for (const FactorLevels& factor : factors) effects.factors.push_back({factor.name, factor.count});
+  const std::vector<RunOutcome> outcomes = run_outcomes(comparison, file, rows);
   const std::vector<std::size_t> places = places_in(factors, rows.size());
-  if (places.empty()) {
-    effects.refusal = refusal_of(factors, rows.size());
-    return effects;
+  if (fresh) {
+    effects.estimated =
+        "orientations are drawn anew for each block and point, and count among the interactions";
+  } else if (places.empty()) {
+    effects.estimated = gap_of(factors, rows.size());
   }
-  std::vector<std::size_t> levels;
-  for (const FactorLevels& factor : factors) {
-    effects.factors.push_back({factor.name, factor.count});
-    levels.push_back(factor.count);
-  }
-  for (const RunOutcome& outcome : run_outcomes(comparison, file, rows)) {
-    std::vector<double> values(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) values[places[i]] = outcome.values[i];
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    if (*least == *most) continue;  // nothing to explain
-    const Summary summary = summarise(values);
-    effects.outcomes.push_back(
-        {outcome.name, outcome.unit, summary.mean, summary.std, variance_shares(values, levels)});
-  }
+  effects.outcomes = outcomes_with(outcomes, [&](const auto& values) {
+    return effects.estimated.empty() ? shares_of_design(values, places, factors)
+                                     : shares_of_model(values, factors);
+  });
   return effects;
 }
 

@@ -73,6 +73,11 @@ class _Tables:
         return self.table("effects")
 
     @property
+    def responses(self) -> Table:
+        """A row per outcome and form, its mean and scatter: responses.csv."""
+        return self.table("responses")
+
+    @property
     def trends(self) -> Table:
         """A row per outcome and property of the blocks, what rises and falls with it: trends.csv."""
         return self.table("trends")

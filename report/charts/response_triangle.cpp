@@ -2,19 +2,24 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <vector>
 
+#include "core/nice_number.hpp"
 #include "core/png.hpp"
+#include "report/charts/contour_field.hpp"
 #include "report/charts/palette.hpp"
 #include "report/html/html_page.hpp"
 
 namespace clast::report_detail {
 namespace {
 
-constexpr double kWidth = 620.0, kHeight = 560.0, kLeft = 50.0, kTop = 40.0, kSide = 520.0;  // px
-constexpr double kLargestDisc = 20.0, kSmallestDisc = 5.0;
-/// Values are written into discs of this radius and larger.
-constexpr double kReadableDisc = 13.0;
+constexpr double kWidth = 700.0, kHeight = 560.0, kLeft = 50.0, kTop = 40.0, kSide = 520.0;  // px
+constexpr double kDisc = 3.5, kMarkedDisc = 6.0;
+constexpr double kLattice = 7.0;  ///< side of the triangles of the surface
+constexpr int kFewestBands = 6;
+constexpr std::size_t kMostForms = 500;  ///< of a surface: its equations are that many
 
 /// Few to many, readable in grey: pale yellow over green to dark blue (YlGnBu of ColorBrewer).
 constexpr std::array<Rgb, 5> kColours = {
@@ -58,42 +63,130 @@ std::string frame() {
          svg_text(elongate.x(), elongate.y() + 34.0, "elongate", "text-anchor=\"middle\"");
 }
 
-/// Discs that do not cover each other, where that can be had.
-double disc_radius(std::span<const Vec2> places) {
-  double nearest = 2.0 * kLargestDisc;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      nearest = std::min(nearest, (places[i] - places[k]).norm());
+/// Values and colours of the picture.
+struct Range {
+  double least = 1e300, most = -1e300;
+  double step = 1.0;  ///< between contour lines
+
+  double share(double value) const { return most > least ? (value - least) / (most - least) : 0.0; }
+  /// Round values between the least and the largest.
+  std::vector<double> levels() const {
+    std::vector<double> levels;
+    if (!(most > least)) return levels;
+    for (double k = std::floor(least / step) + 1.0; k * step < most; k += 1.0) {
+      levels.push_back(k * step);
+    }
+    return levels;
+  }
+  /// Of the band from this level to the next.
+  std::string colour(double level) const {
+    return colour_text(colour_of(share(std::min(most, level + 0.5 * step))));
+  }
+};
+
+Range range_of(std::span<const FormResponse> forms) {
+  Range range;
+  for (const FormResponse& form : forms) {
+    range.least = std::min(range.least, form.value);
+    range.most = std::max(range.most, form.value);
+  }
+  if (range.most > range.least) {
+    range.step = round_down_to_nice((range.most - range.least) / kFewestBands);
+  }
+  return range;
+}
+
+/// Contour line with its value where it is farthest right.
+std::string line_of(const ThinPlate& surface, std::span<const Vec2> hull, double level) {
+  const ContourLine line = contour_line(surface, hull, level, kLattice);
+  if (line.pieces.empty()) return "";
+  const auto middle =
+      std::max_element(line.pieces.begin(), line.pieces.end(),
+                       [](const auto& a, const auto& b) { return a.first.x() < b.first.x(); });
+  return "<path d=\"" + line.path + "\" fill=\"none\" stroke=\"#1d2733\" stroke-width=\"0.8\"/>" +
+         svg_text(middle->first.x() - 4.0, middle->first.y() + 4.0, significant(level, 3),
+                  "text-anchor=\"end\" font-size=\"11\" fill=\"#1d2733\" stroke=\"#ffffff\" "
+                  "stroke-width=\"2.5\" paint-order=\"stroke\"");
+}
+
+/// Bands, each over those below it, and lines, within the forms.
+std::string surface_of(std::span<const FormResponse> forms, std::span<const Vec2> places,
+                       const Range& range, const std::string& clip) {
+  const std::vector<Vec2> hull = hull_of(places);
+  if (hull.size() < 3 || forms.size() > kMostForms || !(range.most > range.least)) return "";
+  std::vector<double> values;
+  for (const FormResponse& form : forms) values.push_back(form.value);
+  const ThinPlate surface(places, values);
+  std::string outline;
+  for (const Vec2& corner : hull) {
+    outline += (outline.empty() ? "" : " ") + fixed(corner.x(), 1) + "," + fixed(corner.y(), 1);
+  }
+  const std::vector<double> levels = range.levels();
+  std::string svg = "<clipPath id=\"" + clip + "\"><polygon points=\"" + outline +
+                    "\"/></clipPath><g clip-path=\"url(#" + clip + ")\"><polygon points=\"" +
+                    outline + "\" fill=\"" + range.colour(range.least - 0.5 * range.step) + "\"/>";
+  for (const double level : levels) {
+    svg += "<path d=\"" + band_path(surface, hull, level, kLattice) + "\" fill=\"" +
+           range.colour(level) + "\"/>";
+  }
+  for (const double level : levels) svg += line_of(surface, hull, level);
+  return svg + "</g>";
+}
+
+/// Colours of the bands with the values between them.
+std::string legend(const Range& range) {
+  const std::vector<double> levels = range.levels();
+  if (levels.empty()) return "";
+  constexpr double kX = 590.0, kBottom = 250.0, kBox = 18.0;
+  std::string svg;
+  double y = kBottom;
+  for (std::size_t i = 0; i <= levels.size(); ++i, y -= kBox) {
+    const double from = i == 0 ? range.least - 0.5 * range.step : levels[i - 1];
+    svg += "<rect x=\"" + fixed(kX, 1) + "\" y=\"" + fixed(y, 1) + "\" width=\"" + fixed(kBox, 1) +
+           "\" height=\"" + fixed(kBox, 1) + "\" fill=\"" + range.colour(from) +
+           "\" stroke=\"#8a94a0\" stroke-width=\"0.5\"/>";
+    if (i < levels.size()) {
+      svg += svg_text(kX + kBox + 6.0, y + 4.0, significant(levels[i], 3), "font-size=\"12\"");
     }
   }
-  return std::max(kSmallestDisc, 0.48 * nearest);
+  return svg;
+}
+
+std::string disc_of(const FormResponse& form, const Vec2& place, const Range& range,
+                    const std::string& label) {
+  std::string svg = "<circle cx=\"" + fixed(place.x(), 1) + "\" cy=\"" + fixed(place.y(), 1) +
+                    "\" r=\"" + fixed(form.marked ? kMarkedDisc : kDisc, 1) + "\" fill=\"" +
+                    colour_text(colour_of(range.share(form.value))) + "\" stroke=\"" +
+                    (form.marked ? "#d55e00\" stroke-width=\"2" : "#5b6670") + "\"><title>" +
+                    escaped(form.name + ": " + significant(form.value) + ", " + label) +
+                    "</title></circle>";
+  if (form.marked) {
+    svg += svg_text(place.x() + 9.0, place.y() + 4.0, form.name,
+                    "font-size=\"11\" stroke=\"#ffffff\" stroke-width=\"2.5\" "
+                    "paint-order=\"stroke\"");
+  }
+  return svg;
 }
 
 }  // namespace
 
 std::string response_triangle(std::span<const FormResponse> forms, const std::string& label) {
   std::vector<Vec2> places;
-  double least = 1e300, most = -1e300;
   for (const FormResponse& form : forms) {
     const TernaryPlace place = ternary_place(form.axes);
     places.push_back(place_of(place.compact, place.elongate));
-    least = std::min(least, form.value);
-    most = std::max(most, form.value);
   }
-  const double radius = disc_radius(places);
+  const Range range = range_of(forms);
+  // Several pictures of a page must not share a clip.
+  std::string clip = "clip";
+  for (const char c : label) clip += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
   std::string svg = svg_open(kWidth, kHeight, label + " over the triangle of Sneed and Folk");
-  svg += frame();
-  for (std::size_t i = 0; i < forms.size(); ++i) {
-    const double share = most > least ? (forms[i].value - least) / (most - least) : 0.0;
-    svg += "<circle cx=\"" + fixed(places[i].x(), 1) + "\" cy=\"" + fixed(places[i].y(), 1) +
-           "\" r=\"" + fixed(radius, 1) + "\" fill=\"" + colour_text(colour_of(share)) +
-           "\" stroke=\"#5b6670\"><title>" +
-           escaped(forms[i].name + ": " + significant(forms[i].value) + ", " + label) +
-           "</title></circle>";
-    if (radius < kReadableDisc) continue;
-    svg += svg_text(places[i].x(), places[i].y() + 4.0, significant(forms[i].value, 2),
-                    std::string("text-anchor=\"middle\" font-size=\"12\" fill=\"") +
-                        (share > 0.5 ? "#ffffff" : "#1d2733") + "\" pointer-events=\"none\"");
+  svg += surface_of(forms, places, range, clip) + frame() + legend(range) +
+         svg_text(570.0, 60.0, label, "text-anchor=\"middle\" font-size=\"13\"");
+  for (const bool marked : {false, true}) {
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      if (forms[i].marked == marked) svg += disc_of(forms[i], places[i], range, label);
+    }
   }
   return svg + "</svg>\n";
 }

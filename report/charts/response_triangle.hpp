@@ -12,10 +12,14 @@ struct FormResponse {
   std::string name;
   Axes axes;
   double value = 0.0;
+  bool marked = false;
 };
 
-/// SVG: a disc for each form, compact at the top, platy left, elongate right, coloured from the
-/// smallest value to the largest, with its value in it.
+/// SVG: a surface through the values of all forms (charts/contour_field.hpp) as coloured bands with
+/// contour lines at round values, within the forms; compact at the top, platy left, elongate right.
+/// A small disc for each form shows its own value; forms that are `marked`, scanned blocks among
+/// forms made of one, are larger and named. Where the forms lie on one line, discs alone, coloured
+/// from the smallest value to the largest.
 /// @param label  what is shown: "mean runout, m"
 /// @cite sneed1958
 std::string response_triangle(std::span<const FormResponse> forms, const std::string& label);

@@ -1,8 +1,4 @@
-#include <map>
-#include <utility>
-
-#include "core/statistics.hpp"
-#include "report/charts/response_triangle.hpp"
+#include "report/charts/form_responses.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
@@ -12,37 +8,19 @@
 namespace clast::report_detail {
 namespace {
 
-/// Fewer forms make no surface.
-constexpr std::size_t kFewestForms = 6;
-
-/// Mean runout of each form of a file, over all its runs.
-std::vector<FormResponse> runout_of_forms(const Comparison& comparison, std::uint32_t file) {
-  std::map<std::string, std::pair<const BlockSummary*, std::vector<double>>> forms;
-  for (const RunRow& row : comparison.rows) {
-    if (row.file != file) continue;
-    auto& [block, runouts] = forms[row.block->library_block()];
-    block = row.block;
-    runouts.push_back(row.runout);
+/// Pictures of the outcomes over the forms, each with a link to a file of its own.
+std::string triangles(const Comparison& comparison) {
+  const std::vector<ResponsePicture> pictures =
+      response_pictures(outcomes_of_forms(comparison), several_files(comparison));
+  if (pictures.empty()) return "";
+  std::string html, links;
+  for (const ResponsePicture& picture : pictures) {
+    html += figure(picture.svg, picture.caption);
+    links += (links.empty() ? "" : ", ") + ("<a href=\"" + link_to(picture.file) + "\" download>" +
+                                            escaped(picture.file) + "</a>");
   }
-  std::vector<FormResponse> responses;
-  for (const auto& [name, form] : forms) {
-    responses.push_back({name, form.first->axes, summarise(form.second).mean});
-  }
-  return responses;
-}
-
-std::string triangles(const Comparison& comparison, const std::vector<DesignEffects>& effects) {
-  std::string html;
-  for (const DesignEffects& file : effects) {
-    if (file.outcomes.empty()) continue;
-    const std::vector<FormResponse> forms = runout_of_forms(comparison, file.file);
-    if (forms.size() < kFewestForms) continue;
-    const std::string of =
-        several_files(comparison) ? " of file " + std::to_string(file.file + 1) : std::string();
-    html += figure(response_triangle(forms, "mean runout, m"),
-                   "Mean runout" + of + ", m, over the triangle of Sneed and Folk");
-  }
-  return html;
+  return html + "<p>The surface passes through the mean of every form. As files: " + links +
+         "; the data: <a href=\"responses.csv\" download>responses.csv</a>.</p>\n";
 }
 
 std::string trends(const Comparison& comparison) {
@@ -57,19 +35,23 @@ std::string trends(const Comparison& comparison) {
 
 std::string effects_section(const Comparison& comparison) {
   std::vector<DesignEffects> effects = design_effects(comparison);
-  bool any = false;
+  bool any = false, full = false;
   for (DesignEffects& file : effects) {
-    any = any || !file.outcomes.empty();
+    const bool has_forms = file.factors.size() > 1 && !file.outcomes.empty();
+    any = any || has_forms;
+    full = full || (has_forms && file.estimated.empty());
     file.refusal.clear();  // most campaigns are no such design, and need not be
   }
   if (!any) return "";
   std::string sentences;
   for (const std::string& sentence : effects_sentences(effects)) sentences += paragraph(sentence);
+  const std::string exact =
+      full ? " Those of the runs of full designs alone are in effects.csv." : "";
   return section("Sources of variability",
-                 sentences + triangles(comparison, effects) + trends(comparison) +
-                     paragraph("Every combination was run once. Shares are estimates for "
-                               "blocks, orientations and points like these, with 95 % "
-                               "intervals; those of these runs alone are in effects.csv."));
+                 sentences + triangles(comparison) + trends(comparison) +
+                     paragraph("Shares are estimates for blocks, orientations and points like "
+                               "these, with 95 % intervals." +
+                               exact));
 }
 
 }  // namespace clast::report_detail

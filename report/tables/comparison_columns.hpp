@@ -3,6 +3,7 @@
 /// runs.csv. A test compares them with docs/formats.md.
 #include <vector>
 
+#include "report/charts/form_responses.hpp"
 #include "study/design_effects.hpp"
 #include "study/ensemble_effects.hpp"
 #include "study/profiles.hpp"
@@ -50,6 +51,12 @@ struct TrendOfFile {
   const ShapeTrend& trend;
 };
 
+/// An outcome of one form.
+struct ResponseOfForm {
+  const OutcomeOfForms& outcome;
+  const FormOutcome& form;
+};
+
 const TableColumns<BarrierGroup>& barrier_columns();
 const TableColumns<ComparisonRow<CrossingRow>>& crossing_columns();
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns();
@@ -61,6 +68,7 @@ const TableColumns<ComparisonRow<RunImpact>>& impact_columns();
 const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns();
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns();
 const TableColumns<RealisationDeposit>& realisation_columns();
+const TableColumns<ResponseOfForm>& response_columns();
 const TableColumns<ComparisonRow<RunStay>>& stay_columns();
 const TableColumns<TrendOfFile>& trend_columns();
 
@@ -70,6 +78,8 @@ std::vector<GroupDeposit> deposit_rows(const Comparison& comparison);
 std::vector<EffectShare> effect_rows(const std::vector<DesignEffects>& all);
 std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison);
 std::vector<RunImpact> impact_rows(const Comparison& comparison);
+/// They refer to `all`.
+std::vector<ResponseOfForm> response_rows(const std::vector<OutcomeOfForms>& all);
 std::vector<RunStay> stay_rows(const Comparison& comparison);
 /// They refer to `all`.
 std::vector<TrendOfFile> trend_rows(const std::vector<ShapeTrends>& all);

@@ -26,7 +26,10 @@ const TableColumns<EffectShare>& report_detail::effect_columns() {
        [](const Row& row) { return row.factor; }},
       {"levels", "", "of the factor; 0 for interactions",
        [](const Row& row) { return std::uint64_t{row.levels}; }},
-      {"share_of_design", "", "first-order Sobol index of the runs as they are, exact",
+      {"share_of_design", "",
+       "first-order Sobol index of the runs as they are, exact; empty where not every combination "
+       "was "
+       "run once",
        [](const Row& row) { return row.share.of_design; }},
       {"share", "", estimated, [](const Row& row) { return row.share.estimate; }},
       {"share_low", "", estimated, [](const Row& row) { return row.share.interval.low; }},
@@ -126,6 +129,38 @@ std::vector<EffectShare> report_detail::effect_rows(const std::vector<DesignEffe
 
 std::string effects_csv(const Comparison& comparison) {
   return csv_of(effect_columns(), effect_rows(design_effects(comparison)));
+}
+
+const TableColumns<ResponseOfForm>& report_detail::response_columns() {
+  using Row = ResponseOfForm;
+  const char* unit = "m, rad, J or share";
+  static const TableColumns<Row> columns = {
+      {"file", "", "number of the results file",
+       [](const Row& row) { return std::uint64_t{row.outcome.file + 1}; }},
+      {"outcome", "", "`runout`, `lateral angle`, `largest energy` or `passing NAME` of a barrier",
+       [](const Row& row) { return row.outcome.outcome; }},
+      {"form", "", "block of the library", [](const Row& row) { return row.form.form; }},
+      {"i_over_l", "", "I/L", [](const Row& row) { return row.form.axes.I / row.form.axes.L; }},
+      {"s_over_l", "", "S/L", [](const Row& row) { return row.form.axes.S / row.form.axes.L; }},
+      {"made", "", "stretched to this form by `clast vary`, not a scanned block",
+       [](const Row& row) { return row.form.made; }},
+      {"runs", "", "of the form", [](const Row& row) { return std::uint64_t{row.form.runs}; }},
+      {"mean", unit, "over its runs", [](const Row& row) { return row.form.mean; }},
+      {"standard_deviation", unit, "of its runs",
+       [](const Row& row) { return row.form.deviation; }}};
+  return columns;
+}
+
+std::vector<ResponseOfForm> report_detail::response_rows(const std::vector<OutcomeOfForms>& all) {
+  std::vector<ResponseOfForm> rows;
+  for (const OutcomeOfForms& outcome : all) {
+    for (const FormOutcome& form : outcome.forms) rows.push_back({outcome, form});
+  }
+  return rows;
+}
+
+std::string responses_csv(const Comparison& comparison) {
+  return csv_of(response_columns(), response_rows(outcomes_of_forms(comparison)));
 }
 
 std::vector<TrendOfFile> report_detail::trend_rows(const std::vector<ShapeTrends>& all) {

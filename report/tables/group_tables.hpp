@@ -15,11 +15,12 @@ std::string deposits_csv(const Comparison& comparison);
 std::string differences_csv(const Comparison& comparison);
 /// A row for each group that has measured stops; the header alone without measured stops.
 std::string measured_csv(const Comparison& comparison);
-/// A row for each outcome and factor of campaigns that run every combination; the header alone
-/// without one.
+/// A row for each outcome and factor ; the header alone where there is none.
 std::string effects_csv(const Comparison& comparison);
 /// A row for each outcome and property of blocks; the header alone below four blocks.
 std::string trends_csv(const Comparison& comparison);
+/// A row for each outcome and form of files with six forms or more; else the header alone.
+std::string responses_csv(const Comparison& comparison);
 /// A row for each drawn ground parameter and outcome; the header alone without ensembles.
 std::string ensemble_csv(const Comparison& comparison);
 /// @param bins  `profiles` of the comparison

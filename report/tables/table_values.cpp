@@ -36,6 +36,10 @@ const NamedTables<Comparison>& comparison_tables() {
        [](const auto& all) {
          return values_of(effect_columns(), effect_rows(design_effects(all)));
        }},
+      {"responses",
+       [](const auto& all) {
+         return values_of(response_columns(), response_rows(outcomes_of_forms(all)));
+       }},
       {"trends",
        [](const auto& all) { return values_of(trend_columns(), trend_rows(shape_trends(all))); }},
       {"ensemble",

@@ -52,6 +52,11 @@ std::vector<std::string> effects_sentences(const std::vector<DesignEffects>& eff
     if (!file.refusal.empty()) {
       sentences.push_back(capital(where + "the variance has no shares: " + file.refusal + "."));
     }
+    if (!file.estimated.empty()) {
+      sentences.push_back(capital(
+          where + "shares are estimates of a mixed model, in which levels are drawn by chance: " +
+          file.estimated + "."));
+    }
     for (const OutcomeEffects& outcome : file.outcomes) {
       sentences.push_back(capital(where + sentence(file, outcome)));
     }

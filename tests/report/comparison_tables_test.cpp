@@ -213,11 +213,11 @@ TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
     names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"barriers.csv", "crossings.csv", "deposits.csv",
-                                             "differences.csv", "effects.csv", "ensemble.csv",
-                                             "ground_sets.csv", "impacts.csv", "profiles.csv",
-                                             "provenance.json", "realisations.csv", "report.html",
-                                             "runs.csv", "stays.csv", "stops.gpkg", "trends.csv"}));
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "barriers.csv", "crossings.csv", "deposits.csv", "differences.csv",
+                       "effects.csv", "ensemble.csv", "ground_sets.csv", "impacts.csv",
+                       "profiles.csv", "provenance.json", "realisations.csv", "report.html",
+                       "responses.csv", "runs.csv", "stays.csv", "stops.gpkg", "trends.csv"}));
   EXPECT_TRUE(contains(read_text_file(folder / "out" / "provenance.json"), std::string(64, 'c')));
 }
 

@@ -62,5 +62,13 @@ TEST(EffectsText, NamesTheFileWhereThereAreSeveralAndSaysWhyThereIsNothing) {
             "File 2: the variance has no shares: its 11 runs are not every combination once.");
 }
 
+TEST(EffectsText, SaysThatSharesAreEstimates) {
+  DesignEffects file = effects();
+  file.estimated = "11 runs are not every combination once";
+  EXPECT_EQ(effects_sentences({file}).front(),
+            "Shares are estimates of a mixed model, in which levels are drawn by chance: 11 runs "
+            "are not every combination once.");
+}
+
 }  // namespace
 }  // namespace clast

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
+#include "report/charts/contour_field.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast::report_detail {
@@ -13,15 +15,51 @@ namespace {
 TEST(ResponseTriangle, PutsFormsAtTheirCornersAndColoursThemByTheirValue) {
   const std::vector<FormResponse> forms = {{"cube <1>", {1.0, 1.0, 1.0}, 60.0},
                                            {"disc", {1.0, 1.0, 1e-9}, 20.0},
-                                           {"rod", {1.0, 1e-9, 1e-9}, 30.0}};
+                                           {"rod", {1.0, 1e-9, 1e-9}, 30.0, true}};
   const std::string svg = response_triangle(forms, "mean runout, m");
   // Corners of an equilateral triangle of side 520 px: 450.3 px high.
-  EXPECT_TRUE(contains(svg, "<circle cx=\"310.0\" cy=\"40.0\" r=\"19.2\" fill=\"#253494\""));
-  EXPECT_TRUE(contains(svg, "<circle cx=\"50.0\" cy=\"490.3\" r=\"19.2\" fill=\"#ffffcc\""));
-  EXPECT_TRUE(contains(svg, "<circle cx=\"570.0\" cy=\"490.3\" r=\"19.2\" fill=\"#a1dab4\""));
+  EXPECT_TRUE(contains(svg, "<circle cx=\"310.0\" cy=\"40.0\" r=\"3.5\" fill=\"#253494\""));
+  EXPECT_TRUE(contains(svg, "<circle cx=\"50.0\" cy=\"490.3\" r=\"3.5\" fill=\"#ffffcc\""));
+  EXPECT_TRUE(contains(svg, "<circle cx=\"570.0\" cy=\"490.3\" r=\"6.0\" fill=\"#a1dab4\""));
   EXPECT_TRUE(contains(svg, "<title>cube &lt;1&gt;: 60.0, mean runout, m</title>"));
-  // All alike: nothing to divide by.
-  EXPECT_TRUE(contains(response_triangle({forms.data(), 1}, "m"), "fill=\"#ffffcc\""));
+  EXPECT_TRUE(contains(svg, "clip-path")) << "there is a surface, with lines at 25, 30, ...";
+  EXPECT_TRUE(contains(svg, ">55"));
+  // All alike: nothing to divide by, and no surface.
+  const std::string one = response_triangle({forms.data(), 1}, "m");
+  EXPECT_TRUE(contains(one, "fill=\"#ffffcc\""));
+  EXPECT_FALSE(contains(one, "clip-path"));
+}
+
+// A plate through values of a plane is the plane.
+TEST(ContourField, OfAPlaneIsFlatWithStraightLines) {
+  const std::vector<Vec2> places = {{0, 0}, {100, 0}, {0, 100}, {100, 100}, {30, 60}};
+  std::vector<double> values;
+  for (const Vec2& place : places) values.push_back(5.0 + 0.1 * place.x());
+  const ThinPlate plate(places, values);
+  EXPECT_NEAR(plate.at({50, 20}), 10.0, 1e-9);
+  const std::vector<Vec2> hull = hull_of(places);
+  EXPECT_EQ(hull.size(), 4u) << "the fifth is inside";
+  EXPECT_TRUE(is_inside(hull, {50, 50}));
+  EXPECT_FALSE(is_inside(hull, {101, 50}));
+  const ContourLine line = contour_line(plate, hull, 10.0, 7.0);
+  ASSERT_FALSE(line.pieces.empty());
+  double length = 0.0;
+  for (const auto& [from, to] : line.pieces) {
+    EXPECT_NEAR(from.x(), 50.0, 1e-6);
+    length += (to - from).norm();
+  }
+  EXPECT_GT(length, 95.0);
+  EXPECT_LT(length, 125.0) << "a triangle beyond either side at most";
+  EXPECT_TRUE(contour_line(plate, hull, 16.0, 7.0).pieces.empty());
+}
+
+TEST(ContourField, PassesThroughItsValues) {
+  const std::vector<Vec2> places = {{0, 0}, {80, 5}, {10, 90}, {60, 60}, {30, 40}};
+  const std::vector<double> values = {1.0, 4.0, -2.0, 7.0, 0.5};
+  const ThinPlate plate(places, values);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_NEAR(plate.at(places[i]), values[i], 1e-9);
+  }
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ TEST(TableValues, AreThoseOfTheCsvFiles) {
   expect_same(comparison_table(comparison, "differences"), differences_csv(comparison));
   expect_same(comparison_table(comparison, "effects"), effects_csv(comparison));
   expect_same(comparison_table(comparison, "trends"), trends_csv(comparison));
+  expect_same(comparison_table(comparison, "responses"), responses_csv(comparison));
   expect_same(comparison_table(comparison, "ground_sets"), ground_sets_csv(comparison));
 }
 

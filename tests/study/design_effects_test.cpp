@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/study/hand_made_results.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -96,21 +98,34 @@ TEST(DesignEffects, FormAndMassAreTwoFactorsWhereEachBlockHasEachMass) {
   EXPECT_NEAR(effects.outcomes.at(0).shares.factors[1].of_design, 0.0, 1e-12);
 }
 
-TEST(DesignEffects, OfWhatIsNoFullDesignAreRefusedWithTheReason) {
+TEST(DesignEffects, OfWhatIsNoFullDesignAreEstimates) {
   CampaignResults missing = factorial_results();
   missing.runs.pop_back();
   missing.crossings.clear();
   const DesignEffects effects = effects_of(std::move(missing));
-  EXPECT_TRUE(effects.outcomes.empty());
-  EXPECT_TRUE(contains(effects.refusal, "its 11 runs are not every combination once"));
-  EXPECT_TRUE(contains(effects.refusal, "block 2, orientation 3, release point 2: 12"));
+  EXPECT_EQ(effects.refusal, "");
+  EXPECT_TRUE(contains(effects.estimated, "11 runs are not every combination once"));
+  EXPECT_TRUE(contains(effects.estimated, "block 2, orientation 3, release point 2: 12"));
+  const VarianceShares& runout = effects.outcomes.at(0).shares;
+  EXPECT_TRUE(std::isnan(runout.factors[2].of_design));
+  // The points: 200 of 9 x 2 + 16 + 200, of the population.
+  EXPECT_NEAR(runout.factors[2].estimate, 200.0 / 234.0, 0.05);
   CampaignResults twice = factorial_results();
   twice.runs[3].orientation = twice.runs[4].orientation;
   twice.runs[3].start.orientation = twice.runs[4].start.orientation;
-  EXPECT_TRUE(contains(effects_of(std::move(twice)).refusal, "not every combination once"));
+  EXPECT_TRUE(contains(effects_of(std::move(twice)).estimated, "not every combination once"));
+}
+
+TEST(DesignEffects, OfOrientationsDrawnAnewHaveNoFactorOfThem) {
   CampaignResults fresh = factorial_results();
   fresh.runs[4].start.orientation = Quat(Eigen::AngleAxisd(1.7, Vec3::UnitX()));
-  EXPECT_TRUE(contains(effects_of(std::move(fresh)).refusal, "drawn anew for each block"));
+  const DesignEffects effects = effects_of(std::move(fresh));
+  EXPECT_TRUE(contains(effects.estimated, "drawn anew for each block"));
+  ASSERT_EQ(effects.factors.size(), 2u);
+  EXPECT_EQ(effects.factors[1].name, "release point");
+}
+
+TEST(DesignEffects, OfWhatHasNoEffectsAreRefusedWithTheReason) {
   CampaignResults staying = factorial_results();
   staying.stay.emplace();
   staying.stay->blocks_each = 12;

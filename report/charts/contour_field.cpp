@@ -1,0 +1,181 @@
+#include "report/charts/contour_field.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "report/html/html_page.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+double bending(double squared_distance) {
+  return squared_distance > 0.0 ? 0.5 * squared_distance * std::log(squared_distance) : 0.0;
+}
+
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
+
+struct Corner {
+  Vec2 place;
+  double value = 0.0;
+};
+
+std::string point_text(const Vec2& place) {
+  return fixed(place.x(), 1) + " " + fixed(place.y(), 1);
+}
+
+/// The part of the triangle that is at least so high.
+std::vector<Vec2> above(const std::array<Corner, 3>& triangle, double level) {
+  std::vector<Vec2> part;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner &here = triangle[i], &next = triangle[(i + 1) % 3];
+    if (here.value >= level) part.push_back(here.place);
+    if ((here.value >= level) != (next.value >= level)) {
+      const double share = (level - here.value) / (next.value - here.value);
+      part.push_back(here.place + share * (next.place - here.place));
+    }
+  }
+  return part;
+}
+
+/// Where the level crosses the triangle: two places, or none.
+std::vector<Vec2> crossing(const std::array<Corner, 3>& triangle, double level) {
+  std::vector<Vec2> places;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner &here = triangle[i], &next = triangle[(i + 1) % 3];
+    if ((here.value >= level) == (next.value >= level)) continue;
+    const double share = (level - here.value) / (next.value - here.value);
+    places.push_back(here.place + share * (next.place - here.place));
+  }
+  return places;
+}
+
+/// Calls with every triangle of a lattice whose centre is inside the hull; corners beyond it are
+/// drawn to it by the clip of the picture.
+void visit_lattice(const ThinPlate& surface, std::span<const Vec2> hull, double side,
+                   const std::function<void(const std::array<Corner, 3>&)>& visit) {
+  Vec2 low = hull.front(), high = hull.front();
+  for (const Vec2& corner : hull) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  const double height = side * std::sqrt(0.75);
+  const auto rows = static_cast<int>(std::ceil((high.y() - low.y()) / height)) + 1;
+  const auto columns = static_cast<int>(std::ceil((high.x() - low.x()) / side)) + 2;
+  const auto corner = [&](int row, int column) {
+    const double shift = row % 2 == 0 ? 0.0 : -0.5 * side;
+    const Vec2 place(low.x() + shift + side * (column - 0.5), low.y() + height * (row - 0.5));
+    return Corner{place, surface.at(place)};
+  };
+  const auto offer = [&](const Corner& a, const Corner& b, const Corner& c) {
+    const Vec2 centre = (a.place + b.place + c.place) / 3.0;
+    const bool near = is_inside(hull, a.place) || is_inside(hull, b.place) ||
+                      is_inside(hull, c.place) || is_inside(hull, centre);
+    if (near) visit({a, b, c});
+  };
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const Corner a = corner(row, column), b = corner(row, column + 1);
+      const int left = row % 2 == 0 ? column : column - 1;
+      const Corner c = corner(row + 1, left + 1), d = corner(row + 1, left);
+      offer(a, b, c);
+      offer(a, c, d);
+    }
+  }
+}
+
+}  // namespace
+
+ThinPlate::ThinPlate(std::span<const Vec2> places, std::span<const double> values)
+    : places_(places.begin(), places.end()), centre_(Vec2::Zero()) {
+  const std::size_t count = places.size();
+  for (const Vec2& place : places) centre_ += place / static_cast<double>(count);
+  for (const Vec2& place : places) scale_ = std::max(scale_, (place - centre_).norm());
+  for (Vec2& place : places_) place = (place - centre_) / scale_;
+  const auto size = static_cast<Eigen::Index>(count + 3);
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(size);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t k = 0; k < count; ++k) {
+      system(row, static_cast<Eigen::Index>(k)) = bending((places_[i] - places_[k]).squaredNorm());
+    }
+    const std::array<double, 3> plane = {1.0, places_[i].x(), places_[i].y()};
+    for (int k = 0; k < 3; ++k) {
+      system(row, size - 3 + k) = system(size - 3 + k, row) = plane[k];
+    }
+    wanted[row] = values[i];
+  }
+  const Eigen::VectorXd solved = system.fullPivLu().solve(wanted);
+  weights_.assign(solved.begin(), solved.end());
+}
+
+double ThinPlate::at(const Vec2& place) const {
+  const Vec2 scaled = (place - centre_) / scale_;
+  const std::size_t count = places_.size();
+  double value =
+      weights_[count] + weights_[count + 1] * scaled.x() + weights_[count + 2] * scaled.y();
+  for (std::size_t i = 0; i < count; ++i) {
+    value += weights_[i] * bending((scaled - places_[i]).squaredNorm());
+  }
+  return value;
+}
+
+std::vector<Vec2> hull_of(std::span<const Vec2> places) {
+  std::vector<Vec2> sorted(places.begin(), places.end());
+  std::sort(sorted.begin(), sorted.end(), [](const Vec2& a, const Vec2& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  constexpr double kStraight = 1e-6;  // px^2
+  std::vector<Vec2> hull;
+  const auto add = [&](const Vec2& place, std::size_t fewest) {
+    while (hull.size() >= fewest && turn(hull[hull.size() - 2], hull.back(), place) <= kStraight) {
+      hull.pop_back();
+    }
+    hull.push_back(place);
+  };
+  for (const Vec2& place : sorted) add(place, 2);
+  const std::size_t lower = hull.size() + 1;
+  for (std::size_t i = sorted.size(); i-- > 0;) add(sorted[i], lower);
+  if (!hull.empty()) hull.pop_back();
+  return hull;
+}
+
+bool is_inside(std::span<const Vec2> hull, const Vec2& place) {
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    if (turn(hull[i], hull[(i + 1) % hull.size()], place) < 0.0) return false;
+  }
+  return hull.size() > 2;
+}
+
+std::string band_path(const ThinPlate& surface, std::span<const Vec2> hull, double level,
+                      double side) {
+  std::string path;
+  visit_lattice(surface, hull, side, [&](const std::array<Corner, 3>& triangle) {
+    const std::vector<Vec2> part = above(triangle, level);
+    if (part.size() < 3) return;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      path += (i == 0 ? "M" : "L") + point_text(part[i]);
+    }
+    path += "Z";
+  });
+  return path;
+}
+
+ContourLine contour_line(const ThinPlate& surface, std::span<const Vec2> hull, double level,
+                         double side) {
+  ContourLine line;
+  visit_lattice(surface, hull, side, [&](const std::array<Corner, 3>& triangle) {
+    const std::vector<Vec2> places = crossing(triangle, level);
+    if (places.size() != 2) return;
+    line.pieces.emplace_back(places[0], places[1]);
+    line.path += "M" + point_text(places[0]) + "L" + point_text(places[1]);
+  });
+  return line;
+}
+
+}  // namespace clast::report_detail
