@@ -35,23 +35,19 @@ std::string trends(const Comparison& comparison) {
 
 std::string effects_section(const Comparison& comparison) {
   std::vector<DesignEffects> effects = design_effects(comparison);
-  bool any = false, full = false;
+  bool any = false;
   for (DesignEffects& file : effects) {
     const bool has_forms = file.factors.size() > 1 && !file.outcomes.empty();
     any = any || has_forms;
-    full = full || (has_forms && file.estimated.empty());
     file.refusal.clear();  // most campaigns are no such design, and need not be
   }
   if (!any) return "";
   std::string sentences;
   for (const std::string& sentence : effects_sentences(effects)) sentences += paragraph(sentence);
-  const std::string exact =
-      full ? " Those of the runs of full designs alone are in effects.csv." : "";
   return section("Sources of variability",
                  sentences + triangles(comparison) + trends(comparison) +
                      paragraph("Shares are estimates for blocks, orientations and points like "
-                               "these, with 95 % intervals." +
-                               exact));
+                               "these, with 95 % intervals."));
 }
 
 }  // namespace clast::report_detail

@@ -81,18 +81,17 @@ std::string barrier_table(const Comparison& comparison, const std::vector<Profil
   return table.html();
 }
 
-/// "Of the places that at least half of the runs come to, ... asks least of a barrier: ..."
+/// "Where at least half of the 192 runs arrive, energy is lowest 16 to 18 m from the release: ..."
 std::string least_demand(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                          std::size_t group) {
   const std::size_t runs = comparison.groups[group].rows.size();
   const ProfileBin* place = least_energy_place(bins, group, runs);
   if (place == nullptr || runs < kFewestPassages) return {};
-  return "Of the places that at least half of the " + std::to_string(runs) +
-         " runs come to, a barrier at " + with_digits(place->from, 4) + " to " +
-         with_digits(place->to, 4) + " m would meet the least energy: 95 % of the " +
-         std::to_string(place->runs) + " runs there stay below " +
-         energy_in_words(place->energy.p95) + " and pass with their centre below " +
-         height_in_words(place->height.p95) + ". ";
+  return "Where at least half of the " + std::to_string(runs) + " runs arrive, energy is lowest " +
+         with_digits(place->from, 4) + " to " + with_digits(place->to, 4) +
+         " m from the release: 95 % of the " + std::to_string(place->runs) +
+         " runs there stay below " + energy_limit(place->energy.p95) +
+         ", and the centres of 95 % below " + height_limit(place->height.p95) + ". ";
 }
 
 /// Mean, 95th percentile and largest of a quantity of every class.
@@ -184,7 +183,7 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
     };
     const std::string least = least_demand(comparison, bins, all);
     if (!least.empty()) words += (file ? short_name(comparison.groups[all]) + ": " : "") + least;
-    ChartAxes share = axes("Runs that come so far", "share of runs");
+    ChartAxes share = axes("Runs that reach a distance", "share of runs");
     share.y_in_percent = true;
     charts += share_against_distance(comparison, bins, file, share);
     charts +=
@@ -203,9 +202,12 @@ std::string slope_section(const Comparison& comparison, const std::vector<Profil
     charts +=
         cut_along_the_mean_path(comparison, bins, group, "The ground along the mean path: " + name);
   }
+  const std::string width = with_digits(bins.front().to - bins.front().from, 3);
   return section(title,
-                 paragraph(words + "Each run counts with its largest value at a distance; heights "
-                                   "are of the centre. The section follows the mean path.") +
+                 paragraph(words + "In every " + width +
+                           " m a run counts with its largest value there; distances are from "
+                           "its release, heights of the centre. The section follows the mean "
+                           "path.") +
                      "<div class=\"charts by-three\">\n" + charts + "</div>\n" + tables);
 }
 

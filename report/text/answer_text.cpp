@@ -155,14 +155,14 @@ std::string share_sentence(const Comparison& comparison, const PassageAnswer& pa
          words.name;
 }
 
-/// "95 % of these carry less than 43 kJ, with their centre below 1.0 m".
-std::string strength_of(const PassageAnswer& passage) {
+/// ". Of those that pass, 95 % carry less than 43 kJ, and the tops of 95 % stay below 1.6 m".
+std::string strength_of(const PassageAnswer& passage, const std::string& pass) {
   if (passage.all.crossed == 0) return "";
   const std::string energy = energy_limit(passage.all.energy);
   const std::string height = height_limit(passage.all.top);
   if (!passage.all.largest) {
-    return "; 95 % of these carry less than " + energy + ", and the tops of 95 % stay below " +
-           height;
+    return ". Of those that " + pass + ", 95 % carry less than " + energy +
+           ", and the tops of 95 % stay below " + height;
   }
   return passage.all.crossed == 1
              ? ", with " + energy + " and its top at most " + height + " above the ground"
@@ -173,7 +173,8 @@ std::string strength_of(const PassageAnswer& passage) {
 std::string passages_in_words(const Comparison& comparison, const Statement& statement) {
   if (statement.passages.empty()) return "";
   const PassageAnswer& first = statement.passages.front();
-  std::string text = capital(share_sentence(comparison, first)) + strength_of(first) + ".";
+  std::string text = capital(share_sentence(comparison, first)) +
+                     strength_of(first, words_of(comparison, first.line).pass) + ".";
   const std::size_t shown = std::min(statement.passages.size() - 1, kMostOthers);
   for (std::size_t i = 1; i <= shown; ++i) {
     text += " " + capital(share_sentence(comparison, statement.passages[i])) + ".";

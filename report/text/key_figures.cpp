@@ -55,13 +55,13 @@ KeyFigure runout_figure(const Comparison& comparison, const Statement& statement
 
 /// Of each class that passes, and of all the largest: "compact 33, elongated 17 kJ; largest 37 kJ".
 std::string by_class(const Comparison& comparison, const PassageAnswer& passage,
-                     double ShareAnswer::*value, double ShareAnswer::*largest,
-                     std::string (*in_words)(double)) {
+                     double ShareAnswer::*value, std::string (*as_limit)(double),
+                     double ShareAnswer::*largest, std::string (*in_words)(double)) {
   std::string text;
   for (const ShareAnswer& share : passage.classes) {
     if (share.crossed == 0) continue;
     text += (text.empty() ? "" : ", ") + comparison.groups[share.group].key + " " +
-            in_words(share.*value) +
+            as_limit(share.*value) +
             (share.largest ? " (" + counted(share.crossed, "passage") + ")" : "");
   }
   if (passage.all.largest) return text;
@@ -92,12 +92,12 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const State
            (all.crossed == 0 ? "" : "; speed there: " + limit + " " + speed_limit(all.speed))}};
   if (all.crossed == 0) return figures;
   figures.push_back({energy_limit(all.energy), "energy at " + words.name + ": " + limit, "",
-                     by_class(comparison, passage, &ShareAnswer::energy,
-                              &ShareAnswer::largest_energy, energy_limit)});
-  figures.push_back(
-      {height_limit(all.top), "top of the blocks at " + words.name + ": " + limit, "",
-       by_class(comparison, passage, &ShareAnswer::top, &ShareAnswer::largest_top, height_limit) +
-           "; centres " + height_limit(all.height)});
+                     by_class(comparison, passage, &ShareAnswer::energy, energy_limit,
+                              &ShareAnswer::largest_energy, energy_in_words)});
+  figures.push_back({height_limit(all.top), "top of the blocks at " + words.name + ": " + limit, "",
+                     by_class(comparison, passage, &ShareAnswer::top, height_limit,
+                              &ShareAnswer::largest_top, height_in_words) +
+                         "; centres " + height_limit(all.height)});
   return figures;
 }
 

@@ -77,10 +77,11 @@ StoredRun run_of_states(const PreparedCampaign& prepared, const RunRecord& plann
     contacts.max_spin = std::max(contacts.max_spin, state.angular_velocity.norm());
   }
   for (std::size_t i = 1; i < series.states.size(); ++i) {
-    MotionStep step{.begin_time = series.time[i - 1],
-                    .end_time = series.time[i],
-                    .begin = series.states[i - 1],
-                    .end = series.states[i]};
+    MotionStep step;
+    step.begin_time = series.time[i - 1];
+    step.end_time = series.time[i];
+    step.begin = series.states[i - 1];
+    step.end = series.states[i];
     step.flight = is_flight(body, step, gravity);
     result.path_length += path_length(body, step, gravity);
     for (std::uint32_t barrier = 0; barrier < prepared.header.barriers.size(); ++barrier) {

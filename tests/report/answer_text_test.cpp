@@ -72,7 +72,7 @@ TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
                 " farther than elongated ones (" + lengths_in_words(*gap.interval, decimals) +
                 "). " + share_in_words(passage.classes[0].share) + " of compact and " +
                 share_in_words(passage.classes[1].share) +
-                " of elongated blocks pass EC22; 95 % of these carry less than " +
+                " of elongated blocks pass EC22. Of those that pass, 95 % carry less than " +
                 energy_limit(passage.all.energy) + ", and the tops of 95 % stay below " +
                 height_limit(passage.all.top) + ".\n");
 }
@@ -159,7 +159,7 @@ TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
   const PassageAnswer& road = said.statements[0].passages[0];
   EXPECT_EQ(figures[2].more, "compact " + energy_limit(road.classes[0].energy) + ", elongated " +
                                  energy_limit(road.classes[1].energy) + "; largest " +
-                                 energy_limit(road.all.largest_energy));
+                                 energy_in_words(road.all.largest_energy));
   EXPECT_TRUE(figures[1].more.starts_with(std::to_string(road.all.crossed) + " of 192 runs; "))
       << figures[1].more;
   EXPECT_TRUE(contains(figures[3].label, "top of the blocks at the road")) << figures[3].label;
@@ -200,8 +200,8 @@ TEST(AnswerText, NobodyPassesIsNotNever) {
 TEST(AnswerText, EverybodyPassesIsSaidOnce) {
   CampaignResults results = made_up_results();
   add_barrier(results, "road", 1.0);
-  EXPECT_TRUE(
-      contains(sentences(std::move(results)), "All 192 runs pass the road (98 to 100 %); 95 %"));
+  EXPECT_TRUE(contains(sentences(std::move(results)),
+                       "All 192 runs pass the road (98 to 100 %). Of those"));
 }
 
 TEST(AnswerText, FewPassagesAreCountedNotRanked) {

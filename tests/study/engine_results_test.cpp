@@ -200,7 +200,8 @@ TEST_F(EngineResultsOf, WhatTakesContactsIsEmptyAndNotZero) {
   both.push_back(imported());
   run_campaign(plan_, *folder_ / "own.h5", {.threads = 1, .replace = true});
   both.push_back(read_results(*folder_ / "own.h5"));
-  const Comparison comparison = compare(std::move(both), {.by = {"engine"}, .measured = {}});
+  const Comparison comparison =
+      compare(std::move(both), {.by = {"engine"}, .measured = {}, .margin = {}});
   std::size_t empty = 0, filled = 0;
   for (const TableColumn<ComparisonRow<RunRow>>& column : run_columns()) {
     for (const char* name : {"max_penetration_m", "impacts", "contact_steps", "energy_normal_j",
@@ -230,8 +231,10 @@ TEST_F(EngineResultsOf, WhatTakesContactsIsEmptyAndNotZero) {
   EXPECT_EQ(warned, 1u);
   std::vector<CampaignResults> alone;
   alone.push_back(read_results(target()));
-  EXPECT_TRUE(contains(clast::refusal<InputError>(
-                           [&] { compare(std::move(alone), {.by = {"impacts"}, .measured = {}}); }),
+  EXPECT_TRUE(contains(clast::refusal<InputError>([&] {
+                         compare(std::move(alone),
+                                 {.by = {"impacts"}, .measured = {}, .margin = {}});
+                       }),
                        "do not tell their impacts"));
 }
 

@@ -71,7 +71,10 @@ TEST(Profiles, AreEmptyWithoutTrajectories) {
 TEST(Profiles, BarrierMeetsTheLeastEnergyBeyondThePeakWhereBlocksStillCome) {
   std::vector<ProfileBin> bins;
   const auto add = [&](std::size_t group, std::size_t runs, double energy) {
-    ProfileBin bin{.group = group, .from = 2.0 * static_cast<double>(bins.size()), .runs = runs};
+    ProfileBin bin;
+    bin.group = group;
+    bin.from = 2.0 * static_cast<double>(bins.size());
+    bin.runs = runs;
     bin.energy.p95 = energy;
     bins.push_back(bin);
   };
