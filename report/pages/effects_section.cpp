@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "report/charts/form_responses.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
@@ -31,6 +33,16 @@ std::string trends(const Comparison& comparison) {
   return html;
 }
 
+/// From so many on, shares of the blocks have intervals that say something.
+constexpr std::size_t kFewestBlocks = 6;
+
+/// Does no file have enough of its first factor, blocks or forms?
+bool few_blocks(const std::vector<DesignEffects>& effects) {
+  return std::all_of(effects.begin(), effects.end(), [](const DesignEffects& file) {
+    return file.factors.empty() || file.factors.front().levels < kFewestBlocks;
+  });
+}
+
 }  // namespace
 
 std::string effects_section(const Comparison& comparison) {
@@ -42,12 +54,17 @@ std::string effects_section(const Comparison& comparison) {
     file.refusal.clear();  // most campaigns are no such design, and need not be
   }
   if (!any) return "";
-  std::string sentences;
-  for (const std::string& sentence : effects_sentences(effects)) sentences += paragraph(sentence);
-  return section("Sources of variability",
-                 sentences + triangles(comparison) + trends(comparison) +
-                     paragraph("Shares are estimates for blocks, orientations and points like "
-                               "these, with 95 % intervals."));
+  std::string shares;
+  for (const std::string& sentence : effects_sentences(effects)) shares += paragraph(sentence);
+  shares += paragraph(
+      "Shares are estimates for blocks, orientations and points like these, with 95 % intervals.");
+  if (few_blocks(effects)) {
+    shares = paragraph(
+                 "There are too few blocks to say how much of what differs between runs goes with "
+                 "the block, and how much with the attitude in which it is released.") +
+             folded("Shares of the variance", shares);
+  }
+  return section("Sources of variability", shares + triangles(comparison) + trends(comparison));
 }
 
 }  // namespace clast::report_detail

@@ -23,6 +23,7 @@
 #include "study/path_rasters.hpp"
 #include "terrain/relief.hpp"
 #include "tests/study/hand_made_results.hpp"
+#include "tests/study/made_up_runs.hpp"
 #include "tests/support/markup.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -216,6 +217,14 @@ TEST(ReportCharts, HoldTheSharesOfEveryClass) {
   EXPECT_EQ(energy["x"], Json::parse("[1.4]"));
   EXPECT_EQ(energy["y"], Json::parse("[1.0]"));
   EXPECT_EQ(energy["mode"], "markers") << "too few for a curve";
+}
+
+// Two blocks say nothing of what share goes with the block: the numbers are folded away.
+TEST(HtmlReport, SharesOfFewBlocksAreFolded) {
+  const std::string page = report_of(compared(made_up_results()));
+  const std::size_t said = page.find("There are too few blocks to say");
+  ASSERT_NE(said, page.npos);
+  EXPECT_LT(said, page.find("<summary>Shares of the variance</summary>"));
 }
 
 TEST(ReportCharts, LargeSamplesAreThinnedToTheirEnds) {
