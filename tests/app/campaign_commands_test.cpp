@@ -112,7 +112,7 @@ TEST_F(Campaigns, CompareGroupsAnimatesAndHoldsAgainstMeasuredStops) {
   const ProgramRun effects =
       run_clast({"compare", "r.h5", "--summary", "--effects"}, folder.path());
   EXPECT_EQ(effects.exit_code, 0) << effects.err;
-  EXPECT_TRUE(contains(effects.out, "of the variance of the runout")) << effects.out;
+  EXPECT_TRUE(contains(effects.out, "of the runout's variance")) << effects.out;
   EXPECT_TRUE(contains(read_text_file(folder / "out/effects.csv"), "\n1,runout,"));
   expect_refused(folder, {"compare", "r.h5", "-o", "bad", "--by", "colour"}, 1, "colour");
   expect_refused(folder, {"compare", "r.h5", "-o", "bad", "--measured", "none.csv"}, 1, "none.csv");
