@@ -114,7 +114,7 @@ class Results(_Tables):
 
     def _comparison(self) -> Any:
         if "_compared" not in self.__dict__:
-            self._compared = _core.compare([self._data], [], None)
+            self._compared = _core.compare([self._data], [], None, None)
         return self._compared
 
     @property
