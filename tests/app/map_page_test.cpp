@@ -70,7 +70,7 @@ class MapPage : public SlopeCampaign {
 };
 
 TEST_F(MapPage, EveryRasterIsALayerWithItsColourBar) {
-  const Json probe = seen();
+  const Json probe = seen(1900);  // wide enough for a bar beside the map
   ASSERT_FALSE(probe.is_null()) << "the script of the page stopped";
   std::set<std::string> pictures;
   for (const auto& [name, layer] : probe["layers"].items()) {
