@@ -294,7 +294,7 @@ def test_results_of_another_engine_come_back(campaign, tmp_path):
     comparison = clast.compare([campaign.run(tmp_path / "own.h5"), other], by="engine")
     with open(comparison.report(tmp_path / "report"), encoding="utf-8") as page:
         text = page.read()
-    assert "rockable, read by clast" in text and "do not tell energy balance" in text
+    assert "rockable, read by clast" in text and "do not report energy balance" in text
     with open(tmp_path / "report" / "runs.csv", encoding="utf-8") as table:
         header, *rows = [line.rstrip("\n").split(",") for line in table]
     of_other = [row for row in rows if row[header.index("engine")] == "rockable"]

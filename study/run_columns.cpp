@@ -205,7 +205,7 @@ void append_column_groups(Comparison& comparison, const std::string& name) {
     const CampaignResults& results = comparison.results[row.file];
     if (!results.has_contacts() && is_of_contacts(name)) {
       throw InputError(results.file.string() + ": its runs, computed by " + results.engine +
-                       ", do not tell their " + name + ", so they can't be grouped by it");
+                       ", do not report their " + name + ", so they can't be grouped by it");
     }
     values.push_back(value_of(column.value({comparison, row})));
   }

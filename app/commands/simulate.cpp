@@ -97,7 +97,7 @@ void silence() {
 
 constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
 
-/// What the campaign could tell apart, judging by the runs that were tried.
+/// What the campaign could distinguish, judging by the runs that were tried.
 PlannedPower power_of(const SimulateArgs& args, const PreparedCampaign& prepared,
                       const TimeProbe& probe) {
   PlannedPower plan = planned_power(prepared, probe);

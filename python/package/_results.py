@@ -142,7 +142,7 @@ class Results(_Tables):
 
     @property
     def engine(self) -> str:
-        """That computed the runs: "clast", or "rockable" of imported ones, which tell nothing of
+        """That computed the runs: "clast", or "rockable" of imported ones, which report nothing of
         contacts."""
         return self._data.engine or "clast"
 
@@ -252,7 +252,7 @@ def import_results(
 ) -> Results:
     """Read what another engine computed of the scenes that `Campaign.export` wrote.
 
-    What the results can't tell is in their `warnings`.
+    What the results can't report is in their `warnings`.
 
     Args:
         engine: "rockable".

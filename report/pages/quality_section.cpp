@@ -87,7 +87,7 @@ std::string quality_section(const Comparison& comparison) {
   for (const CampaignResults& results : comparison.results) {
     if (results.has_contacts()) continue;
     without = paragraph("Runs that " + results.engine +
-                        " computed do not tell energy balance and penetration: the figures below "
+                        " computed do not report energy balance and penetration: the figures below "
                         "are without them.");
   }
   return section(

@@ -235,7 +235,7 @@ TEST_F(EngineResultsOf, WhatTakesContactsIsEmptyAndNotZero) {
                          compare(std::move(alone),
                                  {.by = {"impacts"}, .measured = {}, .margin = {}});
                        }),
-                       "do not tell their impacts"));
+                       "do not report their impacts"));
 }
 
 TEST_F(EngineResultsOf, OtherScenesAreRefused) {
