@@ -225,14 +225,15 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
   });
   const bool ground = read([&] { campaign.ground = read_ground(top); });
   const bool groups = ground && read([&] { campaign.groups = read_block_groups(top, campaign); });
-  if (groups) read([&] { campaign.ensemble = read_ensemble(top, campaign); });
+  const bool ensemble = groups && read([&] { campaign.ensemble = read_ensemble(top, campaign); });
   const bool releases = terrain && read([&] {
                           const std::string up =
                               up_axis(campaign.terrain.up, campaign.terrain.surface.front());
                           campaign.releases = read_releases(top, up == "y");
                         });
   if (blocks && groups && releases) {
-    read([&] { campaign.stay = read_stay_plan(top, campaign); });
+    const bool stay = read([&] { campaign.stay = read_stay_plan(top, campaign); });
+    if (stay && ensemble) read([&] { check_posterior_starts(top, campaign); });
   }
   read([&] { read_contact(top, campaign); });
   read([&] { campaign.barriers = read_barriers(top); });

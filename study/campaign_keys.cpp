@@ -127,7 +127,12 @@ KeyTable ensemble_table() {
             "",
             "by chance, or filling the space of the parameters evenly",
             {words({"random", "sobol"})}},
-           {"posterior", "", "posterior file whose draws the members have", {text()}}}};
+           {"posterior", "", "posterior file whose draws the members have", {text()}},
+           {"take",
+            "",
+            "tables whose parameters come from the posterior",
+            {words({"ground", "contact", "release"}),
+             list(words({"ground", "contact", "release"}), 1)}}}};
 }
 
 ValueForm point() { return list(number(kMapCoordinate), 2, 3); }

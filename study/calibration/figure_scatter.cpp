@@ -156,6 +156,25 @@ std::vector<Sample> by_points(const SiteBlocks& site, Random& random) {
   return samples;
 }
 
+/// The variance of means of a sample drawn from n others, with replacement, over the variance that
+/// this has on average: of one nothing is known.
+double bootstrap_factor(std::size_t n) {
+  const auto count = static_cast<double>(n);
+  return n < 2 ? 1.0 : count / (count - 1.0);
+}
+
+/// Scales the covariance of the figures of each observation by the factors of their blocks.
+void make_unbiased(const std::vector<const Observation*>& observations, const SiteBlocks& site,
+                   const std::vector<std::size_t>& drawn_from, MatrixXd& covariance) {
+  std::vector<double> roots;
+  for (std::size_t o = 0; o < observations.size(); ++o) {
+    const double factor = bootstrap_factor(drawn_from[site.of_observation[o]]);
+    roots.insert(roots.end(), observations[o]->figures.size(), std::sqrt(factor));
+  }
+  const auto root = Eigen::Map<const VectorXd>(roots.data(), static_cast<Index>(roots.size()));
+  covariance = root.asDiagonal() * covariance * root.asDiagonal();
+}
+
 /// Of n points a bootstrap gives (n - 1)/n of the variance, which is itself an estimate: what it is
 /// to be taken for follows Student's t with n - 1 degrees of freedom, whose variance is
 /// (n - 1)/(n - 3) times as large. Below four points it is taken as of four.
@@ -217,12 +236,20 @@ FigureScatter figure_scatter(const std::vector<const Observation*>& observations
     for (const Blocks& blocks : site.blocks) samples.push_back(draw(blocks));
     return samples;
   };
-  const Moments field = bootstrapped(observations, seen, site, false, [&] {
+  Moments field = bootstrapped(observations, seen, site, false, [&] {
     return of_each([&](const Blocks& blocks) { return as_in_field(blocks, random); });
   });
-  const Moments within = bootstrapped(observations, seen, site, true, [&] {
+  Moments within = bootstrapped(observations, seen, site, true, [&] {
     return of_each([&](const Blocks& blocks) { return one_by_one(blocks, blocks.rows, random); });
   });
+  std::vector<std::size_t> rows, field_draws;
+  for (const Blocks& blocks : site.blocks) {
+    rows.push_back(blocks.rows);
+    const bool by_point = !blocks.clusters.empty() && blocks.by_point.size() > 1;
+    field_draws.push_back(by_point ? blocks.by_point.size() : blocks.rows);
+  }
+  make_unbiased(observations, site, field_draws, field.covariance);
+  make_unbiased(observations, site, rows, within.covariance);
   FigureScatter scatter{field.mean, field.covariance, within.covariance,
                         MatrixXd::Zero(whole.size(), whole.size())};
   if (site.points.size() > 1) {

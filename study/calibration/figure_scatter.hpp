@@ -29,9 +29,10 @@ struct FigureScatter {
   Eigen::MatrixXd points;
 };
 
-/// By bootstraps of the releases: one by one, by whole release points, and as many as were
-/// released in the field, in clusters where field releases share starts. Observations of the same
-/// blocks, by shape and id, have the same draws; those of other blocks only the release points.
+/// By bootstraps of the releases, scaled to the variance that samples have on average: one by one,
+/// by whole release points, and as many as were released in the field, in clusters where field
+/// releases share starts. Observations of the same blocks, by shape and id, have the same draws;
+/// those of other blocks only the release points.
 /// @param observations  of one site
 /// @param seen          by each of them
 /// @cite field2007, wood2010

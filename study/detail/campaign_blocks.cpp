@@ -1,4 +1,4 @@
-// [blocks], [[block_group]], [ground.NAME] and [ensemble] of a campaign file.
+// [blocks], [[block_group]] and [ground.NAME] of a campaign file.
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +7,6 @@
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
-#include "core/sobol.hpp"
-#include "study/calibration/unknown.hpp"
 #include "study/campaign_keys.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
@@ -133,51 +131,6 @@ std::map<std::string, GroundTable> read_zones(const TomlNode& node, const std::s
   return ground;
 }
 
-std::size_t uncertain_numbers(const std::map<std::string, GroundTable>& ground) {
-  std::size_t count = 0;
-  for (const auto& [zone, table] : ground) {
-    for (const GroundField& field : ground_fields()) {
-      const std::optional<Uncertain>& asked = table.*field.asked;
-      if (asked && !asked->fixed()) ++count;
-    }
-  }
-  return count;
-}
-
-std::size_t uncertain_numbers(const Campaign& campaign) {
-  std::size_t count = uncertain_numbers(campaign.ground);
-  for (const BlockGroup& group : campaign.groups) count += uncertain_numbers(group.ground);
-  return count;
-}
-
-/// The draws that members take, which must have something of this ground.
-PosteriorDraws read_posterior(const TomlTable& table, const Campaign& campaign,
-                              const Ensemble& ensemble) {
-  const TomlNode& node = *table.find("posterior");
-  table.text("posterior");
-  PosteriorDraws posterior = read_posterior_draws(input_file(table, "posterior", node));
-  bool any = false;
-  for (const std::string& parameter : posterior.parameters) {
-    if (!is_of_ground(parameter)) {
-      table.refuse("posterior", node,
-                   "was calibrated with " + parameter +
-                       ", which is no parameter of the ground; members of an ensemble can't vary "
-                       "it: calibrate with a value for it");
-    }
-    any = any || has_parameter(campaign, parameter);
-  }
-  if (!any) {
-    table.refuse("posterior", node,
-                 "has no parameter of this ground, but " + listed(posterior.parameters));
-  }
-  if (ensemble.members > posterior.draws.size()) {
-    table.refuse(
-        "members", *table.find("members"),
-        "is more than the " + std::to_string(posterior.draws.size()) + " draws of the posterior");
-  }
-  return posterior;
-}
-
 }  // namespace
 
 BlockSelection read_blocks(const TomlTable& top) {
@@ -240,40 +193,6 @@ std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& 
     groups.push_back(std::move(group));
   }
   return groups;
-}
-
-Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
-  const bool anything = uncertain_numbers(campaign) > 0;
-  const TomlNode* node = top.find("ensemble");
-  if (!node) {
-    if (anything) {
-      throw InputError(top.file() +
-                       ": ground parameters are uncertain; say how often they are drawn, with "
-                       "[ensemble] members = N");
-    }
-    return {};
-  }
-  const TomlTable table(*node, top.file(), "[ensemble]", campaign_keys("ensemble"));
-  table.required("members", "how often the parameters are drawn, a whole number");
-  if (!anything && !table.find("posterior")) {
-    table.refuse(
-        "no ground parameter is uncertain; write for example friction = { uniform = [0.5, 0.8] }");
-  }
-  Ensemble ensemble;
-  ensemble.members = static_cast<std::uint32_t>(*table.count("members", 1, kMostPerSet));
-  ensemble.seed = table.count("seed", 0, INT64_MAX).value_or(ensemble.seed);
-  if (campaign_choice(table, "ensemble", "design") == "sobol") {
-    ensemble.design = Ensemble::Design::kSobol;
-    const std::size_t numbers = uncertain_numbers(campaign);
-    if (numbers > kMostSobolDimensions) {
-      table.refuse("design", *table.find("design"),
-                   "fills at most " + std::to_string(kMostSobolDimensions) +
-                       " uncertain parameters evenly, and there are " + std::to_string(numbers) +
-                       "; fix some, or leave design out");
-    }
-  }
-  if (table.find("posterior")) ensemble.posterior = read_posterior(table, campaign, ensemble);
-  return ensemble;
 }
 
 }  // namespace clast::study_detail

@@ -69,6 +69,9 @@ std::map<std::string, GroundTable> read_ground(const TomlTable& top);
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);
 /// @param campaign  with its ground and groups
 Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
+/// Can all releases have the starts that members take from a posterior?
+/// @param campaign  with its ensemble, releases and what stays
+void check_posterior_starts(const TomlTable& top, const Campaign& campaign);
 /// Corners in the plan; heights are left out.
 /// @throws InputError  fewer than three, or no points
 std::vector<Vec2> read_polygon(const TomlTable& table, const std::string& key,

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <optional>
 
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "core/random.hpp"
 #include "core/sobol.hpp"
-#include "core/statistics.hpp"
+#include "study/detail/member_settings.hpp"
 #include "study/detail/named_seed.hpp"
 #include "study/ground_fields.hpp"
 
@@ -54,31 +53,6 @@ void put(const PosteriorDraws& posterior, std::size_t draw, Values& values) {
       }
     }
   }
-}
-
-/// The median of each parameter, as a single draw.
-PosteriorDraws middle_of(const PosteriorDraws& posterior) {
-  PosteriorDraws middle{posterior.file, posterior.parameters, {{}}};
-  for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
-    std::vector<double> values;
-    for (const std::vector<double>& draw : posterior.draws) values.push_back(draw[i]);
-    std::sort(values.begin(), values.end());
-    middle.draws.front().push_back(quantile(values, 0.5));
-  }
-  return middle;
-}
-
-/// A different draw for every member, by chance; none without a posterior.
-std::vector<std::size_t> chosen_draws(const Ensemble& ensemble) {
-  if (!ensemble.posterior) return {};
-  std::vector<std::size_t> order(ensemble.posterior->draws.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  Random random(named_seed(ensemble.seed, "posterior"));
-  for (std::uint32_t member = 0; member < ensemble.members; ++member) {
-    std::swap(order[member], order[member + random.below(order.size() - member)]);
-  }
-  order.resize(ensemble.members);
-  return order;
 }
 
 /// One coordinate for each uncertain parameter, of blocks in no group first; none where members

@@ -13,6 +13,7 @@
 #include "dem/ground_overlap.hpp"
 #include "study/detail/campaign_checks.hpp"
 #include "study/detail/mass_starts.hpp"
+#include "study/detail/member_settings.hpp"
 #include "study/detail/named_seed.hpp"
 #include "study/detail/run_starts.hpp"
 #include "study/release_points.hpp"
@@ -89,7 +90,9 @@ void check_clear_of_ground(const PreparedCampaign& prepared, const GroundOverlap
 class Planner {
  public:
   explicit Planner(PreparedCampaign& prepared)
-      : prepared_(prepared), ground_overlaps_(prepared.bodies.size()) {
+      : prepared_(prepared),
+        settings_(member_settings(prepared.campaign)),
+        ground_overlaps_(prepared.bodies.size()) {
     for (const ReleasePlan& release : prepared.campaign.releases) {
       points_.push_back(
           local_points(prepared.campaign, release, *prepared.surface, prepared.header.frame));
@@ -113,11 +116,14 @@ class Planner {
                                      release.orientations.size())
                 : release.orientations;
         for (std::uint32_t turn = 0; turn < orientations.size(); ++turn) {
-          RunRecord run = start_of(block, set, of_set, orientations[turn]);
-          run.point = point;
-          run.orientation = turn;
-          check_clear(set, of_set, run);
+          RunRecord run;
           for (std::uint32_t member = 0; member < members; ++member) {
+            if (member < settings_.size()) {  // else it starts as the one before
+              run = start_of(block, set, of_set, member, orientations[turn]);
+              run.point = point;
+              run.orientation = turn;
+              check_clear(set, of_set, run);
+            }
             run.ground_set = static_cast<std::uint32_t>(chosen.group) * members + member;
             add(run);
           }
@@ -156,10 +162,11 @@ class Planner {
           release.fresh_orientations
               ? fresh_orientations(release, prepared_.choice.blocks[block].id, name, 1).front()
               : release.orientations[turn];
-      RunRecord run = start_of(block, 0, point, orientation);
+      const std::uint32_t member = realisation % campaign.ensemble.members;
+      RunRecord run = start_of(block, 0, point, member, orientation);
       run.point = static_cast<std::uint32_t>(point);
       run.orientation = release.fresh_orientations ? 0 : static_cast<std::uint32_t>(turn);
-      run.ground_set = realisation % campaign.ensemble.members;
+      run.ground_set = member;
       check_clear(0, point, run);
       add(run);
     }
@@ -177,8 +184,9 @@ class Planner {
     return order;
   }
 
-  RunRecord start_of(std::uint32_t block, std::size_t set, std::size_t of_set,
+  RunRecord start_of(std::uint32_t block, std::size_t set, std::size_t of_set, std::size_t member,
                      const Quat& orientation) const {
+    const ReleaseStart& start = settings_[std::min(member, settings_.size() - 1)].starts[set];
     const ReleasePlan& release = prepared_.campaign.releases[set];
     const Block& source = prepared_.choice.library[prepared_.choice.blocks[block].library];
     RunRecord run;
@@ -187,10 +195,10 @@ class Planner {
     run.start.orientation = release.in_principal_frame
                                 ? orientation
                                 : (orientation * source.source_from_body().rotation).normalized();
-    run.start.velocity = release.velocity;
-    run.start.angular_velocity = release.angular_velocity;
-    if (release.drop_height) {
-      place_above_ground(*prepared_.surface, prepared_.bodies[block], *release.drop_height,
+    run.start.velocity = start.velocity;
+    run.start.angular_velocity = start.angular_velocity;
+    if (start.drop_height) {
+      place_above_ground(*prepared_.surface, prepared_.bodies[block], *start.drop_height,
                          run.start);
     }
     return run;
@@ -214,6 +222,7 @@ class Planner {
   }
 
   PreparedCampaign& prepared_;
+  std::vector<MemberSettings> settings_;
   std::vector<std::vector<Vec3>> points_;                      ///< of each release set, local frame
   std::vector<std::optional<GroundOverlap>> ground_overlaps_;  ///< of blocks, as they are needed
   std::optional<MassStarts> mass_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "study/detail/member_settings.hpp"
 
 namespace clast::study_detail {
 namespace {
@@ -36,6 +37,7 @@ std::vector<std::string> settle_together(PreparedCampaign& prepared,
                                          const std::vector<ContactBody>& bodies,
                                          const std::vector<ContactGround>& grounds) {
   const Campaign& campaign = prepared.campaign;
+  const std::vector<MemberSettings> members = member_settings(campaign);
   const std::size_t each = prepared.header.stay->blocks_each;
   const ContactGround between =
       contact_ground(std::span(&campaign.stay->between_blocks, 1), campaign.stiffness.law);
@@ -51,8 +53,9 @@ std::vector<std::string> settle_together(PreparedCampaign& prepared,
                     grounds[run.ground_set]);
       together.push_back(bodies[run.block]);
     }
+    const std::size_t member = std::min<std::size_t>(runs.front().ground_set, members.size() - 1);
     const StiffnessChoice choice = choose_stiffness(together, worst.ground, worst.fastest,
-                                                    campaign.gravity, campaign.stiffness);
+                                                    campaign.gravity, members[member].stiffness);
     for (RunRecord& run : runs) {
       run.stiffness = choice.stiffness;
       run.rest_depth = choice.settled_depth;
@@ -70,17 +73,18 @@ std::vector<std::string> settle_together(PreparedCampaign& prepared,
 }  // namespace
 
 std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
-  const StiffnessOptions& options = prepared.campaign.stiffness;
+  const std::vector<MemberSettings> members = member_settings(prepared.campaign);
   const double gravity = prepared.campaign.gravity;
   const double lowest = prepared.surface->extent().low.z();
   std::vector<ContactGround> grounds;
   for (const GroundSet& set : prepared.header.ground_sets) {
-    grounds.push_back(contact_ground(set.zones, options.law));
+    grounds.push_back(contact_ground(set.zones, prepared.campaign.stiffness.law));
   }
   std::vector<ContactBody> bodies;
   for (const RigidBody& body : prepared.bodies) bodies.push_back(contact_body(body));
   if (prepared.header.stay) return settle_together(prepared, bodies, grounds);
-  const auto choose = [&](std::size_t block, const ContactGround& ground, double fastest) {
+  const auto choose = [&](std::size_t block, const ContactGround& ground, double fastest,
+                          const StiffnessOptions& options) {
     try {
       return choose_stiffness(std::span(&bodies[block], 1), ground, fastest, gravity, options);
     } catch (const SimulationError& error) {
@@ -91,7 +95,10 @@ std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
   std::vector<Worst> worst(bodies.size());
   for (RunRecord& run : prepared.runs) {
     const double fastest = fastest_speed(run, prepared.bodies[run.block], lowest, gravity);
-    const StiffnessChoice choice = choose(run.block, grounds[run.ground_set], fastest);
+    const std::uint32_t member = prepared.header.ground_sets[run.ground_set].member;
+    const StiffnessChoice choice =
+        choose(run.block, grounds[run.ground_set], fastest,
+               members[std::min<std::size_t>(member, members.size() - 1)].stiffness);
     run.stiffness = choice.stiffness;
     run.rest_depth = choice.settled_depth;
     run.impact_depth = choice.impact_depth;
@@ -99,10 +106,12 @@ std::vector<std::string> settle_stiffness(PreparedCampaign& prepared) {
     worst[run.block].include(fastest, grounds[run.ground_set]);
   }
 
+  const StiffnessOptions central = central_settings(prepared.campaign).stiffness;
   std::vector<std::string> warnings;
   std::size_t named = 0, others = 0;
   for (std::size_t block = 0; block < bodies.size(); ++block) {
-    const StiffnessChoice choice = choose(block, worst[block].ground, worst[block].fastest);
+    const StiffnessChoice choice =
+        choose(block, worst[block].ground, worst[block].fastest, central);
     if (choice.warnings.empty()) continue;
     if (named == kMostNamed) {
       ++others;

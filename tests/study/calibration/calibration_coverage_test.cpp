@@ -55,6 +55,32 @@ TEST(CalibrationCoverage, IntervalsHaveTheTruthAsOftenAsTheySay) {
   EXPECT_LT(fifty.failed_kept, 8u);
 }
 
+// Six single impacts each, nothing else.
+TEST(CalibrationCoverage, IntervalsFromImpactsAloneHaveTheTruth) {
+  Random truths(4711);
+  std::size_t intervals = 0, covering = 0, failed = 0;
+  for (std::uint64_t study = 1; study <= 50; ++study) {
+    MadeUpStudy made(32, 60, study);
+    const std::size_t throws = made.add_throws();
+    std::vector<double> truth;
+    for (const Unknown& unknown : made.study.unknowns) {
+      truth.push_back(unknown.value(truths.uniform()));
+    }
+    made.observe_throws(throws, {}, truth, 5 * study);
+    const CalibrationPosterior posterior = made.posterior();
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      ++intervals;
+      if (covers(posterior.marginals[i], truth[i])) ++covering;
+    }
+    if (posterior.fitted.failed()) ++failed;
+  }
+  const double share = static_cast<double>(covering) / static_cast<double>(intervals);
+  EXPECT_GE(share, 0.90);
+  EXPECT_LE(share, 0.99);
+  // With the variance of a bootstrap as it is, 9 of the 50 failed.
+  EXPECT_LT(failed, 8u);
+}
+
 TEST(CalibrationCoverage, AWrongLawIsNoticed) {
   const Fifty fifty = fifty_studies(6.0);
   EXPECT_GE(fifty.failed_fits, 45u);

@@ -1,4 +1,5 @@
 // Campaigns whose members have the ground of draws from a posterior.
+#include <algorithm>
 #include <set>
 
 #include "study/calibration/calibrate.hpp"
@@ -49,6 +50,52 @@ TEST_F(PosteriorEnsemble, MembersHaveTheGroundOfDifferentDraws) {
             plan.header.ground_sets[7].zones[0].friction);
 }
 
+TEST_F(PosteriorEnsemble, MembersStartAndTouchAsTheirDrawsSay) {
+  write({"release.velocity_x_m_s", "release.spin_y_rad_s"});
+  Campaign campaign = this->campaign(with_posterior("take = \"release\"\n"));
+  // As if a stiffness had been calibrated in place of the spin.
+  PosteriorDraws& posterior = *campaign.ensemble.posterior;
+  posterior.parameters[1] = "contact.rolling_stiffness_n_m_rad";
+  for (std::vector<double>& draw : posterior.draws) draw[1] *= 1e6;
+  const PreparedCampaign plan = prepare_campaign(campaign);
+  std::set<std::vector<double>> drawn(posterior.draws.begin(), posterior.draws.end()), taken;
+  for (const RunRecord& run : plan.runs) {
+    const std::vector<double> own = {run.start.velocity.x(), run.stiffness.rolling};
+    EXPECT_TRUE(drawn.contains(own));
+    taken.insert(own);
+    EXPECT_EQ(run.start.velocity.y(), 0.0);
+    EXPECT_EQ(plan.header.ground_sets[run.ground_set].zones[0].friction, 0.4);
+  }
+  EXPECT_GT(taken.size(), 35u);
+}
+
+TEST_F(PosteriorEnsemble, HeightsAboveTheGroundAreThoseOfTheDraws) {
+  write({"ground.slope.friction", "release.height_m"});
+  const PosteriorDraws posterior = read_posterior_draws(*folder_ / "posterior.h5");
+  const auto taking = [](const std::string& take) {
+    return replaced_once(with_posterior("take = " + take + "\n"), "[release]\n",
+                         "[release]\nheight_m = 2\n");
+  };
+  const PreparedCampaign plan = prepared(taking("[\"ground\", \"release\"]"));
+  const PreparedCampaign ground = prepared(taking("\"ground\""));
+  ASSERT_EQ(plan.runs.size(), ground.runs.size());
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    const RunRecord& run = plan.runs[i];
+    const double friction = plan.header.ground_sets[run.ground_set].zones[0].friction;
+    const auto draw = std::find_if(posterior.draws.begin(), posterior.draws.end(),
+                                   [&](const auto& one) { return one[0] == friction; });
+    ASSERT_NE(draw, posterior.draws.end());
+    // The campaign's own height is not used; the ground is that of the same draw.
+    EXPECT_NEAR(run.start.position.z() - ground.runs[i].start.position.z(), (*draw)[1] - 2.0,
+                1e-12);
+    EXPECT_EQ(ground.header.ground_sets[ground.runs[i].ground_set].zones[0].friction, friction);
+  }
+  EXPECT_TRUE(
+      contains(clast::refusal<Error>([&] { campaign(with_posterior("take = \"release\"\n")); }),
+               "the posterior has release.height_m, and a release of this campaign starts at given "
+               "heights"));
+}
+
 TEST_F(PosteriorEnsemble, OtherParametersMayBeUncertainToo) {
   write({"ground.slope.friction", "ground.flat.rolling_friction"});
   const std::string text = replaced_once(with_posterior("design = \"sobol\"\n"), "friction = 0.6",
@@ -74,7 +121,14 @@ TEST_F(PosteriorEnsemble, WhatDoesNotFitIsRefused) {
   write({"ground.slope.friction", "release.height_m"});
   EXPECT_TRUE(
       contains(refused(with_posterior()),
-               "was calibrated with release.height_m, which is no parameter of the ground"));
+               "was calibrated with release.height_m too; say which tables members have from it: "
+               "take = [\"ground\", \"release\"], or fewer"));
+  EXPECT_TRUE(contains(refused(with_posterior("take = \"start\"\n")),
+                       "take = \"start\": \"start\" is none of ground, contact, release"));
+  EXPECT_TRUE(contains(refused(with_posterior("take = [\"ground\", \"contact\"]\n")),
+                       "the posterior has no parameter of \"contact\", but ground.slope.friction"));
+  EXPECT_TRUE(contains(refused(campaign_text() + "[ensemble]\nmembers = 4\ntake = \"ground\"\n"),
+                       "no ground parameter is uncertain"));
   write({"ground.slope.friction", "ground.flat.rolling_friction"});
   EXPECT_TRUE(contains(refused(replaced_once(with_posterior(), "= 40", "= 4000")),
                        "members = 4000: is more than the 1000 draws of the posterior"));
