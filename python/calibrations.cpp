@@ -11,6 +11,7 @@
 #include "report/calibration_report.hpp"
 #include "report/json/calibration_json.hpp"
 #include "report/text/calibration_text.hpp"
+#include "study/results_place.hpp"
 
 namespace clast::python_detail {
 
@@ -35,14 +36,20 @@ TableValues draws_of(const Calibration& calibration) {
   return table;
 }
 
-/// (page, table of draws, what `clast calibrate --json` prints)
-py::tuple calibrate_study(const fs::path& study, const fs::path& output, const py::dict& keywords,
-                          const py::object& progress) {
-  Keywords given(keywords);
+CalibrateOptions common_options(Keywords& given) {
   CalibrateOptions options;
   given.take("threads", options.threads);
   given.take("resume", options.resume);
   given.take("replace", options.replace);
+  return options;
+}
+
+/// (page, table of draws, what `clast calibrate --json` prints)
+py::tuple calibrate_study(const fs::path& study, const fs::path& output, const py::dict& keywords,
+                          const py::object& progress) {
+  Keywords given(keywords);
+  CalibrateOptions options = common_options(given);
+  given.take("parts", options.parts);
   given.done();
   const Calibration found = watched(progress, [&](const Progress& step) {
     options.progress = step;
@@ -52,8 +59,28 @@ py::tuple calibrate_study(const fs::path& study, const fs::path& output, const p
                         object_of(calibration_json(found)));
 }
 
+/// The file of the shard.
+std::string calibrate_shard(const fs::path& study, const fs::path& output,
+                            const std::pair<std::uint32_t, std::uint32_t>& shard,
+                            const py::dict& keywords, const py::object& progress) {
+  Keywords given(keywords);
+  CalibrateOptions options = common_options(given);
+  given.done();
+  options.shard = {shard.first, shard.second};
+  options.shard.check();
+  const fs::path target = shard_output(output, options.shard);
+  watched(progress, [&](const Progress& step) {
+    options.progress = step;
+    return calibrate(read_calibration_study(study), target, options);
+  });
+  return target.string();
+}
+
 }  // namespace
 
-void bind_calibrations(py::module_& module) { module.def("calibrate", &calibrate_study); }
+void bind_calibrations(py::module_& module) {
+  module.def("calibrate", &calibrate_study);
+  module.def("calibrate_shard", &calibrate_shard);
+}
 
 }  // namespace clast::python_detail

@@ -112,3 +112,13 @@ def test_an_interrupted_calibration_goes_on(mine, study, tmp_path):
     assert steps[0]["total"] == 8 and not (tmp_path / "p.h5").exists()
     again = clast.calibrate(study, tmp_path / "p.h5", resume=True)
     assert all(np.array_equal(again.posterior[name], mine.posterior[name]) for name in mine.posterior)
+
+
+def test_shards_joined_are_the_whole(mine, study, tmp_path):
+    parts = [clast.calibrate_shard(study, tmp_path / "p.h5", shard=(i, 2)) for i in (1, 2)]
+    assert parts == [str(tmp_path / f"p.{i}of2.h5") for i in (1, 2)]
+    whole = clast.calibrate(study, tmp_path / "p.h5", parts=parts)
+    for name in mine.posterior:
+        assert np.array_equal(whole.posterior[name], mine.posterior[name])
+    with pytest.raises(clast.InputError, match="member 2 of 8 is in none of the parts"):
+        clast.calibrate(study, tmp_path / "q.h5", parts=parts[:1])

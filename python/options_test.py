@@ -23,7 +23,7 @@ CALLS = {
     "check": [clast.Campaign],
     "simulate": [type(clast.Campaign().run).__call__, clast.Campaign.dry_run, clast.merge_results],
     "vary": [clast.vary],
-    "calibrate": [clast.calibrate],
+    "calibrate": [clast.calibrate, clast.calibrate_shard],
     "import": [clast.import_results],
     "compare": [clast.compare, clast.Comparison.report],
 }
@@ -41,6 +41,7 @@ ELSEWHERE = {
     ("simulate", "json"): clast.Results.summary,
     ("terrain", "json"): clast.Terrain.report,
     ("calibrate", "json"): clast.Calibration.to_dict,
+    ("calibrate", "merge"): clast.calibrate,  # parts
     ("import", "json"): clast.Results.summary,
     ("simulate", "merge"): clast.merge_results,
     ("simulate", "dry_run"): clast.Campaign.dry_run,

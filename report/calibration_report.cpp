@@ -16,14 +16,27 @@ std::filesystem::path calibration_page_file(const std::filesystem::path& target)
   return page.replace_extension(".html");
 }
 
-Calibration calibrate_with_page(const CalibrationStudy& study, const std::filesystem::path& target,
-                                const CalibrateOptions& options) {
+namespace {
+
+OutputRules page_rules(const std::filesystem::path& target, const CalibrateOptions& options) {
   const std::filesystem::path page = calibration_page_file(target);
   const bool replace = options.replace || options.resume;
   check_output(target, {.kind = kPosteriorFormat, .replace = replace});
-  const OutputRules rules = check_output(page, {.kind = kind_by_name(page), .replace = replace});
+  return check_output(page, {.kind = kind_by_name(page), .replace = replace});
+}
+
+}  // namespace
+
+void check_calibration_output(const std::filesystem::path& target,
+                              const CalibrateOptions& options) {
+  page_rules(target, options);
+}
+
+Calibration calibrate_with_page(const CalibrationStudy& study, const std::filesystem::path& target,
+                                const CalibrateOptions& options) {
+  const OutputRules rules = page_rules(target, options);
   Calibration calibration = calibrate(study, target, options);
-  write_output(page, calibration_page(calibration), rules);
+  write_output(calibration_page_file(target), calibration_page(calibration), rules);
   return calibration;
 }
 

@@ -1,13 +1,11 @@
 #include "study/campaign_runner.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <exception>
 #include <mutex>
-#include <thread>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -16,6 +14,7 @@
 #include "study/detail/realisation.hpp"
 #include "study/detail/results_journal.hpp"
 #include "study/runout.hpp"
+#include "study/team_work.hpp"
 
 namespace clast {
 
@@ -118,71 +117,6 @@ std::vector<StoredRun> unpacked_together(const std::string& bytes) {
     at += length;
   }
   return runs;
-}
-
-// The processes that do not lead: runs as they are handed out, until there are none.
-void follow(const PreparedCampaign& prepared, unsigned threads, ProcessTeam& team) {
-  std::mutex one_at_a_time;
-  parallel_for(threads, threads, [&](std::size_t) {
-    std::string done;
-    while (true) {
-      std::optional<std::size_t> next;
-      {
-        const std::lock_guard lock(one_at_a_time);
-        next = team.exchange(done);
-      }
-      if (!next) return;
-      done = packed_together(runs_from(prepared, static_cast<std::uint32_t>(*next)));
-    }
-  });
-}
-
-// The process that leads: its own threads compute beside the other processes, its first one waits
-// for what they hand in. MPI can't sleep until something comes without burning a core, so it looks
-// this often. What ends the campaign early is returned once every process knows of it.
-constexpr std::chrono::microseconds kLookAround(500);
-
-std::exception_ptr lead(const PreparedCampaign& prepared, const std::vector<std::uint32_t>& open,
-                        unsigned threads, ProcessTeam& team, Collector& collector) {
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> stop{false};
-  std::mutex failure_mutex;
-  std::exception_ptr failure;
-  const auto guarded = [&](const std::function<void()>& action) {
-    try {
-      action();
-    } catch (...) {
-      const std::lock_guard lock(failure_mutex);
-      if (!failure) failure = std::current_exception();
-      stop = true;
-    }
-  };
-  const auto take = [&]() -> std::optional<std::size_t> {
-    if (stop) return std::nullopt;
-    const std::size_t item = next++;
-    return item < open.size() ? std::optional<std::size_t>(open[item]) : std::nullopt;
-  };
-  std::vector<std::jthread> workers;
-  for (unsigned i = 0; i < threads; ++i) {
-    workers.emplace_back([&] {
-      while (const std::optional<std::size_t> run = take()) {
-        guarded([&] { collector.compute(prepared, static_cast<std::uint32_t>(*run)); });
-      }
-    });
-  }
-  for (std::size_t waiting = std::size_t{team.size() - 1} * threads; waiting > 0;) {
-    const std::optional<ProcessTeam::Delivery> delivery = team.delivery();
-    if (!delivery) {
-      std::this_thread::sleep_for(kLookAround);
-      continue;
-    }
-    if (!delivery->done.empty()) guarded([&] { collector.add(unpacked_together(delivery->done)); });
-    const std::optional<std::size_t> run = take();
-    team.answer(delivery->from, run);
-    if (!run) --waiting;
-  }
-  workers.clear();
-  return failure;
 }
 
 // The first runs of those that are computed together, of the shard, and not all stored yet.
@@ -340,17 +274,16 @@ void run_campaign(const PreparedCampaign& prepared, const std::filesystem::path&
     return;
   }
   team->agree(open_results);
-  team->begin();
-  std::exception_ptr failure;
   if (team->leads()) {
     Collector collector(*writer, runs, options);
-    failure = lead(prepared, open, threads, *team, collector);
+    lead_work(
+        *team, open, threads, [&](std::uint32_t run) { collector.compute(prepared, run); },
+        [&](const std::string& done) { collector.add(unpacked_together(done)); });
+    writer->finish();
   } else {
-    follow(prepared, threads, *team);
+    follow_work(*team, threads,
+                [&](std::uint32_t run) { return packed_together(runs_from(prepared, run)); });
   }
-  team->end();
-  if (failure) std::rethrow_exception(failure);
-  if (writer) writer->finish();
 }
 
 }  // namespace clast

@@ -2,19 +2,24 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/shared_runs.hpp"
 #include "app/interruption.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "app/progress_bar.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "report/calibration_report.hpp"
 #include "report/json/calibration_json.hpp"
 #include "report/text/calibration_text.hpp"
+#include "study/results_place.hpp"
 
 namespace clast {
 
@@ -27,6 +32,8 @@ struct CalibrateArgs {
   bool resume = false;
   bool replace = false;
   bool json = false;
+  std::string shard;
+  std::vector<std::string> parts;
 };
 
 void print_calibration(const Calibration& calibration, const std::filesystem::path& page) {
@@ -42,16 +49,30 @@ void print_calibration(const Calibration& calibration, const std::filesystem::pa
             << printable(page.string()) << "\n";
 }
 
-void calibrate_study(const CalibrateArgs& args) {
-  const CalibrationStudy study = read_calibration_study(args.study);
-  std::filesystem::path page;
-  check_usage([&] { page = calibration_page_file(args.output); });
+void print_members(const Calibration& calibration, const Shard& shard) {
+  std::size_t members = 0;
+  for (std::uint32_t i = 0; i < calibration.study.design.members; ++i) members += shard.has(i);
+  std::cout << printable(calibration.file.string()) << ": " << members << " of "
+            << counted(calibration.study.design.members, "member")
+            << " simulated. When those of all shards are, join them: clast calibrate "
+            << printable(calibration.study.file.string()) << " --merge PARTS\n";
+}
+
+/// The file itself or that of the shard.
+void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptions options,
+                    const std::filesystem::path& output, const std::string& again) {
+  std::optional<CalibrationStudy> read;
+  const bool whole = options.shard.count == 1;
+  team.agree([&] {
+    read.emplace(read_calibration_study(args.study));
+    if (team.leads() && whole) check_calibration_output(output, options);
+    return std::string();
+  });
+  const CalibrationStudy& study = *read;
+  options.team = &team;
+  if (!team.leads()) return follow_calibration(study, options);
   ProgressBar bar("members", study.sites.size() * study.design.members);
   const InterruptionWatch watch;
-  CalibrateOptions options;
-  options.threads = args.threads;
-  options.resume = args.resume;
-  options.replace = args.replace;
   bool started = false;
   options.progress = [&](const ProgressStep& step) {
     if (!std::exchange(started, true)) bar.start_from(step.before);
@@ -59,17 +80,35 @@ void calibrate_study(const CalibrateArgs& args) {
     if (!watch.interrupted() || step.done == step.total) return;
     bar.clear();
     throw SimulationError("interrupted; " + std::to_string(step.done) + " of " +
-                          std::to_string(step.total) +
-                          " members are kept. Go on with: clast calibrate " + args.study + " -o " +
-                          args.output + " --resume");
+                          std::to_string(step.total) + " members are kept. Go on with: " + again +
+                          " --resume");
   };
-  const Calibration calibration = calibrate_with_page(study, args.output, options);
+  const Calibration calibration =
+      whole ? calibrate_with_page(study, output, options) : calibrate(study, output, options);
   bar.clear();
-  if (args.json) {
+  if (!whole) {
+    print_members(calibration, options.shard);
+  } else if (args.json) {
     std::cout << calibration_json(calibration).dump(2) << "\n";
   } else {
-    print_calibration(calibration, page);
+    print_calibration(calibration, calibration_page_file(output));
   }
+}
+
+void calibrate_study(const CalibrateArgs& args) {
+  CalibrateOptions options;
+  options.threads = args.threads;
+  options.resume = args.resume;
+  options.replace = args.replace;
+  options.parts.assign(args.parts.begin(), args.parts.end());
+  const std::optional<Shard> shard = shard_from(args.shard);
+  options.shard = shard.value_or(Shard());
+  check_usage([&] { calibration_page_file(args.output); });
+  const std::string again = "clast calibrate " + args.study + " -o " + args.output +
+                            (args.shard.empty() ? "" : " --shard " + args.shard);
+  run_in_team([&](ProcessTeam& team) {
+    calibrate_with(team, args, options, shard_output(args.output, shard), again);
+  });
 }
 
 }  // namespace
@@ -90,16 +129,36 @@ void add_calibrate(CLI::App& app) {
       ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
-  command->add_flag("--resume", args->resume,
-                    "Take over the members that an interrupted calibration, or one with other "
-                    "observations, has simulated");
+  CLI::Option* resume =
+      command->add_flag("--resume", args->resume,
+                        "Take over the members that an interrupted calibration, or one with other "
+                        "observations, has simulated");
   command->add_flag("--replace", args->replace, "Replace the posterior that FILE holds");
-  command->add_flag("--json", args->json, "Print the summary as JSON");
+  CLI::Option* shard =
+      command
+          ->add_option(
+              "--shard", args->shard,
+              "Simulate every n-th member only, from the i-th on, infer nothing, and write "
+              "FILE with .IofN before its extension")
+          ->type_name("I/N");
+  command
+      ->add_option("--merge", args->parts,
+                   "Take the members from the files of all shards instead of simulating them")
+      ->type_name("PARTS")
+      ->excludes(shard)
+      ->excludes(resume);
+  command->add_flag("--json", args->json, "Print the summary as JSON")->excludes(shard);
   command->footer(
       "Simulates sets of parameters that fill their ranges evenly, learns how the observed figures "
       "depend on them, and draws the parameters that explain what was observed.\nCtrl-C stops "
       "after the current member; --resume continues from there. Results do not depend on "
-      "--threads.\nExample:\n  clast calibrate study.toml -o posterior.h5");
+      "--threads, on --shard, or on\nthe processes of mpirun, which have one thread each unless "
+      "--threads says otherwise.\nExamples:\n"
+      "  clast calibrate study.toml -o posterior.h5\n"
+      "  mpirun -n 8 clast calibrate study.toml -o posterior.h5\n"
+      "  clast calibrate study.toml -o posterior.h5 --shard "
+      "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT\n"
+      "  clast calibrate study.toml -o posterior.h5 --merge posterior.*of4.h5");
   command->callback([args] { calibrate_study(*args); });
 }
 

@@ -5,12 +5,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
-#include <streambuf>
 #include <utility>
 
 #include "app/commands/campaign_summary.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/shared_runs.hpp"
 #include "app/interruption.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
@@ -45,23 +44,6 @@ struct SimulateArgs {
   std::vector<std::string> parts;
 };
 
-/// "2/4".
-/// @throws CLI::ValidationError  anything else
-Shard shard_from(const std::string& text) {
-  Shard shard;
-  if (text.empty()) return shard;
-  std::istringstream words(text);
-  char slash = 0;
-  const bool whole = text.find_first_not_of("0123456789/") == std::string::npos &&
-                     static_cast<bool>(words >> shard.index >> slash >> shard.count) &&
-                     slash == '/' && words.peek() == std::istringstream::traits_type::eof();
-  if (!whole) {
-    throw CLI::ValidationError("--shard: \"" + text + "\" is not of the form i/n, for example 2/4");
-  }
-  check_usage([&] { shard.check(); });
-  return shard;
-}
-
 /// @param done  what became of the file
 void print_results(const std::filesystem::path& file, const SimulateArgs& args,
                    nlohmann::ordered_json summary, const std::string& done = "written") {
@@ -81,18 +63,6 @@ void join_parts(const SimulateArgs& args) {
   check_results_place(target, args.replace);
   merge_results({args.parts.begin(), args.parts.end()}, target);
   print_results(target, args, nlohmann::ordered_json::object());
-}
-
-/// Only the process that leads speaks; what others have to say reaches it through `agree`.
-void silence() {
-  // Streams that swallow everything stay good, unlike closed ones, which main calls a failure.
-  struct Swallow : std::streambuf {
-    int overflow(int character) override { return traits_type::not_eof(character); }
-  };
-  // Never destroyed: the streams are flushed after everything else.
-  static Swallow& swallow = *new Swallow;
-  std::cout.rdbuf(&swallow);
-  std::cerr.rdbuf(&swallow);
 }
 
 constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
@@ -149,11 +119,12 @@ std::string fingerprint(const PreparedCampaign& prepared) {
   return text;
 }
 
-void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& shard) {
+void simulate_with(ProcessTeam& team, const SimulateArgs& args,
+                   const std::optional<Shard>& given_shard) {
+  const Shard shard = given_shard.value_or(Shard());
   std::optional<PreparedCampaign> plan;
   bool finished = false;
-  const std::filesystem::path output =
-      shard_output(args.output, args.shard.empty() ? std::nullopt : std::optional(shard));
+  const std::filesystem::path output = shard_output(args.output, given_shard);
   const std::filesystem::path part = partial_results(output);
   team.agree([&] {
     const bool begun = std::filesystem::exists(part);
@@ -206,16 +177,8 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args, const Shard& sha
 
 void simulate(const SimulateArgs& args) {
   if (!args.parts.empty()) return join_parts(args);
-  const Shard shard = shard_from(args.shard);
-  ProcessTeam team;
-  if (team.leads()) return simulate_with(team, args, shard);
-  silence();
-  try {
-    simulate_with(team, args, shard);
-  } catch (const Error&) {
-    // The leader knows, says why and fails. mpirun ends all as soon as one fails: it must be the
-    // first to do so, or its message is lost.
-  }
+  const std::optional<Shard> shard = shard_from(args.shard);
+  run_in_team([&](ProcessTeam& team) { simulate_with(team, args, shard); });
 }
 
 }  // namespace

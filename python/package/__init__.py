@@ -20,7 +20,7 @@ from clast._blocks import (
     reconstruct_batch,
     vary,
 )
-from clast._calibrations import Calibration, calibrate
+from clast._calibrations import Calibration, calibrate, calibrate_shard
 from clast._campaigns import Campaign, CampaignTable, campaign_schema, new_campaign
 from clast._core import (
     Block,
@@ -64,6 +64,7 @@ __all__ = [
     "World",
     "__version__",
     "calibrate",
+    "calibrate_shard",
     "campaign_schema",
     "classify",
     "compare",

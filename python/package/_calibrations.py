@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import copy
 import html
+import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from clast import _core
@@ -83,6 +85,7 @@ def calibrate(
     threads: int = 0,
     resume: bool = False,
     replace: bool = False,
+    parts: Sequence[PathLike] = (),
     progress: Progress | None = None,
 ) -> Calibration:
     """Find ground parameters from what was observed, with their uncertainty.
@@ -96,8 +99,35 @@ def calibrate(
         resume: takes over the members that an interrupted calibration, or one with other
             observations, has simulated.
         replace: the posterior that the file holds.
+        parts: files of all shards, whose members are taken instead of simulating them.
         progress: called now and then with a dict: done, total, before, what.
     """
-    options = dict(threads=threads, resume=resume, replace=replace)
+    options = dict(
+        threads=threads, resume=resume, replace=replace, parts=[os.fspath(part) for part in parts]
+    )
     page, draws, found = _core.calibrate(study, output, options, progress)
     return Calibration(page, made(draws), found)
+
+
+def calibrate_shard(
+    study: PathLike,
+    output: PathLike = "posterior.h5",
+    *,
+    shard: tuple[int, int],
+    threads: int = 0,
+    resume: bool = False,
+    replace: bool = False,
+    progress: Progress | None = None,
+) -> str:
+    """Simulate a part of the members of a calibration, for `calibrate` to join as `parts`.
+
+    Args:
+        study, threads, resume, replace, progress: as of `calibrate`.
+        output: the file is named after it, with ".2of4" before its extension.
+        shard: (i, n): every n-th member only, from the i-th on.
+
+    Returns:
+        The path of the file, which has no posterior.
+    """
+    options = dict(threads=threads, resume=resume, replace=replace)
+    return _core.calibrate_shard(study, output, shard, options, progress)

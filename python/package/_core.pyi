@@ -176,6 +176,9 @@ def new_campaign(
 def calibrate(
     study: Path, output: Path, options: dict[str, Any], progress: Progress
 ) -> tuple[str, TableParts, dict[str, Any]]: ...
+def calibrate_shard(
+    study: Path, output: Path, shard: tuple[int, int], options: dict[str, Any], progress: Progress
+) -> str: ...
 def import_results(
     engine: str, scenes: Path, output: Path, options: dict[str, Any], progress: Progress
 ) -> tuple[int, int, list[str]]: ...

@@ -1,7 +1,6 @@
 #include "study/calibration/calibrate.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
 #include "core/digest.hpp"
@@ -10,15 +9,15 @@
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "core/version.hpp"
+#include "study/calibration/member_runs.hpp"
 #include "study/calibration/site_simulator.hpp"
 
 namespace clast {
+
+using namespace study_detail;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Members are kept this often at most, s: a kill costs no more.
-constexpr double kKeepAfter = 20.0;
 
 /// All that decides what is simulated. Paths may differ from machine to machine.
 std::string design_digest(const CalibrationStudy& study, const std::vector<std::string>& inputs) {
@@ -50,9 +49,41 @@ void check_moments(const fs::path& from, const CalibrationSimulator& simulator,
   }
 }
 
-/// The members that are there already.
-StoredCalibration begun(const CalibrationStudy& study, const CalibrationSimulator& simulator,
-                        const fs::path& target, const CalibrateOptions& options) {
+/// @param next  what to do about it
+void check_design(const fs::path& from, const StoredCalibration& stored,
+                  const StoredCalibration& asked, const std::string& next) {
+  if (stored.design_sha256 == asked.design_sha256) return;
+  throw InputError(from.string() +
+                   ": was begun with other sites, unknowns, members, inputs or program; " + next);
+}
+
+/// Takes over the members of the parts, which are of the same design and have all together.
+StoredCalibration joined(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+                         const CalibrateOptions& options, StoredCalibration all) {
+  for (const fs::path& part : options.parts) {
+    StoredCalibration stored = read_calibration_runs(part);
+    check_design(part, stored, all, "simulate that shard of this study");
+    check_moments(part, simulator, stored);
+    for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
+      for (std::uint32_t member = 0; member < study.design.members; ++member) {
+        if (!stored.done[site][member]) continue;
+        all.done[site][member] = true;
+        all.runs.outcomes[site][member] = std::move(stored.runs.outcomes[site][member]);
+      }
+    }
+  }
+  for (const std::vector<bool>& site : all.done) {
+    const auto missing = std::find(site.begin(), site.end(), false);
+    if (missing == site.end()) continue;
+    throw InputError("member " + std::to_string(missing - site.begin() + 1) + " of " +
+                     std::to_string(study.design.members) +
+                     " is in none of the parts; give the files of all shards, each finished");
+  }
+  return all;
+}
+
+StoredCalibration without_members(const CalibrationStudy& study,
+                                  const CalibrationSimulator& simulator) {
   StoredCalibration fresh;
   fresh.inputs = simulator.inputs;
   fresh.design_sha256 = design_digest(study, simulator.inputs);
@@ -60,16 +91,20 @@ StoredCalibration begun(const CalibrationStudy& study, const CalibrationSimulato
   fresh.done.assign(simulator.sites.size(), std::vector<bool>(study.design.members, false));
   fresh.runs.outcomes.assign(simulator.sites.size(),
                              std::vector<std::vector<ReleaseOutcome>>(study.design.members));
+  return fresh;
+}
+
+/// The members that are there already.
+StoredCalibration begun(const CalibrationStudy& study, const CalibrationSimulator& simulator,
+                        const fs::path& target, const CalibrateOptions& options) {
+  StoredCalibration fresh = without_members(study, simulator);
+  if (!options.parts.empty()) return joined(study, simulator, options, std::move(fresh));
   if (!options.resume) return fresh;
   const fs::path partial = partial_calibration(target);
   const fs::path from = fs::exists(partial) ? partial : target;
   if (!fs::exists(from)) return fresh;
   StoredCalibration stored = read_calibration_runs(from);
-  if (stored.design_sha256 != fresh.design_sha256) {
-    throw InputError(from.string() +
-                     ": was begun with other sites, unknowns, members, inputs or program; delete "
-                     "it, or give another output");
-  }
+  check_design(from, stored, fresh, "delete it, or give another output");
   stored.inputs = simulator.inputs;
   check_moments(from, simulator, stored);
   for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
@@ -86,55 +121,11 @@ void check_partial(const fs::path& target, const CalibrateOptions& options) {
                    "or delete the file to start afresh");
 }
 
-/// Before many members are simulated in vain.
-void check_releases(const CalibrationStudy& study, const CalibrationSimulator& simulator,
-                    std::size_t site, const std::vector<ReleaseOutcome>& outcomes) {
-  for (const Observation& observation : study.observations) {
-    if (observation.site != site) continue;
-    check_enough(observation, seen_by(observation, simulator.sites[site], outcomes));
-  }
-}
-
-/// Simulates what is missing; whatever ends it, what was simulated is kept.
-void simulate_missing(const CalibrationStudy& study, const CalibrationSimulator& simulator,
-                      const fs::path& target, const CalibrateOptions& options,
-                      StoredCalibration& stored) {
-  const std::vector<std::vector<double>> places = study.design.places(study.unknowns.size());
-  ProgressStep step;
-  for (const std::vector<bool>& site : stored.done) {
-    step.total += site.size();
-    step.before += static_cast<std::size_t>(std::count(site.begin(), site.end(), true));
-  }
-  step.done = step.before;
-  auto kept = std::chrono::steady_clock::now();
-  bool changed = false;
-  const auto keep = [&] {
-    if (!changed) return;
-    write_posterior(partial_calibration(target), study, stored, nullptr,
-                    {.kind = kPosteriorFormat});
-    kept = std::chrono::steady_clock::now();
-    changed = false;
-  };
-  try {
-    for (std::uint32_t member = 0; member < study.design.members; ++member) {
-      for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
-        if (stored.done[site][member]) continue;
-        stored.runs.outcomes[site][member] =
-            simulator.simulate(site, member, study.values(places[member]));
-        check_releases(study, simulator, site, stored.runs.outcomes[site][member]);
-        stored.done[site][member] = true;
-        changed = true;
-        ++step.done;
-        const std::chrono::duration<double> since = std::chrono::steady_clock::now() - kept;
-        if (since.count() > kKeepAfter) keep();
-        if (options.progress) options.progress(step);
-      }
-    }
-  } catch (...) {
-    keep();
-    throw;
-  }
-  keep();
+OutputRules check_target(const fs::path& target, const CalibrateOptions& options) {
+  const OutputRules rules = check_output(
+      target, {.kind = kPosteriorFormat, .replace = options.replace || options.resume});
+  check_partial(target, options);
+  return rules;
 }
 
 }  // namespace
@@ -147,43 +138,84 @@ fs::path partial_calibration(const fs::path& target) {
 
 Calibration calibrate_with(const CalibrationSimulator& simulator, const CalibrationStudy& study,
                            const fs::path& target, const CalibrateOptions& options) {
-  for (const Observation& observation : study.observations) {
-    seen_by(observation, simulator.sites[observation.site], {});  // refuses blocks that it lacks
-  }
-  const OutputRules rules = check_output(
-      target, {.kind = kPosteriorFormat, .replace = options.replace || options.resume});
-  const FileLock lock(target, {.longest_wait = std::chrono::milliseconds(0)});
-  check_partial(target, options);
-  Calibration calibration{study, begun(study, simulator, target, options), {}, target};
+  OutputRules rules;
+  std::optional<FileLock> lock;
+  Calibration calibration{study, {}, {}, target};
+  const auto begin = [&] {
+    for (const Observation& observation : study.observations) {
+      seen_by(observation, simulator.sites[observation.site], {});  // refuses blocks that it lacks
+    }
+    rules = check_target(target, options);
+    lock.emplace(target, FileLockOptions{.longest_wait = std::chrono::milliseconds(0)});
+    check_partial(target, options);
+    calibration.stored = begun(study, simulator, target, options);
+    return std::string();
+  };
+  options.team ? options.team->agree(begin) : void(begin());
   simulate_missing(study, simulator, target, options, calibration.stored);
-  calibration.posterior =
-      infer_posterior(study, calibration.stored.runs, thread_count(options.threads));
-  write_posterior(target, study, calibration.stored, &calibration.posterior, rules);
+  const bool whole = options.shard.count == 1;
+  if (whole) {
+    calibration.posterior =
+        infer_posterior(study, calibration.stored.runs, thread_count(options.threads));
+  }
+  write_posterior(target, study, calibration.stored, whole ? &calibration.posterior : nullptr,
+                  rules);
   std::error_code ignored;
   fs::remove(partial_calibration(target), ignored);
   return calibration;
 }
 
-Calibration calibrate(const CalibrationStudy& study, const fs::path& target,
-                      const CalibrateOptions& options) {
-  // Before anything is loaded.
-  check_output(target, {.kind = kPosteriorFormat, .replace = options.replace || options.resume});
-  check_partial(target, options);
+namespace {
+
+/// The sites of a study, ready to simulate.
+struct PreparedSites {
   std::vector<SiteSimulator> sites;
   CalibrationSimulator simulator;
-  for (std::size_t i = 0; i < study.sites.size(); ++i) {
-    sites.emplace_back(study.sites[i], study.unknowns, study.design,
-                       observed_moments(study.observations, i));
-    simulator.sites.push_back(sites.back().facts());
-    const std::vector<std::string>& inputs = sites.back().inputs();
-    simulator.inputs.insert(simulator.inputs.end(), inputs.begin(), inputs.end());
+
+  PreparedSites(const CalibrationStudy& study, const CalibrateOptions& options) {
+    for (std::size_t i = 0; i < study.sites.size(); ++i) {
+      sites.emplace_back(study.sites[i], study.unknowns, study.design,
+                         observed_moments(study.observations, i));
+      simulator.sites.push_back(sites.back().facts());
+      const std::vector<std::string>& inputs = sites.back().inputs();
+      simulator.inputs.insert(simulator.inputs.end(), inputs.begin(), inputs.end());
+    }
+    // Processes are asked for one by one, so each has a core to itself unless another number is
+    // given.
+    const bool alone = !options.team || options.team->size() == 1;
+    const unsigned threads = options.threads == 0 && !alone ? 1 : thread_count(options.threads);
+    simulator.simulate = [this, threads](std::size_t site, std::uint32_t member,
+                                         const std::vector<double>& values) {
+      return sites[site].simulate(member, values, threads);
+    };
   }
-  const unsigned threads = thread_count(options.threads);
-  simulator.simulate = [&](std::size_t site, std::uint32_t member,
-                           const std::vector<double>& values) {
-    return sites[site].simulate(member, values, threads);
+  PreparedSites(const PreparedSites&) = delete;
+  PreparedSites& operator=(const PreparedSites&) = delete;
+};
+
+}  // namespace
+
+Calibration calibrate(const CalibrationStudy& study, const fs::path& target,
+                      const CalibrateOptions& options) {
+  options.shard.check();
+  std::optional<PreparedSites> prepared;
+  const auto prepare = [&] {
+    check_target(target, options);  // before anything is loaded
+    prepared.emplace(study, options);
+    return design_digest(study, prepared->simulator.inputs);
   };
-  return calibrate_with(simulator, study, target, options);
+  options.team ? options.team->agree(prepare) : void(prepare());
+  return calibrate_with(prepared->simulator, study, target, options);
+}
+
+void follow_calibration(const CalibrationStudy& study, const CalibrateOptions& options) {
+  std::optional<PreparedSites> prepared;
+  options.team->agree([&] {
+    prepared.emplace(study, options);
+    return design_digest(study, prepared->simulator.inputs);
+  });
+  options.team->agree([] { return std::string(); });
+  follow_missing(study, prepared->simulator, *options.team);
 }
 
 }  // namespace clast

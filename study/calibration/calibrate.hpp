@@ -1,9 +1,11 @@
 #pragma once
 /// Runs a calibration: simulates the members of its design, and infers the unknowns.
 #include <filesystem>
+#include <vector>
 
 #include "core/progress.hpp"
 #include "study/calibration/posterior_file.hpp"
+#include "study/campaign_runner.hpp"
 
 namespace clast {
 
@@ -13,6 +15,13 @@ struct CalibrateOptions {
   /// or a finished one in it, which may have had other observations; without any it begins.
   bool resume = false;
   bool replace = false;  ///< a posterior in the target is replaced; else it is kept
+  /// The members of one of several alone are simulated: nothing is inferred, and the file holds no
+  /// posterior. Given back as `parts`, the files of all shards are joined.
+  Shard shard = {};
+  /// Files of shards: their members are taken over, and none is simulated.
+  std::vector<std::filesystem::path> parts = {};
+  /// The members are shared among its processes, each of which calls; none: this one alone.
+  ProcessTeam* team = nullptr;
   /// Called after each member of each site. What it throws ends the calibration; members until then
   /// are kept.
   Progress progress = {};
@@ -29,11 +38,17 @@ struct Calibration {
 /// Members that are simulated, until all are: target + ".part".
 std::filesystem::path partial_calibration(const std::filesystem::path& target);
 
-/// @throws InputError       the target can't be written or holds what is kept; what is resumed is
-///                          of another design; inputs that do not fit
+/// Of several processes the one that leads.
+/// @throws InputError       the target can't be written or holds what is kept; what is resumed or
+///                          joined is of another design; a member is in no part; inputs that do not
+///                          fit
 /// @throws SimulationError  a member whose runs fail
 Calibration calibrate(const CalibrationStudy& study, const std::filesystem::path& target,
                       const CalibrateOptions& options = {});
+
+/// What the other processes of `options.team` do meanwhile.
+/// @throws Error  of their own, or that of another process
+void follow_calibration(const CalibrationStudy& study, const CalibrateOptions& options);
 
 /// What a calibration simulates with.
 struct CalibrationSimulator {

@@ -14,8 +14,10 @@ PosteriorDraws read_posterior_draws(const std::filesystem::path& path) {
   PosteriorDraws draws{path, {}, {}};
   draws.parameters = root.group("unknowns").read<std::string>("parameter");
   if (!root.has("posterior")) {
-    throw InputError(path.string() +
-                     ": is an interrupted calibration without draws; go on with it first");
+    throw InputError(
+        path.string() +
+        ": is a calibration without draws, interrupted or one of several shards; go on with "
+        "it, or join the shards first");
   }
   const Hdf5Group posterior = root.group("posterior");
   const std::vector<double> values = posterior.read<double>("draws");

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/calibration/posterior_file.hpp"
+#include "tests/app/mpi_run.hpp"
 #include "tests/app/slope_campaign.hpp"
 
 namespace clast {
@@ -69,6 +70,50 @@ TEST_F(CalibrateCommand, WritesPosteriorAndPageAndPrintsTheAnswer) {
   expect_refused(folder, {"calibrate", "study.toml", "--resume"}, 1,
                  "was begun with other sites, unknowns");
 }
+
+TEST_F(CalibrateCommand, IsTheSameInShardsJoined) {
+  const auto run = [&](const std::vector<std::string>& words) {
+    const ProgramRun program = run_clast(words, folder.path());
+    EXPECT_EQ(program.exit_code, 0) << program.err;
+    return program.out;
+  };
+  run({"calibrate", "study.toml", "-o", "whole.h5"});
+  EXPECT_TRUE(contains(run({"calibrate", "study.toml", "-o", "p.h5", "--shard", "1/2"}),
+                       "p.1of2.h5: 6 of 12 members simulated"));
+  EXPECT_FALSE(fs::exists(folder / "p.1of2.html"));
+  expect_refused(folder, {"calibrate", "study.toml", "-o", "p.h5", "--merge", "p.1of2.h5"}, 1,
+                 "member 2 of 12 is in none of the parts");
+  run({"calibrate", "study.toml", "-o", "p.h5", "--shard", "2/2"});
+  run({"calibrate", "study.toml", "-o", "p.h5", "--merge", "p.1of2.h5", "p.2of2.h5"});
+  EXPECT_EQ(read_posterior_draws(folder / "p.h5").draws,
+            read_posterior_draws(folder / "whole.h5").draws);
+  EXPECT_TRUE(fs::exists(folder / "p.html"));
+  expect_refused(folder, {"calibrate", "study.toml", "--shard", "3/2"}, 2, "3/2");
+  expect_refused(folder, {"calibrate", "study.toml", "--shard", "1/2", "--merge", "p.1of2.h5"}, 2,
+                 "--shard");
+}
+
+#ifdef CLAST_MPIRUN
+TEST_F(CalibrateCommand, IsTheSameOnTwoProcesses) {
+  const ProgramRun one = run_clast({"calibrate", "study.toml", "-o", "one.h5"}, folder.path());
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  const ProgramRun two = mpirun("2", {"calibrate", "study.toml", "-o", "two.h5"}, folder.path());
+  ASSERT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_EQ(two.out.find("two.h5"), two.out.rfind("two.h5")) << two.out;  // said by one of them
+  EXPECT_EQ(read_posterior_draws(folder / "two.h5").draws,
+            read_posterior_draws(folder / "one.h5").draws);
+  const ProgramRun kept = mpirun("2", {"calibrate", "study.toml", "-o", "two.h5"}, folder.path());
+  EXPECT_NE(kept.exit_code, 0);
+  EXPECT_TRUE(contains(kept.err, "two.h5")) << kept.err;
+  // Members fail wherever they are simulated.
+  write_text_file(folder / "study.toml",
+                  replaced(study(), "range = [0.3, 1.5]", "range = [0.3, 900]"));
+  const ProgramRun failed = mpirun("2", {"calibrate", "study.toml", "-o", "f.h5"}, folder.path());
+  EXPECT_EQ(failed.exit_code,
+            run_clast({"calibrate", "study.toml", "-o", "g.h5"}, folder.path()).exit_code)
+      << failed.err;
+}
+#endif
 
 TEST_F(CalibrateCommand, RefusesWhatItCantDo) {
   expect_refused(folder, {"calibrate", "none.toml"}, 1, "none.toml");

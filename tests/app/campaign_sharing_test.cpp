@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "tests/app/mpi_run.hpp"
 #include "tests/app/slope_campaign.hpp"
 
 namespace clast {
@@ -131,26 +132,10 @@ TEST_F(SharedCampaign, JournalOfAShardIsNotResumedAsAnother) {
 }
 
 #ifdef CLAST_MPIRUN
-class SharedByMpi : public SharedCampaign {
- protected:
-  void SetUp() override {
-    SharedCampaign::SetUp();
-    // As root, and with more processes than cores: what a container on CI needs of Open MPI. Other
-    // launchers pass over these.
-    for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
-                             "OMPI_MCA_rmaps_base_oversubscribe"}) {
-      ::setenv(name, "1", 1);
-    }
-  }
-  ProgramRun mpirun(const std::string& processes, const std::vector<std::string>& arguments) {
-    std::vector<std::string> words = {CLAST_MPIRUN, "-n", processes};
-    for (const std::string& word : clast_words(arguments)) words.push_back(word);
-    return RunningProgram(words, folder.path()).wait();
-  }
-};
+class SharedByMpi : public SharedCampaign {};
 
 TEST_F(SharedByMpi, IsTheSameOnTwoProcesses) {
-  const ProgramRun run = mpirun("2", {"simulate", "campaign.toml", "-o", "mpi.h5"});
+  const ProgramRun run = mpirun("2", {"simulate", "campaign.toml", "-o", "mpi.h5"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   // Said once, not by every process.
   EXPECT_EQ(run.out.find("160 runs"), run.out.rfind("160 runs")) << run.out;
@@ -159,13 +144,14 @@ TEST_F(SharedByMpi, IsTheSameOnTwoProcesses) {
 }
 
 TEST_F(SharedByMpi, RefusalsEndAllProcesses) {
-  const ProgramRun missing = mpirun("2", {"simulate", "none.toml"});
+  const ProgramRun missing = mpirun("2", {"simulate", "none.toml"}, folder.path());
   EXPECT_NE(missing.exit_code, 0);
   EXPECT_EQ(missing.err.find("none.toml"), missing.err.rfind("none.toml")) << missing.err;
   EXPECT_TRUE(contains(missing.err, "clast: ")) << missing.err;
   // What only the process that writes can notice.
   fs::create_directory(folder / "taken.h5");
-  const ProgramRun taken = mpirun("2", {"simulate", "campaign.toml", "-o", "taken.h5"});
+  const ProgramRun taken =
+      mpirun("2", {"simulate", "campaign.toml", "-o", "taken.h5"}, folder.path());
   EXPECT_NE(taken.exit_code, 0);
   EXPECT_TRUE(contains(taken.err, "taken.h5: is a folder")) << taken.err;
 }

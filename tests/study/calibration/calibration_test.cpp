@@ -9,6 +9,7 @@
 #include "core/statistics.hpp"
 #include "core/text_file.hpp"
 #include "study/calibration/calibrate.hpp"
+#include "study/calibration/member_runs.hpp"
 #include "tests/study/calibration/made_up_site.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -176,6 +177,27 @@ TEST(Calibration, BlocksThatASiteLacksAreNamed) {
             "has A, B");
 }
 
+TEST(MemberRuns, GoFromProcessToProcessBitByBit) {
+  std::vector<ReleaseOutcome> outcomes(2);
+  outcomes[0] = {3, 4294967295u, {0.1, -1e300}, {1.0 / 3.0, 5e-324}, {{}, {1.0, 2.0}}, 7, {}};
+  outcomes[1].moments.resize(3);
+  outcomes[1].moments[2].place = {652013.25, 5203000.125};
+  const std::string bytes = study_detail::packed_outcomes(outcomes);
+  const std::vector<ReleaseOutcome> back = study_detail::unpacked_outcomes(bytes);
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(back[0].block, 3u);
+  EXPECT_EQ(back[0].point, 4294967295u);
+  EXPECT_EQ(back[0].start, outcomes[0].start);
+  EXPECT_EQ(back[0].stop, outcomes[0].stop);
+  EXPECT_EQ(back[0].release, 7u);
+  ASSERT_EQ(back[0].barriers.size(), 2u);
+  EXPECT_FALSE(back[0].barriers[0].passed());
+  EXPECT_EQ(back[0].barriers[1].spin, 2.0);
+  EXPECT_EQ(back[1].moments[2].place, outcomes[1].moments[2].place);
+  EXPECT_EQ(study_detail::packed_outcomes(back), bytes);
+  EXPECT_TRUE(study_detail::unpacked_outcomes("").empty());
+}
+
 /// A calibration of a made-up study through its file.
 class CalibrationFile : public testing::Test {
  protected:
@@ -230,9 +252,11 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
             partial_calibration(target()).string() +
                 ": holds the members of an interrupted calibration; `resume` goes on with it, or "
                 "delete the file to start afresh");
-  EXPECT_EQ(refusal<InputError>([&] { read_posterior_draws(partial_calibration(target())); }),
-            partial_calibration(target()).string() +
-                ": is an interrupted calibration without draws; go on with it first");
+  EXPECT_EQ(
+      refusal<InputError>([&] { read_posterior_draws(partial_calibration(target())); }),
+      partial_calibration(target()).string() +
+          ": is a calibration without draws, interrupted or one of several shards; go on with "
+          "it, or join the shards first");
   simulated = 0;
   most = 1000;
   std::size_t before = 0;
@@ -243,6 +267,41 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
   EXPECT_EQ(simulated, 21u);
   EXPECT_EQ(before, 11u);
   EXPECT_FALSE(std::filesystem::exists(partial_calibration(target())));
+}
+
+TEST_F(CalibrationFile, ShardsJoinedAreTheWhole) {
+  const Calibration whole = run();
+  CalibrateOptions join;
+  for (std::uint32_t i = 1; i <= 3; ++i) {
+    simulated = 0;
+    CalibrateOptions options;
+    options.shard = {i, 3};
+    const auto part = folder / ("part" + std::to_string(i) + ".h5");
+    std::size_t total = 0;
+    options.progress = [&](const ProgressStep& step) { total = step.total; };
+    calibrate_with(simulator, made.study, part, options);
+    EXPECT_EQ(simulated, i == 1 ? 12u : 10u);  // 16 members at two sites
+    EXPECT_EQ(total, simulated);
+    EXPECT_NE(refusal<InputError>([&] { read_posterior_draws(part); }), "");
+    join.parts.push_back(part);
+  }
+  simulated = 0;
+  const Calibration joined = calibrate_with(simulator, made.study, folder / "joined.h5", join);
+  EXPECT_EQ(simulated, 0u);
+  EXPECT_EQ(joined.posterior.draws, whole.posterior.draws);
+  join.parts.erase(join.parts.begin() + 1);
+  join.replace = true;
+  const auto refused = [&] {
+    return refusal<InputError>(
+        [&] { calibrate_with(simulator, made.study, folder / "joined.h5", join); });
+  };
+  EXPECT_EQ(refused(),
+            "member 2 of 16 is in none of the parts; give the files of all shards, each finished");
+  EXPECT_EQ(read_posterior_draws(folder / "joined.h5").draws.size(), 200u);  // it is still there
+  made.study.design.seed = 99;
+  EXPECT_EQ(refused(), join.parts[0].string() +
+                           ": was begun with other sites, unknowns, members, inputs or program; "
+                           "simulate that shard of this study");
 }
 
 TEST_F(CalibrationFile, KeepsImpactsAndTimes) {
