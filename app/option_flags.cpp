@@ -51,6 +51,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"resolution", "--resolution"},
     {"resume", "--resume"},
     {"rounding", "--rounding"},
+    {"roundness", "--roundness"},
     {"scale_factor", "--scale-factor"},
     {"scale_points", "--scale-length"},
     {"schemes", "--scheme"},

@@ -18,14 +18,15 @@ namespace clast {
 /// are the levels of another factor, are no effects of their own. Intervals are of the jackknife
 /// [efron1981]: each level of a factor is left out in turn (by fortieths of them where there are
 /// more), the squared deviations of the logarithm of the odds of a share are added over the levels
-/// and over the factors, and Student's t has Satterthwaite's degrees of freedom. They have been
-/// shown to cover (docs/theory.md).
+/// and over the factors, more of those of a factor whose effects are skewed [bonett2006], and
+/// Student's t has Satterthwaite's degrees of freedom. They have been shown to cover
+/// (docs/theory.md).
 /// @param outcomes  one list of values for each; all of one length
 /// @param factors   the level of each value, for each factor
 /// @return for each outcome; `of_design` is not a number; a factor of two levels has the interval 0
 ///         to 1; all zero where all values are equal
 /// @throws InputError  no factor or more than six, one of one level, or lists of different lengths
-/// @cite searle1992 @cite efron1981 @cite satterthwaite1946
+/// @cite searle1992 @cite efron1981 @cite bonett2006 @cite satterthwaite1946
 std::vector<VarianceShares> unbalanced_shares(std::span<const std::vector<double>> outcomes,
                                               std::span<const std::vector<std::uint32_t>> factors);
 

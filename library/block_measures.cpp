@@ -38,12 +38,15 @@ std::optional<Equilibria> block_equilibria(const Block& block) {
   return static_equilibria(block.body, block.mass.centre);
 }
 
-Roundness block_roundness(const Block& block, double edge_length) {
+Roundness body_roundness(const SpheroPolyhedron& body, double edge_length) {
   // A core's own surface has none of the rounding; nor may the skin cross itself at reflex edges.
-  const TriangleMesh surface =
-      block.from_core ? outer_skin(block.body, skin_segments(block.body.radius, edge_length))
-                      : block.surface;
-  return roundness(remeshed(surface, edge_length));
+  return roundness(
+      remeshed(outer_skin(body, skin_segments(body.radius, edge_length)), edge_length));
+}
+
+Roundness block_roundness(const Block& block, double edge_length) {
+  if (block.from_core) return body_roundness(block.body, edge_length);
+  return roundness(remeshed(block.surface, edge_length));
 }
 
 }  // namespace clast

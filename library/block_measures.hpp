@@ -21,6 +21,8 @@ std::map<std::string, double> block_indices(const Block& block, const Axes& axes
 /// None of a ball or a capsule, which rests on every side.
 std::optional<Equilibria> block_equilibria(const Block& block);
 
+/// Roundness of a rounded body on a mesh of this edge length, m.
+Roundness body_roundness(const SpheroPolyhedron& body, double edge_length);
 /// Roundness of the outer surface on a mesh of this edge length, m.
 Roundness block_roundness(const Block& block, double edge_length);
 

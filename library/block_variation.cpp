@@ -9,6 +9,7 @@
 #include "classify/surface_indices.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "library/detail/roundness_search.hpp"
 #include "library/detail/varied_body.hpp"
 #include "library/make_block.hpp"
 #include "massprops/sphero.hpp"
@@ -38,6 +39,7 @@ std::string targets_of(const Variation& variation) {
       Overloaded{[](const StretchTo& v) { return ratios_text(v.ratios); },
                  [](const ConvexityOf& v) { return "step=" + number(v.convexity); },
                  [](const RoundingOf& v) { return "step=" + number(v.radius_share); },
+                 [](const RoundnessOf& v) { return "step=" + number(v.roundness); },
                  [](const VertexCount& v) { return "step=" + std::to_string(v.vertices); },
                  [](const DetailTimes& v) {
                    return "step=" + number(v.gain) + " degree=" + std::to_string(v.degree);
@@ -127,15 +129,35 @@ void check_targets(const Block& block, const Variation& variation) {
   }
 }
 
+/// The body of a variation in its final size.
+template <class Wanted>
+VariedBody sized_body(const Block& parent, const Wanted& wanted, const VariationOptions& options) {
+  VariedBody varied = varied_body(parent, wanted);
+  if (std::is_same_v<Wanted, DrawnForm> || !same_body(varied.body, parent.body)) {
+    varied.body = sized(varied.body, parent, wanted, options);
+  }
+  return varied;
+}
+
+/// Roundness is measured on the final body: on another place and size it differs by about a
+/// percent, since the mesh it is measured on does.
+VariedBody sized_body(const Block& parent, const RoundnessOf& wanted,
+                      const VariationOptions& options) {
+  const double diameter = std::cbrt(6.0 * parent.mass.volume / kPi);
+  const double edge = *number_in(with_digits(wanted.edge_share * diameter, 4));
+  RoundedBody found = body_of_roundness(
+      [&](double share) { return sized_body(parent, RoundingOf{share}, options).body; },
+      wanted.roundness, edge);
+  return {std::move(found.body), "edge_m=" + with_digits(edge, 4) +
+                                     " roundness=" + with_digits(found.roundness, 4) +
+                                     " radius_share=" + with_digits(found.radius_share, 4)};
+}
+
 Block varied_block(const std::string& id, const Block& parent, const Variation& variation,
                    BlockSource source, const VariationOptions& options) {
   options.check();
-  const VariedBody varied =
-      std::visit([&](const auto& wanted) { return varied_body(parent, wanted); }, variation);
-  const bool unchanged = same_body(varied.body, parent.body);
-  const bool own_size = std::holds_alternative<DrawnForm>(variation);
-  const SpheroPolyhedron body =
-      unchanged && !own_size ? varied.body : sized(varied.body, parent, variation, options);
+  const VariedBody varied = std::visit(
+      [&](const auto& wanted) { return sized_body(parent, wanted, options); }, variation);
   source.unscaled = parent.source.unscaled;
   source.options += (source.options.empty() ? "" : " ") + std::string("vary=") +
                     kind_of(variation) + " parent=" + without_blanks(parent.id) +
@@ -146,7 +168,7 @@ Block varied_block(const std::string& id, const Block& parent, const Variation& 
   making.density = parent.density;
   making.accuracy = options.accuracy;
   if (std::holds_alternative<InertiaTwin>(variation)) making.mass = parent.mass.mass;
-  Block block = make_block(id, body, std::move(source), making);
+  Block block = make_block(id, varied.body, std::move(source), making);
   block.field.weighed_mass.reset();
   check_targets(block, variation);
   return block;
@@ -161,8 +183,9 @@ template <class Caught>
 }  // namespace
 
 std::string kind_of(const Variation& variation) {
-  static constexpr const char* kKinds[] = {"stretch", "convexity", "rounding", "vertices",
-                                           "detail",  "reference", "inertia",  "drawn"};
+  static constexpr const char* kKinds[] = {"stretch",   "convexity", "rounding",
+                                           "roundness", "vertices",  "detail",
+                                           "reference", "inertia",   "drawn"};
   static_assert(std::size(kKinds) == std::variant_size_v<Variation>);
   return kKinds[variation.index()];
 }
@@ -175,6 +198,7 @@ std::string label_of(const Variation& variation) {
       Overloaded{[&](const StretchTo& v) { return form(v.ratios); },
                  [](const ConvexityOf& v) { return "convexity" + with_digits(v.convexity, 4); },
                  [](const RoundingOf& v) { return "radius" + with_digits(v.radius_share, 4); },
+                 [](const RoundnessOf& v) { return "roundness" + with_digits(v.roundness, 4); },
                  [](const VertexCount& v) { return "vertices" + std::to_string(v.vertices); },
                  [](const DetailTimes& v) { return "detail" + with_digits(v.gain, 4); },
                  [](const ReferenceTo& v) { return name_of(v.form); },
@@ -236,6 +260,15 @@ std::optional<VariationRecord> read_variation(const Block& block) {
   const std::optional<double> i_l = number_in(values["i_l"]), s_l = number_in(values["s_l"]);
   if (i_l && s_l) record.form = BoxRatios{*i_l, *s_l};
   return record;
+}
+
+std::string in_words(const VariationRecord& record) {
+  if (!record.reference.empty()) return record.reference;
+  if (record.form) {
+    return record.kind + " to " + with_digits(record.form->i_l, 4) + ", " +
+           with_digits(record.form->s_l, 4);
+  }
+  return record.kind + " " + with_digits(record.step, 4);
 }
 
 }  // namespace clast

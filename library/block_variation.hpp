@@ -10,6 +10,9 @@
 
 namespace clast {
 
+/// Edges of the mesh that roundness is measured on, over the diameter of the ball of equal volume.
+inline constexpr double kUsualRoundnessEdge = 0.05;
+
 /// The smallest box gets these ratios; all else is stretched with it.
 struct StretchTo {
   BoxRatios ratios;
@@ -22,6 +25,12 @@ struct ConvexityOf {
 /// Edges and corners get this radius, as a share of S; I/L and S/L stay.
 struct RoundingOf {
   double radius_share = 0.02;
+};
+/// Edges and corners get the radius with which Wadell's roundness is this (classify/roundness.hpp);
+/// I/L and S/L stay.
+struct RoundnessOf {
+  double roundness = 0.5;
+  double edge_share = kUsualRoundnessEdge;  ///< of the mesh it is measured on, see there
 };
 /// The core gets so many vertices; I/L and S/L stay.
 struct VertexCount {
@@ -49,10 +58,11 @@ struct DrawnForm {
   double length = 1.0;  ///< L, m
   std::optional<double> convexity;
 };
-using Variation = std::variant<StretchTo, ConvexityOf, RoundingOf, VertexCount, DetailTimes,
-                               ReferenceTo, InertiaTwin, DrawnForm>;
+using Variation = std::variant<StretchTo, ConvexityOf, RoundingOf, RoundnessOf, VertexCount,
+                               DetailTimes, ReferenceTo, InertiaTwin, DrawnForm>;
 
-/// "stretch", "convexity", "rounding", "vertices", "detail", "reference", "inertia", "drawn".
+/// "stretch", "convexity", "rounding", "roundness", "vertices", "detail", "reference", "inertia",
+/// "drawn".
 std::string kind_of(const Variation& variation);
 /// What distinguishes the bodies of a series from each other, in their ids: "il0.8_sl0.5".
 std::string label_of(const Variation& variation);
@@ -72,6 +82,8 @@ struct VariationOptions {
 
 /// Targets are reached to this, relative; else the block is refused.
 inline constexpr double kVariationTolerance = 5e-3;
+/// Roundness is measured on a mesh, which makes it uneven by about half of this.
+inline constexpr double kRoundnessTolerance = 1e-2;
 
 /// The twin, a block made of a core and a radius. What was done, with its figures, is in
 /// `source.options` (`read_variation` reads it back); `source` is otherwise as given.
@@ -91,5 +103,7 @@ struct VariationRecord {
 };
 /// None: the block is no variation.
 std::optional<VariationRecord> read_variation(const Block& block);
+/// "stretch to 0.8, 0.5", "vertices 250", "ellipsoid".
+std::string in_words(const VariationRecord& record);
 
 }  // namespace clast

@@ -4,22 +4,18 @@
 #include <utility>
 
 #include "classify/dimension_table.hpp"
-#include "classify/form_grid.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/length_unit.hpp"
-#include "core/number_range.hpp"
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
 #include "library/block_ranges.hpp"
 #include "library/library_update.hpp"
+#include "library/variation_ranges.hpp"
 
 namespace clast {
 
 namespace {
-
-constexpr NumberRange kRatio{0.01, 1.0};
-constexpr std::size_t kMostBodies = 100'000;
 
 std::vector<DrawnBlock> population_of(const SeriesRequest& request,
                                       std::span<const Block* const> parents,
@@ -56,14 +52,14 @@ void refuse_repeated(const std::vector<VariationRequest>& bodies) {
 std::vector<VariationRequest> bodies_wanted(const SeriesRequest& request,
                                             const BlockLibrary& library, RequestedSeries& made) {
   const std::vector<const Block*> parents = library.chosen(request.ids);
-  std::vector<Variation> variations = request.variations;
+  std::vector<Variation> variations = request.steps.variations();
   for (const std::string& id : request.like) {
     variations.emplace_back(StretchTo{box_ratios(library.block(id).box)});
   }
   std::vector<VariationRequest> bodies = variations_of(parents, variations);
-  if (bodies.size() + request.draw > kMostBodies) {
+  if (bodies.size() + request.draw > kMostSeriesBodies) {
     throw InputError(std::to_string(bodies.size() + request.draw) +
-                     " bodies are asked for; the most is " + std::to_string(kMostBodies));
+                     " bodies are asked for; the most is " + std::to_string(kMostSeriesBodies));
   }
   if (request.draw > 0) {
     DrawnSeries drawn = draw_series(parents, population_of(request, parents, made.notes),
@@ -86,40 +82,23 @@ BlockSource source_of(const SeriesRequest& request) {
 
 }  // namespace
 
+bool SeriesRequest::asks_for_nothing() const {
+  return steps.variations().empty() && like.empty() && draw == 0;
+}
+
 void SeriesRequest::check() const {
   check_block_id(prefix + "0001");
   if (!units.empty()) length_unit(units);
-  if (variations.empty() && like.empty() && draw == 0) {
+  if (asks_for_nothing()) {
     throw InputError(
-        "nothing is asked for; give `to`, `grid`, `like`, `convexity`, `rounding`, `vertices`, "
+        "nothing is asked for; give `to`, `grid`, `like`, `convexity`, `rounding`, `roundness`, "
+        "`vertices`, "
         "`detail`, `reference`, `inertia` or `draw`");
   }
 }
 
-StretchTo stretch_to(double i_over_l, double s_over_l, const std::string& asked) {
-  if (kRatio.holds(i_over_l) && kRatio.holds(s_over_l) && s_over_l <= i_over_l) {
-    return {{i_over_l, s_over_l}};
-  }
-  throw InputError("`to` " + asked + ": give I/L,S/L, such as 0.8,0.5, both " + kRatio.words() +
-                   " and S/L at most I/L");
-}
-
-std::vector<Variation> stretches_over(const std::string& diagram, int steps, double least) {
-  if (diagram != "sneed-folk" && diagram != "zingg") {
-    throw InputError("`grid` \"" + diagram + "\" is no diagram; take sneed-folk or zingg");
-  }
-  std::vector<Variation> variations;
-  for (const Axes& axes :
-       diagram == "zingg" ? zingg_grid(steps, least) : sneed_folk_grid(steps, least)) {
-    variations.emplace_back(StretchTo{{axes.I / axes.L, axes.S / axes.L}});
-  }
-  return variations;
-}
-
-RequestedSeries make_series(const SeriesRequest& request) {
+RequestedSeries make_series(const SeriesRequest& request, const BlockLibrary& library) {
   request.check();
-  if (!request.output.empty()) check_library_place(request.output);
-  const BlockLibrary library = BlockLibrary::read(request.library);
   RequestedSeries made;
   const std::vector<VariationRequest> bodies = bodies_wanted(request, library, made);
   made.wanted = bodies.size();
@@ -127,6 +106,13 @@ RequestedSeries make_series(const SeriesRequest& request) {
   if (made.series.blocks.empty()) {
     throw GeometryError("no body could be made; the first: " + made.series.failed.front());
   }
+  return made;
+}
+
+RequestedSeries make_series(const SeriesRequest& request) {
+  request.check();
+  if (!request.output.empty()) check_library_place(request.output);
+  RequestedSeries made = make_series(request, BlockLibrary::read(request.library));
   if (request.output.empty()) return made;
   const BlockLibrary written =
       update_library(request.output, {.make = true}, [&](BlockLibrary& changed) {

@@ -6,36 +6,30 @@
 #include <string>
 #include <vector>
 
+#include "library/block_library.hpp"
 #include "library/block_series.hpp"
+#include "library/series_steps.hpp"
 
 namespace clast {
 
 /// Twins of the blocks of a library, and bodies drawn from a population.
 struct SeriesRequest {
   std::filesystem::path library;
-  std::vector<std::string> ids;       ///< blocks that are varied; empty: all of the library
-  std::vector<Variation> variations;  ///< of each of them
-  std::vector<std::string> like;      ///< blocks of the library to whose ratios they are stretched
-  std::size_t draw = 0;               ///< bodies drawn from a population besides
-  std::filesystem::path table;        ///< of measured blocks, the population; empty: the blocks
-  std::string units;                  ///< of the table; empty: as its header says, else m
-  std::string prefix = "V";           ///< of ids of the bodies drawn
+  std::vector<std::string> ids;   ///< blocks that are varied; empty: all of the library
+  SeriesSteps steps;              ///< what each of them is varied by
+  std::vector<std::string> like;  ///< blocks of the library to whose ratios they are stretched
+  std::size_t draw = 0;           ///< bodies drawn from a population besides
+  std::filesystem::path table;    ///< of measured blocks, the population; empty: the blocks
+  std::string units;              ///< of the table; empty: as its header says, else m
+  std::string prefix = "V";       ///< of ids of the bodies drawn
   std::uint64_t seed = 1;
   SeriesOptions options;
   std::filesystem::path output;  ///< library to which the bodies are added; empty: none
   bool replace = false;          ///< blocks of the same id there
 
+  bool asks_for_nothing() const;
   void check() const;  ///< throws InputError naming the field and its value, or what is missing
 };
-
-/// @param asked  the ratios as they were written, for the message
-/// @throws InputError  not I/L and S/L of a box, both from 0.01 to 1, or no numbers (NaN)
-StretchTo stretch_to(double i_over_l, double s_over_l, const std::string& asked);
-
-/// Stretches to forms all over a diagram (classify/form_grid.hpp).
-/// @param diagram  "sneed-folk" or "zingg"
-/// @throws InputError  another diagram; as `sneed_folk_grid`
-std::vector<Variation> stretches_over(const std::string& diagram, int steps, double least);
 
 /// What became of a request.
 struct RequestedSeries {
@@ -46,9 +40,15 @@ struct RequestedSeries {
   std::vector<std::string> notes;  ///< on the table
 };
 
-/// Makes the bodies and adds them to `output`.
-/// @throws InputError     as `SeriesRequest::check`; a block, file or library that can't be used;
-///                        a body asked for twice; more than 100,000
+/// Makes the bodies of the blocks of a library that is there already.
+/// @throws InputError     as `SeriesRequest::check`; a block or file that can't be used; a body
+/// asked
+///                        for twice; more than 100,000
+/// @throws GeometryError  no body could be made
+RequestedSeries make_series(const SeriesRequest& request, const BlockLibrary& library);
+
+/// Reads the library, makes the bodies and adds them to `output`.
+/// @throws InputError     as above; a library that can't be used
 /// @throws GeometryError  no body could be made
 RequestedSeries make_series(const SeriesRequest& request);
 

@@ -20,7 +20,7 @@ def test_every_documented_key_is_an_attribute():
     assert len(tables) >= 11
     campaign = clast.Campaign()
     for name, keys in tables.items():
-        if name in ("ground", "contact.blocks"):
+        if name in ("ground", "blocks.vary", "contact.blocks"):
             continue  # below
         table = getattr(campaign, name)
         if name in ("block_group", "mass", "barrier"):
@@ -36,6 +36,10 @@ def test_every_documented_key_is_an_attribute():
         setattr(campaign.ground["scree"], key, 0.5)
     campaign.contact.blocks.friction = 0.3
     assert "[ground.scree]" in campaign.text and "blocks = { friction = 0.3 }" in campaign.text
+    for key in tables["blocks.vary"]:
+        setattr(campaign.blocks.vary, key, 1)
+    with pytest.raises(AttributeError, match="did you mean convexity"):
+        campaign.blocks.vary.convexty = 1
 
 
 def test_keys_read_and_change(campaign):
@@ -211,6 +215,23 @@ def test_plans_say_what_would_run(campaign, tmp_path):
     dry = campaign.dry_run(tmp_path / "map.svg", threads=1)
     assert dry["expected_time_s"] > 0 and dry["threads"] == 1
     assert (tmp_path / "map.svg").read_text().startswith("<")
+
+
+def test_blocks_are_varied_before_the_runs(campaign, made, tmp_path):
+    campaign.blocks.select = ["B01_compact"]
+    campaign.blocks.vary = {"to": [[0.8, 0.5]], "reference": "ellipsoid"}
+    plan = campaign.plan()
+    assert plan["varied_blocks"] == ["B01_compact"]
+    assert plan["blocks"] == ["B01_compact_ellipsoid", "B01_compact_il0.8_sl0.5"]
+    varied = campaign.run(tmp_path / "one.h5", threads=1)
+    clast.vary(made / "blocks.h5", "B01_compact", tmp_path / "series.h5", to=[(0.8, 0.5)],
+               reference="ellipsoid")  # fmt: skip
+    del campaign.blocks["vary"], campaign.blocks["select"]
+    campaign.blocks.library = str(tmp_path / "series.h5")
+    two = campaign.run(tmp_path / "two.h5")
+    assert np.array_equal(varied.runs["stop_x_m"], two.runs["stop_x_m"])
+    assert set(varied.runs["variation"]) == {"ellipsoid", "stretch to 0.8, 0.5"}
+    assert set(varied.runs["parent"]) == {"B01_compact"}
 
 
 def test_scenes_for_other_engines_are_the_programs(campaign, made, tmp_path):

@@ -20,8 +20,9 @@ def errors(campaign):
 
 def table(name):
     """The schema of one table of that name."""
-    if name == "contact.blocks":
-        return SCHEMA["properties"]["contact"]["properties"]["blocks"]
+    if "." in name:
+        outer, key = name.split(".")
+        return SCHEMA["properties"][outer]["properties"][key]
     found = SCHEMA["properties"][name]
     if name == "ground":
         return found["additionalProperties"]
@@ -108,6 +109,18 @@ def test_what_campaigns_may_hold_is_valid():
     assert errors(campaign) == []
 
 
+def test_what_vary_may_hold_is_valid():
+    campaign = good()
+    campaign["blocks"]["vary"] = {
+        "to": [[0.8, 0.5]], "grid": {"diagram": "zingg", "steps": 3}, "like": "B02_platy",
+        "convexity": 1, "rounding": [0, 0.1], "roundness": [0.5], "roundness_edge": 0.05,
+        "vertices": [20, 30], "detail": [0, 2.0], "degree": 4, "keep": "volume",
+        "reference": ["superellipsoid", "box"], "exponent": 3, "inertia": "ellipsoid",
+        "population": {"count": 3, "seed": 2, "table": "taped.csv", "units": "cm", "prefix": "T"},
+    }  # fmt: skip
+    assert errors(campaign) == []
+
+
 def planted():
     """(what is wrong, how it gets into a campaign)"""
     def set_in(*path, value):
@@ -146,6 +159,10 @@ def planted():
         "drawn friction between blocks": set_in("contact", "blocks", value={"friction": {"uniform": [0, 1]}}),
         "one barrier as a table": set_in("barrier", value={"name": "a"}),
         "barrier without a name": set_in("barrier", value=[{"from": [0, 0], "to": [1, 1]}]),
+        "one ratio": set_in("blocks", "vary", value={"to": [[0.8]]}),
+        "another diagram": set_in("blocks", "vary", value={"grid": {"diagram": "folk", "steps": 3}}),
+        "too few vertices": set_in("blocks", "vary", value={"vertices": [7]}),
+        "another reference body": set_in("blocks", "vary", value={"reference": "cone"}),
         "no library": remove("blocks", "library"),
         "no friction": remove("ground", "blue", "friction"),
         "no terrain": remove("terrain"),

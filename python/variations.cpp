@@ -3,6 +3,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "core/number_text.hpp"
 #include "library/series_request.hpp"
@@ -18,51 +19,33 @@ namespace py = pybind11;
 
 namespace {
 
-template <class Value>
-std::vector<Value> several(Keywords& given, const char* name) {
-  std::vector<Value> values;
-  given.take(name, values);
-  return values;
-}
-
-void take_forms(Keywords& given, std::vector<Variation>& variations) {
-  for (const auto& [i_l, s_l] : several<std::pair<double, double>>(given, "to")) {
-    variations.emplace_back(
-        stretch_to(i_l, s_l, "(" + with_digits(i_l, 6) + ", " + with_digits(s_l, 6) + ")"));
+SeriesSteps steps_from(Keywords& given) {
+  SeriesSteps steps;
+  std::vector<std::pair<double, double>> to;
+  given.take("to", to);
+  for (const auto& [i_l, s_l] : to) {
+    steps.to.push_back(
+        stretch_ratios(i_l, s_l, "(" + with_digits(i_l, 6) + ", " + with_digits(s_l, 6) + ")"));
   }
-  double least = 0.2;
-  given.take("least", least);
-  std::optional<std::pair<std::string, int>> grid;
-  given.take("grid", grid);
-  if (!grid) return;
-  for (Variation& form : stretches_over(grid->first, grid->second, least)) {
-    variations.push_back(std::move(form));
+  FormGrid grid;
+  std::optional<std::pair<std::string, int>> diagram;
+  given.take("least", grid.least);
+  given.take("grid", diagram);
+  if (diagram) {
+    std::tie(grid.diagram, grid.steps) = *diagram;
+    steps.grid = grid;
   }
-}
-
-void take_bodies(Keywords& given, std::vector<Variation>& variations) {
-  for (const double share : several<double>(given, "convexity")) {
-    variations.emplace_back(ConvexityOf{share});
-  }
-  for (const double share : several<double>(given, "rounding")) {
-    variations.emplace_back(RoundingOf{share});
-  }
-  for (const std::size_t count : several<std::size_t>(given, "vertices")) {
-    variations.emplace_back(VertexCount{count});
-  }
-  int degree = 6;
-  double exponent = 4.0;
-  given.take("degree", degree);
-  given.take("exponent", exponent);
-  for (const double gain : several<double>(given, "detail")) {
-    variations.emplace_back(DetailTimes{gain, degree});
-  }
-  for (const std::string& form : given.texts("reference")) {
-    variations.emplace_back(ReferenceTo{reference_form(form), exponent});
-  }
-  for (const std::string& form : given.texts("inertia")) {
-    variations.emplace_back(InertiaTwin{reference_form(form)});
-  }
+  given.take("convexity", steps.convexity);
+  given.take("rounding", steps.rounding);
+  given.take("roundness", steps.roundness);
+  given.take("roundness_edge", steps.roundness_edge);
+  given.take("vertices", steps.vertices);
+  given.take("detail", steps.detail);
+  given.take("degree", steps.degree);
+  given.take("exponent", steps.exponent);
+  steps.reference = given.texts("reference");
+  steps.inertia = given.texts("inertia");
+  return steps;
 }
 
 SeriesRequest request_from(Keywords& given) {
@@ -71,8 +54,7 @@ SeriesRequest request_from(Keywords& given) {
   given.take("library", request.library);
   request.ids = given.texts("ids");
   request.like = given.texts("like");
-  take_forms(given, request.variations);
-  take_bodies(given, request.variations);
+  request.steps = steps_from(given);
   given.take("draw", request.draw);
   given.take("table", request.table);
   given.take("units", request.units);

@@ -22,6 +22,8 @@ void write_samples(const std::filesystem::path& folder) {
   for (const RockRecipe& recipe : sample_recipes()) {
     write_float_ply(folder / "blocks" / (recipe.name + ".ply"), rock(recipe), kScanGrid, origin);
   }
+  const RockRecipe fine = fine_recipe();
+  write_float_ply(folder / "shape-effects" / (fine.name + ".ply"), rock(fine), kScanGrid, origin);
   for (const NamedMesh& scan : dirty_scans()) {
     write_float_ply(folder / "dirty" / (scan.name + ".ply"), scan.mesh, kScanGrid, origin);
   }

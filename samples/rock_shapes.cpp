@@ -172,4 +172,11 @@ const std::vector<RockRecipe>& sample_recipes() {
   return kRecipes;
 }
 
+RockRecipe fine_recipe() {
+  RockRecipe recipe = sample_recipes().front();
+  recipe.name = "B01_fine";
+  recipe.frequency = 16;
+  return recipe;
+}
+
 }  // namespace clast

@@ -29,4 +29,7 @@ TriangleMesh rock(const RockRecipe& recipe);
 /// The clean blocks of samples/blocks.
 const std::vector<RockRecipe>& sample_recipes();
 
+/// The block B01 scanned more finely, with 2,562 vertices.
+RockRecipe fine_recipe();
+
 }  // namespace clast

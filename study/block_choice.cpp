@@ -6,8 +6,10 @@
 
 #include "classify/schemes.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "library/block_library.hpp"
 #include "library/unscaled.hpp"
+#include "study/detail/campaign_reading.hpp"
 #include "study/detail/named_seed.hpp"
 
 namespace clast {
@@ -20,9 +22,8 @@ bool passes(const BlockFilter& filter, const Block& block) {
   return filter.scheme.empty() || shape_class(filter.scheme, block.axes()) == filter.shape_class;
 }
 
-std::vector<Block> selected_blocks(const Campaign& campaign) {
+std::vector<Block> selected_blocks(const Campaign& campaign, const BlockLibrary& library) {
   const BlockSelection& selection = campaign.blocks;
-  const BlockLibrary library = BlockLibrary::read(selection.library);
   std::vector<Block> blocks;
   for (const std::string& id : selection.filter.ids) blocks.push_back(library.block(id));
   if (!selection.filter.ids.empty()) return blocks;
@@ -37,6 +38,44 @@ std::vector<Block> selected_blocks(const Campaign& campaign) {
              : "; none is " + selection.filter.shape_class + " by " + selection.filter.scheme));
   }
   return blocks;
+}
+
+/// What the library refuses to make names the campaign.
+template <class Caught>
+[[noreturn]] void refuse_to_vary(const Campaign& campaign, const std::string& what) {
+  throw Caught(campaign.file.string() +
+               ": [blocks] vary: " + study_detail::in_words_of_campaign(what));
+}
+
+/// The bodies that are made of the blocks, in place of them.
+void vary(const Campaign& campaign, const BlockLibrary& library, const BlockMaking& making,
+          BlockChoice& choice) {
+  SeriesRequest request = *campaign.blocks.vary;
+  request.library = campaign.blocks.library;
+  for (const Block& block : choice.library) request.ids.push_back(block.id);
+  request.options.threads = making.threads;
+  request.options.progress = making.progress;
+  RequestedSeries made;
+  try {
+    made = make_series(request, library);
+  } catch (const GeometryError& error) {
+    refuse_to_vary<GeometryError>(campaign, error.what());
+  } catch (const InputError& error) {
+    refuse_to_vary<InputError>(campaign, error.what());
+  }
+  const std::vector<std::string>& failed = made.series.failed;
+  if (!failed.empty()) {
+    refuse_to_vary<GeometryError>(campaign, std::to_string(failed.size()) + " of " +
+                                                counted(made.wanted, "body", "bodies") +
+                                                " can't be made; leave out what asks for them. The "
+                                                "first: " +
+                                                failed.front());
+  }
+  BlockLibrary bodies;
+  for (Block& block : made.series.blocks) bodies.add(std::move(block));
+  choice.parents = std::move(request.ids);
+  choice.notes = std::move(made.notes);
+  choice.library = bodies.blocks();
 }
 
 // A shape without a size runs only at a size that the campaign gives it.
@@ -124,6 +163,25 @@ std::vector<CampaignBlock> drawn_from(const Campaign& campaign, const std::vecto
   return drawn;
 }
 
+/// Ids of a group that no block has are slips of the keyboard; blocks that do not run are not.
+void check_named(const Campaign& campaign, const BlockGroup& group, const BlockLibrary& library,
+                 const BlockChoice& choice) {
+  for (const std::string& id : group.filter.ids) {
+    const bool runs = std::any_of(choice.library.begin(), choice.library.end(),
+                                  [&](const Block& block) { return block.id == id; });
+    if (runs || (choice.parents.empty() && library.has(id))) continue;
+    const std::string start =
+        campaign.file.string() + ": the block group \"" + group.name + "\" names " + id + ", ";
+    if (choice.parents.empty()) {
+      throw InputError(start + "which " + campaign.blocks.library.string() +
+                       " does not have; clast show lists its blocks");
+    }
+    throw InputError(start + "which is none of the " +
+                     counted(choice.library.size(), "body", "bodies") + " made by vary, such as " +
+                     choice.library.front().id + "; name bodies, or a class");
+  }
+}
+
 void put_in_groups(const Campaign& campaign, BlockChoice& choice) {
   for (std::size_t g = 0; g < campaign.groups.size(); ++g) {
     const BlockGroup& group = campaign.groups[g];
@@ -162,9 +220,12 @@ void drop_unused(BlockChoice& choice) {
 
 }  // namespace
 
-BlockChoice choose_blocks(const Campaign& campaign) {
+BlockChoice choose_blocks(const Campaign& campaign, const BlockMaking& making) {
   BlockChoice choice;
-  choice.library = selected_blocks(campaign);
+  const BlockLibrary library = BlockLibrary::read(campaign.blocks.library);
+  choice.library = selected_blocks(campaign, library);
+  if (campaign.blocks.vary) vary(campaign, library, making, choice);
+  for (const BlockGroup& group : campaign.groups) check_named(campaign, group, library, choice);
   check_sizes(campaign, choice.library);
   choice.blocks = campaign.blocks.draw ? drawn_from(campaign, choice.library)
                                        : all_of(choice.library, campaign.blocks.scale);

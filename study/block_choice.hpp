@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "dem/rigid_body.hpp"
 #include "library/block.hpp"
 #include "study/campaign.hpp"
@@ -18,16 +19,27 @@ struct CampaignBlock {
 };
 
 struct BlockChoice {
-  std::vector<Block> library;  ///< those that occur, unscaled
+  std::vector<Block> library;        ///< those that occur, unscaled
+  std::vector<std::string> parents;  ///< blocks that the others were made of; empty: none was made
+  std::vector<std::string> notes;    ///< on a table that forms were drawn from
   /// Where blocks stay, drawn ones are those of all realisations, one after the other.
   std::vector<CampaignBlock> blocks;
 };
 
-/// Selects, draws and scales as [blocks] and [[block_group]] ask.
+/// How blocks are made where the campaign varies them; no matter for what is made.
+struct BlockMaking {
+  unsigned threads = 0;    ///< 0: one per core
+  Progress progress = {};  ///< bodies made, from any thread, one at a time
+};
+
+/// Selects, varies, draws and scales as [blocks] and [[block_group]] ask. Bodies that are made run
+/// in order of their ids, as from a library.
 /// @throws InputError  a missing id; nothing selected; an unscaled block that is not brought to a
 ///                     mass or a volume; a class that shall be drawn and has no block; a group
-///                     without a block, or a block in two groups
-BlockChoice choose_blocks(const Campaign& campaign);
+///                     without a block, that names a block which is not there, or a block in two
+///                     groups; a body that is asked for twice
+/// @throws GeometryError  a body that can't be made
+BlockChoice choose_blocks(const Campaign& campaign, const BlockMaking& making = {});
 
 /// How many of `count` go to each share: whole numbers, largest remainders first.
 std::vector<std::size_t> quotas(const std::vector<double>& shares, std::size_t count);

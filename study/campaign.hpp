@@ -10,6 +10,7 @@
 
 #include "dem/release.hpp"
 #include "dem/stiffness.hpp"
+#include "library/series_request.hpp"
 #include "study/barrier.hpp"
 #include "study/calibration/posterior_draws.hpp"
 #include "study/uncertain.hpp"
@@ -47,6 +48,9 @@ struct BlockSelection {
   BlockFilter filter;
   BlockScale scale;
   std::optional<BlockDraw> draw;
+  /// Bodies that are made of the selected blocks and run in their place; its library and blocks are
+  /// those above.
+  std::optional<SeriesRequest> vary;
   bool any_size = false;  ///< take blocks beyond the usual sizes, or large for the terrain
 };
 

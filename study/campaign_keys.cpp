@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "library/series_steps.hpp"
+#include "library/variation_ranges.hpp"
 #include "study/detail/campaign_ranges.hpp"
 #include "study/detail/campaign_reading.hpp"
 #include "study/detail/key_forms.hpp"
@@ -36,6 +38,57 @@ ValueForm block_class() {
 
 Forms selection() { return {text(), list(text(), 1), block_class()}; }
 
+/// A value or a list of such.
+Forms one_or_more(const ValueForm& form) { return {form, list(form, 1)}; }
+
+/// What bodies are made of the blocks: key for key what `SeriesRequest` asks for.
+std::vector<TableKey> vary_keys() {
+  const ValueForm ratio = number(kVariedRatio);
+  return {{"to", "", "stretch to these ratios, [I/L, S/L] each", {list(list(ratio, 2, 2), 1)}},
+          {"grid",
+           "",
+           "stretch to forms all over a diagram",
+           {table({{"diagram", "", "of form", {words(form_grid_names())}, true},
+                   {"steps", "", "along each side", {count(1, kMostGridSteps)}, true},
+                   {"least", "", "smallest S/L, in zingg I/L and S/I", {number(kLeastRatio)}}})}},
+          {"like", "", "stretch to the ratios of these blocks of the library", texts()},
+          {"convexity", "", "fill hollows until the volume is this share of the hull's",
+           one_or_more(number(kVariedConvexity))},
+          {"rounding", "", "radius of edges and corners as a share of S",
+           one_or_more(number(kVariedRadiusShare))},
+          {"roundness", "", "round edges and corners until Wadell's roundness is this",
+           one_or_more(number(kVariedRoundness))},
+          {"roundness_edge",
+           "",
+           "edges that it is measured on, over the diameter of the ball of equal volume",
+           {number(kRoundnessEdge)}},
+          {"vertices", "", "simplify the core to so many",
+           one_or_more(count(kFewestVaried, kMostVaried))},
+          {"detail", "", "factor on what lies off the coarse form: 0 smooths, 2 roughens",
+           one_or_more(number(kDetailGain))},
+          {"degree",
+           "",
+           "spherical harmonics up to this degree are the coarse form",
+           {count(kLowestDegree, kHighestDegree)}},
+          {"reference", "", "simple bodies with the block's I/L and S/L",
+           one_or_more(words(reference_form_names()))},
+          {"exponent", "", "of the superellipsoid", {number(kSuperellipsoidExponent)}},
+          {"inertia", "", "bodies with the block's mass and principal moments",
+           one_or_more(words(inertia_form_names()))},
+          {"population",
+           "",
+           "bodies with sizes and forms drawn as the blocks, or a table, have them",
+           {table({{"count", "", "how many", {count(1, kMostSeriesBodies)}, true},
+                   {"seed", "", "of the draw", {seed()}},
+                   {"table", "", "of measured blocks, with columns L, I and S", {text()}},
+                   {"units", "", "length unit of the table", {text()}},
+                   {"prefix", "", "ids are this and a number", {text()}}})}},
+          {"keep",
+           "",
+           "what bodies have in common with their block",
+           {words({"mass", "volume", "L"})}}};
+}
+
 KeyTable blocks_table() {
   return {
       "blocks",
@@ -59,7 +112,11 @@ KeyTable blocks_table() {
              {"scheme", "", "scheme of the classes in shares", {words(kSelectingSchemes)}},
              {"shares", "", "share of each class; they add up to 1", {named(number(kClassShare))}},
              {"mass_kg", "kg", "mass of a drawn block; without, its own",
-              uncertain(kBlockMass)}})}}},
+              uncertain(kBlockMass)}})}},
+       {"vary",
+        "",
+        "bodies made of the selected blocks, that run in their place",
+        {table(vary_keys())}}},
       true};
 }
 
@@ -262,6 +319,8 @@ const KeyTable& table_named(const std::string& name) {
 const std::vector<KeyTable>& campaign_tables() {
   static const std::vector<KeyTable> tables = {
       blocks_table(),
+      {"blocks.vary", "Bodies made of the blocks, that run in their place", Repeat::kOnce,
+       vary_keys()},
       block_group_table(),
       terrain_table(),
       {"ground", "How the ground of a zone behaves", Repeat::kNamed, ground_keys(false), true},

@@ -5,8 +5,8 @@
 
 namespace clast {
 
-/// In the order of docs/formats.md. "ground" has the keys of a ground zone, "contact.blocks" those
-/// of the key `blocks` of [contact].
+/// In the order of docs/formats.md. "ground" has the keys of a ground zone, "blocks.vary" those
+/// of the key `vary` of [blocks], and "contact.blocks" those of `blocks` of [contact].
 const std::vector<KeyTable>& campaign_tables();
 
 /// Names of the keys.

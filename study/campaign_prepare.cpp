@@ -18,6 +18,7 @@ namespace {
 BlockSummary summary_of(const CampaignBlock& chosen, const Block& block, const RigidBody& body,
                         const std::vector<BlockGroup>& groups) {
   const double scale = chosen.scale;
+  const std::optional<VariationRecord> made = read_variation(block);
   const Axes axes{scale * block.axes().L, scale * block.axes().I, scale * block.axes().S};
   return {chosen.id,
           body.mass,
@@ -30,7 +31,9 @@ BlockSummary summary_of(const CampaignBlock& chosen, const Block& block, const R
           scale,
           scale * scale * scale * block.mass.volume,
           static_cast<std::uint32_t>(chosen.library),
-          body.moments};
+          body.moments,
+          made ? made->parent : "",
+          made ? in_words(*made) : ""};
 }
 
 std::string with_digest(const std::filesystem::path& file) {
@@ -43,6 +46,9 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
   header.campaign_text = campaign.text;
   header.campaign_sha256 = campaign.sha256;
   header.inputs.push_back(with_digest(campaign.blocks.library));
+  if (campaign.blocks.vary && !campaign.blocks.vary->table.empty()) {
+    header.inputs.push_back(with_digest(campaign.blocks.vary->table));
+  }
   header.inputs.insert(header.inputs.end(), terrain.sources.begin(), terrain.sources.end());
   for (const ReleasePlan& release : campaign.releases) {
     for (const auto& file : release.files) header.inputs.push_back(with_digest(file));
@@ -84,10 +90,10 @@ RigidBody rigid_body(const Block& block) {
           .smallest_side = block.axes().S};
 }
 
-PreparedCampaign prepare_campaign(const Campaign& campaign) {
+PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& making) {
   PreparedCampaign prepared;
   prepared.campaign = campaign;
-  prepared.choice = choose_blocks(campaign);
+  prepared.choice = choose_blocks(campaign, making);
   for (const CampaignBlock& block : prepared.choice.blocks) {
     prepared.bodies.push_back(
         scaled(rigid_body(prepared.choice.library[block.library]), block.scale));
@@ -104,6 +110,8 @@ PreparedCampaign prepare_campaign(const Campaign& campaign) {
   if (stay && stay->mass && stay->mass->in_place) check_mass_start(prepared, 0);
   header.warnings = campaign_warnings(prepared);
   header.warnings.insert(header.warnings.begin(), warnings.begin(), warnings.end());
+  const std::vector<std::string>& notes = prepared.choice.notes;
+  header.warnings.insert(header.warnings.end(), notes.begin(), notes.end());
   return prepared;
 }
 

@@ -44,11 +44,13 @@ RigidBody rigid_body(const Block& block);
 /// What the campaign and the run itself, its stiffness and time step, ask of the dynamics.
 ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run);
 
-/// Loads library and terrain, places every block and checks every start.
+/// Loads library and terrain, makes bodies where blocks are varied, places every block and checks
+/// every start.
 /// @throws InputError       inputs that do not fit: a zone without parameters, a parameter for no
 ///                          zone, no block selected, a point off the terrain
 /// @throws SimulationError  a start inside the ground: block, point, orientation and depth
-PreparedCampaign prepare_campaign(const Campaign& campaign);
+/// @throws GeometryError    a body of [blocks] vary can't be made
+PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& making = {});
 
 /// Every n-th run of a campaign, or realisation where blocks stay, so that n jobs that know nothing
 /// of each other do it all: `merge_results` joins what they wrote.

@@ -48,6 +48,8 @@ struct BlockSummary {
   double volume = 0.0;          ///< m^3
   std::uint32_t shape = 0;      ///< index into CampaignResults::shapes
   Vec3 moments = Vec3::Zero();  ///< principal, kg m^2
+  std::string parent = {};      ///< block that it was varied from; empty: none
+  std::string variation = {};   ///< "stretch to 0.8, 0.5"
 
   const std::string& library_block() const { return library_id.empty() ? id : library_id; }
 };

@@ -95,6 +95,13 @@ void read_blocks(const CheckedGroup& reader, CampaignResults& results) {
   const auto moments = reader.vectors<Vec3>("principal_moments_kg_m2");
   if (moments.size() != rows)
     reader.damaged("principal_moments_kg_m2", "has not one row per block");
+  // Added to schema 4 later.
+  const auto text_or_none = [&](const char* name) {
+    return reader.group.has(name) ? reader.column<std::string>(name, rows)
+                                  : std::vector<std::string>(rows);
+  };
+  const std::vector<std::string> parents = text_or_none("parent");
+  const std::vector<std::string> variations = text_or_none("variation");
   for (std::size_t i = 0; i < rows; ++i) {
     results.blocks.push_back({ids[i],
                               mass[i],
@@ -107,7 +114,9 @@ void read_blocks(const CheckedGroup& reader, CampaignResults& results) {
                               scale[i],
                               volume[i],
                               shape[i],
-                              moments[i]});
+                              moments[i],
+                              parents[i],
+                              variations[i]});
   }
   check_blocks(reader, results);
 }

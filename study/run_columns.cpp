@@ -35,6 +35,10 @@ TableColumns<Row> own_columns() {
         {"mass_kg", "kg", "of the block", [=](const Row& r) { return block(r).mass; }},
         {"library_block", "", "the block in the library that it is made from",
          [=](const Row& r) { return block(r).library_block(); }},
+        {"parent", "", "the block that `clast vary` or `vary` of the campaign made it of; or empty",
+         [=](const Row& r) { return block(r).parent; }},
+        {"variation", "", "what was done to it, such as `stretch to 0.8, 0.5`",
+         [=](const Row& r) { return block(r).variation; }},
         {"block_group", "", "group of the block in the campaign",
          [=](const Row& r) { return block(r).group; }},
         {"scale", "", "factor on the lengths of the block in the library",
@@ -93,6 +97,8 @@ const TableColumns<Row>& group_columns() {
                                                                   "mass_kg",
                                                                   "impacts",
                                                                   "library_block",
+                                                                  "parent",
+                                                                  "variation",
                                                                   "block_group",
                                                                   "scale",
                                                                   "volume_m3",
@@ -194,7 +200,9 @@ const TableColumns<Row>& run_columns() {
                                                                   "longest_flight_m",
                                                                   "max_energy_j",
                                                                   "max_spin_rad_s",
-                                                                  "engine"});
+                                                                  "engine",
+                                                                  "parent",
+                                                                  "variation"});
   return columns;
 }
 

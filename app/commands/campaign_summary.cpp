@@ -64,6 +64,15 @@ std::string masses_text(const PreparedCampaign& prepared) {
          range([](const MassStart& mass) { return 100.0 * mass.solid_fraction(); }) + " %\n";
 }
 
+/// "66 bodies made of 1 block of scans.h5"; empty where blocks run as they are.
+std::string made_text(const PreparedCampaign& prepared) {
+  const BlockChoice& choice = prepared.choice;
+  if (choice.parents.empty()) return "";
+  return counted(choice.library.size(), "body", "bodies") + " made of " +
+         counted(choice.parents.size(), "block") + " of " +
+         printable(prepared.campaign.blocks.library.string()) + "\n";
+}
+
 /// More blocks than this are not printed one by one.
 constexpr std::size_t kMostPrinted = 20;
 
@@ -89,7 +98,7 @@ TextTable stiffness_table(const PreparedCampaign& prepared) {
 void print_plan(const PreparedCampaign& prepared) {
   std::cout << counted(prepared.runs.size(), "run") << ": "
             << counted(prepared.bodies.size(), "block") << ", " << releases_text(prepared) << "\n"
-            << (prepared.masses.empty() ? "" : masses_text(prepared))
+            << made_text(prepared) << (prepared.masses.empty() ? "" : masses_text(prepared))
             << stiffness_table(prepared).text();
   for (const std::string& warning : prepared.header.warnings) {
     std::cout << "warning: " << shown(warning) << "\n";

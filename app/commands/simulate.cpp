@@ -119,6 +119,20 @@ std::string fingerprint(const PreparedCampaign& prepared) {
   return text;
 }
 
+/// The campaign, with a bar while bodies are made.
+PreparedCampaign prepared_campaign(const SimulateArgs& args, const ProcessTeam& team) {
+  const InterruptionWatch watch;
+  std::unique_ptr<ProgressBar> bar;
+  BlockMaking making{.threads = args.threads};
+  making.progress = [&](const ProgressStep& step) {
+    if (watch.interrupted()) throw SimulationError("interrupted; nothing was run");
+    if (!team.leads()) return;
+    if (!bar) bar = std::make_unique<ProgressBar>("bodies", step.total);
+    bar->update(step.done);
+  };
+  return prepare_campaign(read_campaign(args.campaign), making);
+}
+
 void simulate_with(ProcessTeam& team, const SimulateArgs& args,
                    const std::optional<Shard>& given_shard) {
   const Shard shard = given_shard.value_or(Shard());
@@ -130,7 +144,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
     const bool begun = std::filesystem::exists(part);
     const bool keep = !args.replace && !args.resume && !args.dry_run && !begun;
     if (team.leads()) check_results_place(output, !keep);
-    plan.emplace(prepare_campaign(read_campaign(args.campaign)));
+    plan.emplace(prepared_campaign(args, team));
     if (args.resume && !args.replace && !begun) {
       finished = is_finished(output, plan->header, shard.runs_of(*plan));
     }

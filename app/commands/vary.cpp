@@ -17,6 +17,7 @@
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "library/series_request.hpp"
+#include "library/variation_ranges.hpp"
 #include "report/json/series_json.hpp"
 #include "report/text/series_text.hpp"
 
@@ -31,31 +32,26 @@ struct VaryArgs {
   std::vector<std::string> forms;  ///< --to
   std::string grid;
   double least = 0.2;
-  std::vector<double> convexities, roundings, gains;
-  std::vector<std::size_t> vertices;
-  int degree = 6;
-  std::vector<std::string> references, inertia;
-  double exponent = 4.0;
+  SeriesSteps steps;
   std::string table;
   std::string keep = "mass";
   bool json = false;
 };
 
-constexpr NumberRange kGridSteps{1.0, 100.0};
-constexpr std::size_t kMostDrawn = 100'000;
+constexpr NumberRange kGridSteps{1.0, kMostGridSteps};
 constexpr std::size_t kMostListed = 40;  ///< rows of the table on the terminal
 constexpr std::size_t kMostNamed = 5;    ///< failed bodies that are named
 
 /// "0.8,0.5".
-StretchTo read_ratios(const std::string& text) {
+BoxRatios read_ratios(const std::string& text) {
   const std::size_t comma = text.find(',');
   const auto i_l = number_in(text.substr(0, comma));
   const auto s_l = comma == text.npos ? std::nullopt : number_in(text.substr(comma + 1));
-  return stretch_to(i_l.value_or(NAN), s_l.value_or(NAN), text);
+  return stretch_ratios(i_l.value_or(NAN), s_l.value_or(NAN), text);
 }
 
 /// "sneed-folk:10" or "zingg:5".
-std::vector<Variation> read_grid(const std::string& text, double least) {
+FormGrid read_grid(const std::string& text, double least) {
   const std::size_t colon = text.find(':');
   const double steps = colon == text.npos ? 0.0 : number_in(text.substr(colon + 1)).value_or(0.0);
   if (!kGridSteps.holds(steps) || steps != std::floor(steps)) {
@@ -63,27 +59,15 @@ std::vector<Variation> read_grid(const std::string& text, double least) {
                      ": give sneed-folk:STEPS or zingg:STEPS, a whole number of steps " +
                      kGridSteps.words());
   }
-  return stretches_over(text.substr(0, colon), static_cast<int>(steps), least);
+  return {text.substr(0, colon), static_cast<int>(steps), least};
 }
 
 /// What every block is varied by, but for --like, which needs the library.
-std::vector<Variation> variations_wanted(const VaryArgs& args) {
-  std::vector<Variation> variations;
-  for (const std::string& form : args.forms) variations.emplace_back(read_ratios(form));
-  if (!args.grid.empty()) {
-    for (Variation& form : read_grid(args.grid, args.least)) variations.push_back(std::move(form));
-  }
-  for (const double convexity : args.convexities) variations.emplace_back(ConvexityOf{convexity});
-  for (const double share : args.roundings) variations.emplace_back(RoundingOf{share});
-  for (const std::size_t count : args.vertices) variations.emplace_back(VertexCount{count});
-  for (const double gain : args.gains) variations.emplace_back(DetailTimes{gain, args.degree});
-  for (const std::string& name : args.references) {
-    variations.emplace_back(ReferenceTo{reference_form(name), args.exponent});
-  }
-  for (const std::string& name : args.inertia) {
-    variations.emplace_back(InertiaTwin{reference_form(name)});
-  }
-  return variations;
+SeriesSteps steps_wanted(const VaryArgs& args) {
+  SeriesSteps steps = args.steps;
+  for (const std::string& form : args.forms) steps.to.push_back(read_ratios(form));
+  if (!args.grid.empty()) steps.grid = read_grid(args.grid, args.least);
+  return steps;
 }
 
 RequestedSeries make_bodies(SeriesRequest request) {
@@ -121,7 +105,7 @@ void print_series(const VaryArgs& args, const RequestedSeries& made) {
 void vary(const VaryArgs& args) {
   SeriesRequest request = args.request;
   check_usage([&] {
-    request.variations = variations_wanted(args);
+    request.steps = steps_wanted(args);
     request.library = args.library;
     request.output = args.output;
     request.table = args.table;
@@ -142,15 +126,17 @@ void vary(const VaryArgs& args) {
 }
 
 void add_form_options(CLI::App& command, VaryArgs& args) {
-  command.add_option("--to", args.forms, "Stretch to these ratios, I/L,S/L such as 0.8,0.5")
+  command.add_option("--to", args.forms, "Stretch to these ratios I/L,S/L, for example 0.8,0.5")
       ->type_name("I/L,S/L");
   command
       .add_option("--grid", args.grid,
-                  "Stretch to forms all over a diagram: sneed-folk:STEPS, (STEPS + 1)(STEPS + 2)/2 "
-                  "forms, or zingg:STEPS, (STEPS + 1)^2")
+                  "Stretch to a grid of forms over a diagram: sneed-folk:STEPS gives "
+                  "(STEPS + 1)(STEPS + 2)/2 forms, zingg:STEPS gives (STEPS + 1)^2")
       ->type_name("DIAGRAM:STEPS");
-  command.add_option("--least", args.least, "Smallest S/L, in zingg I/L and S/I, of the grid")
-      ->check(within({0.01, 0.99}))
+  command
+      .add_option("--least", args.least,
+                  "Smallest ratio in the grid: S/L of sneed-folk, I/L and S/I of zingg")
+      ->check(within(kLeastRatio))
       ->type_name("RATIO")
       ->capture_default_str();
   command
@@ -161,67 +147,83 @@ void add_form_options(CLI::App& command, VaryArgs& args) {
 
 void add_surface_options(CLI::App& command, VaryArgs& args) {
   command
-      .add_option("--convexity", args.convexities,
-                  "Fill hollows until the volume is this share of the hull's")
-      ->check(within({0.01, 1.0}))
+      .add_option("--convexity", args.steps.convexity,
+                  "Fill hollows until the volume is this share of the convex hull's")
+      ->check(within(kVariedConvexity))
       ->type_name("SHARE");
   command
-      .add_option("--rounding", args.roundings,
+      .add_option("--rounding", args.steps.rounding,
                   "Radius of edges and corners as a share of S, 0 to 0.4")
-      ->check(within({1e-3, 0.4, "of S", "sharp edges"}))
+      ->check(within(kVariedRadiusShare))
       ->type_name("SHARE");
-  command.add_option("--vertices", args.vertices, "Simplify the core to so many vertices")
-      ->check(whole_number(8, 2000))
+  command
+      .add_option("--roundness", args.steps.roundness,
+                  "Choose the radius that gives this Wadell roundness")
+      ->check(within(kVariedRoundness))
+      ->type_name("VALUE");
+  command
+      .add_option("--roundness-edge", args.steps.roundness_edge,
+                  "Edge length of the mesh that roundness is measured on, as a share of the "
+                  "diameter of a sphere of equal volume")
+      ->check(within(kRoundnessEdge))
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command.add_option("--vertices", args.steps.vertices, "Simplify to this many vertices")
+      ->check(whole_number(kFewestVaried, kMostVaried))
       ->type_name("N");
   command
-      .add_option("--detail", args.gains,
-                  "Multiply what lies off the coarse form: 0 smooths, 1 keeps, 2 roughens")
-      ->check(within({0.01, 10.0, "", "smooth"}))
+      .add_option("--detail", args.steps.detail,
+                  "Multiply the surface detail: 0 removes it, 1 keeps it, 2 doubles it")
+      ->check(within(kDetailGain))
       ->type_name("FACTOR");
   command
-      .add_option("--degree", args.degree,
-                  "Spherical harmonics up to this degree are the coarse form")
-      ->check(whole_number(2, 20))
+      .add_option("--degree", args.steps.degree,
+                  "Detail is what spherical harmonics up to this degree leave out")
+      ->check(whole_number(kLowestDegree, kHighestDegree))
       ->type_name("N")
       ->capture_default_str();
 }
 
 void add_body_options(CLI::App& command, VaryArgs& args) {
-  command.add_option("--reference", args.references, "Bodies with the block's I/L and S/L")
+  command
+      .add_option(
+          "--reference", args.steps.reference,
+          "Simple bodies with the block's I/L and S/L; sphere and EOTA bodies have their own")
       ->check(CLI::IsMember(reference_form_names()))
       ->type_name("FORM");
-  command.add_option("--exponent", args.exponent, "Of the superellipsoid, 1 to 20")
-      ->check(within({1.0, 20.0}))
+  command.add_option("--exponent", args.steps.exponent, "Exponent of the superellipsoid, 1 to 20")
+      ->check(within(kSuperellipsoidExponent))
       ->type_name("N")
       ->capture_default_str();
   command
-      .add_option("--inertia", args.inertia,
+      .add_option("--inertia", args.steps.inertia,
                   "Bodies with the block's mass and principal moments of inertia")
-      ->check(CLI::IsMember({"ellipsoid", "box"}))
+      ->check(CLI::IsMember(inertia_form_names()))
       ->type_name("FORM");
   CLI::Option* draw =
       command
           .add_option("--draw", args.request.draw,
-                      "So many bodies with sizes and forms as the blocks have, or as --from says")
-          ->check(whole_number(1, kMostDrawn))
+                      "Draw this many bodies, with sizes and forms distributed like those of the "
+                      "blocks, or of the table of --from")
+          ->check(whole_number(1, kMostSeriesBodies))
           ->type_name("N");
   command
       .add_option("--from", args.table,
-                  "Table with columns L, I and S of measured blocks, to draw sizes and forms from")
+                  "Table of measured blocks with columns L, I and S, for --draw")
       ->needs(draw)
       ->type_name("TABLE");
   command
       .add_option(
           "--units", args.request.units,
-          "Length unit of the table: m, cm, mm, km, in, ft, or metres per unit; default: as "
-          "its header says, else m")
+          "Length unit of the table: m, cm, mm, km, in, ft, or metres per unit; default: the "
+          "one in its header, else m")
       ->type_name("UNIT")
       ->needs(draw);
-  command.add_option("--seed", args.request.seed, "Of the bodies drawn")
+  command.add_option("--seed", args.request.seed, "Random seed of --draw")
       ->check(whole_number())
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--prefix", args.request.prefix, "Ids of bodies drawn are this and a number")
+  command.add_option("--prefix", args.request.prefix, "Ids of drawn bodies are this and a number")
       ->type_name("TEXT")
       ->capture_default_str();
 }
@@ -241,7 +243,7 @@ void add_vary(CLI::App& app) {
   add_form_options(*command, *args);
   add_surface_options(*command, *args);
   add_body_options(*command, *args);
-  command->add_option("--keep", args->keep, "What the bodies have in common with their block")
+  command->add_option("--keep", args->keep, "What each body has in common with its block")
       ->check(CLI::IsMember({"mass", "volume", "L"}))
       ->type_name("WHAT")
       ->capture_default_str();
@@ -253,9 +255,9 @@ void add_vary(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", args->json, "Print the bodies as JSON");
   command->footer(
-      "Bodies are named after their block and what was done: B01_il0.8_sl0.5. All but references "
-      "keep the block's\nI/L and S/L unless these are what is varied; targets are reached within "
-      "0.5 %.\n"
+      "Bodies are named after their block and what was done to it: B01_il0.8_sl0.5. I/L and S/L "
+      "stay those of the\nblock unless they are what is varied. Targets are reached within 0.5 %, "
+      "roundness within 1 %; what can't be\nreached is reported with the nearest value that can.\n"
       "Examples:\n"
       "  clast vary blocks.h5 B01 --grid sneed-folk:10 -o forms.h5\n"
       "  clast vary blocks.h5 B01 --convexity 0.9 0.95 1 --reference ellipsoid box\n"

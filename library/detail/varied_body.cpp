@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "library/detail/convexity_search.hpp"
+#include "library/variation_ranges.hpp"
 #include "massprops/principal_frame.hpp"
 #include "massprops/sphero.hpp"
 #include "mesh/decimation.hpp"
@@ -17,10 +18,9 @@
 namespace clast::library_detail {
 namespace {
 
-constexpr double kLargestRadiusShare = 0.4;
+constexpr double kLargestRadiusShare = kVariedRadiusShare.high;
 constexpr double kSameShare = 1e-9;
 constexpr int kRadiusRounds = 20;
-constexpr std::size_t kFewestVertices = 8;
 constexpr int kMomentRounds = 40;
 constexpr double kSameMoments = 1e-9;
 
@@ -97,9 +97,9 @@ VariedBody varied_body(const Block& parent, const RoundingOf& wanted) {
 VariedBody varied_body(const Block& parent, const VertexCount& wanted) {
   refuse_round_bodies(parent);
   const std::size_t own = parent.body.vertices.size();
-  if (wanted.vertices < kFewestVertices || wanted.vertices > own) {
+  if (wanted.vertices < kFewestVaried || wanted.vertices > own) {
     throw InputError(counted(wanted.vertices, "vertex", "vertices") + " can't be reached: from " +
-                     std::to_string(kFewestVertices) + " to the " + std::to_string(own) +
+                     std::to_string(kFewestVaried) + " to the " + std::to_string(own) +
                      " it has can; more come from its scan, by reconstruct");
   }
   const std::string figures = "parent_vertices=" + std::to_string(own);

@@ -226,6 +226,8 @@ def vary(
     like: str | Sequence[str] | None = None,
     convexity: Sequence[float] | None = None,
     rounding: Sequence[float] | None = None,
+    roundness: Sequence[float] | None = None,
+    roundness_edge: float = 0.05,
     vertices: Sequence[int] | None = None,
     detail: Sequence[float] | None = None,
     degree: int = 6,
@@ -254,6 +256,8 @@ def vary(
         like: stretch to the ratios of these blocks.
         convexity: fill hollows until the volume is this share of the hull's.
         rounding: radius of edges and corners as a share of S, 0 to 0.4.
+        roundness: round edges and corners until Wadell's roundness is this, on edges of
+            `roundness_edge` diameters of the ball of equal volume.
         vertices: simplify the core to so many.
         detail: multiply what lies off the coarse form, of harmonics up to `degree`.
         reference: simple bodies with the block's ratios, such as "ellipsoid"; `exponent` is of the
@@ -267,7 +271,8 @@ def vary(
     """
     options = dict(
         library=library, ids=ids, output=output, replace=replace, to=to, grid=grid, least=least,
-        like=like, convexity=convexity, rounding=rounding, vertices=vertices, detail=detail,
+        like=like, convexity=convexity, rounding=rounding, roundness=roundness,
+        roundness_edge=roundness_edge, vertices=vertices, detail=detail,
         degree=degree, reference=reference, exponent=exponent, inertia=inertia, draw=draw,
         table=from_, units=units, seed=seed, prefix=prefix, keep=keep, threads=threads,
     )  # fmt: skip

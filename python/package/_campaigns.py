@@ -31,7 +31,11 @@ _KEYS: dict[str, list[str]] = _core.campaign_tables
 _TABLES = [name for name in _KEYS if "." not in name]
 _LISTS = ("block_group", "mass", "barrier")  # written [[name]]
 _FREE = {"ground": "ground"}  # tables by names of the user's: zones
-_INNER = {("contact", "blocks"): "contact.blocks", ("block_group", "ground"): None}
+_INNER = {
+    ("blocks", "vary"): "blocks.vary",
+    ("contact", "blocks"): "contact.blocks",
+    ("block_group", "ground"): None,
+}
 
 
 def _toml(value: Any, where: str) -> str:

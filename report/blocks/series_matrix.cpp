@@ -102,6 +102,7 @@ std::string form_table(const std::string& parent, const std::vector<Member>& mem
 
 std::string heading_of(const std::string& kind) {
   if (kind == "convexity") return "Convexity: hollows filled";
+  if (kind == "roundness") return "Wadell's roundness, by the radius of edges and corners";
   if (kind == "rounding") return "Radius of edges and corners, as a share of S";
   if (kind == "vertices") return "Vertices of the core";
   if (kind == "detail") return "Detail, multiplied";

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "report/html/html_page.hpp"
 
@@ -82,11 +83,70 @@ void visit_lattice(const ThinPlate& surface, std::span<const Vec2> hull, double 
       const Corner a = corner(row, column), b = corner(row, column + 1);
       const int left = row % 2 == 0 ? column : column - 1;
       const Corner c = corner(row + 1, left + 1), d = corner(row + 1, left);
-      offer(a, b, c);
       offer(a, c, d);
+      offer(a, b, c);
     }
   }
 }
+
+std::string closed_path(std::span<const Vec2> places) {
+  std::string path;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    path += (i == 0 ? "M" : "L") + point_text(places[i]);
+  }
+  return path + "Z";
+}
+
+bool is_whole(const std::array<Corner, 3>& triangle, double level) {
+  return std::all_of(triangle.begin(), triangle.end(),
+                     [&](const Corner& corner) { return corner.value >= level; });
+}
+
+/// Triangles of the lattice that touch along a row, as one trapezoid.
+class WholeTriangles {
+ public:
+  /// What is finished by this triangle.
+  std::string add(const std::array<Corner, 3>& triangle) {
+    Row top{triangle[0].place.y()}, bottom{triangle[0].place.y()};
+    for (const Corner& corner : triangle) {
+      top.y = std::min(top.y, corner.place.y());
+      bottom.y = std::max(bottom.y, corner.place.y());
+    }
+    for (const Corner& corner : triangle) {
+      (corner.place.y() == top.y ? top : bottom).include(corner.place.x());
+    }
+    std::string path;
+    if (!(any_ && top.y == top_.y && bottom.y == bottom_.y && top.low <= top_.high &&
+          bottom.low <= bottom_.high)) {
+      path = finish();
+      top_ = top;
+      bottom_ = bottom;
+    }
+    any_ = true;
+    top_.include(top.high);
+    bottom_.include(bottom.high);
+    return path;
+  }
+  std::string finish() {
+    if (!std::exchange(any_, false)) return "";
+    std::vector<Vec2> corners = {{top_.low, top_.y}};
+    if (top_.high > top_.low) corners.emplace_back(top_.high, top_.y);
+    corners.emplace_back(bottom_.high, bottom_.y);
+    if (bottom_.high > bottom_.low) corners.emplace_back(bottom_.low, bottom_.y);
+    return closed_path(corners);
+  }
+
+ private:
+  struct Row {
+    double y = 0.0, low = 1e300, high = -1e300;
+    void include(double x) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  };
+  Row top_, bottom_;
+  bool any_ = false;
+};
 
 }  // namespace
 
@@ -155,15 +215,17 @@ bool is_inside(std::span<const Vec2> hull, const Vec2& place) {
 std::string band_path(const ThinPlate& surface, std::span<const Vec2> hull, double level,
                       double side) {
   std::string path;
+  WholeTriangles whole;
   visit_lattice(surface, hull, side, [&](const std::array<Corner, 3>& triangle) {
     const std::vector<Vec2> part = above(triangle, level);
     if (part.size() < 3) return;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      path += (i == 0 ? "M" : "L") + point_text(part[i]);
+    if (is_whole(triangle, level)) {
+      path += whole.add(triangle);
+    } else {
+      path += closed_path(part);
     }
-    path += "Z";
   });
-  return path;
+  return path + whole.finish();
 }
 
 ContourLine contour_line(const ThinPlate& surface, std::span<const Vec2> hull, double level,

@@ -28,6 +28,7 @@ nlohmann::ordered_json plan_json(const PreparedCampaign& prepared) {
   }
   nlohmann::ordered_json plan = {{"runs", prepared.runs.size()},
                                  {"blocks", blocks},
+                                 {"varied_blocks", prepared.choice.parents},
                                  {"release_points", prepared.header.release_points.size()},
                                  {"stiffness", stiffness},
                                  {"warnings", prepared.header.warnings}};

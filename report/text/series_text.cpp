@@ -10,15 +10,6 @@ namespace {
 
 double convexity_of(const Block& block) { return convexity(block.body, block.mass.volume); }
 
-std::string what_of(const VariationRecord& record) {
-  if (!record.reference.empty()) return record.reference;
-  if (record.form) {
-    return record.kind + " to " + with_digits(record.form->i_l, 4) + ", " +
-           with_digits(record.form->s_l, 4);
-  }
-  return record.kind + " " + with_digits(record.step, 4);
-}
-
 }  // namespace
 
 TextTable series_table(std::span<const Block> blocks) {
@@ -28,7 +19,7 @@ TextTable series_table(std::span<const Block> blocks) {
   for (const Block& block : blocks) {
     const BoxRatios ratios = box_ratios(block.box);
     const bool metric = !is_unscaled(block);
-    table.rows.push_back({block.id, what_of(read_variation(block).value_or(VariationRecord{})),
+    table.rows.push_back({block.id, in_words(read_variation(block).value_or(VariationRecord{})),
                           with_decimals(ratios.i_l, 4), with_decimals(ratios.s_l, 4),
                           with_decimals(convexity_of(block), 4),
                           rounded(block.mass.volume) + (metric ? "" : " u"),

@@ -19,7 +19,6 @@ clast() {
 
 mkdir -p out/shape-effects
 clast reconstruct samples/blocks/B01_compact.ply -o out/shape-effects/scan.h5 --replace "${vertices[@]}"
-clast vary out/shape-effects/scan.h5 --grid sneed-folk:10 -o out/shape-effects/forms.h5 --replace
 for slope in smooth stepped quarry; do
   campaign=samples/shape-effects/$slope.toml
   if [ "$orientations" != 64 ]; then

@@ -148,6 +148,7 @@ BlockSelection read_blocks(const TomlTable& top) {
     }
     blocks.draw = read_draw(table, *draw);
   }
+  blocks.vary = read_vary(table);
   return blocks;
 }
 

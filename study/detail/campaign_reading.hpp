@@ -64,6 +64,10 @@ std::optional<Uncertain> read_uncertain(const TomlTable& table, const std::strin
                                         const NumberRange& range);
 
 BlockSelection read_blocks(const TomlTable& top);
+/// `vary` of [blocks], without library and blocks; none where it is absent.
+std::optional<SeriesRequest> read_vary(const TomlTable& blocks);
+/// A message of a library that names its fields between backticks: keys have the same names here.
+std::string in_words_of_campaign(std::string message);
 std::map<std::string, GroundTable> read_ground(const TomlTable& top);
 /// @param campaign  with its ground
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);

@@ -89,6 +89,10 @@ void read_places(const TomlTable& table, const Campaign& campaign, MassPlan& mas
     table.refuse("in_place", *table.find("in_place"),
                  "blocks in place are neither drawn nor scaled; leave [blocks] draw and scale out");
   }
+  if (campaign.blocks.vary) {
+    table.refuse("in_place", *table.find("in_place"),
+                 "blocks in place run as they are; leave [blocks] vary out");
+  }
   mass.raised = table.number("height_m", kDropHeight).value_or(0.0);
 }
 

@@ -102,6 +102,8 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   write_column(blocks, "library_id", "", list,
                [](const BlockSummary& b) { return b.library_block(); });
   write_column(blocks, "group", "", list, [](const BlockSummary& b) { return b.group; });
+  write_column(blocks, "parent", "", list, [](const BlockSummary& b) { return b.parent; });
+  write_column(blocks, "variation", "", list, [](const BlockSummary& b) { return b.variation; });
   write_column(blocks, "scale", "", list, [](const BlockSummary& b) { return b.scale; });
   write_column(blocks, "volume_m3", "m^3", list, [](const BlockSummary& b) { return b.volume; });
   write_column(blocks, "shape", "", list, [](const BlockSummary& b) { return b.shape; });

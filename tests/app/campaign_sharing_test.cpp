@@ -23,6 +23,13 @@ class SharedCampaign : public SlopeCampaign {
     text = replaced(text, "from = [12, -9]\nto = [12, 9]", "from = [5.5, -9]\nto = [5.5, 9]");
     write_text_file(folder / "campaign.toml", text);
   }
+  void vary_blocks() {
+    const std::string text = read_text_file(folder / "campaign.toml");
+    write_text_file(folder / "campaign.toml",
+                    replaced(text, "[terrain]",
+                             "select = [\"bar\"]\n"
+                             "vary = { to = [[0.8, 0.6]], reference = \"ellipsoid\" }\n[terrain]"));
+  }
   std::string run(const std::vector<std::string>& arguments) {
     const ProgramRun run = run_clast(arguments, folder.path());
     EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -64,6 +71,44 @@ TEST_F(SharedCampaign, IsTheSameInFourShardsJoined) {
   run({"simulate", "--merge", "all.2of4.h5", "all.1of4.h5", "all.4of4.h5", "all.3of4.h5", "-o",
        "all.h5"});
   expect_same_as_one("all.h5");
+}
+
+TEST_F(SharedCampaign, OfVariedBlocksIsTheSameInShardsJoined) {
+  vary_blocks();
+  for (const std::string shard : {"2/2", "1/2"}) {
+    run({"simulate", "campaign.toml", "-o", "all.h5", "--shard", shard, "--threads", "1"});
+  }
+  run({"simulate", "--merge", "all.1of2.h5", "all.2of2.h5", "-o", "all.h5"});
+  expect_same_as_one("all.h5");
+}
+
+TEST_F(SharedCampaign, OfVariedBlocksIsTheSameOnTwoThreads) {
+  vary_blocks();
+  run({"simulate", "campaign.toml", "-o", "two.h5", "--threads", "2"});
+  expect_same_as_one("two.h5");
+}
+
+TEST_F(SharedCampaign, OfVariedBlocksIsWhatVaryThenSimulateGives) {
+  run({"vary", "blocks.h5", "bar", "--to", "0.8,0.6", "--reference", "ellipsoid", "-o", "s.h5"});
+  const std::string text = read_text_file(folder / "campaign.toml");
+  write_text_file(folder / "two.toml", replaced(text, "blocks.h5", "s.h5"));
+  run({"simulate", "two.toml", "-o", "two.h5"});
+  run({"compare", "two.h5", "-o", "two"});
+  vary_blocks();
+  run({"check", "campaign.toml"});
+  EXPECT_TRUE(
+      contains(run({"simulate", "campaign.toml", "--dry-run"}), "2 bodies made of 1 block"));
+  const auto plan =
+      nlohmann::json::parse(run({"simulate", "campaign.toml", "--dry-run", "--json"}));
+  EXPECT_EQ(plan["varied_blocks"], nlohmann::json({"bar"}));
+  EXPECT_EQ(plan["blocks"], nlohmann::json({"bar_ellipsoid", "bar_il0.8_sl0.6"}));
+  run({"simulate", "campaign.toml", "-o", "one.h5"});
+  run({"compare", "one.h5", "-o", "one"});
+  for (const char* table : {"runs.csv", "barriers.csv", "crossings.csv", "deposits.csv"}) {
+    EXPECT_EQ(read_text_file(folder / "one" / table), read_text_file(folder / "two" / table))
+        << table;
+  }
+  EXPECT_TRUE(contains(read_text_file(folder / "one/runs.csv"), "\"stretch to 0.8, 0.6\""));
 }
 
 TEST_F(SharedCampaign, ShardsOfDifferentCampaignsAreNotJoined) {
@@ -140,6 +185,13 @@ TEST_F(SharedByMpi, IsTheSameOnTwoProcesses) {
   // Said once, not by every process.
   EXPECT_EQ(run.out.find("160 runs"), run.out.rfind("160 runs")) << run.out;
   EXPECT_TRUE(contains(run.out, "mpi.h5: written")) << run.out;
+  expect_same_as_one("mpi.h5");
+}
+
+TEST_F(SharedByMpi, OfVariedBlocksIsTheSameOnTwoProcesses) {
+  vary_blocks();
+  const ProgramRun run = mpirun("2", {"simulate", "campaign.toml", "-o", "mpi.h5"}, folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
   expect_same_as_one("mpi.h5");
 }
 

@@ -114,6 +114,8 @@ TEST_F(VaryCommand, ShowsSeriesAsTablesOfPictures) {
 
 TEST_F(VaryCommand, RefusesWhatMakesNoSense) {
   refused({}, 2, "nothing is asked for");
+  refused({"R3", "--roundness", "1.5"}, 2, "--roundness");
+  refused({"R3", "--roundness", "0.99"}, 1, "a roundness of 0.99 can't be reached");
   refused({"--to", "0.5"}, 2, "--to 0.5: give I/L,S/L");
   refused({"--to", "0.5,0.8"}, 2, "S/L at most I/L");
   refused({"--grid", "folk:3"}, 2, "take sneed-folk or zingg");

@@ -8,6 +8,7 @@
 #include "classify/form_grid.hpp"
 #include "classify/surface_indices.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "library/block_measures.hpp"
 #include "library/block_series.hpp"
 #include "library/make_block.hpp"
@@ -109,6 +110,29 @@ TEST(BlockVariation, AreRounderTheLargerTheRadiusIs) {
       before = wadell;
     }
   }
+}
+
+// At constant volume and form, measured on edges of the length that is stated.
+TEST(BlockVariation, ReachARoundnessOrSayTheNearest) {
+  const Block convex = varied(ConvexityOf{1.0});
+  const double edge = 0.1 * std::cbrt(6.0 * convex.mass.volume / kPi);
+  for (const double target : {0.6, 0.7}) {
+    const Block twin = vary_block("V", convex, RoundnessOf{target, 0.1}, kSource);
+    const double stated = *number_in(with_digits(edge, 4));
+    EXPECT_TRUE(contains(twin.source.options, "edge_m=" + with_digits(edge, 4) + " roundness=0."));
+    EXPECT_NEAR(block_roundness(twin, stated).value / target, 1.0, kRoundnessTolerance);
+    EXPECT_LT(ratio_gap(box_ratios(twin.box), box_ratios(convex.box)), kVariationTolerance);
+    EXPECT_NEAR(twin.mass.volume / convex.mass.volume, 1.0, 5e-4);
+    EXPECT_EQ(read_variation(twin)->step, target);
+  }
+  const auto said = [&](double target) {
+    return refusal<GeometryError>([&] {
+      vary_block("V", convex, RoundnessOf{target, 0.1}, kSource);
+    });
+  };
+  EXPECT_TRUE(
+      contains(said(0.99), "a roundness of 0.99 can't be reached: the largest radius, 0.4"));
+  EXPECT_TRUE(contains(said(0.1), "a roundness of 0.1 can't be reached: with sharp edges it is"));
 }
 
 TEST(BlockVariation, SimplifyToAsManyVerticesAsAreAskedFor) {

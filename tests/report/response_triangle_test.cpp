@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
+#include <sstream>
 #include <vector>
 
 #include "report/charts/contour_field.hpp"
@@ -51,6 +53,44 @@ TEST(ContourField, OfAPlaneIsFlatWithStraightLines) {
   EXPECT_GT(length, 95.0);
   EXPECT_LT(length, 125.0) << "a triangle beyond either side at most";
   EXPECT_TRUE(contour_line(plate, hull, 16.0, 7.0).pieces.empty());
+}
+
+/// Areas of the closed parts of a path, px^2.
+std::vector<double> areas_of(const std::string& path) {
+  std::vector<double> areas;
+  std::vector<Vec2> part;
+  std::istringstream text(path);
+  for (char step; text >> step;) {
+    if (step != 'Z') {
+      Vec2& place = part.emplace_back();
+      text >> place.x() >> place.y();
+      continue;
+    }
+    double twice = 0.0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Vec2 &a = part[i], &b = part[(i + 1) % part.size()];
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+    areas.push_back(0.5 * std::abs(twice));
+    part.clear();
+  }
+  return areas;
+}
+
+// Triangles that lie wholly in a band are drawn row by row, not one by one.
+TEST(ContourField, BandsHaveTheirAreaInFewParts) {
+  const std::vector<Vec2> places = {{0, 0}, {100, 0}, {0, 100}, {100, 100}};
+  const std::vector<double> values = {0.0, 10.0, 0.0, 10.0};
+  const ThinPlate plate(places, values);
+  const std::vector<Vec2> hull = hull_of(places);
+  for (const double level : {-5.0, 2.0, 5.0, 9.0}) {
+    const double width = std::min(100.0, 100.0 - 10.0 * level);
+    const std::vector<double> areas = areas_of(band_path(plate, hull, level, 5.0));
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+    EXPECT_GT(area, 98.0 * width) << level;
+    EXPECT_LT(area, (width + 10.0) * 112.0) << level;
+    EXPECT_LT(areas.size(), level < 0.0 ? 30u : 110u) << level;
+  }
 }
 
 TEST(ContourField, PassesThroughItsValues) {

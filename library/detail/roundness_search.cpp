@@ -1,0 +1,85 @@
+#include "library/detail/roundness_search.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "library/block_measures.hpp"
+#include "library/block_variation.hpp"
+#include "library/variation_ranges.hpp"
+
+namespace clast::library_detail {
+namespace {
+
+constexpr double kGoodEnough = 3e-3;  ///< relative
+constexpr int kRounds = 10;
+/// Shares of S that are tried to get below a target, after the largest.
+constexpr std::array<double, 4> kFallingShares = {0.2, 0.1, 0.05, 0.0};
+
+[[noreturn]] void refuse_target(double target, const std::string& why, double nearest) {
+  throw GeometryError("a roundness of " + with_digits(target, 4) + " can't be reached: " + why +
+                      with_digits(nearest, 4));
+}
+
+bool good(const RoundedBody& one, double target, double tolerance) {
+  return std::abs(one.roundness / target - 1.0) <= tolerance;
+}
+
+/// An end that stays twice running counts half, so that both ends close in. @cite dowell1971
+RoundedBody between(const std::function<RoundedBody(double)>& at, RoundedBody low, RoundedBody high,
+                    double target) {
+  double below = low.roundness - target, above = high.roundness - target;
+  bool moved_low = false, moved_high = false;
+  RoundedBody best = -below < above ? low : high;
+  for (int round = 0; round < kRounds && !good(best, target, kGoodEnough); ++round) {
+    RoundedBody next = at((low.radius_share * above - high.radius_share * below) / (above - below));
+    const double gap = next.roundness - target;
+    if (std::abs(gap) < std::abs(best.roundness - target)) best = next;
+    if (gap < 0.0) {
+      low = std::move(next);
+      below = gap;
+      if (std::exchange(moved_low, true)) above *= 0.5;
+      moved_high = false;
+    } else {
+      high = std::move(next);
+      above = gap;
+      if (std::exchange(moved_high, true)) below *= 0.5;
+      moved_low = false;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+RoundedBody body_of_roundness(const std::function<SpheroPolyhedron(double)>& rounded, double target,
+                              double edge_length) {
+  const auto at = [&](double share) {
+    RoundedBody one{rounded(share), share, 0.0};
+    one.roundness = body_roundness(one.body, edge_length).value;
+    return one;
+  };
+  RoundedBody high = at(kVariedRadiusShare.high);
+  if (good(high, target, kGoodEnough)) return high;
+  if (high.roundness < target) {
+    refuse_target(
+        target, "the largest radius, " + with_digits(kVariedRadiusShare.high, 2) + " of S, gives ",
+        high.roundness);
+  }
+  for (const double share : kFallingShares) {
+    RoundedBody low = at(share);
+    if (good(low, target, kGoodEnough)) return low;
+    if (low.roundness > target) {
+      high = std::move(low);
+      continue;
+    }
+    RoundedBody found = between(at, std::move(low), std::move(high), target);
+    if (good(found, target, kRoundnessTolerance)) return found;
+    refuse_target(target, "the roundness measured leaps there; the nearest is ", found.roundness);
+  }
+  refuse_target(target, "with sharp edges it is ", high.roundness);
+}
+
+}  // namespace clast::library_detail

@@ -1,0 +1,57 @@
+#include "library/series_steps.hpp"
+
+#include "classify/form_grid.hpp"
+#include "core/error.hpp"
+#include "library/variation_ranges.hpp"
+
+namespace clast {
+
+namespace {
+
+std::vector<Axes> forms_of(const FormGrid& grid) {
+  if (grid.diagram == "zingg") return zingg_grid(grid.steps, grid.least);
+  if (grid.diagram == "sneed-folk") return sneed_folk_grid(grid.steps, grid.least);
+  throw InputError("`grid` \"" + grid.diagram + "\" is no diagram; take sneed-folk or zingg");
+}
+
+}  // namespace
+
+std::vector<Variation> SeriesSteps::variations() const {
+  std::vector<Variation> all;
+  for (const BoxRatios& ratios : to) all.emplace_back(StretchTo{ratios});
+  if (grid) {
+    for (const Axes& axes : forms_of(*grid)) {
+      all.emplace_back(StretchTo{{axes.I / axes.L, axes.S / axes.L}});
+    }
+  }
+  for (const double share : convexity) all.emplace_back(ConvexityOf{share});
+  for (const double share : rounding) all.emplace_back(RoundingOf{share});
+  for (const double value : roundness) all.emplace_back(RoundnessOf{value, roundness_edge});
+  for (const std::size_t count : vertices) all.emplace_back(VertexCount{count});
+  for (const double gain : detail) all.emplace_back(DetailTimes{gain, degree});
+  for (const std::string& name : reference) {
+    all.emplace_back(ReferenceTo{reference_form(name), exponent});
+  }
+  for (const std::string& name : inertia) all.emplace_back(InertiaTwin{reference_form(name)});
+  return all;
+}
+
+const std::vector<std::string>& form_grid_names() {
+  static const std::vector<std::string> kNames = {"sneed-folk", "zingg"};
+  return kNames;
+}
+
+const std::vector<std::string>& inertia_form_names() {
+  static const std::vector<std::string> kNames = {"ellipsoid", "box"};
+  return kNames;
+}
+
+BoxRatios stretch_ratios(double i_over_l, double s_over_l, const std::string& asked) {
+  if (kVariedRatio.holds(i_over_l) && kVariedRatio.holds(s_over_l) && s_over_l <= i_over_l) {
+    return {i_over_l, s_over_l};
+  }
+  throw InputError("`to` " + asked + ": give I/L,S/L, such as 0.8,0.5, both " +
+                   kVariedRatio.words() + " and S/L at most I/L");
+}
+
+}  // namespace clast
