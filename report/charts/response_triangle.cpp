@@ -133,13 +133,14 @@ std::string surface_of(std::span<const FormResponse> forms, std::span<const Vec2
   return svg + "</g>";
 }
 
-/// Colours of the bands with the values between them.
-std::string legend(const Range& range) {
+/// What is shown, and below it the colours of the bands with the values between them.
+std::string legend(const Range& range, const std::string& label) {
   const std::vector<double> levels = range.levels();
-  if (levels.empty()) return "";
-  constexpr double kX = 590.0, kBottom = 250.0, kBox = 18.0;
-  std::string svg;
+  constexpr double kX = 590.0, kBottom = 270.0, kBox = 18.0;
   double y = kBottom;
+  const double top = std::min(60.0, y - kBox * static_cast<double>(levels.size()) - 12.0);
+  std::string svg = svg_text(570.0, top, label, "text-anchor=\"middle\" font-size=\"13\"");
+  if (levels.empty()) return svg;
   for (std::size_t i = 0; i <= levels.size(); ++i, y -= kBox) {
     const double from = i == 0 ? range.least - 0.5 * range.step : levels[i - 1];
     svg += "<rect x=\"" + fixed(kX, 1) + "\" y=\"" + fixed(y, 1) + "\" width=\"" + fixed(kBox, 1) +
@@ -181,8 +182,7 @@ std::string response_triangle(std::span<const FormResponse> forms, const std::st
   std::string clip = "clip";
   for (const char c : label) clip += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
   std::string svg = svg_open(kWidth, kHeight, label + " over the triangle of Sneed and Folk");
-  svg += surface_of(forms, places, range, clip) + frame() + legend(range) +
-         svg_text(570.0, 60.0, label, "text-anchor=\"middle\" font-size=\"13\"");
+  svg += surface_of(forms, places, range, clip) + frame() + legend(range, label);
   for (const bool marked : {false, true}) {
     for (std::size_t i = 0; i < forms.size(); ++i) {
       if (forms[i].marked == marked) svg += disc_of(forms[i], places[i], range, label);
