@@ -1,13 +1,5 @@
-# Python and pybind11, for the module `clast`. CLAST_PYTHON is on where they are found, for the
-# Python of the system, whose packages (NumPy) it is: not one that a user has put before it in PATH.
-if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
-  set(Python_EXECUTABLE /usr/bin/python3)
-endif()
-find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module)
-if(Python_FOUND)
-  set(PYBIND11_FINDPYTHON ON)
-  find_package(pybind11 2.10 QUIET CONFIG)
-endif()
+# The module `clast`: CLAST_PYTHON is on where what it needs is found.
+include(${PROJECT_SOURCE_DIR}/python/packages.cmake)
 set(sanitized FALSE)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   set(sanitized TRUE)  # the interpreter would have to load the sanitizer first

@@ -19,4 +19,9 @@ if(CLAST_TESTS)
   set_tests_properties(cli.site_test PROPERTIES LABELS cli TIMEOUT 120
     SKIP_REGULAR_EXPRESSION "SKIPPED.*mkdocs"
     ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;CLAST_PROGRAM=$<TARGET_FILE:clast>")
+  add_test(NAME validation.site.commands_of_the_pages_run
+    COMMAND ${CLAST_SITE_PYTHON} -m pytest -q -rs -p no:cacheprovider commands_test.py
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/docs/site)
+  set_tests_properties(validation.site.commands_of_the_pages_run PROPERTIES LABELS validation TIMEOUT 900
+    ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;CLAST_PROGRAM=$<TARGET_FILE:clast>")
 endif()

@@ -10,7 +10,10 @@
 #include "python/watched_call.hpp"
 #include "report/calibration_report.hpp"
 #include "report/json/calibration_json.hpp"
+#include "report/json/key_schema.hpp"
 #include "report/text/calibration_text.hpp"
+#include "study/calibration/study_check.hpp"
+#include "study/calibration/study_keys.hpp"
 #include "study/results_place.hpp"
 
 namespace clast::python_detail {
@@ -76,11 +79,18 @@ std::string calibrate_shard(const fs::path& study, const fs::path& output,
   return target.string();
 }
 
+std::vector<std::string> check_study(const fs::path& study) {
+  return unlocked([&] { return check_calibration_study(study).findings; });
+}
+
 }  // namespace
 
 void bind_calibrations(py::module_& module) {
+  module.attr("calibration_tables") = keys_of(calibration_tables());
   module.def("calibrate", &calibrate_study);
   module.def("calibrate_shard", &calibrate_shard);
+  module.def("check_calibration", &check_study);
+  module.def("calibration_schema", [] { return object_of(calibration_schema()); });
 }
 
 }  // namespace clast::python_detail

@@ -216,11 +216,7 @@ void merge(const py::object& parts, const fs::path& output, bool replace) {
 }  // namespace
 
 void bind_campaigns(py::module_& module) {
-  py::dict tables;
-  for (const KeyTable& table : campaign_tables()) {
-    tables[py::str(table.name)] = table.key_names();
-  }
-  module.attr("campaign_tables") = tables;
+  module.attr("campaign_tables") = keys_of(campaign_tables());
   module.def("campaign_schema", [] { return object_of(campaign_schema()); });
   module.def("campaign_read", &read);
   module.def("campaign_write", [](const fs::path& file, const std::string& text, bool replace) {

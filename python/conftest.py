@@ -60,10 +60,10 @@ def program(*words, cwd=None, code=0):
     return done.stdout if code == 0 else done.stderr
 
 
-def documented_keys():
-    """Units of the keys of the tables of a campaign, from docs/formats.md."""
+def documented_keys(section="## Campaign (TOML)"):
+    """Units of the keys of the tables of a file, from docs/formats.md."""
     text = (SOURCE / "docs" / "formats.md").read_text(encoding="utf-8")
-    text = text[text.index("## Campaign (TOML)") :]
+    text = text[text.index(section) :]
     text = text[: text.index("\n## ", 5)]
     tables, name = {}, None
     for line in text.splitlines():

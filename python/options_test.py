@@ -20,7 +20,7 @@ CALLS = {
     "library-set": [clast.Library.set],
     "terrain": [clast.terrain, clast.Terrain.export, clast.Terrain.picture, clast.Terrain.check_fit],
     "new-campaign": [clast.new_campaign],
-    "check": [clast.Campaign],
+    "check": [clast.Campaign, clast.check_calibration],
     "simulate": [type(clast.Campaign().run).__call__, clast.Campaign.dry_run, clast.merge_results],
     "vary": [clast.vary],
     "calibrate": [clast.calibrate, clast.calibrate_shard],

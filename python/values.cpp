@@ -1,5 +1,7 @@
 #include "python/values.hpp"
 
+#include <pybind11/stl.h>
+
 #include <nlohmann/json.hpp>
 
 #include "python/arrays.hpp"
@@ -39,6 +41,12 @@ py::tuple table_of(TableValues table) {
 py::object object_of(const nlohmann::ordered_json& json) {
   // Texts that are not UTF-8 never get here: libraries convert what they read.
   return py::module_::import("json").attr("loads")(json.dump());
+}
+
+py::dict keys_of(const std::vector<KeyTable>& tables) {
+  py::dict keys;
+  for (const KeyTable& table : tables) keys[py::str(table.name)] = table.key_names();
+  return keys;
 }
 
 }  // namespace clast::python_detail

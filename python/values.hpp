@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/table_values.hpp"
+#include "study/key_table.hpp"
 
 namespace clast::python_detail {
 
@@ -14,5 +15,8 @@ pybind11::tuple table_of(TableValues table);
 
 /// dict, list, str, int, float, bool, None.
 pybind11::object object_of(const nlohmann::ordered_json& json);
+
+/// {table: its keys}
+pybind11::dict keys_of(const std::vector<KeyTable>& tables);
 
 }  // namespace clast::python_detail

@@ -1,8 +1,5 @@
 #include "study/campaign_check.hpp"
 
-#include <algorithm>
-#include <functional>
-
 #include "core/error.hpp"
 #include "study/campaign_text.hpp"
 #include "study/detail/campaign_reading.hpp"
@@ -17,17 +14,7 @@ namespace {
 CampaignCheck check(const std::filesystem::path& file, const std::optional<std::string>& text) {
   CampaignCheck result;
   std::vector<std::string>& findings = result.findings;
-  const PartReader read = [&](const std::function<void()>& part) {
-    try {
-      part();
-      return true;
-    } catch (const Error& error) {
-      if (std::find(findings.begin(), findings.end(), error.what()) == findings.end()) {
-        findings.push_back(error.what());
-      }
-      return false;
-    }
-  };
+  const PartReader read = findings_into(findings);
   const Campaign campaign = read_by_parts(file, text, read);
   if (findings.empty() && read([&] { result.prepared.emplace(prepare_campaign(campaign)); }))
     return result;

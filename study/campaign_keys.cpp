@@ -1,8 +1,5 @@
 #include "study/campaign_keys.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-
 #include "library/series_steps.hpp"
 #include "library/variation_ranges.hpp"
 #include "study/detail/campaign_ranges.hpp"
@@ -307,13 +304,6 @@ KeyTable run_table() {
        {"trajectory_interval_s", "s", "between stored states", {number(kTrajectoryInterval)}}}};
 }
 
-const KeyTable& table_named(const std::string& name) {
-  for (const KeyTable& one : campaign_tables()) {
-    if (one.name == name) return one;
-  }
-  throw std::out_of_range("no campaign table " + name);
-}
-
 }  // namespace
 
 const std::vector<KeyTable>& campaign_tables() {
@@ -335,17 +325,11 @@ const std::vector<KeyTable>& campaign_tables() {
 }
 
 std::vector<std::string> campaign_keys(const std::string& table) {
-  return table_named(table).key_names();
+  return table_named(campaign_tables(), table).key_names();
 }
 
 const std::vector<std::string>& campaign_words(const std::string& table, const std::string& key) {
-  for (const TableKey& one : table_named(table).keys) {
-    if (one.name != key) continue;
-    for (const ValueForm& form : one.forms) {
-      if (!form.words.empty()) return form.words;
-    }
-  }
-  throw std::out_of_range("no words for " + key + " of campaign table " + table);
+  return table_named(campaign_tables(), table).key(key).words();
 }
 
 }  // namespace clast

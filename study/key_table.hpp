@@ -17,12 +17,17 @@ struct TableKey {
   std::string meaning;           ///< a sentence's part, for who points at the key in an editor
   std::vector<ValueForm> forms;  ///< a value has one of them
   bool required = false;
+  std::vector<std::string> with = {};  ///< it has a meaning only beside one of these keys
+
+  /// The words that a text may be.
+  /// @throws std::out_of_range  any text will do, which is our own mistake
+  const std::vector<std::string>& words() const;
 };
 
 /// What a value may be.
 struct ValueForm {
   enum class Kind {
-    kText,    ///< one of `words`, or any where there are none
+    kText,    ///< one of `words`, or any that fits `pattern`
     kFlag,    ///< true or false
     kCount,   ///< a whole number, `least` to `most`
     kNumber,  ///< in `range`
@@ -32,6 +37,7 @@ struct ValueForm {
   };
   Kind kind = Kind::kText;
   std::vector<std::string> words = {};
+  std::string pattern = {};  ///< regular expression of a text that is none of `words`
   std::uint64_t least = 0, most = INT64_MAX;
   NumberRange range = {0.0, 0.0};
   std::vector<ValueForm> items = {};
@@ -50,8 +56,14 @@ struct KeyTable {
   Repeat repeat = Repeat::kOnce;
   std::vector<TableKey> keys;
   bool required = false;
+  std::vector<std::string> one_of = {};  ///< exactly one of these keys is there; empty: no matter
 
   std::vector<std::string> key_names() const;
+  /// @throws std::out_of_range  no such key, which is our own mistake
+  const TableKey& key(const std::string& name) const;
 };
+
+/// @throws std::out_of_range  no such table, which is our own mistake
+const KeyTable& table_named(const std::vector<KeyTable>& tables, const std::string& name);
 
 }  // namespace clast

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -9,48 +10,78 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
+#include "report/json/calibration_json.hpp"
 #include "report/json/campaign_json.hpp"
 #include "report/json/key_schema.hpp"
+#include "report/text/calibration_text.hpp"
+#include "study/calibration/study_check.hpp"
 #include "study/campaign_check.hpp"
 
 namespace clast {
 
 namespace {
 
+constexpr const char* kSchemas[] = {"campaign", "study"};
+
 struct CheckArgs {
-  std::string campaign;
+  std::string file;
   bool json = false;
-  bool schema = false;
+  std::string schema;  ///< of which kind of file; empty: none
 };
 
-void print_json(const CheckArgs& args, const CampaignCheck& check) {
-  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
-  for (const std::string& finding : check.findings) findings.push_back(shown(finding));
-  nlohmann::ordered_json report = {{"campaign", printable(args.campaign)},
-                                   {"accepted", check.findings.empty()},
-                                   {"findings", findings}};
-  if (check.prepared) report.update(plan_json(*check.prepared));
-  std::cout << report.dump(2) << "\n";
+nlohmann::ordered_json findings_json(const char* kind, const CheckArgs& args,
+                                     const std::vector<std::string>& findings) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const std::string& finding : findings) list.push_back(shown(finding));
+  return {{kind, printable(args.file)}, {"accepted", findings.empty()}, {"findings", list}};
+}
+
+/// @param command  that would refuse the file
+void end_with(const CheckArgs& args, const std::vector<std::string>& findings,
+              const std::string& command) {
+  if (!args.json) {
+    for (const std::string& finding : findings) std::cout << shown(finding) << "\n";
+    if (findings.empty()) std::cout << printable(args.file) << ": would run\n";
+  }
+  if (findings.empty()) return;
+  throw InputError(args.file + ": clast " + command + " would refuse it, with " +
+                   counted(findings.size(), "finding") +
+                   "; correct what is listed, and check again");
+}
+
+void check_one_campaign(const CheckArgs& args) {
+  const CampaignCheck check = check_campaign(args.file);
+  if (args.json) {
+    nlohmann::ordered_json report = findings_json("campaign", args, check.findings);
+    if (check.prepared) report.update(plan_json(*check.prepared));
+    std::cout << report.dump(2) << "\n";
+  } else if (check.prepared) {
+    print_plan(*check.prepared);
+  }
+  end_with(args, check.findings, "simulate");
+}
+
+void check_one_study(const CheckArgs& args) {
+  const CalibrationCheck check = check_calibration_study(args.file);
+  if (args.json) {
+    nlohmann::ordered_json report = findings_json("study", args, check.findings);
+    if (check.study) report.update(study_json(*check.study));
+    std::cout << report.dump(2) << "\n";
+  } else if (check.study) {
+    std::cout << study_text(*check.study);
+  }
+  end_with(args, check.findings, "calibrate");
 }
 
 void check_one(const CheckArgs& args) {
-  if (args.schema) {
-    std::cout << campaign_schema().dump(2) << "\n";
-    return;
-  }
-  const CampaignCheck check = check_campaign(args.campaign);
-  if (args.json) {
-    print_json(args, check);
-  } else if (check.prepared) {
-    print_plan(*check.prepared);
-    std::cout << printable(args.campaign) << ": would run\n";
+  if (!args.schema.empty()) {
+    const bool of_study = args.schema == "study";
+    std::cout << (of_study ? calibration_schema() : campaign_schema()).dump(2) << "\n";
+  } else if (is_calibration_study(args.file)) {
+    check_one_study(args);
   } else {
-    for (const std::string& finding : check.findings) std::cout << shown(finding) << "\n";
+    check_one_campaign(args);
   }
-  if (check.findings.empty()) return;
-  throw InputError(args.campaign + ": clast simulate would refuse it, with " +
-                   counted(check.findings.size(), "finding") +
-                   "; correct what is listed, and check again");
 }
 
 }  // namespace
@@ -58,25 +89,33 @@ void check_one(const CheckArgs& args) {
 void add_check(CLI::App& app) {
   const auto args = std::make_shared<CheckArgs>();
   CLI::App* command = app.add_subcommand(
-      "check", "Say everything that clast simulate would refuse in a campaign, without running it");
-  CLI::Option* campaign = command->add_option("campaign", args->campaign, "Campaign file (TOML)")
-                              ->type_name("CAMPAIGN");
+      "check",
+      "Say everything that clast simulate or calibrate would refuse in a file, without running it");
+  CLI::Option* file =
+      command->add_option("file", args->file, "Campaign, or study of a calibration (TOML)")
+          ->type_name("FILE");
   CLI::Option* json =
       command->add_flag("--json", args->json, "Print findings, or what would run, as JSON");
   command
-      ->add_flag("--schema", args->schema,
-                 "Print the JSON Schema of campaign files, with which editors complete and explain "
-                 "keys, and check nothing")
-      ->excludes(campaign)
+      ->add_option("--schema", args->schema,
+                   "Print the JSON Schema of campaigns, or of studies, with which editors complete "
+                   "and explain keys, and check nothing")
+      ->type_name("KIND")
+      ->expected(0, 1)
+      ->default_str(kSchemas[0])
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kSchemas), std::end(kSchemas))))
+      ->excludes(file)
       ->excludes(json);
   command->footer(
-      "Lists what is wrong in each table of the file, in the library, the terrain and the starts; "
-      "exit code 0\nwhen the campaign would run, else 1.\n"
+      "Lists what is wrong in each table of the file, in the library, the terrain and the starts, "
+      "of a study also\nin the campaigns of its sites; exit code 0 when it would run, else 1.\n"
       "Example:\n"
       "  clast check campaign.toml\n"
-      "  clast check --schema > campaign.schema.json");
+      "  clast check study.toml\n"
+      "  clast check --schema > campaign.schema.json\n"
+      "  clast check --schema study > calibration.schema.json");
   command->callback([args] {
-    if (args->campaign.empty() && !args->schema) throw CLI::RequiredError("campaign");
+    if (args->file.empty() && args->schema.empty()) throw CLI::RequiredError("file");
     check_one(*args);
   });
 }

@@ -28,8 +28,9 @@ LIBRARIES = ("core mesh shapes reconstruct massprops classify dem terrain librar
              "report").split()  # fmt: skip
 
 
-def relink(text, folder, source, pages):
-    """Links of a file in `folder` of the source tree, as links of a page of the site."""
+def relink(text, folder, source, pages, page):
+    """Links of a file in `folder` of the source tree, as links of `page` of the site."""
+    up = "../" * page.count("/")
 
     def target(match):
         place, anchor = match[2], match[3] or ""
@@ -40,24 +41,26 @@ def relink(text, folder, source, pages):
             raise SystemExit(f"error: a link to {place} in {folder}: no such file")
         inner = file.relative_to(source)
         if file in pages:
-            return f"{match[1]}{pages[file]}{anchor})"
+            return f"{match[1]}{up}{pages[file]}{anchor})"
         if file.suffix in (".png", ".svg"):
-            return f"{match[1]}{file.name})"
+            return f"{match[1]}{up}{file.name})"
         if inner == Path("docs/references.bib"):
-            return f"{match[1]}references.md)"
-        return f"{match[1]}files/{inner.as_posix()})"
+            return f"{match[1]}{up}references.md)"
+        return f"{match[1]}{up}files/{inner.as_posix()})"
 
     return re.sub(r"(\]\()([^)#\s]*)(#[^)\s]*)?\)", target, text)
 
 
 def write_pages(source, pages_folder):
     """Copies pages, pictures, and what pages link to."""
-    pages = {file: file.name for file in sorted((source / "docs").glob("*.md"))}
+    docs = source / "docs"
+    pages = {file: file.relative_to(docs).as_posix() for file in sorted(docs.rglob("*.md"))}
     pages |= {source / name: page for name, page in ELSEWHERE.items()}
     for file, page in pages.items():
-        text = relink(file.read_text(encoding="utf-8"), file.parent, source, pages)
+        text = relink(file.read_text(encoding="utf-8"), file.parent, source, pages, page)
+        (pages_folder / page).parent.mkdir(exist_ok=True)
         (pages_folder / page).write_text(text, encoding="utf-8")
-        for linked in re.findall(r"\]\(files/([^)]+)\)", text):
+        for linked in re.findall(r"\]\((?:\.\./)*files/([^)]+)\)", text):
             if (source / linked).is_file():
                 copy = pages_folder / "files" / linked
                 copy.parent.mkdir(parents=True, exist_ok=True)
@@ -66,7 +69,7 @@ def write_pages(source, pages_folder):
                 shutil.copy(source / linked, copy)
     for page in pages.values():  # links to what was renamed
         file = pages_folder / page
-        text = re.sub(r"(\]\(files/[^)]+\.md)\)", r"\1.txt)", file.read_text(encoding="utf-8"))
+        text = re.sub(r"(\]\((?:\.\./)*files/[^)]+\.md)\)", r"\1.txt)", file.read_text(encoding="utf-8"))
         file.write_text(text, encoding="utf-8")
     for picture in [*(source / "docs").glob("*.png"), *(source / "docs").glob("*.svg")]:
         shutil.copy(picture, pages_folder)

@@ -36,8 +36,8 @@ def test_the_site_has_every_page_and_no_broken_link(copy, tmp_path):
     assert done.returncode == 0, done.stderr
     assert int(re.search(r"(\d+) links checked", done.stdout)[1]) > 500
     html = tmp_path / "site" / "html"
-    for page in (SOURCE / "docs").glob("*.md"):
-        assert (html / f"{page.stem}.html").exists(), page
+    for page in (SOURCE / "docs").rglob("*.md"):
+        assert (html / page.relative_to(SOURCE / "docs")).with_suffix(".html").exists(), page
     api = (html / "api" / "python.html").read_text(encoding="utf-8")
     for name in ("reconstruct", "Campaign", "calibrate", "import_results", "shape_classes"):
         assert f'id="{name.lower()}"' in api, name
@@ -61,7 +61,7 @@ def test_a_broken_link_is_an_error(copy, tmp_path, link, message):
 def commands():
     """(page, words) of every command `clast` in the pages."""
     found = []
-    for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
+    for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").rglob("*.md"))]:
         text = page.read_text(encoding="utf-8")
         for block in re.findall(r"```sh\n(.*?)```", text, re.S):
             for line in block.replace("\\\n", " ").splitlines():

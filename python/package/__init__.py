@@ -20,7 +20,13 @@ from clast._blocks import (
     reconstruct_batch,
     vary,
 )
-from clast._calibrations import Calibration, calibrate, calibrate_shard
+from clast._calibrations import (
+    Calibration,
+    calibrate,
+    calibrate_shard,
+    calibration_schema,
+    check_calibration,
+)
 from clast._campaigns import Campaign, CampaignTable, campaign_schema, new_campaign
 from clast._core import (
     Block,
@@ -65,7 +71,9 @@ __all__ = [
     "__version__",
     "calibrate",
     "calibrate_shard",
+    "calibration_schema",
     "campaign_schema",
+    "check_calibration",
     "classify",
     "compare",
     "cut",

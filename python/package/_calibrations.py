@@ -131,3 +131,13 @@ def calibrate_shard(
     """
     options = dict(threads=threads, resume=resume, replace=replace)
     return _core.calibrate_shard(study, output, shard, options, progress)
+
+
+def check_calibration(study: PathLike) -> list[str]:
+    """All that `calibrate` would refuse in a study file, as `clast check` lists it; empty: nothing."""
+    return _core.check_calibration(study)
+
+
+def calibration_schema() -> dict[str, Any]:
+    """The JSON Schema of study files, as `clast check --schema study` prints it."""
+    return _core.calibration_schema()

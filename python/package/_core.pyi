@@ -16,6 +16,7 @@ version: str
 schemes: list[str]
 population_tables: list[str]
 comparison_tables: list[str]
+calibration_tables: dict[str, list[str]]
 campaign_tables: dict[str, list[str]]
 
 class Error(Exception): ...
@@ -179,6 +180,8 @@ def calibrate(
 def calibrate_shard(
     study: Path, output: Path, shard: tuple[int, int], options: dict[str, Any], progress: Progress
 ) -> str: ...
+def check_calibration(study: Path) -> list[str]: ...
+def calibration_schema() -> dict[str, Any]: ...
 def import_results(
     engine: str, scenes: Path, output: Path, options: dict[str, Any], progress: Progress
 ) -> tuple[int, int, list[str]]: ...

@@ -7,19 +7,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json unknown_json(const Unknown& unknown) {
+  return {{"parameter", unknown.parameter},
+          {"unit", parameter_range(unknown.parameter).unit},
+          {"range", {unknown.low, unknown.high}}};
+}
+
+Json figure_json(const CalibrationStudy& study, const Observation& observation,
+                 const Figure& figure) {
+  return {{"observation", observation.name},
+          {"site", study.sites[observation.site].name},
+          {"use", observation.fitted ? "fit" : "keep"},
+          {"figure", figure.name},
+          {"observed", figure.observed}};
+}
+
 Json unknowns_json(const Calibration& calibration) {
   Json list = Json::array();
   for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
-    const Unknown& unknown = calibration.study.unknowns[i];
     const Marginal& marginal = calibration.posterior.marginals[i];
-    list.push_back({{"parameter", unknown.parameter},
-                    {"unit", parameter_range(unknown.parameter).unit},
-                    {"range", {unknown.low, unknown.high}},
-                    {"median", marginal.median},
-                    {"interval_95", {marginal.low, marginal.high}},
-                    {"width_of_prior", marginal.width},
-                    {"determined", !marginal.is_undetermined()},
-                    {"cut_off", marginal.is_cut_off()}});
+    list.push_back(unknown_json(calibration.study.unknowns[i]));
+    list.back().update({{"median", marginal.median},
+                        {"interval_95", {marginal.low, marginal.high}},
+                        {"width_of_prior", marginal.width},
+                        {"determined", !marginal.is_undetermined()},
+                        {"cut_off", marginal.is_cut_off()}});
     if (i >= calibration.posterior.nearest.unknowns.size()) continue;
     const Marginal& near = calibration.posterior.nearest.unknowns[i];
     list.back()["nearest_members"] = {{"median", near.median}, {"range", {near.low, near.high}}};
@@ -33,11 +45,7 @@ Json figures_json(const Calibration& calibration) {
     const Observation& observation = calibration.study.observations[o];
     for (std::size_t i = 0; i < observation.figures.size(); ++i, ++at) {
       const Figure& figure = observation.figures[i];
-      Json json = {{"observation", observation.name},
-                   {"site", calibration.study.sites[observation.site].name},
-                   {"use", observation.fitted ? "fit" : "keep"},
-                   {"figure", figure.name},
-                   {"observed", figure.observed}};
+      Json json = figure_json(calibration.study, observation, figure);
       for (const PredictedFigure& one : calibration.posterior.predicted) {
         if (one.observation != o || one.figure != i) continue;
         json["predicted"] = one.median;
@@ -88,6 +96,25 @@ Json calibration_json(const Calibration& calibration) {
           {"fit", check_json(calibration.posterior.fitted)},
           {"prediction", check_json(calibration.posterior.kept)},
           {"ground", ground_block(calibration)}};
+}
+
+Json study_json(const CalibrationStudy& study) {
+  Json sites = Json::array(), unknowns = Json::array(), figures = Json::array();
+  for (const CalibrationSite& site : study.sites) {
+    sites.push_back({{"name", site.name}, {"campaign", site.campaign.file.string()}});
+  }
+  for (const Unknown& unknown : study.unknowns) unknowns.push_back(unknown_json(unknown));
+  for (const Observation& observation : study.observations) {
+    for (const Figure& figure : observation.figures) {
+      figures.push_back(figure_json(study, observation, figure));
+    }
+  }
+  return {{"members", study.design.members},
+          {"releases", study.design.releases},
+          {"runs", study.runs()},
+          {"sites", std::move(sites)},
+          {"unknowns", std::move(unknowns)},
+          {"figures", std::move(figures)}};
 }
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// A calibration as JSON.
+/// A calibration, and what it is asked, as JSON.
 #include <nlohmann/json.hpp>
 
 #include "study/calibration/calibrate.hpp"
@@ -8,5 +8,8 @@ namespace clast {
 
 /// Answer, findings, unknowns, figures and checks, as docs/formats.md lists them.
 nlohmann::ordered_json calibration_json(const Calibration& calibration);
+
+/// Design, sites, unknowns and observed figures.
+nlohmann::ordered_json study_json(const CalibrationStudy& study);
 
 }  // namespace clast

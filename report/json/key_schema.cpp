@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/version.hpp"
+#include "study/calibration/study_keys.hpp"
 #include "study/campaign_keys.hpp"
 
 namespace clast {
@@ -35,12 +36,20 @@ Json key_schema(const TableKey& key) {
   return json;
 }
 
+/// One of these keys is there.
+Json any_of_keys(const std::vector<std::string>& names) {
+  Json any = Json::array();
+  for (const std::string& name : names) any.push_back({{"required", {name}}});
+  return any;
+}
+
 Json keys_schema(const std::vector<TableKey>& keys) {
   Json json = {{"type", "object"}, {"additionalProperties", false}};
   Json required = Json::array();
   for (const TableKey& key : keys) {
     json["properties"][key.name] = key_schema(key);
     if (key.required) required.push_back(key.name);
+    if (!key.with.empty()) json["dependencies"][key.name] = {{"anyOf", any_of_keys(key.with)}};
   }
   if (!required.empty()) json["required"] = std::move(required);
   return json;
@@ -59,6 +68,7 @@ Json named_schema(Json value) {
 Json schema_of(const ValueForm& form) {
   switch (form.kind) {
     case ValueForm::Kind::kText:
+      if (!form.pattern.empty()) return {{"type", "string"}, {"pattern", form.pattern}};
       if (form.words.empty()) return {{"type", "string"}, {"minLength", 1}};
       return {{"enum", form.words}};
     case ValueForm::Kind::kFlag:
@@ -85,7 +95,8 @@ Json schema_of(const std::vector<ValueForm>& forms) {
 }
 
 Json table_schema(const KeyTable& table) {
-  const Json one = keys_schema(table.keys);
+  Json one = keys_schema(table.keys);
+  if (!table.one_of.empty()) one["oneOf"] = any_of_keys(table.one_of);
   Json json = {{"description", table.meaning}};
   switch (table.repeat) {
     case KeyTable::Repeat::kOnce:
@@ -103,7 +114,7 @@ Json table_schema(const KeyTable& table) {
   return json;
 }
 
-/// @param either  of these tables there must be one
+/// @param either  of these tables there must be one; empty: no matter
 Json file_schema(const std::string& title, const std::vector<KeyTable>& tables,
                  const std::vector<std::string>& either) {
   Json json = {{"$schema", "http://json-schema.org/draft-07/schema#"},
@@ -118,7 +129,7 @@ Json file_schema(const std::string& title, const std::vector<KeyTable>& tables,
     if (table.required) required.push_back(table.name);
   }
   json["required"] = std::move(required);
-  for (const std::string& name : either) json["anyOf"].push_back({{"required", {name}}});
+  if (!either.empty()) json["anyOf"] = any_of_keys(either);
   return json;
 }
 
@@ -126,6 +137,10 @@ Json file_schema(const std::string& title, const std::vector<KeyTable>& tables,
 
 Json campaign_schema() {
   return file_schema("clast campaign", campaign_tables(), {"release", "mass"});
+}
+
+Json calibration_schema() {
+  return file_schema("clast calibration study", calibration_tables(), {});
 }
 
 }  // namespace clast

@@ -7,5 +7,7 @@ namespace clast {
 
 /// Of campaign files. Each key has `description` and, where it has one, `unit`.
 nlohmann::ordered_json campaign_schema();
+/// Of study files.
+nlohmann::ordered_json calibration_schema();
 
 }  // namespace clast

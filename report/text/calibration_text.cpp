@@ -178,6 +178,24 @@ std::vector<std::string> calibration_findings(const Calibration& calibration) {
   return findings;
 }
 
+std::string study_text(const CalibrationStudy& study) {
+  TextTable unknowns{{"parameter", "from", "to"}, {}};
+  for (const Unknown& unknown : study.unknowns) {
+    unknowns.rows.push_back({unknown.parameter, value_text(unknown.low), value_text(unknown.high)});
+  }
+  TextTable figures{{"observation", "use", "figure", "observed"}, {}};
+  for (const Observation& observation : study.observations) {
+    for (const Figure& figure : observation.figures) {
+      figures.rows.push_back({observation.name, observation.fitted ? "fit" : "keep", figure.name,
+                              value_text(figure.observed)});
+    }
+  }
+  return std::to_string(study.runs()) + " runs: " + counted(study.design.members, "member") +
+         " of " + counted(study.design.releases, "release") + " at " +
+         counted(study.sites.size(), "site") + "\n\n" + unknowns.text() + "\n" + figures.text() +
+         "\n";
+}
+
 std::string unknowns_text(const Calibration& calibration) {
   TextTable table{{"parameter", "from", "to", "median", "95 % from", "95 % to", "width left"}, {}};
   for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {

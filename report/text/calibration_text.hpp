@@ -7,6 +7,9 @@
 
 namespace clast {
 
+/// What a study asks: sites, members and runs; unknowns with their ranges; observed figures.
+std::string study_text(const CalibrationStudy& study);
+
 /// "friction of blue", "rolling length of scree, m", "height of release, m".
 std::string unknown_in_words(const std::string& parameter);
 

@@ -8,7 +8,8 @@
 #include "core/sobol.hpp"
 #include "core/text_file.hpp"
 #include "study/calibration/observation_reading.hpp"
-#include "study/detail/campaign_reading.hpp"
+#include "study/calibration/study_keys.hpp"
+#include "study/detail/study_reading.hpp"
 #include "study/ground_fields.hpp"
 
 namespace clast {
@@ -16,26 +17,17 @@ namespace clast {
 using namespace study_detail;
 namespace {
 
-constexpr std::uint64_t kFewestMembers = 8, kMostMembers = 4096, kMostReleases = 100'000;
-constexpr std::uint64_t kFewestDraws = 100, kMostDraws = 100'000;
-
 CalibrationDesign read_design(const TomlTable& top) {
   CalibrationDesign design;
   const TomlNode* node = top.find("design");
   if (!node) return design;
-  const TomlTable table(*node, top.file(), "[design]",
-                        {"members", "releases", "seed", "draws", "kernel"});
-  const auto count = [&](const char* key, std::uint64_t least, std::uint64_t most,
-                         std::uint64_t usual) {
-    return table.count(key, least, most).value_or(usual);
-  };
-  design.members =
-      static_cast<std::uint32_t>(count("members", kFewestMembers, kMostMembers, design.members));
+  const StudyTable table(*node, top.file(), "design");
+  design.members = static_cast<std::uint32_t>(table.count_of("members").value_or(design.members));
   design.releases =
-      static_cast<std::uint32_t>(count("releases", 4, kMostReleases, design.releases));
-  design.seed = count("seed", 0, INT64_MAX, design.seed);
-  design.draws = count("draws", kFewestDraws, kMostDraws, design.draws);
-  if (choice(table, "kernel", {"matern-5/2", "squared-exponential"}) == "squared-exponential") {
+      static_cast<std::uint32_t>(table.count_of("releases").value_or(design.releases));
+  design.seed = table.count_of("seed").value_or(design.seed);
+  design.draws = table.count_of("draws").value_or(design.draws);
+  if (table.choice_of("kernel") == "squared-exponential") {
     design.kernel = Kernel::kSquaredExponential;
   }
   return design;
@@ -58,7 +50,7 @@ void check_site(const TomlTable& table, const TomlNode& node, const Campaign& ca
 std::vector<CalibrationSite> read_sites(const TomlTable& top) {
   std::vector<CalibrationSite> sites;
   for (const TomlNode* node : tables_of(top, "site")) {
-    const TomlTable table(*node, top.file(), "[[site]]", {"name", "campaign"});
+    const StudyTable table(*node, top.file(), "site");
     table.required("name", "a text in quotes");
     const TomlNode& file = table.required("campaign", "a campaign file");
     table.text("campaign");
@@ -81,7 +73,7 @@ std::vector<CalibrationSite> read_sites(const TomlTable& top) {
   return sites;
 }
 
-Unknown read_unknown(const TomlTable& table) {
+Unknown read_unknown(const StudyTable& table) {
   Unknown unknown;
   const TomlNode& name = table.required("parameter", "such as \"ground.ZONE.friction\"");
   unknown.parameter = *table.text("parameter");
@@ -99,7 +91,7 @@ Unknown read_unknown(const TomlTable& table) {
   if (!(unknown.low < unknown.high)) {
     table.refuse("range", range, "the lower end must come first");
   }
-  unknown.logarithmic = choice(table, "scale", {"linear", "log"}) == "log";
+  unknown.logarithmic = table.choice_of("scale") == "log";
   if (unknown.logarithmic && !(unknown.low > 0.0)) {
     table.refuse("scale", *table.find("scale"), "a logarithm needs a range above 0");
   }
@@ -110,7 +102,7 @@ std::vector<Unknown> read_unknowns(const TomlTable& top,
                                    const std::vector<CalibrationSite>& sites) {
   std::vector<Unknown> unknowns;
   for (const TomlNode* node : tables_of(top, "unknown")) {
-    const TomlTable table(*node, top.file(), "[[unknown]]", {"parameter", "range", "scale"});
+    const StudyTable table(*node, top.file(), "unknown");
     Unknown unknown = read_unknown(table);
     const TomlNode& name = *table.find("parameter");
     for (const Unknown& other : unknowns) {
@@ -138,6 +130,12 @@ std::vector<Unknown> read_unknowns(const TomlTable& top,
                      " can be found at once");
   }
   return unknowns;
+}
+
+std::vector<std::string> table_names() {
+  std::vector<std::string> names;
+  for (const KeyTable& table : calibration_tables()) names.push_back(table.name);
+  return names;
 }
 
 /// Parameters that a campaign knows only as a distribution would vary from run to run unseen.
@@ -181,19 +179,52 @@ std::size_t CalibrationStudy::figures() const {
   return count;
 }
 
-CalibrationStudy read_calibration_study(const std::filesystem::path& file) {
+std::uint64_t CalibrationStudy::runs() const {
+  return std::uint64_t{sites.size()} * design.members * design.releases;
+}
+
+namespace study_detail {
+
+CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const PartReader& read) {
   CalibrationStudy study;
   study.file = file;
-  study.text = read_text_file(file);
-  study.sha256 = sha256(study.text);
-  const TomlNode root = parse_toml(study.text, file.string());
-  const TomlTable top(root, file.string(), "", {"design", "site", "unknown", "observation"});
-  study.design = read_design(top);
-  study.sites = read_sites(top);
-  study.unknowns = read_unknowns(top, study.sites);
-  check_certain(study);
-  study.observations = read_observations(top, study.sites);
+  TomlNode root;
+  const bool is_toml = read([&] {
+    study.text = read_text_file(file);
+    study.sha256 = sha256(study.text);
+    root = parse_toml(study.text, file.string());
+  });
+  if (!is_toml) return study;
+  read([&] { TomlTable(root, file.string(), "", table_names()); });
+  std::vector<std::string> tables = table_names();
+  for (const auto& [name, table] : root.table) tables.push_back(name);
+  const TomlTable top(root, file.string(), "", tables);
+
+  read([&] { study.design = read_design(top); });
+  if (!read([&] { study.sites = read_sites(top); })) return study;
+  if (read([&] { study.unknowns = read_unknowns(top, study.sites); })) {
+    read([&] { check_certain(study); });
+  }
+  read([&] { study.observations = read_observations(top, study.sites); });
   return study;
+}
+
+}  // namespace study_detail
+
+CalibrationStudy read_calibration_study(const std::filesystem::path& file) {
+  return read_study_by_parts(file, [](const std::function<void()>& part) {
+    part();
+    return true;
+  });
+}
+
+bool is_calibration_study(const std::filesystem::path& file) {
+  try {
+    const TomlNode root = parse_toml(read_text_file(file), file.string());
+    return root.find("site") || root.find("unknown") || root.find("observation");
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 }  // namespace clast

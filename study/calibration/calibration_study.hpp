@@ -43,6 +43,8 @@ struct CalibrationStudy {
   std::vector<double> values(const std::vector<double>& shares) const;
   /// Figures of all observations, in order.
   std::size_t figures() const;
+  /// Runs of all members at all sites.
+  std::uint64_t runs() const;
 };
 
 /// Paths are resolved as in campaigns, against the study file's folder.
@@ -50,5 +52,8 @@ struct CalibrationStudy {
 ///                     names that can't be read; a parameter that no site has; what is fitted and
 ///                     kept at once: file, line, key, value and what was expected
 CalibrationStudy read_calibration_study(const std::filesystem::path& file);
+
+/// Has it tables that only studies have? False of what can't be read.
+bool is_calibration_study(const std::filesystem::path& file);
 
 }  // namespace clast

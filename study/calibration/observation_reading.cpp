@@ -9,73 +9,24 @@
 #include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "study/calibration/observed_trajectories.hpp"
-#include "study/detail/campaign_ranges.hpp"
-#include "study/detail/campaign_reading.hpp"
+#include "study/detail/study_reading.hpp"
 #include "study/measured_stops.hpp"
 
 namespace clast::study_detail {
 namespace {
 
 constexpr std::size_t kFewestStops = 3;
-constexpr std::uint64_t kMostReleased = 1'000'000;
-
-/// What an observation can be of: the key that says so.
-constexpr const char* kSources[] = {"stops", "barrier", "impact", "trajectories"};
-
-/// Keys that belong to some of them only.
-struct SourceKey {
-  const char* key;
-  std::vector<std::string> sources;
-};
-const std::vector<SourceKey>& source_keys() {
-  static const std::vector<SourceKey> kKeys = {{"figures", {"stops", "trajectories"}},
-                                               {"beyond_m", {"stops"}},
-                                               {"times_s", {"trajectories"}},
-                                               {"releases", {"barrier", "impact"}},
-                                               {"passed", {"barrier"}},
-                                               {"speed_m_s", {"barrier", "impact"}},
-                                               {"spin_rad_s", {"barrier", "impact"}},
-                                               {"height_m", {"barrier"}},
-                                               {"energy_j", {"barrier", "impact"}},
-                                               {"depth_m", {"impact"}}};
-  return kKeys;
-}
-
-/// The source of an observation, whose keys fit it.
-std::string source_of(const TomlTable& table) {
-  std::string source;
-  for (const char* one : kSources) {
-    if (!table.find(one)) continue;
-    if (!source.empty()) table.refuse("has " + source + " and " + one + "; write two observations");
-    source = one;
-  }
-  if (source.empty()) {
-    table.refuse(
-        "needs stops or trajectories, a table of them, barrier, a name, or impact, a number");
-  }
-  for (const SourceKey& one : source_keys()) {
-    const TomlNode* node = table.find(one.key);
-    if (!node || std::find(one.sources.begin(), one.sources.end(), source) != one.sources.end()) {
-      continue;
-    }
-    table.refuse(one.key, *node,
-                 "belongs to an observation with " + listed(one.sources) + "; leave it out here");
-  }
-  return source;
-}
 
 /// A figure of a barrier or an impact that is given as [value, standard error].
 struct Quantity {
   const char* key;
   Figure::Kind kind;
-  NumberRange range;
 };
-constexpr Quantity kQuantities[] = {
-    {"speed_m_s", Figure::Kind::kMeanSpeed, {0.0, kMostSpeed, "m/s"}},
-    {"spin_rad_s", Figure::Kind::kMeanSpin, {0.0, kMostSpin, "rad/s"}},
-    {"height_m", Figure::Kind::kMeanHeight, {-1e4, 1e4, "m"}},
-    {"energy_j", Figure::Kind::kMeanEnergy, {0.0, 1e15, "J"}},
-    {"depth_m", Figure::Kind::kMeanDepth, {0.0, 1e3, "m"}}};
+constexpr Quantity kQuantities[] = {{"speed_m_s", Figure::Kind::kMeanSpeed},
+                                    {"spin_rad_s", Figure::Kind::kMeanSpin},
+                                    {"height_m", Figure::Kind::kMeanHeight},
+                                    {"energy_j", Figure::Kind::kMeanEnergy},
+                                    {"depth_m", Figure::Kind::kMeanDepth}};
 
 /// "mean", "std", "aside", or "p10" for a percentile.
 Figure figure_named(const TomlTable& table, const TomlNode& node, const std::string& name) {
@@ -91,7 +42,7 @@ Figure figure_named(const TomlTable& table, const TomlNode& node, const std::str
   return {Figure::Kind::kPlace, *level / 100.0, name + "_place_m", 0.0, {}};
 }
 
-std::vector<Figure> stop_figures(const TomlTable& table) {
+std::vector<Figure> stop_figures(const StudyTable& table) {
   std::vector<Figure> figures;
   if (const TomlNode* asked = table.find("figures")) {
     const std::vector<std::string> names = *table.texts("figures");
@@ -102,9 +53,8 @@ std::vector<Figure> stop_figures(const TomlTable& table) {
     figures = {{Figure::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
                {Figure::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
   }
-  if (const TomlNode* beyond = table.find("beyond_m")) {
-    for (const double place : table.numbers("beyond_m", *beyond, 1, 20,
-                                            "a list of places, [m, m, ...]", kMapCoordinate)) {
+  if (table.find("beyond_m")) {
+    for (const double place : table.numbers_of("beyond_m", "a list of places, [m, m, ...]")) {
       figures.push_back(
           {Figure::Kind::kBeyond, place, "beyond_" + with_digits(place, 6) + "_m", 0.0, {}});
     }
@@ -112,7 +62,7 @@ std::vector<Figure> stop_figures(const TomlTable& table) {
   return figures;
 }
 
-void check_once(const TomlTable& table, const std::vector<Figure>& figures) {
+void check_once(const StudyTable& table, const std::vector<Figure>& figures) {
   for (std::size_t i = 0; i < figures.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (figures[i].name == figures[k].name) table.refuse("names " + figures[i].name + " twice");
@@ -136,7 +86,7 @@ void read_starts(const std::vector<MeasuredStop>& stops, Observation& observatio
   for (const auto& [start, count] : starts) observation.clusters.push_back(count);
 }
 
-void read_stops(const TomlTable& table, const SiteFacts& site, Observation& observation) {
+void read_stops(const StudyTable& table, const SiteFacts& site, Observation& observation) {
   const TomlNode& file = *table.find("stops");
   table.text("stops");
   const MeasuredStops measured = read_measured_stops(input_file(table, "stops", file));
@@ -166,13 +116,13 @@ void read_stops(const TomlTable& table, const SiteFacts& site, Observation& obse
 }
 
 /// Quantities that are given as [value, standard error].
-std::vector<Figure> stated_figures(const TomlTable& table) {
+std::vector<Figure> stated_figures(const StudyTable& table) {
   std::vector<Figure> figures;
   for (const Quantity& quantity : kQuantities) {
     const TomlNode* node = table.find(quantity.key);
     if (!node) continue;
-    const std::vector<double> given = table.numbers(
-        quantity.key, *node, 2, 2, "two numbers, [mean, its standard error]", quantity.range);
+    const std::vector<double> given =
+        table.numbers_of(quantity.key, "two numbers, [mean, its standard error]");
     if (!(given[1] > 0.0)) table.refuse(quantity.key, *node, "the error must be more than 0");
     figures.push_back(
         {quantity.kind, 0.0, std::string("mean_") + quantity.key, given[0], given[1]});
@@ -182,11 +132,9 @@ std::vector<Figure> stated_figures(const TomlTable& table) {
 
 /// One impact, or the mean of several: how the blocks hit is known no better than the campaign has
 /// it, so that the scatter of as many simulated ones comes on top of the error of measuring.
-void read_impact(const TomlTable& table, Observation& observation) {
-  constexpr std::uint64_t kLastImpact = 1000;
-  observation.moment = {Moment::Kind::kImpact,
-                        static_cast<double>(*table.count("impact", 1, kLastImpact))};
-  observation.releases = table.count("releases", 1, kMostReleased).value_or(1);
+void read_impact(const StudyTable& table, Observation& observation) {
+  observation.moment = {Moment::Kind::kImpact, static_cast<double>(*table.count_of("impact"))};
+  observation.releases = table.count_of("releases").value_or(1);
   observation.figures = stated_figures(table);
   for (Figure& figure : observation.figures)
     figure.measuring_error = *std::exchange(figure.error, {});
@@ -196,7 +144,7 @@ void read_impact(const TomlTable& table, Observation& observation) {
 }
 
 /// The figures of trajectories at each time: places along the path, speed and spin.
-std::vector<Figure> trajectory_figures(const TomlTable& table) {
+std::vector<Figure> trajectory_figures(const StudyTable& table) {
   std::vector<Figure> figures;
   const auto add = [&](const std::string& name, const auto& place) {
     if (name == "speed") {
@@ -221,7 +169,7 @@ std::vector<Figure> trajectory_figures(const TomlTable& table) {
 }
 
 /// One observation at each of the times.
-std::vector<Observation> read_followed(const TomlTable& table, const SiteFacts& site,
+std::vector<Observation> read_followed(const StudyTable& table, const SiteFacts& site,
                                        Observation common) {
   const TomlNode& file = *table.find("trajectories");
   table.text("trajectories");
@@ -241,12 +189,13 @@ std::vector<Observation> read_followed(const TomlTable& table, const SiteFacts& 
   read_starts(starts, common);
   common.figures = trajectory_figures(table);
   check_once(table, common.figures);
-  const TomlNode& times = table.required("times_s", "a list of times since the release");
+  table.required("times_s", "a list of times since the release");
   std::vector<Observation> observations;
-  for (const double time : table.numbers(
-           "times_s", times, 1, 100, "a list of times since the release, [s, s, ...]", kRunTime)) {
+  for (const double time :
+       table.numbers_of("times_s", "a list of times since the release, [s, s, ...]")) {
     if (time > followed.longest()) {
-      table.refuse("times_s", times, "the longest trajectory ends before " + with_digits(time, 6));
+      table.refuse("times_s", *table.find("times_s"),
+                   "the longest trajectory ends before " + with_digits(time, 6));
     }
     Observation own = common;
     own.moment = {Moment::Kind::kTime, time};
@@ -268,15 +217,15 @@ std::vector<Observation> read_followed(const TomlTable& table, const SiteFacts& 
   return observations;
 }
 
-void read_passages(const TomlTable& table, const SiteFacts& site, Observation& observation) {
+void read_passages(const StudyTable& table, const SiteFacts& site, Observation& observation) {
   observation.barrier = *table.text("barrier");
   if (std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) ==
       site.barriers.end()) {
     table.refuse("barrier", *table.find("barrier"),
                  "the campaign of site " + site.name + " has no such barrier");
   }
-  const std::optional<std::uint64_t> releases = table.count("releases", 1, kMostReleased);
-  const std::optional<std::uint64_t> passed = table.count("passed", 0, kMostReleased);
+  const std::optional<std::uint64_t> releases = table.count_of("releases");
+  const std::optional<std::uint64_t> passed = table.count_of("passed");
   if (passed && !releases) {
     table.refuse("passed", *table.find("passed"), "needs releases, how many blocks were released");
   }
@@ -300,7 +249,7 @@ void read_passages(const TomlTable& table, const SiteFacts& site, Observation& o
   }
 }
 
-std::size_t site_of(const TomlTable& table, const std::vector<CalibrationSite>& sites) {
+std::size_t site_of(const StudyTable& table, const std::vector<CalibrationSite>& sites) {
   const std::optional<std::string> name = table.text("site");
   if (!name && sites.size() == 1) return 0;
   const TomlNode& node = table.required("site", "the name of a [[site]]");
@@ -310,7 +259,7 @@ std::size_t site_of(const TomlTable& table, const std::vector<CalibrationSite>& 
   table.refuse("site", node, "there is no [[site]] of this name");
 }
 
-void check_release(const TomlTable& table, const SiteFacts& site, const std::string& release) {
+void check_release(const StudyTable& table, const SiteFacts& site, const std::string& release) {
   if (release.empty() ||
       std::find(site.releases.begin(), site.releases.end(), release) != site.releases.end()) {
     return;
@@ -319,20 +268,21 @@ void check_release(const TomlTable& table, const SiteFacts& site, const std::str
                "the campaign of site " + site.name + " has no [[release]] of this name");
 }
 
-std::vector<Observation> read_observation(const TomlTable& table,
+std::vector<Observation> read_observation(const StudyTable& table,
                                           const std::vector<CalibrationSite>& sites) {
   Observation observation;
   table.required("name", "a text in quotes");
   observation.name = *table.text("name");
   table.required("use", "\"fit\", or \"keep\" to judge the prediction by");
-  observation.fitted = choice(table, "use", {"fit", "keep"}) == "fit";
+  observation.fitted = table.choice_of("use") == "fit";
   observation.site = site_of(table, sites);
-  observation.shape = choice(table, "shape", {"compact", "elongated"}).value_or("");
+  observation.shape = table.choice_of("shape").value_or("");
   observation.block = table.text("block").value_or("");
   const SiteFacts site = path_of(sites[observation.site]);
   observation.release = table.text("release").value_or("");
   check_release(table, site, observation.release);
-  const std::string source = source_of(table);
+  const std::string source = table.source(
+      "needs stops or trajectories, a table of them, barrier, a name, or impact, a number");
   if (source == "trajectories") return read_followed(table, site, std::move(observation));
   if (source == "stops") read_stops(table, site, observation);
   if (source == "barrier") read_passages(table, site, observation);
@@ -383,11 +333,7 @@ std::vector<Observation> read_observations(const TomlTable& top,
                                            const std::vector<CalibrationSite>& sites) {
   std::vector<Observation> observations;
   for (const TomlNode* node : tables_of(top, "observation")) {
-    const TomlTable table(
-        *node, top.file(), "[[observation]]",
-        {"name",     "site",    "use",      "shape",   "block",        "stops",      "figures",
-         "beyond_m", "barrier", "releases", "passed",  "speed_m_s",    "spin_rad_s", "height_m",
-         "energy_j", "release", "impact",   "depth_m", "trajectories", "times_s"});
+    const StudyTable table(*node, top.file(), "observation");
     for (Observation& observation : read_observation(table, sites)) {
       for (const Observation& other : observations) {
         if (other.name == observation.name) {

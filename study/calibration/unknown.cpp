@@ -101,14 +101,20 @@ double Unknown::share_below(double value) const {
   return std::log(value / low) / std::log(high / low);
 }
 
+std::vector<std::pair<std::string, ParameterRange>> calibrated_parameters() {
+  std::vector<std::pair<std::string, ParameterRange>> all;
+  for (const GroundField& field : ground_fields()) {
+    all.push_back({kGround + std::string("ZONE.") + field.name, {field.unit, field.range}});
+  }
+  for (const Settable& one : settables()) all.push_back({one.name, {one.unit, one.range}});
+  return all;
+}
+
 ParameterRange parameter_range(const std::string& parameter) {
   if (const Settable* found = settable(parameter)) return {found->unit, found->range};
   if (const GroundField* field = zone_field(parameter).field) return {field->unit, field->range};
   std::vector<std::string> names;
-  for (const GroundField& field : ground_fields()) {
-    names.push_back(std::string("ground.ZONE.") + field.name);
-  }
-  for (const Settable& one : settables()) names.emplace_back(one.name);
+  for (const auto& [name, range] : calibrated_parameters()) names.push_back(name);
   throw InputError("is no parameter that can be calibrated; these are " + listed(names));
 }
 

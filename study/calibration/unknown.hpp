@@ -1,6 +1,8 @@
 #pragma once
 /// Parameters of a campaign that a calibration finds.
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/number_range.hpp"
 #include "study/campaign.hpp"
@@ -27,6 +29,8 @@ struct ParameterRange {
   std::string unit;
   NumberRange allowed;
 };
+/// All that can be calibrated, by name; "ZONE" stands for that of a ground zone.
+std::vector<std::pair<std::string, ParameterRange>> calibrated_parameters();
 /// @throws InputError  no parameter that can be calibrated; lists those that can
 ParameterRange parameter_range(const std::string& parameter);
 

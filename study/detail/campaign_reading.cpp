@@ -21,6 +21,20 @@ std::string data_folder() {
 
 }  // namespace
 
+PartReader findings_into(std::vector<std::string>& findings) {
+  return [&findings](const std::function<void()>& part) {
+    try {
+      part();
+      return true;
+    } catch (const Error& error) {
+      if (std::find(findings.begin(), findings.end(), error.what()) == findings.end()) {
+        findings.push_back(error.what());
+      }
+      return false;
+    }
+  };
+}
+
 fs::path input_file(const TomlTable& table, const std::string& key, const TomlNode& node,
                     std::string text) {
   const std::string variable = "${CLAST_DATA}";

@@ -24,6 +24,9 @@ inline const std::vector<std::string> kSelectingSchemes = {"garcia", "sneed-folk
 /// Runs what reads a part of a campaign, and says whether that was done.
 using PartReader = std::function<bool(const std::function<void()>&)>;
 
+/// Runs parts, and puts what they refuse into `findings`, each refusal once.
+PartReader findings_into(std::vector<std::string>& findings);
+
 /// A campaign, read part by part through `read`; a part that needs another is left out where that
 /// one was not read.
 /// @param text  what the file holds or could hold; none: it is read

@@ -11,6 +11,7 @@ using Forms = std::vector<ValueForm>;
 
 inline ValueForm text() { return {}; }
 inline ValueForm words(std::vector<std::string> all) { return {.words = std::move(all)}; }
+inline ValueForm fitting(std::string pattern) { return {.pattern = std::move(pattern)}; }
 inline ValueForm flag() { return {.kind = Kind::kFlag}; }
 inline ValueForm count(std::uint64_t least, std::uint64_t most) {
   return {.kind = Kind::kCount, .least = least, .most = most};

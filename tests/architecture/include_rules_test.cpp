@@ -125,6 +125,14 @@ INSTANTIATE_TEST_SUITE_P(IncludeRules, HeavyHeader,
                                          "H5Cpp.h", "gdal_priv.h", "ogrsf_frmts.h", "toml++/toml.h",
                                          "mpi.h", "CLI/CLI.hpp", "nlohmann/json.hpp"));
 
+TEST(IncludeRules, JsonIsInPublicHeadersAboutItOnly) {
+  const std::string json = "#include <nlohmann/json.hpp>\n";
+  EXPECT_TRUE(package_findings(source_file("report/json/a.hpp", json)).empty());
+  EXPECT_EQ(package_findings(source_file("report/pages/a.hpp", json)).size(), 1u);
+  EXPECT_EQ(package_findings(source_file("report/json/a.hpp", "#include <gdal_priv.h>\n")).size(),
+            1u);
+}
+
 TEST(IncludeRules, PackagesAreOnlyForTheirFolders) {
   const SourceFile hdf5_in_study = source_file("study/results.cpp", "#include <hdf5.h>\n");
   ASSERT_EQ(package_findings(hdf5_in_study).size(), 1u);

@@ -1,14 +1,6 @@
 # Installs the build into a scratch folder; then the example of the documents is configured, built
 # and run against it.
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    list(JOIN ARGN " " command)
-    # FATAL_ERROR would fold the lines of a compiler's message.
-    message("${output}")
-    message(FATAL_ERROR "Failed with ${status}: ${command}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${scratch})
 run(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/prefix)
