@@ -32,6 +32,7 @@ void GroundParameters::check(const std::string& zone) const {
   not_negative("slip_memory", slip_memory, "slip is forgotten at once");
   not_negative("scar_drag", scar_drag, "none");
   not_negative("soil_density", soil_density, "none stated");
+  not_negative("soil_memory", soil_memory, "none");
   if (slip_growth > 0.0 && friction_min > friction) {
     refuse("friction_min", friction_min, "at most friction, " + with_digits(friction, 6));
   }

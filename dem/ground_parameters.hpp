@@ -25,6 +25,10 @@ struct GroundParameters {
   double scar_drag = 0.0;     ///< C_d; 0: none
   double soil_density = 0.0;  ///< rho, kg/m^3
 
+  /// Width of the cells in which the ground remembers dents from one contact to later ones, m
+  /// (docs/theory.md, Soil memory). 0: it does not. Of worlds, under a law that leaves dents.
+  double soil_memory = 0.0;
+
   /// k_r on this ground, N m/rad.
   /// @param normal   k_n, N/m
   /// @param without  k_r where the ground states no length, N m/rad

@@ -366,6 +366,12 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
                                const MotionObserver& observe) {
   settings.check();
   body.check("block");
+  for (const GroundParameters& zone : zones) {
+    if (zone.soil_memory > 0.0) {
+      throw InputError("soil_memory = " + with_digits(zone.soil_memory, 6) +
+                       ": a single release has no later ones that could find its dents; 0 here");
+    }
+  }
   if (zones.size() < terrain.zone_count()) {
     throw SimulationError("terrain has " + std::to_string(terrain.zone_count()) +
                           " ground zones but parameters are given for " +

@@ -65,6 +65,7 @@ struct GroundTable {
   std::optional<Uncertain> slip_memory;  ///< s
   std::optional<Uncertain> scar_drag;
   std::optional<Uncertain> soil_density;  ///< kg/m^3
+  std::optional<Uncertain> soil_memory;   ///< m
 };
 
 /// Blocks to which the ground behaves differently.

@@ -11,7 +11,7 @@ using namespace study_detail;
 std::span<const GroundField> ground_fields() {
   using Parameters = GroundParameters;
   using Table = GroundTable;
-  static constexpr std::array<GroundField, 9> kFields{
+  static constexpr std::array<GroundField, 10> kFields{
       {{"energy_restitution", "", "e_n^2", "e_n\xC2\xB2", "energy restitution", kEnergyRestitution,
         true, false, &Parameters::energy_restitution, &Table::energy_restitution},
        {"friction", "", "mu", "friction \xC2\xB5", "friction", kFriction, true, false,
@@ -34,7 +34,10 @@ std::span<const GroundField> ground_fields() {
         true, &Parameters::scar_drag, &Table::scar_drag},
        {"soil_density_kg_m3", "kg/m^3", "rho of the soil that scar drag moves",
         "soil density \xCF\x81, kg/m\xC2\xB3", "soil density", kSoilDensity, false, true,
-        &Parameters::soil_density, &Table::soil_density}}};
+        &Parameters::soil_density, &Table::soil_density},
+       {"soil_memory_m", "m", "width of cells that remember dents; 0: none",
+        "cells of soil memory, m", "cells of soil memory", kSoilMemory, false, true,
+        &Parameters::soil_memory, &Table::soil_memory}}};
   return kFields;
 }
 

@@ -29,7 +29,9 @@ BodyPair::Near::Near(const IndexedSurface& reference, const BlockSurface& block,
                      const Rules& rules)
     : search(search_for(reference, block, size)),
       forces(rules.zones, rules.zone_of_face, block, size, rules.stiffness, rules.weights,
-             rules.law) {}
+             rules.law) {
+  forces.find_dents_in(rules.soil);
+}
 
 BodyPair::BodyPair(const IndexedSurface& reference, const BlockSurface& block, double block_radius,
                    double size, const Rules& rules)
@@ -37,7 +39,9 @@ BodyPair::BodyPair(const IndexedSurface& reference, const BlockSurface& block, d
       block_(block),
       block_radius_(block_radius),
       size_(size),
-      rules_(rules) {}
+      rules_(rules) {
+  if (rules.soil) dents_.emplace(rules.zones);
+}
 
 double BodyPair::gap_of_bounds(const Vec3& block_centre) const {
   const Vec3 nearest =
@@ -66,6 +70,7 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
   }
   find_points(reference.world_from_body, pose);
   load_ = near_->forces.update(near_->points, block, reference, duration, ledger_);
+  if (dents_) near_->forces.leave_dents_in(*dents_);
   if (near_->forces.empty()) {
     if (ContactSearch* search = std::get_if<ContactSearch>(&near_->search)) {
       near_->asleep_until = search->safe_travel();

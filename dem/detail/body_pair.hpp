@@ -20,6 +20,7 @@ class BodyPair {
     ContactStiffness stiffness;
     ContactWeights weights = ContactWeights::kPatch;
     ContactLaw law;
+    const SoilMemory* soil = nullptr;  ///< dents of earlier contacts; null: none is remembered
   };
 
   /// @param block_radius  of the rounded block about its origin, m
@@ -31,6 +32,12 @@ class BodyPair {
   const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
   /// Ends all contacts, as when a body is removed; what they stored goes to the ledger.
   void end_contacts(const BodyMotion& reference, const BodyMotion& block);
+
+  /// Hands over the dents that the pair made since it last parted, once it has parted or `over`:
+  /// until then they are for no contact to find.
+  void remember_dents(bool over, SoilMemory& soil) {
+    if (dents_ && (over || !touching()) && !dents_->empty()) soil.take(*dents_);
+  }
 
   /// Forgets the event of the last step, which was applied then: the loads without it hold while
   /// neither of the two moves.
@@ -70,6 +77,7 @@ class BodyPair {
   double size_;
   const Rules& rules_;
   std::optional<Near> near_;
+  std::optional<SoilMemory> dents_;  ///< of this touch, where soil remembers
   ContactLoad load_;
   EnergyLedger ledger_;
 };

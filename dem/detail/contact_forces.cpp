@@ -160,6 +160,9 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
     if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
       past.normal = law.first(past.path.before, 0.0, 0.0, previous->normal);
     }
+    if (soil_ && !previous && past.continuous) {
+      past.normal.dent = soil_->dent(contact.place, contact.zone);
+    }
   }
 
   const NormalResponse response = normal_response(contact, past, law);
@@ -301,6 +304,10 @@ double ContactForces::mobility(std::span<const double> of_vertices) const {
                                  : largest(block_.edges[feature].vertices));
   }
   return sum;
+}
+
+void ContactForces::leave_dents_in(SoilMemory& soil) const {
+  for (const Contact& contact : contacts_) soil.press(contact.place, contact.zone, contact.dent);
 }
 
 double ContactForces::stored_energy() const {

@@ -10,6 +10,7 @@
 #include "dem/detail/body_motion.hpp"
 #include "dem/detail/contact_history.hpp"
 #include "dem/detail/scar_drag.hpp"
+#include "dem/detail/soil_memory.hpp"
 #include "dem/energy_ledger.hpp"
 
 namespace clast::dem_detail {
@@ -55,6 +56,12 @@ class ContactForces {
   /// @param other   the ground does not move
   ContactLoad update(const std::vector<ContactPoint>& points, const BodyMotion& block,
                      const BodyMotion& other, double duration, EnergyLedger& ledger);
+
+  /// From now on contacts that begin find the dents that the soil remembers.
+  /// @param soil  null: none; else it must outlive the forces
+  void find_dents_in(const SoilMemory* soil) { soil_ = soil; }
+  /// Presses the dents of the present contacts into `soil`.
+  void leave_dents_in(SoilMemory& soil) const;
 
   /// Time that has passed without contact and without an `update`, s.
   void wait(double duration) { apart_ += duration; }
@@ -140,6 +147,7 @@ class ContactForces {
   std::vector<double> rolling_, rolling_give_;  ///< k_r and 1/k_r by zone
   std::vector<Contact> contacts_;
   ScarDrag drag_;
+  const SoilMemory* soil_ = nullptr;
   bool slip_grows_ = false;  ///< on any zone
   double slip_ = 0.0;        ///< how far the block has slid lately, m
   double slipped_ = 0.0;     ///< in this step, summed over the contacts with their weights, m

@@ -114,6 +114,13 @@ void ContactPairs::end_contacts_of(std::uint32_t body, std::span<const WorldBody
   broad_phase_ = {};  // the broad phase runs again without it
 }
 
+void ContactPairs::remember_dents(std::span<const WorldBody> bodies, SoilMemory& soil) {
+  for (ContactPair& pair : pairs_) {
+    if (pair.reference != ContactPair::kTerrain) continue;
+    pair.contacts->remember_dents(bodies[pair.block].idle(), soil);
+  }
+}
+
 EnergyLedger ContactPairs::losses() const {
   EnergyLedger sum = ended_;
   for (const ContactPair& pair : pairs_) sum += pair.contacts->ledger();

@@ -52,6 +52,9 @@ class ContactPairs {
   /// The same, without a step, for pairs with a new body.
   /// @param known  bodies from this number on are new
   void begin(std::span<const WorldBody> bodies, std::size_t known);
+  /// Lets the soil remember the dents of bodies that have parted from the ground, fallen asleep or
+  /// left the world.
+  void remember_dents(std::span<const WorldBody> bodies, SoilMemory& soil);
   /// Ends the contacts of a body that leaves the world.
   void end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies);
 

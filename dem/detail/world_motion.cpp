@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -35,6 +36,10 @@ WorldMotion::WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& 
     : settings_(with), terrain_(on), zones_(std::move(ground_zones)), team_(with.threads) {
   settings_.check();
   for (const GroundParameters& zone : zones_) zone.check("zone");
+  if (soil_.any() && !std::visit([]<class Law>(const Law&) { return Law::kKeepsDent; }, with.law)) {
+    throw InputError(
+        "soil_memory of a ground zone needs the law elastoplastic, which leaves dents");
+  }
   if (terrain_ && zones_.size() < terrain_->zone_count()) {
     throw SimulationError("terrain has " + std::to_string(terrain_->zone_count()) +
                           " ground zones but parameters are given for " +
@@ -81,6 +86,7 @@ void WorldMotion::advance(double dt) {
   if (observer_) show_moves(begin);
   remove_bodies_off_terrain();
   if (settings_.sleep_drift > 0.0) reassigned_ += sleeping_.let_sleep(bodies_, pairs_);
+  if (soil_.any()) pairs_.remember_dents(bodies_, soil_);
 }
 
 void WorldMotion::prepare() {
@@ -192,6 +198,7 @@ void WorldMotion::remove_bodies_off_terrain() {
 
 void WorldMotion::take_out(std::size_t body) {
   pairs_.end_contacts_of(static_cast<std::uint32_t>(body), bodies_);
+  if (soil_.any()) pairs_.remember_dents(bodies_, soil_);
   bodies_[body].gone = true;
   bodies_[body].motion = bodies_[body].without_motion();
 }

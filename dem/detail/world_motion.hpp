@@ -51,8 +51,8 @@ class WorldMotion {
 
  private:
   BodyPair::Rules rules(std::span<const GroundParameters> of_zones,
-                        std::span<const std::uint16_t> zone_of_face) const {
-    return {of_zones, zone_of_face, settings_.stiffness, settings_.weights, settings_.law};
+                        std::span<const std::uint16_t> zone_of_face, const SoilMemory* soil) const {
+    return {of_zones, zone_of_face, settings_.stiffness, settings_.weights, settings_.law, soil};
   }
   EnergyLedger losses() const {
     EnergyLedger sum = pairs_.losses();
@@ -76,14 +76,16 @@ class WorldMotion {
   WorldSettings settings_;
   const TerrainSurface* terrain_;
   std::vector<GroundParameters> zones_;
+  SoilMemory soil_{zones_};
   std::vector<Shape> shapes_;
   ThreadTeam team_;
 
   std::vector<WorldBody> bodies_;
-  ContactPairs pairs_{
-      terrain_, rules(std::span(&settings_.between_bodies, 1), {}),
-      rules(zones_, terrain_ ? std::span<const std::uint16_t>(terrain_->impl().zones)
-                             : std::span<const std::uint16_t>())};
+  ContactPairs pairs_{terrain_, rules(std::span(&settings_.between_bodies, 1), {}, nullptr),
+                      rules(zones_,
+                            terrain_ ? std::span<const std::uint16_t>(terrain_->impl().zones)
+                                     : std::span<const std::uint16_t>(),
+                            soil_.any() ? &soil_ : nullptr)};
   std::size_t prepared_ = 0;  ///< bodies that are part of the motion already
   Sleeping sleeping_;
   BodyObserver observer_;

@@ -17,6 +17,7 @@ inline constexpr NumberRange kSlipMemory{1e-6, 1e4, "s"};
 inline constexpr NumberRange kScarDrag{1e-3, 100.0};
 /// From fresh snow to ore.
 inline constexpr NumberRange kSoilDensity{50.0, 5000.0, "kg/m^3"};
+inline constexpr NumberRange kSoilMemory{0.01, 10.0, "m"};
 
 // [blocks] draw shares, and laws of uncertain numbers
 inline constexpr NumberRange kClassShare{1e-6, 1.0, "", ""};

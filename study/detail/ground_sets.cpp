@@ -71,6 +71,18 @@ std::optional<SobolSequence> sobol_design(const Campaign& campaign) {
   return SobolSequence(coordinates, campaign.ensemble.seed);
 }
 
+/// Soil remembers from one release to the next, and only what a law leaves in it.
+/// @throws InputError  there is nothing to remember
+void check_soil_memory(const Campaign& campaign) {
+  const bool stays = campaign.stay.has_value();
+  if (stays && std::holds_alternative<ElastoplasticLaw>(campaign.stiffness.law)) return;
+  throw InputError(stays
+                       ? "soil_memory_m needs [contact] law = \"elastoplastic\", which leaves dents"
+                       : "soil_memory_m is for blocks that follow each other; add [release] "
+                         "sequence = \"stay\", where remove = { zone = ... } takes away those "
+                         "that would be in the way");
+}
+
 /// @throws InputError  values that do not go together, such as a friction below the smallest
 std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& values,
                                        const std::vector<std::string>& zones) {
@@ -78,6 +90,7 @@ std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& v
   for (const std::string& zone : zones) {
     try {
       values.at(zone).check(zone);
+      if (values.at(zone).soil_memory > 0.0) check_soil_memory(campaign);
     } catch (const InputError& error) {
       throw InputError(campaign.file.string() + ": " + error.what());
     }

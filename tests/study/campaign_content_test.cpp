@@ -201,6 +201,21 @@ TEST_F(CampaignContent, SoilOfAZoneReachesItsRunsAndMustGoTogether) {
                        "friction_min = 90; must be at most friction"));
 }
 
+TEST_F(CampaignContent, SoilRemembersBetweenReleasesUnderALawThatLeavesDents) {
+  const std::string soil =
+      with("rolling_friction = 0.3", "rolling_friction = 0.3\nsoil_memory_m = 0.2");
+  EXPECT_TRUE(contains(refusal(soil),
+                       "soil_memory_m is for blocks that follow each other; add "
+                       "[release] sequence = \"stay\""));
+  const std::string stay =
+      replaced_once(soil, "[release]\n", "[release]\nsequence = \"stay\"\n") +
+      "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.1\n";
+  EXPECT_TRUE(contains(refusal(stay), "soil_memory_m needs [contact] law = \"elastoplastic\""));
+  const PreparedCampaign plan = prepared(stay + "[contact]\nlaw = \"elastoplastic\"\n");
+  EXPECT_EQ(plan.header.ground_sets[0].zones[1].soil_memory, 0.2);
+  EXPECT_EQ(plan.header.ground_sets[0].zones[0].soil_memory, 0.0);
+}
+
 TEST_F(CampaignContent, BlockGroupsThatDoNotFitAreRefused) {
   const std::string group = "[[block_group]]\nname = \"g\"\nground.slope = { friction = 0.2 }\n";
   EXPECT_TRUE(contains(refusal(with("[terrain]", "select = [\"cube\"]\n[terrain]") + group +

@@ -82,6 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
             "1.5"},
         Key{"soil_density_kg_m3", "rolling_friction = 0.35",
             "rolling_friction = 0.35\nsoil_density_kg_m3 = VALUE", "1800"},
+        Key{"soil_memory_m", "rolling_friction = 0.35",
+            "rolling_friction = 0.35\nsoil_memory_m = VALUE", "0.2"},
         Key{"height_m", "seed = 12", "height_m = VALUE", "1"},
         Key{"velocity_m_s", "[1, 0.5, 0]", "[0, VALUE, 0]", "5", true},
         Key{"angular_velocity_rad_s", "[0, 0, 2]", "[0, 0, VALUE]", "5", true},

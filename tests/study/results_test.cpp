@@ -79,6 +79,7 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.ground[0].slip_growth, 3.0);
   EXPECT_EQ(results.ground[0].scar_drag, 1.5);
   EXPECT_EQ(results.ground_sets[0].zones[0].soil_density, 1800.0);
+  EXPECT_EQ(results.ground_sets[0].zones[0].soil_memory, 0.2);
   EXPECT_EQ(results.ground[1].energy_restitution, 0.04);
   EXPECT_EQ(results.ground[1].friction, 0.3);
   EXPECT_EQ(results.weights, ContactWeights::kOverlap);
@@ -124,7 +125,7 @@ TEST(Results, WithoutRollingLengthsOrSoilAreReadAsStatingNone) {
     for (const char* group : {"ground", "ground_sets"}) {
       file.root().group(group).remove("rolling_length_m");
       for (const char* soil : {"friction_min", "slip_growth_per_m", "slip_memory_s", "scar_drag",
-                               "soil_density_kg_m3"}) {
+                               "soil_density_kg_m3", "soil_memory_m"}) {
         file.root().group(group).remove(soil);
       }
     }

@@ -45,6 +45,7 @@ inline CampaignResults sample_header() {
   header.ground[0].slip_growth = 3.0;
   header.ground[0].scar_drag = 1.5;
   header.ground[0].soil_density = 1800.0;
+  header.ground[0].soil_memory = 0.2;
   header.ground_sets = {{"", 0, header.ground}, {"hard", 1, {{0.02, 0.6, 0.3}, {0.05, 0.2, 0.1}}}};
   header.law = SpringDashpotLaw{};
   header.weights = ContactWeights::kOverlap;
