@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/nice_number.hpp"
@@ -96,17 +97,49 @@ Range range_of(std::span<const FormResponse> forms) {
   return range;
 }
 
-/// Contour line with its value where it is farthest right.
-std::string line_of(const ThinPlate& surface, std::span<const Vec2> hull, double level) {
+/// Where values of contour lines stand, so that no two cover each other.
+class LabelPlaces {
+ public:
+  /// @param hull  that cuts off what lies outside
+  explicit LabelPlaces(std::span<const Vec2> hull) {
+    for (const Vec2& corner : hull) bottom_ = std::max(bottom_, corner.y());
+  }
+  /// The place farthest right on the line that is free; it is taken then.
+  std::optional<Vec2> take(const ContourLine& line) {
+    std::optional<Vec2> best;
+    for (const auto& [place, end] : line.pieces) {
+      if ((!best || place.x() > best->x()) && free(place)) best = place;
+    }
+    if (best) taken_.push_back(*best);
+    return best;
+  }
+
+ private:
+  bool free(const Vec2& place) const {
+    constexpr double kWide = 32.0, kHigh = 14.0;
+    return place.y() < bottom_ - 0.5 * kHigh &&
+           std::none_of(taken_.begin(), taken_.end(), [&](const Vec2& other) {
+             return std::abs(other.x() - place.x()) < kWide &&
+                    std::abs(other.y() - place.y()) < kHigh;
+           });
+  }
+
+  std::vector<Vec2> taken_;
+  double bottom_ = 0.0;
+};
+
+/// Contour line with its value, where there is a place for it.
+std::string line_of(const ThinPlate& surface, std::span<const Vec2> hull, double level,
+                    LabelPlaces& places) {
   const ContourLine line = contour_line(surface, hull, level, kLattice);
   if (line.pieces.empty()) return "";
-  const auto middle =
-      std::max_element(line.pieces.begin(), line.pieces.end(),
-                       [](const auto& a, const auto& b) { return a.first.x() < b.first.x(); });
-  return "<path d=\"" + line.path + "\" fill=\"none\" stroke=\"#1d2733\" stroke-width=\"0.8\"/>" +
-         svg_text(middle->first.x() - 4.0, middle->first.y() + 4.0, significant(level, 3),
-                  "text-anchor=\"end\" font-size=\"11\" fill=\"#1d2733\" stroke=\"#ffffff\" "
-                  "stroke-width=\"2.5\" paint-order=\"stroke\"");
+  const std::string svg =
+      "<path d=\"" + line.path + "\" fill=\"none\" stroke=\"#1d2733\" stroke-width=\"0.8\"/>";
+  const std::optional<Vec2> place = places.take(line);
+  if (!place) return svg;
+  return svg + svg_text(place->x() - 4.0, place->y() + 4.0, significant(level, 3),
+                        "text-anchor=\"end\" font-size=\"11\" fill=\"#1d2733\" stroke=\"#ffffff\" "
+                        "stroke-width=\"2.5\" paint-order=\"stroke\"");
 }
 
 /// Bands, each over those below it, and lines, within the forms.
@@ -129,7 +162,8 @@ std::string surface_of(std::span<const FormResponse> forms, std::span<const Vec2
     svg += "<path d=\"" + band_path(surface, hull, level, kLattice) + "\" fill=\"" +
            range.colour(level) + "\"/>";
   }
-  for (const double level : levels) svg += line_of(surface, hull, level);
+  LabelPlaces labels(hull);
+  for (const double level : levels) svg += line_of(surface, hull, level, labels);
   return svg + "</g>";
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <sstream>
 #include <vector>
@@ -30,6 +31,34 @@ TEST(ResponseTriangle, PutsFormsAtTheirCornersAndColoursThemByTheirValue) {
   const std::string one = response_triangle({forms.data(), 1}, "m");
   EXPECT_TRUE(contains(one, "fill=\"#ffffcc\""));
   EXPECT_FALSE(contains(one, "clip-path"));
+}
+
+// Values rise steeply along the lower side, where many lines end next to each other.
+TEST(ResponseTriangle, ValuesOfLinesDoNotCoverEachOther) {
+  std::vector<FormResponse> forms;
+  for (int i = 0; i <= 8; ++i) {
+    for (int k = 0; k <= i; ++k) {
+      const double s = 1.0 - 0.1 * i, elongation = i == 0 ? 0.0 : k / static_cast<double>(i);
+      const double middle = 1.0 - elongation * (1.0 - s);
+      forms.push_back({"f", {1.0, middle, s}, 20.0 + 60.0 * s + 50.0 * std::pow(elongation, 12)});
+    }
+  }
+  const std::string svg = response_triangle(forms, "m");
+  std::vector<Vec2> places;
+  const std::string mark = "text-anchor=\"end\" font-size=\"11\"";
+  for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + 1)) {
+    const std::size_t begin = svg.rfind("<text x=\"", at);
+    double x = 0.0, y = 0.0;
+    ASSERT_EQ(std::sscanf(svg.c_str() + begin, "<text x=\"%lf\" y=\"%lf\"", &x, &y), 2);
+    places.emplace_back(x, y);
+  }
+  EXPECT_GE(places.size(), 5u);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Vec2 apart = (places[i] - places[k]).cwiseAbs();
+      EXPECT_TRUE(apart.x() >= 31.9 || apart.y() >= 13.9) << places[i].transpose();
+    }
+  }
 }
 
 // A plate through values of a plane is the plane.
