@@ -94,7 +94,7 @@ TEST_F(FirstHour, CheckListsAllFindings) {
   EXPECT_EQ(Json::parse(good.out)["accepted"], true);
   EXPECT_EQ(Json::parse(good.out)["runs"], 8);
   expect_refused(folder, {"check", "gone.toml"}, 1, "gone.toml");
-  expect_refused(folder, {"check"}, 2, "campaign");
+  expect_refused(folder, {"check"}, 2, "file is required");
 }
 
 TEST(Help, ExplainsEveryCommand) {
