@@ -13,7 +13,7 @@ namespace clast {
 std::optional<Shard> shard_from(const std::string& text);
 
 /// Runs a command in every process that was started with this one. Only the one that leads prints,
-/// and only its errors are shown: it is told of those of the others.
+/// and only its errors are shown: those of the others reach it.
 void run_in_team(const std::function<void(ProcessTeam& team)>& command);
 
 }  // namespace clast
