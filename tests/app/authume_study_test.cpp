@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "study/results.hpp"
+#include "tests/app/mpi_run.hpp"
 #include "tests/support/reference_data.hpp"
 #include "tests/support/run_program.hpp"
 
@@ -54,10 +55,6 @@ class AuthumeStudy : public testing::Test {
     write_text_file(folder / "orientations.txt", some);
     const auto data = fs::absolute(test_data("authume")).parent_path();
     ::setenv("CLAST_DATA", data.c_str(), 1);
-    for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
-                             "OMPI_MCA_rmaps_base_oversubscribe"}) {
-      ::setenv(name, "1", 1);
-    }
     for (const std::string profile : {"p1", "p2"}) {
       std::string text = read_text_file(std::string(CLAST_SOURCE_DIR) +
                                         "/samples/authume/campaign-" + profile + ".toml");
@@ -152,11 +149,8 @@ TEST_F(AuthumeStudy, IsQuickCompleteAndAlwaysTheSame) {
     kill_and_resume(profile, fs::file_size(folder / ("one-" + profile + ".h5")));
     EXPECT_TRUE(runs_csv_of("cut-" + profile + ".h5") == expected) << profile << ": 3 kills";
 #ifdef CLAST_MPIRUN
-    std::vector<std::string> words = {CLAST_MPIRUN, "-n", "2"};
-    for (const std::string& word : clast_words(simulate(profile, "mpi-" + profile + ".h5", {}))) {
-      words.push_back(word);
-    }
-    const ProgramRun shared = RunningProgram(words, folder.path()).wait();
+    const ProgramRun shared =
+        mpirun("2", simulate(profile, "mpi-" + profile + ".h5", {}), folder.path());
     ASSERT_EQ(shared.exit_code, 0) << shared.err;
     EXPECT_TRUE(runs_csv_of("mpi-" + profile + ".h5") == expected) << profile << ": mpirun";
 #endif

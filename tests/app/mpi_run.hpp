@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/command_support.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace clast {
 
