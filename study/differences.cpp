@@ -189,19 +189,26 @@ QuantityWords words_of_quantity(const std::string& quantity) {
   return {quantity, ""};
 }
 
-std::string gap_in_words(const Difference& difference) {
-  const QuantityWords words = words_of_quantity(difference.quantity);
-  const double gap = words.factor * (difference.first_mean - difference.second_mean);
+std::string gap_in_words(double gap, const std::optional<Interval>& interval,
+                         const std::string& unit) {
   const double sign = gap < 0.0 ? -1.0 : 1.0;
   const std::string way = gap < 0.0 ? " less" : " more";
-  if (!difference.interval) return with_digits(sign * gap, 3) + " " + words.unit + way;
-  double low = sign * words.factor * difference.interval->low;
-  double high = sign * words.factor * difference.interval->high;
+  const std::string of_unit = unit.empty() ? "" : " " + unit;
+  if (!interval) return with_digits(sign * gap, 3) + of_unit + way;
+  double low = sign * interval->low;
+  double high = sign * interval->high;
   if (low > high) std::swap(low, high);
   const int decimals = decimals_known({low, high}, kMostDecimals);
-  return with_decimals(sign * gap, decimals) + " " + words.unit + way + " (" +
-         with_decimals(low, decimals) + " to " + with_decimals(high, decimals) + " " + words.unit +
-         ")";
+  return with_decimals(sign * gap, decimals) + of_unit + way + " (" + with_decimals(low, decimals) +
+         " to " + with_decimals(high, decimals) + of_unit + ")";
+}
+
+std::string gap_in_words(const Difference& difference) {
+  const QuantityWords words = words_of_quantity(difference.quantity);
+  std::optional<Interval> interval = difference.interval;
+  if (interval) interval = {words.factor * interval->low, words.factor * interval->high};
+  return gap_in_words(words.factor * (difference.first_mean - difference.second_mean), interval,
+                      words.unit);
 }
 
 std::string in_words(const Difference& difference, const Comparison& comparison) {

@@ -74,6 +74,9 @@ QuantityWords words_of_quantity(const std::string& quantity);
 /// "13 m more (10 to 17 m)", or "less": of the first group, with the decimals that its interval
 /// leaves.
 std::string gap_in_words(const Difference& difference);
+/// The same of a gap with its interval, both in `unit`; the unit can be empty.
+std::string gap_in_words(double gap, const std::optional<Interval>& interval,
+                         const std::string& unit);
 
 /// A sentence to quote.
 std::string in_words(const Difference& difference, const Comparison& comparison);

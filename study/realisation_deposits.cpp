@@ -14,13 +14,6 @@ namespace {
 constexpr double kCellShare = 1.0 / 3.0;  ///< of the mean S
 constexpr double kMostCells = 2000.0;     ///< along the longer side of all stops
 
-/// Did the block of a row stay where it came to rest?
-bool lies_there(const Comparison& comparison, const RunRow& row) {
-  if (row.record->result.stop_reason != StopReason::kRest) return false;
-  const StayRecord* stay = comparison.results[row.file].stay_of(row.record->run);
-  return stay && !std::isfinite(stay->removed_at);
-}
-
 double cell_size(const std::vector<const RunRow*>& lying) {
   Bounds box;
   double sum = 0.0;
@@ -176,6 +169,12 @@ class Layers {
 };
 
 }  // namespace
+
+bool lies_there(const Comparison& comparison, const RunRow& row) {
+  if (row.record->result.stop_reason != StopReason::kRest) return false;
+  const StayRecord* stay = comparison.results[row.file].stay_of(row.record->run);
+  return stay && !std::isfinite(stay->removed_at);
+}
 
 double drop_ratio(const Vec3& from, const Vec3& to) {
   return (from.z() - to.z()) / (to - from).head<2>().norm();

@@ -8,6 +8,9 @@
 
 namespace clast {
 
+/// Did the block of a run among others stay where it came to rest?
+bool lies_there(const Comparison& comparison, const RunRow& row);
+
 /// Blocks of one realisation. Places are of centres of mass, on the map; "that lie there" are
 /// blocks that came to rest and were not removed.
 struct RealisationDeposit {
