@@ -6,7 +6,8 @@ from populations_test import same_as_csv
 
 TABLES = [
     "runs", "barriers", "crossings", "deposits", "impacts", "ground_sets", "effects", "ensemble", "stays",
-    "realisations", "differences", "profiles",
+    "realisations", "realisation_figures", "realisation_differences", "passages",
+    "passage_curves", "fabric", "neighbours", "sorting", "mobility", "differences", "profiles",
 ]  # fmt: skip
 
 

@@ -24,11 +24,33 @@ using namespace report_detail;
 
 FolderKind comparison_folder() {
   const auto owns = [](const std::filesystem::path& file) {
-    static const std::set<std::string> kFiles = {
-        "runs.csv",         "barriers.csv", "crossings.csv", "deposits.csv", "impacts.csv",
-        "ground_sets.csv",  "profiles.csv", "measured.csv",  "stops.gpkg",   "differences.csv",
-        "provenance.json",  "report.html",  "report.pdf",    "ensemble.csv", "stays.csv",
-        "realisations.csv", "effects.csv",  "trends.csv",    "responses.csv"};
+    static const std::set<std::string> kFiles = {"runs.csv",
+                                                 "barriers.csv",
+                                                 "crossings.csv",
+                                                 "deposits.csv",
+                                                 "impacts.csv",
+                                                 "ground_sets.csv",
+                                                 "profiles.csv",
+                                                 "measured.csv",
+                                                 "stops.gpkg",
+                                                 "differences.csv",
+                                                 "provenance.json",
+                                                 "report.html",
+                                                 "report.pdf",
+                                                 "ensemble.csv",
+                                                 "stays.csv",
+                                                 "realisations.csv",
+                                                 "effects.csv",
+                                                 "trends.csv",
+                                                 "responses.csv",
+                                                 "realisation_figures.csv",
+                                                 "realisation_differences.csv",
+                                                 "fabric.csv",
+                                                 "neighbours.csv",
+                                                 "mobility.csv",
+                                                 "sorting.csv",
+                                                 "passages.csv",
+                                                 "passage_curves.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";
     if (folder == "animation") return extension == ".vtp" || extension == ".pvd";
@@ -66,6 +88,16 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
   write("stays.csv", stays_csv(comparison));
   const RealisationDeposits deposits = realisation_deposits(comparison);
   write("realisations.csv", realisations_csv(deposits));
+  const FiguresOfFiles figures = figures_of_files(deposits.realisations);
+  write("realisation_figures.csv", realisation_figures_csv(figures));
+  write("realisation_differences.csv", realisation_differences_csv(figures));
+  write("passages.csv", passages_csv(comparison));
+  write("passage_curves.csv", passage_curves_csv(comparison));
+  const DepositFabric fabric = deposit_fabric(comparison);
+  write("fabric.csv", fabric_csv(fabric));
+  write("neighbours.csv", neighbours_csv(fabric));
+  write("sorting.csv", sorting_csv(fabric));
+  write("mobility.csv", mobility_csv(comparison));
   write("differences.csv", differences_csv(comparison));
   const std::vector<ProfileBin> bins = profiles(comparison);
   write("profiles.csv", profiles_csv(comparison, bins));
@@ -79,7 +111,7 @@ std::vector<std::filesystem::path> write_comparison(const Comparison& comparison
         write_rasters(folder / "rasters", *rasters, comparison.results.front().frame.crs);
     written.insert(written.end(), files.begin(), files.end());
   }
-  write("report.html", comparison_page(comparison, bins, paths, deposits));
+  write("report.html", comparison_page(comparison, bins, paths, deposits, fabric));
   return written;
 }
 

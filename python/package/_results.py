@@ -98,6 +98,46 @@ class _Tables:
         return self.table("realisations")
 
     @property
+    def realisation_figures(self) -> Table:
+        """A row per file and figure of its realisations: realisation_figures.csv."""
+        return self.table("realisation_figures")
+
+    @property
+    def realisation_differences(self) -> Table:
+        """A row per pair of files and figure of their realisations: realisation_differences.csv."""
+        return self.table("realisation_differences")
+
+    @property
+    def passages(self) -> Table:
+        """A row per barrier and realisation of blocks that stay: passages.csv."""
+        return self.table("passages")
+
+    @property
+    def passage_curves(self) -> Table:
+        """A row per passage of a block of a realisation, with all before it: passage_curves.csv."""
+        return self.table("passage_curves")
+
+    @property
+    def fabric(self) -> Table:
+        """A row per file and group of blocks that stayed: fabric.csv."""
+        return self.table("fabric")
+
+    @property
+    def neighbours(self) -> Table:
+        """A row per file and scheme of classes: neighbours.csv."""
+        return self.table("neighbours")
+
+    @property
+    def sorting(self) -> Table:
+        """A row per file, property of blocks and place in the deposit: sorting.csv."""
+        return self.table("sorting")
+
+    @property
+    def mobility(self) -> Table:
+        """A row per file of blocks that stay and file of single runs of the same: mobility.csv."""
+        return self.table("mobility")
+
+    @property
     def measured(self) -> Table:
         """A row per group with stops observed in the field: measured.csv."""
         return self.table("measured")

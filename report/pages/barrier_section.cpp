@@ -4,6 +4,7 @@
 
 #include "report/charts/plotly_chart.hpp"
 #include "report/html/html_page.hpp"
+#include "report/pages/passage_charts.hpp"
 #include "report/pages/report_groups.hpp"
 
 namespace clast::report_detail {
@@ -35,7 +36,7 @@ void append(std::vector<std::string>& cells, const Summary& summary, int decimal
   }
 }
 
-std::string passage_table(const Comparison& comparison, std::size_t line) {
+std::string crossing_table(const Comparison& comparison, std::size_t line) {
   HtmlTable table({"group", "runs", "crossings", "probability", "95 % interval", "height mean, m",
                    "height p95, m", "height max, m", "top p95, m", "top max, m",
                    "clearance mean, m", "clearance p95, m", "clearance max, m"},
@@ -158,20 +159,23 @@ std::string barrier_section(const Comparison& comparison) {
       "the "
       "top is where the block's farthest corner would be if it pointed upwards. Energy is "
       "translational plus rotational.");
+  const std::vector<RealisationPassages> passages = barrier_passages(comparison);
   std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
     const std::vector<const Crossing*> first = counted_crossings(comparison, line);
     const bool any = std::any_of(first.begin(), first.end(), [](auto* one) { return one; });
+    html += passage_words(comparison, passages, line);
     if (any)
-      charts += barrier_charts(comparison, line);
+      charts += barrier_charts(comparison, line) + passage_charts(comparison, passages, line);
     else
       figures += paragraph("No run crossed " + barrier.name + ".");
-    figures += folded("Figures at " + barrier.name,
-                      "<p class=\"note\">" + escaped(place_of(barrier)) + "; " +
-                          directions_of(comparison, line) + ".</p>\n" +
-                          passage_table(comparison, line) + impact_table(comparison, line),
-                      OnPaper::kOpen);
+    figures +=
+        folded("Figures at " + barrier.name,
+               "<p class=\"note\">" + escaped(place_of(barrier)) + "; " +
+                   directions_of(comparison, line) + ".</p>\n" + crossing_table(comparison, line) +
+                   impact_table(comparison, line) + passage_table(comparison, passages, line),
+               OnPaper::kOpen);
   }
   if (!charts.empty()) html += "<div class=\"charts by-three\">\n" + charts + "</div>\n";
   html += figures;

@@ -12,7 +12,8 @@
 namespace clast::report_detail {
 
 std::string comparison_page(const Comparison& comparison, const std::vector<ProfileBin>& bins,
-                            const MapRasters& paths, const RealisationDeposits& deposits) {
+                            const MapRasters& paths, const RealisationDeposits& deposits,
+                            const DepositFabric& fabric) {
   std::string title = "Rockfall report";
   const std::string file = comparison.results.front().file.stem().string();
   if (!file.empty()) title += ": " + file;
@@ -24,9 +25,10 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Prof
       map_section(comparison, paths, deposits.rasters) + "</div>\n" + class_section(comparison) +
       differences_section(comparison) + measured_section(comparison) + runout_section(comparison) +
       barrier_section(comparison) + slope_section(comparison, bins) +
-      deposit_section(comparison, deposits) + stay_section(comparison) +
-      ensemble_section(comparison) + effects_section(comparison) + scene_section(comparison) +
-      block_section(comparison) + quality_section(comparison) + provenance_section(comparison));
+      deposit_section(comparison, deposits) + fabric_section(comparison, fabric) +
+      stay_section(comparison) + ensemble_section(comparison) + effects_section(comparison) +
+      scene_section(comparison) + block_section(comparison) + quality_section(comparison) +
+      provenance_section(comparison));
   return report_page(
       title, script_element(assets::unpack_js) + contents(sections) + sections + charts_script());
 }

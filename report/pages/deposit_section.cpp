@@ -1,95 +1,213 @@
+#include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "core/angle.hpp"
 #include "report/html/html_page.hpp"
 #include "report/pages/report_groups.hpp"
 #include "report/pages/report_sections.hpp"
+#include "report/text/capital.hpp"
+#include "report/text/subject_words.hpp"
+#include "study/mass_mobility.hpp"
+#include "study/realisation_figures.hpp"
 
 namespace clast::report_detail {
 namespace {
 
-struct Quantity {
-  const char* name;
-  int decimals;
-  std::function<double(const RealisationDeposit&)> value;
-};
+/// Pairs of files that are put in words; of more, each file against the first is.
+constexpr std::size_t kMostPairs = 6;
 
-const std::vector<Quantity>& quantities() {
-  using Row = RealisationDeposit;
-  const auto distance = [](const Vec3& from, const Vec3& to) {
-    return (to - from).head<2>().norm();
+std::string with_unit(const RealisationFigure& figure) {
+  return figure.words + (figure.unit.empty() ? "" : ", " + figure.unit);
+}
+
+std::string range_of(const std::optional<Interval>& interval, int decimals) {
+  return interval ? fixed(interval->low, decimals) + " to " + fixed(interval->high, decimals) : "-";
+}
+
+/// Mean, interval, least and most of every figure, for each file.
+std::string figures_table(const Comparison& comparison, const FiguresOfFiles& figures) {
+  std::vector<std::uint32_t> files;
+  for (const FigureOfFile& one : figures.files) {
+    if (files.empty() || files.back() != one.file) files.push_back(one.file);
+  }
+  std::vector<std::string> heads = {"quantity"};
+  for (const std::uint32_t file : files) {
+    const std::string of_file =
+        several_files(comparison) ? "file " + std::to_string(file + 1) + ": " : "";
+    for (const char* head : {"mean and std", "95 % interval of the mean", "least", "most"}) {
+      heads.push_back(of_file + head);
+    }
+  }
+  HtmlTable table(heads, 1);
+  for (std::size_t i = 0; i < realisation_figures().size(); ++i) {
+    const RealisationFigure& figure = realisation_figures()[i];
+    std::vector<std::string> cells = {with_unit(figure)};
+    for (const std::uint32_t file : files) {
+      FigureOfFile found;
+      for (const FigureOfFile& one : figures.files) {
+        if (one.file == file && one.figure == i) found = one;
+      }
+      cells.push_back(mean_and_std(found.summary, figure.decimals));
+      cells.push_back(range_of(found.interval, figure.decimals));
+      cells.push_back(measured(found.least, found.summary, figure.decimals));
+      cells.push_back(measured(found.summary.max, found.summary, figure.decimals));
+    }
+    table.row(std::move(cells));
+  }
+  return table.html();
+}
+
+/// What a pair of files differs in, by how much, and what it does not.
+std::string pair_in_words(const Comparison& comparison,
+                          const std::vector<const FigureDifference*>& pair) {
+  std::string clear, open, same, unknown;
+  const auto add = [](std::string& list, const std::string& item) {
+    list += (list.empty() ? "" : "; ") + item;
   };
-  static const std::vector<Quantity> kQuantities = {
-      {"blocks that lie there", 1, [](const Row& row) { return static_cast<double>(row.lying); }},
-      {"blocks that left the terrain", 1,
-       [](const Row& row) { return static_cast<double>(row.left_terrain); }},
-      {"volume of the blocks, m\xC2\xB3", 2, &Row::volume},
-      {"centre of mass: distance, m", 2,
-       [=](const Row& row) { return distance(row.first_centre, row.centre); }},
-      {"centre of mass: drop, m", 2,
-       [](const Row& row) { return row.first_centre.z() - row.centre.z(); }},
-      {"centre of mass: drop / distance", 3,
-       [](const Row& row) { return drop_ratio(row.first_centre, row.centre); }},
-      {"crest to toe: distance L, m", 2,
-       [=](const Row& row) { return distance(row.crest, row.toe); }},
-      {"crest to toe: drop H, m", 2, [](const Row& row) { return row.crest.z() - row.toe.z(); }},
-      {"crest to toe: H / L", 3, [](const Row& row) { return drop_ratio(row.crest, row.toe); }},
-      {"crest to toe: travel angle, \xC2\xB0", 1,
-       [](const Row& row) {
-         return kDegreesPerRadian * std::atan(drop_ratio(row.crest, row.toe));
-       }},
-      {"area, m\xC2\xB2", 1, &Row::area},
-      {"bulk volume, m\xC2\xB3", 2, &Row::bulk_volume},
-      {"largest thickness, m", 2, &Row::thickness}};
-  return kQuantities;
+  std::size_t fewest = pair.front()->first.summary.count, tests = 0;
+  for (const FigureDifference* one : pair) {
+    const std::string& words = realisation_figures()[one->first.figure].words;
+    fewest = std::min({fewest, one->first.summary.count, one->second.summary.count});
+    tests = std::max(tests, one->tests);
+    switch (distinction_of(*one)) {
+      case Distinction::kDistinguished:
+        add(clear, words + " " + gap_in_words(*one));
+        break;
+      case Distinction::kOneOfMany:
+        add(open, words + " " + gap_in_words(*one));
+        break;
+      case Distinction::kNotDistinguished:
+        add(same, words);
+        break;
+      case Distinction::kUnknown:
+        add(unknown, words);
+        break;
+    }
+  }
+  const std::string names = capital(file_name(comparison, pair.front()->first.file)) + " against " +
+                            file_name(comparison, pair.front()->second.file);
+  if (tests == 0) {
+    return paragraph(names + ": no interval of a difference can be given, " +
+                     (fewest < 2 ? "which takes two realisations of each file."
+                                 : "since realisations do not differ."));
+  }
+  std::string html;
+  const auto line = [&](const std::string& head, const std::string& list) {
+    if (!list.empty()) html += "<p><b>" + escaped(head) + "</b> " + escaped(list) + ".</p>\n";
+  };
+  line(names + ", more than chance:", clear);
+  if (clear.empty()) html += paragraph(names + ": no figure differs more than by chance.");
+  line("Not clear, since one of " + std::to_string(tests) +
+           " differences tested can be as large by chance:",
+       open);
+  line("Not distinguished, the 95 % interval of the difference holds zero:", same);
+  line("Without an interval, since realisations do not differ:", unknown);
+  return html;
+}
+
+std::string differences_table(const Comparison& comparison, const FiguresOfFiles& figures) {
+  HtmlTable table({"quantity", "first", "second", "realisations", "first mean", "second mean",
+                   "difference", "95 % interval", "p", "p (Holm)", "distinguished"},
+                  3);
+  for (const FigureDifference& one : figures.differences) {
+    const RealisationFigure& figure = realisation_figures()[one.first.figure];
+    const Distinction distinction = distinction_of(one);
+    table.row({with_unit(figure), file_name(comparison, one.first.file),
+               file_name(comparison, one.second.file),
+               std::to_string(one.first.summary.count) + " and " +
+                   std::to_string(one.second.summary.count),
+               fixed(one.first.summary.mean, figure.decimals),
+               fixed(one.second.summary.mean, figure.decimals),
+               fixed(one.difference(), figure.decimals),
+               one.welch ? range_of(one.welch->interval, figure.decimals) : "-",
+               one.welch ? with_digits(one.welch->p_value, 2) : "-",
+               one.welch ? with_digits(one.p_holm, 2) : "-",
+               distinction == Distinction::kUnknown         ? "-"
+               : distinction == Distinction::kDistinguished ? "yes"
+                                                            : "no"});
+  }
+  return table.html();
+}
+
+/// The files against each other; empty where one file has realisations.
+std::string differences_of_files(const Comparison& comparison, const FiguresOfFiles& figures) {
+  if (figures.differences.empty()) {
+    std::size_t files = 0;
+    for (const FigureOfFile& one : figures.files) files += one.figure == 0;
+    return files < 2 ? ""
+                     : paragraph(std::to_string(files) + " files are more than the " +
+                                 std::to_string(kMostGroups) +
+                                 " that are compared pair by pair. Compare a selection.");
+  }
+  std::vector<std::vector<const FigureDifference*>> pairs;
+  for (const FigureDifference& one : figures.differences) {
+    const auto same = [&](const FigureDifference* other) {
+      return other->first.file == one.first.file && other->second.file == one.second.file;
+    };
+    if (pairs.empty() || !same(pairs.back().front())) pairs.emplace_back();
+    pairs.back().push_back(&one);
+  }
+  std::string html;
+  for (const std::vector<const FigureDifference*>& pair : pairs) {
+    const bool with_first = pair.front()->first.file == figures.differences.front().first.file;
+    if (pairs.size() <= kMostPairs || with_first) html += pair_in_words(comparison, pair);
+  }
+  return html +
+         folded("Differences between the files",
+                paragraph("Realisations are independent of each other. Intervals are Welch's, for "
+                          "groups whose spreads differ. A difference is distinguished where p is "
+                          "below 0.05 after Holm's correction for all in the table, which is also "
+                          "realisation_differences.csv.") +
+                    differences_table(comparison, figures));
+}
+
+/// The blocks together against the same alone; empty where no single runs are compared.
+std::string mobility_of(const Comparison& comparison) {
+  const std::vector<Mobility> all = mass_mobility(comparison);
+  if (all.empty()) return "";
+  std::string html;
+  HtmlTable table(
+      {"group", "together", "alone", "realisations", "runs alone", "runout together, m",
+       "runout alone, m", "difference, m", "95 % interval", "p", "toe together, m", "toe alone, m"},
+      3);
+  for (const Mobility& one : all) {
+    if (one.group == "all") {
+      html +=
+          paragraph("Runout of " + file_name(comparison, one.file) + " against single blocks of " +
+                    file_name(comparison, one.alone) + ", " + in_words(one) + ".");
+    }
+    table.row({one.group, file_name(comparison, one.file), file_name(comparison, one.alone),
+               std::to_string(one.together_runout.count), std::to_string(one.runs),
+               fixed(one.together_runout.mean, 2), fixed(one.alone_runout.mean, 2),
+               fixed(one.together_runout.mean - one.alone_runout.mean, 2),
+               one.difference ? range_of(one.difference->interval, 2) : "-",
+               one.difference ? with_digits(one.difference->p_value, 2) : "-",
+               fixed(one.together_toe.mean, 2), fixed(one.alone_toe, 2)});
+  }
+  return html + folded("Together and alone",
+                       paragraph("Runouts of blocks that came to rest. Toe together is the largest "
+                                 "of a realisation, toe alone the expected largest of as many "
+                                 "single runs.") +
+                           table.html());
 }
 
 }  // namespace
 
 std::string deposit_section(const Comparison& comparison, const RealisationDeposits& deposits) {
   if (deposits.realisations.empty()) return "";
-  std::vector<std::string> heads = {"quantity"};
-  std::vector<std::uint32_t> files;
-  for (const RealisationDeposit& deposit : deposits.realisations) {
-    if (files.empty() || files.back() != deposit.file) files.push_back(deposit.file);
-  }
-  for (const std::uint32_t file : files) {
-    const std::string of_file =
-        several_files(comparison) ? "file " + std::to_string(file + 1) + ": " : "";
-    for (const char* head : {"mean and std", "least", "most"}) heads.push_back(of_file + head);
-  }
-  HtmlTable table(heads, 1);
-  for (const Quantity& quantity : quantities()) {
-    std::vector<std::string> cells = {quantity.name};
-    for (const std::uint32_t file : files) {
-      std::vector<double> values;
-      double least = INFINITY;
-      for (const RealisationDeposit& deposit : deposits.realisations) {
-        const double value = quantity.value(deposit);
-        if (deposit.file != file || !std::isfinite(value)) continue;
-        values.push_back(value);
-        least = std::min(least, value);
-      }
-      const Summary summary = summarise(values);
-      cells.push_back(mean_and_std(summary, quantity.decimals));
-      cells.push_back(measured(least, summary, quantity.decimals));
-      cells.push_back(measured(summary.max, summary, quantity.decimals));
-    }
-    table.row(std::move(cells));
-  }
+  const FiguresOfFiles figures = figures_of_files(deposits.realisations);
   return section(
       "The deposit",
       paragraph("Mean thickness of the deposit over the realisations" +
                 std::string(several_files(comparison) ? " of all files" : "") + ", m.") +
-          deposit_map(comparison, deposits.rasters) +
+          deposit_map(comparison, deposits.rasters) + differences_of_files(comparison, figures) +
+          mobility_of(comparison) +
           folded(
               "Figures of the deposit",
               paragraph("Blocks that came to rest and were not removed. The crest is the highest "
                         "start, the toe the stop farthest from it; H / L between them is the "
                         "tangent of the travel angle. The bulk volume holds the gaps between "
                         "blocks. Each realisation is a row of realisations.csv.") +
-                  table.html()));
+                  figures_table(comparison, figures)));
 }
 
 }  // namespace clast::report_detail

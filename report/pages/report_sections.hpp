@@ -4,6 +4,7 @@
 
 #include "study/answer.hpp"
 #include "study/comparison.hpp"
+#include "study/deposit_fabric.hpp"
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
 
@@ -18,6 +19,9 @@ std::string deposit_map(const Comparison& comparison, const MapRasters& rasters)
 /// Where the blocks of a realisation lie as a whole: how far the mass of them came, how large and
 /// thick the deposit is; empty where no block stayed.
 std::string deposit_section(const Comparison& comparison, const RealisationDeposits& deposits);
+/// Which way long axes point, whether classes lie together, which blocks went far; empty where no
+/// block stayed.
+std::string fabric_section(const Comparison& comparison, const DepositFabric& fabric);
 /// How blocks that stay were hit and moved on by later ones, by class; empty where none was
 /// released after another.
 std::string stay_section(const Comparison& comparison);

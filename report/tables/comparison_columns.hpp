@@ -4,10 +4,14 @@
 #include <vector>
 
 #include "report/charts/form_responses.hpp"
+#include "study/barrier_passages.hpp"
+#include "study/deposit_fabric.hpp"
 #include "study/design_effects.hpp"
 #include "study/ensemble_effects.hpp"
+#include "study/mass_mobility.hpp"
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
+#include "study/realisation_figures.hpp"
 #include "study/run_columns.hpp"
 #include "study/shape_trends.hpp"
 
@@ -57,18 +61,36 @@ struct ResponseOfForm {
   const FormOutcome& form;
 };
 
+/// A passage, and all that has passed with it in its realisation.
+struct PassedSoFar {
+  const RealisationPassages& realisation;
+  BlockPassage passage;
+  std::uint64_t passed = 0;
+  double mass = 0.0;    ///< kg
+  double volume = 0.0;  ///< m^3
+  double energy = 0.0;  ///< J
+};
+
 const TableColumns<BarrierGroup>& barrier_columns();
 const TableColumns<ComparisonRow<CrossingRow>>& crossing_columns();
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns();
 const TableColumns<ComparisonRow<Difference>>& difference_columns();
 const TableColumns<EffectShare>& effect_columns();
 const TableColumns<ComparisonRow<ParameterEffect>>& ensemble_columns();
+const TableColumns<FabricGroup>& fabric_columns();
 const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns();
 const TableColumns<ComparisonRow<RunImpact>>& impact_columns();
 const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns();
+const TableColumns<Mobility>& mobility_columns();
+const TableColumns<NeighbourTest>& neighbour_columns();
+const TableColumns<ComparisonRow<PassedSoFar>>& passage_curve_columns();
+const TableColumns<ComparisonRow<RealisationPassages>>& passage_columns();
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns();
 const TableColumns<RealisationDeposit>& realisation_columns();
+const TableColumns<FigureDifference>& realisation_difference_columns();
+const TableColumns<FigureOfFile>& realisation_figure_columns();
 const TableColumns<ResponseOfForm>& response_columns();
+const TableColumns<SortingTrend>& sorting_columns();
 const TableColumns<ComparisonRow<RunStay>>& stay_columns();
 const TableColumns<TrendOfFile>& trend_columns();
 
@@ -78,6 +100,8 @@ std::vector<GroupDeposit> deposit_rows(const Comparison& comparison);
 std::vector<EffectShare> effect_rows(const std::vector<DesignEffects>& all);
 std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison);
 std::vector<RunImpact> impact_rows(const Comparison& comparison);
+/// In order of barrier, file, realisation and time. They refer to `all`.
+std::vector<PassedSoFar> passage_curve_rows(const std::vector<RealisationPassages>& all);
 /// They refer to `all`.
 std::vector<ResponseOfForm> response_rows(const std::vector<OutcomeOfForms>& all);
 std::vector<RunStay> stay_rows(const Comparison& comparison);

@@ -267,39 +267,6 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& report_detail::ground_set_columns(
   return columns;
 }
 
-const TableColumns<RealisationDeposit>& report_detail::realisation_columns() {
-  using Row = RealisationDeposit;
-  const auto degrees = [](const Vec3& from, const Vec3& to) {
-    return kDegreesPerRadian * std::atan(drop_ratio(from, to));
-  };
-  static const auto columns = joined<Row>(
-      {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }},
-        {"blocks", "", "released", &Row::blocks},
-        {"lying", "", "that came to rest and were not removed; what follows is of these",
-         &Row::lying},
-        {"left_terrain", "", "that left the terrain", &Row::left_terrain},
-        {"mass_kg", "kg", "of the blocks", &Row::mass},
-        {"volume_m3", "m3", "of the blocks, without the space between them", &Row::volume}},
-       columns_of_list<Row>({"first_x_m", "first_y_m", "first_z_m"}, "m",
-                            "their centre of mass where they started", &Row::first_centre),
-       columns_of_list<Row>({"x_m", "y_m", "z_m"}, "m", "their centre of mass where they lie",
-                            &Row::centre),
-       columns_of_list<Row>({"crest_x_m", "crest_y_m", "crest_z_m"}, "m",
-                            "highest start of all blocks", &Row::crest),
-       columns_of_list<Row>({"toe_x_m", "toe_y_m", "toe_z_m"}, "m",
-                            "stop that is farthest from the crest in plan", &Row::toe),
-       {{"centre_angle_deg", "deg", "slope of the line from first to last centre of mass",
-         [=](const Row& row) { return degrees(row.first_centre, row.centre); }},
-        {"travel_angle_deg", "deg", "slope of the line from crest to toe (Fahrb\xC3\xB6schung)",
-         [=](const Row& row) { return degrees(row.crest, row.toe); }},
-        {"area_m2", "m2", "that blocks lie on, in plan", &Row::area},
-        {"bulk_volume_m3", "m3", "between the ground and the tops of the blocks",
-         &Row::bulk_volume},
-        {"thickness_m", "m", "largest height of a block's top above the ground", &Row::thickness},
-        {"file", "", "number of the results file", [](const Row& row) { return row.file + 1; }}}});
-  return columns;
-}
-
 std::string barriers_csv(const Comparison& comparison) {
   return csv_of(barrier_columns(), comparison.barriers);
 }
@@ -327,10 +294,6 @@ std::string measured_csv(const Comparison& comparison) {
 
 std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins) {
   return csv_of(profile_columns(), rows_of(comparison, bins));
-}
-
-std::string realisations_csv(const RealisationDeposits& deposits) {
-  return csv_of(realisation_columns(), deposits.realisations);
 }
 
 std::vector<ZoneOfSet> report_detail::ground_set_rows(const Comparison& comparison) {

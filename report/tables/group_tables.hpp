@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "study/comparison.hpp"
+#include "study/deposit_fabric.hpp"
 #include "study/profiles.hpp"
 #include "study/realisation_deposits.hpp"
+#include "study/realisation_figures.hpp"
 
 namespace clast {
 
@@ -25,9 +27,27 @@ std::string responses_csv(const Comparison& comparison);
 std::string ensemble_csv(const Comparison& comparison);
 /// @param bins  `profiles` of the comparison
 std::string profiles_csv(const Comparison& comparison, const std::vector<ProfileBin>& bins);
+/// A row for each barrier and realisation; the header alone where no block stayed.
+std::string passages_csv(const Comparison& comparison);
+/// A row for each passage of them.
+std::string passage_curves_csv(const Comparison& comparison);
 /// A row for each realisation; the header alone where no block stayed.
 /// @param deposits  `realisation_deposits` of the comparison
 std::string realisations_csv(const RealisationDeposits& deposits);
+/// A row for each file and figure of its realisations; the header alone where no block stayed.
+/// @param figures  `figures_of_files` of the realisations
+std::string realisation_figures_csv(const FiguresOfFiles& figures);
+/// A row for each pair of files and figure.
+std::string realisation_differences_csv(const FiguresOfFiles& figures);
+/// A row for each file of realisations, file of single runs of the same blocks, and class.
+std::string mobility_csv(const Comparison& comparison);
+/// A row for each file and group of blocks that lie; the header alone where no block stayed.
+/// @param fabric  `deposit_fabric` of the comparison
+std::string fabric_csv(const DepositFabric& fabric);
+/// A row for each file and scheme of classes.
+std::string neighbours_csv(const DepositFabric& fabric);
+/// A row for each file, property of blocks and place.
+std::string sorting_csv(const DepositFabric& fabric);
 /// The ground parameters of every ground set, by zone.
 std::string ground_sets_csv(const Comparison& comparison);
 

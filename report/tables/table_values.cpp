@@ -52,6 +52,35 @@ const NamedTables<Comparison>& comparison_tables() {
        [](const auto& all) {
          return values_of(realisation_columns(), realisation_deposits(all).realisations);
        }},
+      {"realisation_figures",
+       [](const auto& all) {
+         return values_of(realisation_figure_columns(),
+                          figures_of_files(realisation_deposits(all).realisations).files);
+       }},
+      {"realisation_differences",
+       [](const auto& all) {
+         return values_of(realisation_difference_columns(),
+                          figures_of_files(realisation_deposits(all).realisations).differences);
+       }},
+      {"passages",
+       [](const auto& all) {
+         return values_of(passage_columns(), rows_of(all, barrier_passages(all)));
+       }},
+      {"passage_curves",
+       [](const auto& all) {
+         const std::vector<RealisationPassages> passages = barrier_passages(all);
+         return values_of(passage_curve_columns(), rows_of(all, passage_curve_rows(passages)));
+       }},
+      {"mobility",
+       [](const auto& all) { return values_of(mobility_columns(), mass_mobility(all)); }},
+      {"fabric",
+       [](const auto& all) { return values_of(fabric_columns(), deposit_fabric(all).groups); }},
+      {"neighbours",
+       [](const auto& all) {
+         return values_of(neighbour_columns(), deposit_fabric(all).neighbours);
+       }},
+      {"sorting",
+       [](const auto& all) { return values_of(sorting_columns(), deposit_fabric(all).sorting); }},
       {"differences",
        [](const auto& all) {
          return values_of(difference_columns(), rows_of(all, all.differences));

@@ -213,11 +213,31 @@ TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
     names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{
-                       "barriers.csv", "crossings.csv", "deposits.csv", "differences.csv",
-                       "effects.csv", "ensemble.csv", "ground_sets.csv", "impacts.csv",
-                       "profiles.csv", "provenance.json", "realisations.csv", "report.html",
-                       "responses.csv", "runs.csv", "stays.csv", "stops.gpkg", "trends.csv"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"barriers.csv",
+                                             "crossings.csv",
+                                             "deposits.csv",
+                                             "differences.csv",
+                                             "effects.csv",
+                                             "ensemble.csv",
+                                             "fabric.csv",
+                                             "ground_sets.csv",
+                                             "impacts.csv",
+                                             "mobility.csv",
+                                             "neighbours.csv",
+                                             "passage_curves.csv",
+                                             "passages.csv",
+                                             "profiles.csv",
+                                             "provenance.json",
+                                             "realisation_differences.csv",
+                                             "realisation_figures.csv",
+                                             "realisations.csv",
+                                             "report.html",
+                                             "responses.csv",
+                                             "runs.csv",
+                                             "sorting.csv",
+                                             "stays.csv",
+                                             "stops.gpkg",
+                                             "trends.csv"}));
   EXPECT_TRUE(contains(read_text_file(folder / "out" / "provenance.json"), std::string(64, 'c')));
 }
 

@@ -30,7 +30,7 @@ using namespace report_detail;
 
 std::string report_of(const Comparison& comparison) {
   return comparison_page(comparison, profiles(comparison), path_rasters(comparison),
-                         realisation_deposits(comparison));
+                         realisation_deposits(comparison), deposit_fabric(comparison));
 }
 
 TEST(HtmlReport, TagsAreBalanced) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "report/pages/report_sections.hpp"
-#include "tests/study/hand_made_results.hpp"
+#include "tests/study/boxes_that_stay.hpp"
 #include "tests/support/markup.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -62,8 +62,129 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   for (const char* cell : {">1.25<", ">1.75<", ">-<"}) {
     EXPECT_TRUE(contains(thickness, cell)) << cell << " in " << thickness;
   }
-  const std::string lying = html.substr(html.find("blocks that lie there"));
+  const std::string figures = html.substr(html.find("Figures of the deposit"));
+  const std::string lying = figures.substr(figures.find("blocks that lie there"));
   EXPECT_TRUE(contains(lying.substr(0, lying.find("</tr>")), ">2.0<"));
+}
+
+/// Files of two realisations whose blocks stop as far as given.
+CampaignResults realisations_that_stop_at(const std::vector<double>& distances) {
+  CampaignResults results = hand_made_results();
+  results.stay = {3, {0.01, 0.5, 0.3}, true};
+  for (std::uint32_t run = 0; run < 6; ++run) {
+    results.stays.push_back({.run = run});
+    const double x = distances[run / 3];
+    results.runs[run].result.final_state.position = {x, 0.0, -0.5 * x};
+  }
+  return results;
+}
+
+TEST(DepositSection, SaysWhatFilesDifferIn) {
+  const auto page = [](CampaignResults first, CampaignResults second) {
+    const Comparison comparison = compared(std::move(first), std::move(second));
+    return deposit_section(comparison, realisation_deposits(comparison));
+  };
+  const std::string far =
+      page(realisations_that_stop_at({30.0, 30.1}), realisations_that_stop_at({10.0, 10.1}));
+  EXPECT_EQ(unbalanced(far), "");
+  EXPECT_TRUE(contains(far, "against file 2 (hand-made), more than chance:</b> "));
+  EXPECT_TRUE(contains(far, "distance of the centre of mass 20.0 m more (19."));
+  EXPECT_TRUE(contains(far, ">2 and 2<"));
+  const std::string same =
+      page(realisations_that_stop_at({30.0, 31.0}), realisations_that_stop_at({30.5, 31.5}));
+  EXPECT_TRUE(contains(same, "no figure differs more than by chance"));
+  EXPECT_TRUE(contains(same, "Not distinguished, the 95 % interval of the difference holds zero:"));
+  // One file alone has intervals of means, but nothing to differ from.
+  const Comparison alone = compared(realisations_that_stop_at({30.0, 31.0}));
+  const std::string one = deposit_section(alone, realisation_deposits(alone));
+  EXPECT_TRUE(contains(one, "95 % interval of the mean"));
+  EXPECT_EQ(one.find("Differences between the files"), std::string::npos);
+}
+
+TEST(DepositSection, WithOneRealisationSaysWhatAnIntervalTakes) {
+  CampaignResults single = realisations_that_stop_at({30.0, 30.0});
+  single.stay->blocks_each = 6;
+  const Comparison comparison = compared(single, single);
+  EXPECT_TRUE(contains(deposit_section(comparison, realisation_deposits(comparison)),
+                       "which takes two realisations of each file"));
+}
+
+TEST(DepositSection, SetsBlocksTogetherAgainstTheSameAlone) {
+  const Comparison comparison =
+      compared(realisations_that_stop_at({30.0, 31.0}), hand_made_results());
+  const std::string html = deposit_section(comparison, realisation_deposits(comparison));
+  EXPECT_EQ(unbalanced(html), "");
+  EXPECT_TRUE(contains(html,
+                       "Runout of file 1 (hand-made) against single blocks of file 2 "
+                       "(hand-made), all: 30.5 m together, "));
+  EXPECT_TRUE(contains(html, ">class elongated<"));
+}
+
+/// Four realisations of six boxes, their long sides turned by `degrees` from downslope.
+CampaignResults many_boxes(double degrees) {
+  CampaignResults results = boxes_that_stay();
+  const RunRecord first = results.runs.front();
+  results.runs.clear();
+  results.stays.clear();
+  results.crossings.clear();
+  results.stay->blocks_each = 6;
+  results.planned_runs = 24;
+  for (std::uint32_t run = 0; run < 24; ++run) {
+    RunRecord record = first;
+    record.run = run;
+    record.block = run % 6 / 3;
+    record.start.orientation = Quat(Eigen::AngleAxisd(0.1 * run, Vec3::UnitZ()));
+    record.result.final_state.position = {4.0 * (run % 6 / 2), 1.5 * (run % 2), 0.25};
+    record.result.final_state.orientation =
+        Quat(Eigen::AngleAxisd(-degrees * kPi / 180.0, Vec3::UnitZ()));
+    results.runs.push_back(record);
+    results.stays.push_back({.run = run});
+  }
+  return results;
+}
+
+TEST(FabricSection, SaysWhichWayLongAxesPointAndHowClassesLie) {
+  const Comparison comparison = compared(many_boxes(10.0));
+  const std::string html = fabric_section(comparison, deposit_fabric(comparison));
+  EXPECT_EQ(unbalanced(html), "");
+  EXPECT_TRUE(contains(html,
+                       "Long axes lie along the slope (axial mean 10\xC2\xB0 to the right of "
+                       "downslope, resultant 1.00, p "));
+  EXPECT_TRUE(contains(html, "of nearest neighbours against 40 % by chance"));
+  EXPECT_TRUE(contains(html, ">all (24)<"));
+  EXPECT_TRUE(contains(html, ": 24 blocks, 100.0 %<"));
+  const Comparison across = compared(many_boxes(-75.0));
+  EXPECT_TRUE(contains(fabric_section(across, deposit_fabric(across)),
+                       "Long axes lie across the slope (axial mean 75\xC2\xB0 to the left"));
+}
+
+TEST(FabricSection, MakesNoStatementOfAFewBlocks) {
+  const Comparison few = compared(boxes_that_stay());
+  const std::string html = fabric_section(few, deposit_fabric(few));
+  EXPECT_FALSE(html.empty());
+  EXPECT_EQ(html.find("Long axes lie"), std::string::npos);
+  EXPECT_EQ(html.find("<svg"), std::string::npos);
+  const Comparison single = compared(hand_made_results());
+  EXPECT_EQ(fabric_section(single, deposit_fabric(single)), "");
+}
+
+TEST(BarrierSection, SaysWhatPassesTogether) {
+  EXPECT_EQ(barrier_section(compared(hand_made_results())).find("within 1 s"), std::string::npos);
+  CampaignResults results = hand_made_results();
+  results.stay = {3, {0.01, 0.5, 0.3}, true};
+  for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
+  const std::string at_once = barrier_section(compared(results));
+  EXPECT_EQ(unbalanced(at_once), "");
+  // Runs 3 and 5: 150 v^2 + 50 J at 6 and 3 m/s, of 300 and 500 kg.
+  EXPECT_TRUE(
+      contains(at_once,
+               "B&lt;1&gt;: within 1 s at most 2 blocks, at most 800 kg and at most 6.9 kJ pass; "
+               "the largest energy of a single block is 5.5 kJ. From 2 "
+               "realisations."));
+  EXPECT_TRUE(contains(at_once, "most energy in 1 s, kJ"));
+  results.stay->at_once = false;
+  EXPECT_TRUE(contains(barrier_section(compared(std::move(results))),
+                       "From 2 realisations of blocks that were released one after the other."));
 }
 
 }  // namespace

@@ -1,0 +1,171 @@
+#include "report/pages/passage_charts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "report/charts/palette.hpp"
+#include "report/charts/plotly_chart.hpp"
+#include "report/html/html_page.hpp"
+#include "report/pages/report_groups.hpp"
+#include "report/text/plain_numbers.hpp"
+#include "report/text/subject_words.hpp"
+
+namespace clast::report_detail {
+namespace {
+
+using Realisations = std::vector<const RealisationPassages*>;
+
+constexpr double kKilo = 1e-3;  ///< J to kJ
+
+/// The realisations of a barrier by file.
+std::vector<Realisations> by_file(const std::vector<RealisationPassages>& all, std::size_t line) {
+  std::vector<Realisations> files;
+  for (const RealisationPassages& one : all) {
+    if (one.line != line) continue;
+    if (files.empty() || files.back().front()->file != one.file) files.emplace_back();
+    files.back().push_back(&one);
+  }
+  return files;
+}
+
+/// Goes on a little after the last passage, so that its step is seen.
+PassageCurve with_end(PassageCurve curve) {
+  constexpr double kFarther = 1.03;
+  if (curve.time.empty()) return curve;
+  curve.time.push_back(kFarther * curve.time.back());
+  for (std::vector<double>* values : {&curve.mean, &curve.least, &curve.most}) {
+    values->push_back(values->back());
+  }
+  return curve;
+}
+
+std::string chart_of(const Comparison& comparison, const std::vector<Realisations>& files,
+                     const ChartAxes& axes, const PassageValue& value) {
+  std::vector<Trace> traces;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const PassageCurve curve = with_end(passage_curve(files[i], value));
+    const std::string name =
+        (several_files(comparison) ? file_name(comparison, files[i].front()->file) : "mean") +
+        " of " + counted(files[i].size(), "realisation");
+    Trace low{name, data_colour(i), "", Trace::Kind::kSteps, curve.time, curve.least};
+    low.named = false;
+    Trace high{name, data_colour(i), "", Trace::Kind::kSteps, curve.time, curve.most};
+    high.named = false;
+    high.filled = true;
+    if (files[i].size() > 1) {
+      traces.push_back(std::move(low));
+      traces.push_back(std::move(high));
+    }
+    traces.push_back({name, data_colour(i), "", Trace::Kind::kSteps, curve.time, curve.mean});
+  }
+  return plotly_chart(axes, traces);
+}
+
+/// A row of the table.
+struct PassageFigure {
+  const char* words;
+  double unit = 1.0;  ///< on values
+  std::function<double(const RealisationPassages&)> value;
+};
+
+const std::vector<PassageFigure>& figures() {
+  using Row = RealisationPassages;
+  static const std::vector<PassageFigure> kFigures = {
+      {"blocks that pass", 1.0,
+       [](const Row& row) { return static_cast<double>(row.passages.size()); }},
+      {"mass, kg", 1.0,
+       [](const Row& row) { return row.sum([](const BlockPassage& one) { return one.mass; }); }},
+      {"volume, m\xC2\xB3", 1.0,
+       [](const Row& row) { return row.sum([](const BlockPassage& one) { return one.volume; }); }},
+      {"energy, kJ", kKilo,
+       [](const Row& row) { return row.sum([](const BlockPassage& one) { return one.energy; }); }},
+      {"first passage, s", 1.0, &Row::first},
+      {"from the first to the last, s", 1.0,
+       [](const Row& row) { return row.last() - row.first(); }},
+      {"most blocks in 1 s", 1.0, [](const Row& row) { return row.most_blocks.value; }},
+      {"most mass in 1 s, kg", 1.0, [](const Row& row) { return row.most_mass.value; }},
+      {"most energy in 1 s, kJ", kKilo, [](const Row& row) { return row.most_energy.value; }},
+      {"largest energy of a block, kJ", kKilo, &Row::largest_energy}};
+  static_assert(kPassageWindow == 1.0, "the heads say so");
+  return kFigures;
+}
+
+}  // namespace
+
+std::string passage_charts(const Comparison& comparison,
+                           const std::vector<RealisationPassages>& all, std::size_t line) {
+  const std::vector<Realisations> files = by_file(all, line);
+  const std::string at = comparison.lines[line].name + ": ";
+  const char* time = "time since the first release, s";
+  return chart_of(comparison, files, {at + "blocks that have passed", time, "blocks"},
+                  [](const BlockPassage&) { return 1.0; }) +
+         chart_of(comparison, files, {at + "mass that has passed", time, "mass, kg"},
+                  [](const BlockPassage& passage) { return passage.mass; }) +
+         chart_of(comparison, files, {at + "energy that has passed", time, "kinetic energy, kJ"},
+                  [](const BlockPassage& passage) { return kKilo * passage.energy; });
+}
+
+std::string passage_words(const Comparison& comparison, const std::vector<RealisationPassages>& all,
+                          std::size_t line) {
+  std::string html;
+  for (const Realisations& realisations : by_file(all, line)) {
+    double blocks = 0.0, mass = 0.0, energy = 0.0, single = 0.0;
+    for (const RealisationPassages* one : realisations) {
+      blocks = std::max(blocks, one->most_blocks.value);
+      mass = std::max(mass, one->most_mass.value);
+      energy = std::max(energy, one->most_energy.value);
+      single = std::max(single, one->largest_energy);
+    }
+    if (blocks == 0.0) continue;
+    const std::uint32_t file = realisations.front()->file;
+    const bool at_once = comparison.results[file].stay->at_once;
+    html +=
+        paragraph(comparison.lines[line].name +
+                  (several_files(comparison) ? ", " + file_name(comparison, file) : "") +
+                  ": within 1 s at most " + counted(static_cast<std::size_t>(blocks), "block") +
+                  ", at most " + mass_in_words(std::ceil(mass)) + " and at most " +
+                  energy_limit(energy) + " pass; the largest energy of a " + "single block is " +
+                  energy_limit(single) + ". From " + counted(realisations.size(), "realisation") +
+                  (at_once ? "." : " of blocks that were released one after the other."));
+  }
+  return html;
+}
+
+std::string passage_table(const Comparison& comparison, const std::vector<RealisationPassages>& all,
+                          std::size_t line) {
+  const std::vector<Realisations> files = by_file(all, line);
+  if (files.empty()) return "";
+  std::vector<std::string> heads = {"together"};
+  for (const Realisations& realisations : files) {
+    const std::string of_file =
+        several_files(comparison) ? "file " + std::to_string(realisations.front()->file + 1) + ": "
+                                  : "";
+    for (const char* head : {"mean", "std", "least", "most"}) heads.push_back(of_file + head);
+  }
+  HtmlTable table(heads, 1);
+  for (const PassageFigure& figure : figures()) {
+    std::vector<std::string> cells = {figure.words};
+    for (const Realisations& realisations : files) {
+      std::vector<double> values;
+      for (const RealisationPassages* one : realisations) {
+        const double value = figure.unit * figure.value(*one);
+        if (std::isfinite(value)) values.push_back(value);
+      }
+      const Summary summary = summarise(values);
+      const bool any = !values.empty();
+      cells.push_back(any ? significant(summary.mean) : "-");
+      cells.push_back(values.size() > 1 ? significant(summary.std) : "-");
+      cells.push_back(any ? significant(*std::min_element(values.begin(), values.end())) : "-");
+      cells.push_back(any ? significant(summary.max) : "-");
+    }
+    table.row(std::move(cells));
+  }
+  return paragraph(
+             "Over realisations. Each block counts once; what passes within 1 s counts as "
+             "together. Each realisation is a row of passages.csv, each passage of "
+             "passage_curves.csv.") +
+         table.html();
+}
+
+}  // namespace clast::report_detail

@@ -1,0 +1,177 @@
+// The tables of what blocks that stay leave behind.
+#include <cmath>
+
+#include "core/angle.hpp"
+#include "report/tables/comparison_columns.hpp"
+#include "report/tables/group_tables.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+
+const TableColumns<RealisationDeposit>& report_detail::realisation_columns() {
+  using Row = RealisationDeposit;
+  const auto degrees = [](const Vec3& from, const Vec3& to) {
+    return kDegreesPerRadian * std::atan(drop_ratio(from, to));
+  };
+  static const auto columns = joined<Row>(
+      {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }},
+        {"blocks", "", "released", &Row::blocks},
+        {"lying", "", "that came to rest and were not removed; what follows is of these",
+         &Row::lying},
+        {"left_terrain", "", "that left the terrain", &Row::left_terrain},
+        {"mass_kg", "kg", "of the blocks", &Row::mass},
+        {"volume_m3", "m3", "of the blocks, without the space between them", &Row::volume}},
+       columns_of_list<Row>({"first_x_m", "first_y_m", "first_z_m"}, "m",
+                            "their centre of mass where they started", &Row::first_centre),
+       columns_of_list<Row>({"x_m", "y_m", "z_m"}, "m", "their centre of mass where they lie",
+                            &Row::centre),
+       columns_of_list<Row>({"crest_x_m", "crest_y_m", "crest_z_m"}, "m",
+                            "highest start of all blocks", &Row::crest),
+       columns_of_list<Row>({"toe_x_m", "toe_y_m", "toe_z_m"}, "m",
+                            "stop that is farthest from the crest in plan", &Row::toe),
+       {{"centre_angle_deg", "deg", "slope of the line from first to last centre of mass",
+         [=](const Row& row) { return degrees(row.first_centre, row.centre); }},
+        {"travel_angle_deg", "deg", "slope of the line from crest to toe (Fahrb\xC3\xB6schung)",
+         [=](const Row& row) { return degrees(row.crest, row.toe); }},
+        {"area_m2", "m2", "that blocks lie on, in plan", &Row::area},
+        {"bulk_volume_m3", "m3", "between the ground and the tops of the blocks",
+         &Row::bulk_volume},
+        {"thickness_m", "m", "largest height of a block's top above the ground", &Row::thickness},
+        {"file", "", "number of the results file", [](const Row& row) { return row.file + 1; }}}});
+  return columns;
+}
+
+const TableColumns<FigureOfFile>& report_detail::realisation_figure_columns() {
+  using Row = FigureOfFile;
+  const char* unit = "as `figure`";
+  const auto bound = [](const Row& row, double Interval::*end) {
+    return row.interval ? (*row.interval).*end : NAN;
+  };
+  const char* interval =
+      "95 % confidence interval of the mean; empty below two realisations or where they are equal";
+  static const TableColumns<Row> columns = {
+      {"file", "", "number of the results file", [](const Row& row) { return row.file + 1; }},
+      {"figure", "",
+       "`lying`, `lying_share` of the blocks released, `left_terrain`, `volume_m3`; "
+       "`centre_distance_m`, `centre_drop_m`, `centre_drop_ratio` of the centre of mass; "
+       "`toe_distance_m`, `toe_drop_m`, `toe_drop_ratio`, `travel_angle_deg` from crest to toe; "
+       "`area_m2`, `bulk_volume_m3`, `solid_share` (rock in the bulk volume), `mean_thickness_m` "
+       "(bulk volume over area), `thickness_m`",
+       [](const Row& row) { return realisation_figures()[row.figure].name; }},
+      {"realisations", "", "that have the figure",
+       [](const Row& row) { return row.summary.count; }},
+      {"mean", unit, "over realisations", [](const Row& row) { return row.summary.mean; }},
+      {"mean_low", unit, interval, [=](const Row& row) { return bound(row, &Interval::low); }},
+      {"mean_high", unit, interval, [=](const Row& row) { return bound(row, &Interval::high); }},
+      {"std", unit, "over realisations", [](const Row& row) { return row.summary.std; }},
+      {"least", unit, "over realisations", [](const Row& row) { return row.least; }},
+      {"most", unit, "over realisations", [](const Row& row) { return row.summary.max; }}};
+  return columns;
+}
+
+const TableColumns<FigureDifference>& report_detail::realisation_difference_columns() {
+  using Row = FigureDifference;
+  const char* unit = "as `figure`";
+  const char* interval =
+      "95 % confidence interval of the difference (Welch); empty below two realisations of "
+      "either, or where realisations do not differ";
+  // Of Welch's test, where there is one.
+  const auto welch = [](auto value) {
+    return [value](const Row& row) -> double {
+      return row.welch ? std::invoke(value, *row.welch) : NAN;
+    };
+  };
+  static const TableColumns<Row> columns = {
+      {"first", "", "numbers of the results files",
+       [](const Row& row) { return row.first.file + 1; }},
+      {"second", "", "numbers of the results files",
+       [](const Row& row) { return row.second.file + 1; }},
+      {"figure", "", "as in realisation_figures.csv",
+       [](const Row& row) { return realisation_figures()[row.first.figure].name; }},
+      {"first_realisations", "", "of each file that have the figure",
+       [](const Row& row) { return row.first.summary.count; }},
+      {"second_realisations", "", "of each file that have the figure",
+       [](const Row& row) { return row.second.summary.count; }},
+      {"first_mean", unit, "mean of each file",
+       [](const Row& row) { return row.first.summary.mean; }},
+      {"second_mean", unit, "mean of each file",
+       [](const Row& row) { return row.second.summary.mean; }},
+      {"difference", unit, "first minus second", &Row::difference},
+      {"difference_low", unit, interval,
+       welch([](const MeanDifference& found) { return found.interval.low; })},
+      {"difference_high", unit, interval,
+       welch([](const MeanDifference& found) { return found.interval.high; })},
+      {"freedom", "", "degrees of freedom of the interval", welch(&MeanDifference::freedom)},
+      {"p_value", "", "of no difference, uncorrected", welch(&MeanDifference::p_value)},
+      {"p_holm", "", "... corrected for `tests` tests",
+       [](const Row& row) { return row.welch ? row.p_holm : NAN; }},
+      {"tests", "", "number of tests that `p_holm` is corrected for", &Row::tests},
+      {"distinguished", "", "1 where `p_holm` is below 0.05",
+       [](const Row& row) {
+         return std::uint64_t{distinction_of(row) == Distinction::kDistinguished ? 1u : 0u};
+       }},
+      {"words", "", "a sentence to quote", [](const Row& row) { return in_words(row); }}};
+  return columns;
+}
+
+const TableColumns<Mobility>& report_detail::mobility_columns() {
+  using Row = Mobility;
+  const auto difference = [](auto value) {
+    return [value](const Row& row) -> double {
+      return row.difference ? std::invoke(value, *row.difference) : NAN;
+    };
+  };
+  const char* interval =
+      "95 % confidence interval of the difference (Welch); empty below two realisations or points";
+  static const TableColumns<Row> columns = {
+      {"file", "", "number of the results file of blocks that stay",
+       [](const Row& row) { return std::uint64_t{row.file} + 1; }},
+      {"alone", "", "number of the results file of single runs",
+       [](const Row& row) { return std::uint64_t{row.alone} + 1; }},
+      {"group", "", "`all` or `class NAME`, of library blocks that both files have", &Row::group},
+      {"realisations", "", "with blocks at rest",
+       [](const Row& row) { return row.together_runout.count; }},
+      {"blocks", "", "at rest, in all realisations", &Row::blocks},
+      {"runs", "", "of single blocks, at rest", &Row::runs},
+      {"together_runout_m", "m", "mean over realisations of the mean of each",
+       [](const Row& row) { return row.together_runout.mean; }},
+      {"alone_runout_m", "m",
+       "mean over release points of the mean of each; over runs of one point",
+       [](const Row& row) { return row.alone_runout.mean; }},
+      {"difference_m", "m", "together minus alone",
+       [](const Row& row) { return row.together_runout.mean - row.alone_runout.mean; }},
+      {"difference_low_m", "m", interval,
+       difference([](const MeanDifference& found) { return found.interval.low; })},
+      {"difference_high_m", "m", interval,
+       difference([](const MeanDifference& found) { return found.interval.high; })},
+      {"p_value", "", "of no difference", difference(&MeanDifference::p_value)},
+      {"together_toe_m", "m", "largest runout of a realisation, mean over realisations",
+       [](const Row& row) { return row.together_toe.mean; }},
+      {"alone_toe_m", "m",
+       "expected largest runout of as many single runs as a realisation has blocks",
+       &Row::alone_toe},
+      {"starts_apart_m", "m", "distance in plan of the mean starts together and alone",
+       &Row::starts_apart},
+      {"mass_ratio", "", "mean mass of the blocks together over that alone", &Row::mass_ratio},
+      {"words", "", "a sentence to quote", [](const Row& row) { return in_words(row); }}};
+  return columns;
+}
+
+std::string mobility_csv(const Comparison& comparison) {
+  return csv_of(mobility_columns(), mass_mobility(comparison));
+}
+
+std::string realisations_csv(const RealisationDeposits& deposits) {
+  return csv_of(realisation_columns(), deposits.realisations);
+}
+
+std::string realisation_figures_csv(const FiguresOfFiles& figures) {
+  return csv_of(realisation_figure_columns(), figures.files);
+}
+
+std::string realisation_differences_csv(const FiguresOfFiles& figures) {
+  return csv_of(realisation_difference_columns(), figures.differences);
+}
+
+}  // namespace clast

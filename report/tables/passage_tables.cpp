@@ -1,0 +1,106 @@
+// The tables of what passes barriers together.
+#include "report/tables/comparison_columns.hpp"
+#include "report/tables/group_tables.hpp"
+
+namespace clast {
+
+using namespace report_detail;
+namespace {
+
+double mass_of(const BlockPassage& passage) { return passage.mass; }
+double volume_of(const BlockPassage& passage) { return passage.volume; }
+double energy_of(const BlockPassage& passage) { return passage.energy; }
+
+}  // namespace
+
+const TableColumns<ComparisonRow<RealisationPassages>>& report_detail::passage_columns() {
+  using Row = ComparisonRow<RealisationPassages>;
+  const auto sum = [](double (*value)(const BlockPassage&)) {
+    return [value](const Row& row) { return row->sum(value); };
+  };
+  const auto peak = [](PassagePeak RealisationPassages::*of, double PassagePeak::*part) {
+    return [of, part](const Row& row) { return ((*row).*of).*part; };
+  };
+  const char* from = "when the first window with so much begins";
+  static const TableColumns<Row> columns = {
+      {"barrier", "", "name; for a ring as in barriers.csv",
+       [](const Row& row) { return row.comparison.lines[row->line].name; }},
+      {"realisation", "", "from 1", [](const Row& row) { return row->realisation + 1; }},
+      {"blocks", "", "released", &RealisationPassages::blocks},
+      {"passed", "", "of these, blocks that passed; each counts once, at its `counted` crossing",
+       [](const Row& row) { return row->passages.size(); }},
+      {"mass_kg", "kg", "of the blocks that passed", sum(mass_of)},
+      {"volume_m3", "m3", "of the blocks that passed, without the space between them",
+       sum(volume_of)},
+      {"energy_j", "J", "kinetic energy, translational and rotational, of all passages",
+       sum(energy_of)},
+      {"largest_energy_j", "J", "of a single passage", &RealisationPassages::largest_energy},
+      {"first_s", "s", "first and last passage, since the first release of the realisation",
+       &RealisationPassages::first},
+      {"last_s", "s", "first and last passage, since the first release of the realisation",
+       &RealisationPassages::last},
+      {"duration_s", "s", "from the first to the last passage",
+       [](const Row& row) { return row->last() - row->first(); }},
+      {"window_s", "s", "what passes within this time counts as together; the most of it follows",
+       [](const Row&) { return kPassageWindow; }},
+      {"most_blocks", "", "blocks that pass within one window",
+       peak(&RealisationPassages::most_blocks, &PassagePeak::value)},
+      {"most_blocks_from_s", "s", from,
+       peak(&RealisationPassages::most_blocks, &PassagePeak::from)},
+      {"most_mass_kg", "kg", "of the blocks that pass within one window",
+       peak(&RealisationPassages::most_mass, &PassagePeak::value)},
+      {"most_mass_from_s", "s", from, peak(&RealisationPassages::most_mass, &PassagePeak::from)},
+      {"most_energy_j", "J", "kinetic energy of the passages within one window",
+       peak(&RealisationPassages::most_energy, &PassagePeak::value)},
+      {"most_energy_from_s", "s", from,
+       peak(&RealisationPassages::most_energy, &PassagePeak::from)},
+      {"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }}};
+  return columns;
+}
+
+const TableColumns<ComparisonRow<PassedSoFar>>& report_detail::passage_curve_columns() {
+  using Row = ComparisonRow<PassedSoFar>;
+  const auto run = [](const Row& row) -> const RunRow& {
+    return row.comparison.rows[row->passage.row];
+  };
+  static const TableColumns<Row> columns = {
+      {"barrier", "", "name; for a ring as in barriers.csv",
+       [](const Row& row) { return row.comparison.lines[row->realisation.line].name; }},
+      {"realisation", "", "from 1",
+       [](const Row& row) { return row->realisation.realisation + 1; }},
+      {"time_s", "s", "since the first release of the realisation",
+       [](const Row& row) { return row->passage.time; }},
+      {"run", "", "number of the run in its campaign, from 0",
+       [=](const Row& row) { return run(row).record->run; }},
+      {"passed", "", "blocks that have passed, this one included", &PassedSoFar::passed},
+      {"mass_kg", "kg", "of these blocks", &PassedSoFar::mass},
+      {"volume_m3", "m3", "of these blocks", &PassedSoFar::volume},
+      {"energy_j", "J", "kinetic energy of their passages", &PassedSoFar::energy},
+      {"file", "", "number of the results file",
+       [](const Row& row) { return row->realisation.file + 1; }}};
+  return columns;
+}
+
+std::vector<PassedSoFar> report_detail::passage_curve_rows(
+    const std::vector<RealisationPassages>& all) {
+  std::vector<PassedSoFar> rows;
+  for (const RealisationPassages& realisation : all) {
+    PassedSoFar sum{realisation, {}};
+    for (const BlockPassage& passage : realisation.passages) {
+      rows.push_back({realisation, passage, sum.passed += 1, sum.mass += passage.mass,
+                      sum.volume += passage.volume, sum.energy += passage.energy});
+    }
+  }
+  return rows;
+}
+
+std::string passages_csv(const Comparison& comparison) {
+  return csv_of(passage_columns(), rows_of(comparison, barrier_passages(comparison)));
+}
+
+std::string passage_curves_csv(const Comparison& comparison) {
+  const std::vector<RealisationPassages> all = barrier_passages(comparison);
+  return csv_of(passage_curve_columns(), rows_of(comparison, passage_curve_rows(all)));
+}
+
+}  // namespace clast
