@@ -171,9 +171,11 @@ std::string mobility_of(const Comparison& comparison) {
       3);
   for (const Mobility& one : all) {
     if (one.group == "all") {
-      html +=
-          paragraph("Runout of " + file_name(comparison, one.file) + " against single blocks of " +
-                    file_name(comparison, one.alone) + ", " + in_words(one) + ".");
+      html += paragraph(
+          "Runout of " + file_name(comparison, one.file) + " against single blocks of " +
+          file_name(comparison, one.alone) + ", " + in_words(one) +
+          ". The farthest block of a realisation goes " + fixed(one.together_toe.mean, 1) +
+          " m on average; of as many single runs it would be " + fixed(one.alone_toe, 1) + " m.");
     }
     table.row({one.group, file_name(comparison, one.file), file_name(comparison, one.alone),
                std::to_string(one.together_runout.count), std::to_string(one.runs),

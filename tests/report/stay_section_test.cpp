@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "core/number_text.hpp"
 #include "report/pages/report_sections.hpp"
+#include "study/mass_mobility.hpp"
 #include "tests/study/boxes_that_stay.hpp"
 #include "tests/support/markup.hpp"
 #include "tests/support/refusal.hpp"
@@ -117,6 +119,13 @@ TEST(DepositSection, SetsBlocksTogetherAgainstTheSameAlone) {
   EXPECT_TRUE(contains(html,
                        "Runout of file 1 (hand-made) against single blocks of file 2 "
                        "(hand-made), all: 30.5 m together, "));
+  // Of three single runs each with the runouts 10, 20, 30, 40, 10, 20 m.
+  const double largest =
+      expected_largest(std::vector<double>{10.0, 20.0, 30.0, 40.0, 10.0, 20.0}, 3.0);
+  EXPECT_TRUE(contains(html,
+                       "The farthest block of a realisation goes 30.5 m on average; of as "
+                       "many single runs it would be " +
+                           with_decimals(largest, 1) + " m."));
   EXPECT_TRUE(contains(html, ">class elongated<"));
 }
 
