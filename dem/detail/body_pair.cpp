@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 namespace clast::dem_detail {
 namespace {
@@ -9,12 +11,6 @@ namespace {
 /// What the search needs is dropped when the bounds are this share of the block's smallest side
 /// apart: farther than where it was made, so that a pair at the limit does not make it every step.
 constexpr double kDropShare = 0.2;
-
-std::variant<ContactSearch, RodContacts> search_for(const IndexedSurface& reference,
-                                                    const BlockSurface& block, double size) {
-  if (reference.features.faces.empty()) return RodContacts(reference, block);
-  return ContactSearch(reference, block, size);
-}
 
 }  // namespace
 
@@ -25,22 +21,33 @@ bool first_is_reference(const IndexedSurface& first, double first_radius,
   return first_radius >= second_radius;
 }
 
-BodyPair::Near::Near(const IndexedSurface& reference, const BlockSurface& block, double size,
-                     const Rules& rules)
-    : search(search_for(reference, block, size)),
+BodyPair::Near::Near(Search of_pair, const BlockSurface& block, double size, const Rules& rules)
+    : search(std::move(of_pair)),
       forces(rules.zones, rules.zone_of_face, block, size, rules.stiffness, rules.weights,
              rules.law) {
   forces.find_dents_in(rules.soil);
 }
 
-BodyPair::BodyPair(const IndexedSurface& reference, const BlockSurface& block, double block_radius,
+BodyPair::BodyPair(const IndexedSurface& terrain, const BlockSurface& block, double block_radius,
                    double size, const Rules& rules)
-    : reference_(reference),
+    : reference_(terrain),
       block_(block),
       block_radius_(block_radius),
       size_(size),
       rules_(rules) {
   if (rules.soil) dents_.emplace(rules.zones);
+}
+
+BodyPair::BodyPair(const BlockSurface& reference, const BlockSurface& block, double block_radius,
+                   double size, const Rules& rules)
+    : BodyPair(static_cast<const IndexedSurface&>(reference), block, block_radius, size, rules) {
+  reference_block_ = &reference;
+}
+
+BodyPair::Search BodyPair::new_search() const {
+  if (!reference_block_) return ContactSearch(reference_, block_, size_);
+  if (reference_.features.faces.empty()) return RodContacts(reference_, block_);
+  return BlockContacts(*reference_block_, block_, size_);
 }
 
 double BodyPair::gap_of_bounds(const Vec3& block_centre) const {
@@ -55,7 +62,7 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
   load_ = {};
   if (!near_) {
     if (gap_of_bounds(pose.translation) > 0.0) return load_;
-    near_.emplace(reference_, block_, size_, rules_);
+    near_.emplace(new_search(), block_, size_, rules_);
   } else {
     // A turn by an angle a moves no point farther than 2 sin(a/2) times its distance.
     const double turn = 2.0 * (near_->pose.rotation.conjugate() * pose.rotation).vec().norm();
@@ -72,11 +79,15 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
   load_ = near_->forces.update(near_->points, block, reference, duration, ledger_);
   if (dents_) near_->forces.leave_dents_in(*dents_);
   if (near_->forces.empty()) {
-    if (ContactSearch* search = std::get_if<ContactSearch>(&near_->search)) {
-      near_->asleep_until = search->safe_travel();
-    } else {
-      near_->asleep_until = near_->travel + std::get<RodContacts>(near_->search).clearance();
-    }
+    near_->asleep_until = std::visit(
+        [&]<class Kind>(Kind& search) {
+          if constexpr (std::is_same_v<Kind, RodContacts>) {
+            return near_->travel + search.clearance();
+          } else {
+            return search.safe_travel();
+          }
+        },
+        near_->search);
   }
   return load_;
 }
@@ -88,11 +99,15 @@ void BodyPair::end_contacts(const BodyMotion& reference, const BodyMotion& block
 }
 
 void BodyPair::find_points(const Pose& world_from_reference, const Pose& reference_from_block) {
-  if (ContactSearch* search = std::get_if<ContactSearch>(&near_->search)) {
-    near_->points = search->contacts(reference_from_block, near_->travel);
-  } else {
-    near_->points = std::get<RodContacts>(near_->search).contacts(reference_from_block);
-  }
+  near_->points = std::visit(
+      [&]<class Kind>(Kind& search) -> const std::vector<ContactPoint>& {
+        if constexpr (std::is_same_v<Kind, RodContacts>) {
+          return search.contacts(reference_from_block);
+        } else {
+          return search.contacts(reference_from_block, near_->travel);
+        }
+      },
+      near_->search);
   for (ContactPoint& point : near_->points) {
     point.normal = world_from_reference.rotation * point.normal;
     point.foot = world_from_reference * point.foot;

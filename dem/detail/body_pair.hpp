@@ -3,7 +3,9 @@
 #include <optional>
 #include <variant>
 
+#include "dem/detail/block_contacts.hpp"
 #include "dem/detail/contact_forces.hpp"
+#include "dem/detail/contact_search.hpp"
 #include "dem/detail/rod_contacts.hpp"
 
 namespace clast::dem_detail {
@@ -25,7 +27,10 @@ class BodyPair {
 
   /// @param block_radius  of the rounded block about its origin, m
   /// @param size          smallest side of the smaller body, m
-  BodyPair(const IndexedSurface& reference, const BlockSurface& block, double block_radius,
+  BodyPair(const BlockSurface& reference, const BlockSurface& block, double block_radius,
+           double size, const Rules& rules);
+  /// A block on the terrain.
+  BodyPair(const IndexedSurface& terrain, const BlockSurface& block, double block_radius,
            double size, const Rules& rules);
 
   /// Loads at the present places after a step of `duration`; every joule goes to `ledger()`.
@@ -56,11 +61,11 @@ class BodyPair {
   const EnergyLedger& ledger() const { return ledger_; }
 
  private:
+  using Search = std::variant<ContactSearch, BlockContacts, RodContacts>;
   /// What is known while the two are near.
   struct Near {
-    Near(const IndexedSurface& reference, const BlockSurface& block, double size,
-         const Rules& rules);
-    std::variant<ContactSearch, RodContacts> search;
+    Near(Search of_pair, const BlockSurface& block, double size, const Rules& rules);
+    Search search;
     ContactForces forces;
     std::vector<ContactPoint> points;  ///< in world axes
     Pose pose;                         ///< reference_from_block of the last step
@@ -68,10 +73,12 @@ class BodyPair {
     double asleep_until = -1.0;        ///< travel before which nothing can touch
   };
 
+  Search new_search() const;
   double gap_of_bounds(const Vec3& block_centre) const;
   void find_points(const Pose& world_from_reference, const Pose& reference_from_block);
 
   const IndexedSurface& reference_;
+  const BlockSurface* reference_block_ = nullptr;  ///< the same, unless it is the terrain
   const BlockSurface& block_;
   double block_radius_;
   double size_;

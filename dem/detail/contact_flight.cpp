@@ -40,7 +40,7 @@ double ContactSearch::safe_travel() {
 double ContactSearch::safe_time(const FlightBounds& flight, double worthwhile) {
   if (!contacts_.empty() || moved_ < search_at_) return 0.0;
   const double ball = clear_time(ground_.grid,
-                                 {.centre = position_,
+                                 {.centre = tests_.position(),
                                   .velocity = flight.velocity,
                                   .gravity = flight.gravity,
                                   .radius = bounding_radius_ + reach_},
@@ -71,7 +71,7 @@ double ContactSearch::search_time(const FlightBounds& flight, double first) {
 double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, double wanted) {
   const BlockPart& of_block = parts_.parts[p];
   PartState& part = part_states_[p];
-  const Vec3 velocity = flight.velocity + flight.spin.cross(rotation_ * of_block.centre);
+  const Vec3 velocity = flight.velocity + flight.spin.cross(tests_.rotation() * of_block.centre);
   const double turning = flight.spin.norm() * of_block.radius;
   // By the speed that points of the part have now, or the top speed: the shorter way.
   const auto way_in = [&](double time, double speed) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dem/contact_law.hpp"
-#include "dem/detail/contact_search.hpp"
+#include "dem/detail/feature_contacts.hpp"
 
 namespace clast::dem_detail {
 

@@ -15,9 +15,6 @@ namespace {
 constexpr double kMarginShare = 0.05;
 /// The ground near a part is gathered for this many margins of movement.
 constexpr double kPartMargins = 4.0;
-/// Edge and face contacts deeper than this share of the smallest side are not trusted: beyond the
-/// middle of the block the opposite side would be nearer.
-constexpr double kDepthShare = 0.5;
 /// The ground near the whole block is gathered for this many margins of movement more.
 constexpr double kGroundMargins = 8.0;
 /// The ground's mean normal near a part may turn this far from its axis, as a cosine.
@@ -36,7 +33,7 @@ ContactSearch::ContactSearch(const IndexedSurface& ground, const BlockSurface& b
       size_(size),
       margin_(kMarginShare * size),
       list_holds_(kPartMargins * margin_),
-      depth_limit_(kDepthShare * size),
+      tests_(ground, block, size),
       part_states_(parts_.parts.size()),
       part_due_(parts_.parts.size(), -1.0),
       vertex_states_(parts_.vertices.size()),
@@ -59,7 +56,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   list_visits();
   for (const std::uint32_t p : visits_) update_vertices(p, {});
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
-  if (allow_depth()) visit_all_sides();
+  if (allowed_.update(deepest_, margin_)) visit_all_sides();
   for (const std::uint32_t p : visits_) {
     update_sides(p, {});
     part_due_[p] = next_visit(p);
@@ -69,7 +66,7 @@ const std::vector<ContactPoint>& ContactSearch::contacts(const Pose& ground_from
   deepest_ = 0.0;
   for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
   if (contacts_.empty()) {
-    allowed_depth_ = 0.0;
+    allowed_.reset();
   } else {
     search_at_ = -1.0;
   }
@@ -82,14 +79,13 @@ void ContactSearch::move_to(const Pose& ground_from_body) {
   if (started_) {
     // The turn between the two moves a point by at most 2 sin(angle/2) times its arm, and that
     // factor is the Frobenius norm of the change of the matrix over sqrt(2).
-    const double turn = std::sqrt(0.5 * (rotation - rotation_).squaredNorm());
+    const double turn = std::sqrt(0.5 * (rotation - tests_.rotation()).squaredNorm());
     turned_ += turn;
-    last_move_ = (position - position_).norm() + turn * farthest_;
+    last_move_ = (position - tests_.position()).norm() + turn * farthest_;
     moved_ += last_move_;
   }
   started_ = true;
-  rotation_ = rotation;
-  position_ = position;
+  tests_.move_to(rotation, position);
 }
 
 void ContactSearch::list_visits() {
@@ -128,9 +124,9 @@ bool ContactSearch::sleep_whole() {
     if (part.near) return false;
   }
   const double look = bounding_radius_ + reach_ + 8.0 * margin_;
-  double above = ground_.height_clearance(position_, 2.0 * look);
+  double above = ground_.height_clearance(tests_.position(), 2.0 * look);
   if (above < look) {
-    const std::optional<NearestPoint> nearest = ground_.nearest(position_, 2.0 * look);
+    const std::optional<NearestPoint> nearest = ground_.nearest(tests_.position(), 2.0 * look);
     above = nearest ? nearest->distance : 2.0 * look;
   }
   if (above <= bounding_radius_ + reach_ + margin_) return false;
@@ -142,7 +138,7 @@ void ContactSearch::gather_ground(double complete) {
   if (ground_complete_ - (moved_ - ground_gathered_at_) >= complete) return;
   ground_complete_ = complete + kGroundMargins * margin_;
   ground_gathered_at_ = moved_;
-  local_.gather(ground_, position_, bounding_radius_ + ground_complete_);
+  local_.gather(ground_, tests_.position(), bounding_radius_ + ground_complete_);
   for (PartState& part : part_states_) part.near_face = 0;
 }
 
@@ -293,22 +289,6 @@ Asleep ContactSearch::asleep(const PartState& part, const Vec3& away, double apa
   Asleep result{std::max(across / apart, 1.0 / others), std::max(along / apart, 1.0 / others), 1.0};
   result.until += result.per_across * part.way.across + result.per_along * part.way.along;
   return result;
-}
-
-void ContactSearch::add(const ContactPoint& contact) {
-  // A point on the border between two faces of one plane, or at the joint of two collinear edges,
-  // is found twice but is one contact.
-  for (const ContactPoint& known : contacts_) {
-    const bool related =
-        known.kind == contact.kind && (known.block_feature == contact.block_feature ||
-                                       (known.kind != ContactKind::kVertexGround &&
-                                        known.ground_feature == contact.ground_feature));
-    if (related && known.normal.dot(contact.normal) > 1.0 - 1e-12 &&
-        (known.foot - contact.foot).squaredNorm() < 1e-18) {
-      return;
-    }
-  }
-  contacts_.push_back(contact);
 }
 
 }  // namespace clast::dem_detail

@@ -12,33 +12,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/detail/block_surface.hpp"
-#include "dem/detail/local_ground.hpp"
+#include "dem/detail/feature_contacts.hpp"
 #include "dem/detail/number_list.hpp"
 #include "dem/detail/separation.hpp"
 
 namespace clast::dem_detail {
-
-enum class ContactKind : std::uint8_t {
-  kVertexGround,  ///< block vertex against a face, edge or vertex of the ground
-  kEdgeEdge,
-  kEdgeVertex,  ///< block edge against a ground vertex
-  kFaceVertex,  ///< block face against a ground vertex
-};
-
-/// One point where the rounded block overlaps the ground's skin.
-struct ContactPoint {
-  ContactKind kind = ContactKind::kVertexGround;
-  std::uint32_t block_feature = 0;   ///< vertex, edge or face of the block
-  std::uint32_t ground_feature = 0;  ///< edge or vertex of the ground; a face for kVertexGround
-  std::uint32_t ground_face = 0;     ///< a face next to the contact: gives the zone
-  Vec3 normal = Vec3::UnitZ();       ///< unit, out of the ground into the block
-  Vec3 foot = Vec3::Zero();          ///< on the ground's skin
-  double overlap = 0.0;              ///< m, positive
-
-  /// Middle of the overlap: where forces act.
-  Vec3 point() const { return foot - 0.5 * overlap * normal; }
-};
 
 /// How a block flies on from a contact-free place: bounds for every point of its core.
 struct FlightBounds {
@@ -175,45 +153,15 @@ class ContactSearch {
   Asleep clear_of_plane(const PartState& part, std::uint32_t vertex, const Vec3& centre) const;
   bool update_sure_face(const PartState& part, std::uint32_t vertex, const Vec3& centre);
   void measure_vertex(const PartState& part, std::uint32_t vertex, const Vec3& centre);
-  /// Direction in which a vertex inside the ground is pushed: to the surface point, or up to the
-  /// plane in which a ground that ends there goes on.
-  Vec3 push_of(const NearestPoint& nearest, const Vec3& centre) const;
-  /// True when the push would drag the block's vertex out through the block: beside the edge of a
-  /// ground that ends where the block does, the nearest way out may be the ground's wall.
-  bool pushes_backwards(std::uint32_t vertex, const Vec3& push) const;
-  /// The nearest face below which it lies that does not, or `nearest` where there is none.
-  NearestPoint nearest_forwards(const PartState& part, std::uint32_t vertex, const Vec3& centre,
-                                const NearestPoint& nearest) const;
-  void add_inside_contact(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest);
-  void add_outside_contacts(const PartState& part, std::uint32_t vertex, const Vec3& centre);
-
   /// Everything of the part's sides that is due.
   void update_sides(std::uint32_t p, const Way& ahead);
   /// Lists the sides of the part near a feature of the ground.
   void update_feature(std::uint32_t p, GroundFeature& feature);
   void update_pair(const PartState& part, FeaturePair& pair);
-  void update_edges(const PartState& part, FeaturePair& pair);
-  void update_edge_vertex(const PartState& part, FeaturePair& pair);
-  void update_face_vertex(const PartState& part, FeaturePair& pair);
-  /// Allows for contacts of edges and faces that are as deep as they may be now; true when what
-  /// sleeps has not allowed for that.
-  bool allow_depth();
   /// Sides closer than this to a feature of the ground may touch it, m.
-  double touching_distance() const { return std::max(reach_, allowed_depth_); }
+  double touching_distance() const { return std::max(reach_, allowed_.depth()); }
   void add_side_contacts();
-  void sleep(const PartState& part, FeaturePair& pair, const Vec3& between) const;
-  void touch_corner(FeaturePair& pair, const Vec3& normal, double distance);
-  void touch(FeaturePair& pair, const ContactPoint& contact);
-
-  void add(const ContactPoint& contact);
-  Vec3 placed(const Vec3& in_body) const { return position_ + rotation_ * in_body; }
-  /// True when the block's own surface falls away from a ground that it touches along `normal`
-  /// (out of the ground) with this vertex or edge.
-  bool meets_vertex(std::uint32_t vertex, const Vec3& normal) const;
-  bool meets_edge(std::uint32_t edge, const Vec3& normal) const;
-  /// True when an edge of the ground and one of the block may carry along `normal`.
-  bool edges_carry(const SurfaceEdge& of_ground, const SurfaceEdge& of_block,
-                   const Vec3& normal) const;
+  Vec3 placed(const Vec3& in_body) const { return tests_.placed(in_body); }
 
   const IndexedSurface& ground_;
   const IndexedSurface& surface_;  ///< of the block
@@ -225,10 +173,8 @@ class ContactSearch {
   double size_;                    ///< smallest side, m
   double margin_;                  ///< how far lists look ahead, m
   double list_holds_;              ///< way of a part for which its list of the ground holds, m
-  double depth_limit_;             ///< edge and face contacts deeper than this are not trusted, m
+  FeatureContacts tests_;          ///< at the present place
 
-  Mat3 rotation_ = Mat3::Identity();
-  Vec3 position_ = Vec3::Zero();
   bool started_ = false;
   double travel_ = 0.0;     ///< the caller's
   double moved_ = 0.0;      ///< since the start, summed from call to call, m
@@ -246,7 +192,7 @@ class ContactSearch {
   NumberList visits_;           ///< ... and those of them that are near the ground
   double search_at_ = -1.0;     ///< no longer flight is searched for before
   double deepest_ = 0.0;        ///< largest overlap at the last call, m
-  double allowed_depth_ = 0.0;  ///< of edges and faces: what sleeps has allowed for it, m
+  AllowedDepth allowed_;        ///< of edges and faces: what sleeps has allowed for it
   std::vector<SideContact> side_contacts_;  ///< of this call
   std::vector<ContactPoint> contacts_;
 };

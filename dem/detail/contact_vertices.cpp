@@ -14,10 +14,6 @@ constexpr double kDistinctMargins = 4.0;
 
 }  // namespace
 
-bool ContactSearch::meets_vertex(std::uint32_t vertex, const Vec3& normal) const {
-  return in_cone(block_, vertex, -(rotation_.transpose() * normal));
-}
-
 void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
   PartState& part = part_states_[p];
   const Way then = part.way + ahead;
@@ -148,7 +144,7 @@ void ContactSearch::measure_vertex(const PartState& part, std::uint32_t v, const
     return;
   }
   const bool backwards =
-      nearest.distance < 0.0 && pushes_backwards(parts_.vertices[v], push_of(nearest, centre));
+      nearest.distance < 0.0 && tests_.is_backwards(parts_.vertices[v], centre, nearest);
   if (nearest.within_face && !backwards) {
     state.sure_face = nearest.face;
     state.sure_foot_until = part.way.whole;
@@ -160,36 +156,13 @@ void ContactSearch::measure_vertex(const PartState& part, std::uint32_t v, const
     vertex_asleep_[v] = asleep(part, away, nearest.distance - reach_, found.second - reach_);
     return;
   }
-  if (nearest.distance >= 0.0) return add_outside_contacts(part, v, centre);
-  add_inside_contact(v, centre, backwards ? nearest_forwards(part, v, centre, nearest) : nearest);
-}
-
-Vec3 ContactSearch::push_of(const NearestPoint& nearest, const Vec3& centre) const {
-  // On the surface itself, and above a face, the direction to it is its normal. So it is beyond the
-  // border of a survey: the way back to the border would lead down where the ground falls to it.
-  return nearest.within_face || nearest.distance > -1e-9 || on_border(ground_.features, nearest)
-             ? nearest.normal
-             : Vec3((nearest.point - centre) / -nearest.distance);
-}
-
-bool ContactSearch::pushes_backwards(std::uint32_t vertex, const Vec3& push) const {
-  return ground_.of_block && push.dot(rotation_ * block_.vertex_normals[vertex]) > 0.0;
-}
-
-NearestPoint ContactSearch::nearest_forwards(const PartState& part, std::uint32_t v,
-                                             const Vec3& centre,
-                                             const NearestPoint& nearest) const {
-  NearestPoint best = nearest;
-  double distance = 1e300;
-  for (const LocalGround::Face& face : part.ground.faces) {
-    const NearestPoint candidate = nearest_on_face(ground_.features, face.face, centre);
-    if (candidate.within_face && candidate.distance < 0.0 && -candidate.distance < distance &&
-        !pushes_backwards(parts_.vertices[v], push_of(candidate, centre))) {
-      distance = -candidate.distance;
-      best = candidate;
-    }
+  const std::uint32_t vertex = parts_.vertices[v];
+  if (nearest.distance >= 0.0) {
+    return tests_.add_outside(vertex, centre, part.ground.faces, contacts_);
   }
-  return best;
+  contacts_.push_back(tests_.inside(
+      vertex, centre,
+      backwards ? tests_.nearest_forwards(vertex, centre, nearest, part.ground.faces) : nearest));
 }
 
 bool ContactSearch::update_sure_face(const PartState& part, std::uint32_t v, const Vec3& centre) {
@@ -211,7 +184,7 @@ bool ContactSearch::update_sure_face(const PartState& part, std::uint32_t v, con
     if (inside < 0.0) return false;
     state.sure_foot_until = way + inside;
   }
-  if (height < 0.0 && pushes_backwards(parts_.vertices[v], face.normal)) return false;
+  if (height < 0.0 && tests_.pushes_backwards(parts_.vertices[v], face.normal)) return false;
   vertex_asleep_[v] = {};
   ContactPoint contact;
   contact.block_feature = parts_.vertices[v];
@@ -221,74 +194,6 @@ bool ContactSearch::update_sure_face(const PartState& part, std::uint32_t v, con
   contact.foot = centre + (ground_.radius - height) * face.normal;
   contacts_.push_back(contact);
   return true;
-}
-
-void ContactSearch::add_inside_contact(std::uint32_t v, const Vec3& centre,
-                                       const NearestPoint& nearest) {
-  ContactPoint contact;
-  contact.block_feature = parts_.vertices[v];
-  contact.ground_feature = contact.ground_face = nearest.face;
-  contact.normal = push_of(nearest, centre);
-  const double height = contact.normal.dot(centre - nearest.point);
-  contact.overlap = reach_ - height;
-  contact.foot = centre + (ground_.radius - height) * contact.normal;
-  contacts_.push_back(contact);
-}
-
-void ContactSearch::add_outside_contacts(const PartState& part, std::uint32_t v,
-                                         const Vec3& centre) {
-  const SurfaceFeatures& ground = ground_.features;
-  const std::uint32_t vertex = parts_.vertices[v];
-  ContactPoint contact;
-  contact.block_feature = vertex;
-  const auto touch = [&](std::uint32_t face, const Vec3& on_ground, const Vec3& normal,
-                         double distance) {
-    contact.ground_feature = contact.ground_face = face;
-    contact.normal = normal;
-    contact.overlap = reach_ - distance;
-    contact.foot = on_ground + ground_.radius * normal;
-    add(contact);
-  };
-  for (const LocalGround::Face& local : part.ground.faces) {
-    const double near = reach_ + local.radius;
-    if ((centre - local.middle).squaredNorm() > near * near) continue;
-    const std::uint32_t f = local.face;
-    const SurfaceFace& face = ground.faces[f];
-    const double height = face.normal.dot(centre - ground.vertices[face.vertices[0]]);
-    if (std::abs(height) >= reach_) continue;
-    if (height >= 0.0 && depth_in_face(ground, face, centre) >= 0.0) {
-      touch(f, centre - height * face.normal, face.normal, height);
-      continue;
-    }
-    for (int k = 0; k < 3; ++k) {
-      const SurfaceEdge& edge = ground.edges[face.edges[k]];
-      // Each edge once. Over one sharper than a right angle lies air that is behind the plane of
-      // either face, but behind a border there is none.
-      if (edge.faces[0] == f && edge.convex() && (height >= 0.0 || edge.kind == EdgeKind::kRidge)) {
-        const double along = edge.direction.dot(centre - ground.vertices[edge.vertices[0]]);
-        if (along >= 0.0 && along <= edge.length) {
-          const Vec3 on_edge = ground.vertices[edge.vertices[0]] + along * edge.direction;
-          const Vec3 out = centre - on_edge;
-          const double distance = out.norm();
-          if (distance > 0.0 && distance < reach_) {
-            const Vec3 normal = out / distance;
-            if (in_arc(ground, edge, normal) && meets_vertex(vertex, normal)) {
-              touch(f, on_edge, normal, distance);
-            }
-          }
-        }
-      }
-      const std::uint32_t corner = face.vertices[k];
-      if (!ground.pointed[corner]) continue;
-      const Vec3 out = centre - ground.vertices[corner];
-      const double distance = out.norm();
-      if (!(distance > 0.0 && distance < reach_)) continue;
-      const Vec3 normal = out / distance;
-      if (in_cone(ground, corner, normal) && meets_vertex(vertex, normal)) {
-        touch(f, ground.vertices[corner], normal, distance);
-      }
-    }
-  }
 }
 
 }  // namespace clast::dem_detail

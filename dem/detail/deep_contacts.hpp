@@ -2,7 +2,7 @@
 /// Removes contacts that are none, found only because the cores overlap.
 #include <vector>
 
-#include "dem/detail/contact_search.hpp"
+#include "dem/detail/feature_contacts.hpp"
 
 namespace clast::dem_detail {
 

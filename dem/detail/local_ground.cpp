@@ -5,6 +5,17 @@
 
 namespace clast::dem_detail {
 
+LocalGround::Face local_face(const SurfaceFeatures& features, std::uint32_t number) {
+  const SurfaceFace& face = features.faces[number];
+  const Vec3& a = features.vertices[face.vertices[0]];
+  const Vec3& b = features.vertices[face.vertices[1]];
+  const Vec3& c = features.vertices[face.vertices[2]];
+  const Vec3 middle = (a + b + c) / 3.0;
+  const double radius = std::sqrt(std::max(
+      {(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
+  return {face.normal, face.normal.dot(a), middle, radius, number};
+}
+
 void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, double reach) {
   const SurfaceFeatures& features = ground.features;
   faces.clear();
@@ -14,15 +25,10 @@ void LocalGround::gather(const IndexedSurface& ground, const Vec3& centre, doubl
   box.include(centre);
   std::vector<std::uint32_t> edges_met, corners_met;
   for (const std::uint32_t f : ground.faces_near(box, reach)) {
+    const Face found = local_face(features, f);
+    if ((centre - found.middle).norm() > reach + found.radius) continue;
+    faces.push_back(found);
     const SurfaceFace& face = features.faces[f];
-    const Vec3& a = features.vertices[face.vertices[0]];
-    const Vec3& b = features.vertices[face.vertices[1]];
-    const Vec3& c = features.vertices[face.vertices[2]];
-    const Vec3 middle = (a + b + c) / 3.0;
-    const double radius = std::sqrt(std::max(
-        {(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
-    if ((centre - middle).norm() > reach + radius) continue;
-    faces.push_back({face.normal, face.normal.dot(a), middle, radius, f});
     for (int k = 0; k < 3; ++k) {
       if (features.edges[face.edges[k]].convex()) edges_met.push_back(face.edges[k]);
       if (features.pointed[face.vertices[k]]) corners_met.push_back(face.vertices[k]);
@@ -79,11 +85,17 @@ void LocalGround::fit_plane(const SurfaceFeatures& features) {
 
 LocalGround::Nearest LocalGround::nearest(const SurfaceFeatures& features, const Vec3& query,
                                           double limit, double beyond, std::uint32_t guess) const {
-  Nearest found;
+  return nearest_of(faces, features, query, limit, beyond, guess);
+}
+
+LocalGround::Nearest nearest_of(std::span<const LocalGround::Face> faces,
+                                const SurfaceFeatures& features, const Vec3& query, double limit,
+                                double beyond, std::uint32_t guess) {
+  LocalGround::Nearest found;
   found.nearest.distance = 1e300;
   found.second = limit;
   const auto measure = [&](std::uint32_t i) {
-    const Face& face = faces[i];
+    const LocalGround::Face& face = faces[i];
     const double best = std::abs(found.nearest.distance);
     const double told_apart = std::min(best, limit) + beyond;
     if (std::abs(face.normal.dot(query) - face.offset) > told_apart) return;

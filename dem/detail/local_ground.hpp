@@ -49,15 +49,23 @@ struct LocalGround {
     double second = 0.0;      ///< all other faces are at least this far, m
     std::uint32_t entry = 0;  ///< of `faces`
   };
-  /// Nearest point of the faces to `query`.
-  /// @param limit   m: what is farther does not matter
-  /// @param beyond  m: how much farther than the nearest other faces are measured
-  /// @param guess   entry of a face that may be near: the answer is the same, but sooner found
+  /// As `nearest_of` all its faces.
   Nearest nearest(const SurfaceFeatures& features, const Vec3& query, double limit, double beyond,
                   std::uint32_t guess) const;
 
  private:
   void fit_plane(const SurfaceFeatures& features);
 };
+
+/// A face as lists of the ground hold it.
+LocalGround::Face local_face(const SurfaceFeatures& features, std::uint32_t face);
+
+/// Nearest point of some faces of a surface to `query`.
+/// @param limit   m: what is farther does not matter
+/// @param beyond  m: how much farther than the nearest other faces are measured
+/// @param guess   entry of a face that may be near: the answer is the same, but sooner found
+LocalGround::Nearest nearest_of(std::span<const LocalGround::Face> faces,
+                                const SurfaceFeatures& features, const Vec3& query, double limit,
+                                double beyond, std::uint32_t guess);
 
 }  // namespace clast::dem_detail

@@ -3,7 +3,7 @@
 /// the reference of its pair (`ContactSearch`); between two without there is nothing to index.
 #include <vector>
 
-#include "dem/detail/contact_search.hpp"
+#include "dem/detail/feature_contacts.hpp"
 
 namespace clast::dem_detail {
 

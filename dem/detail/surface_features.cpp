@@ -215,24 +215,26 @@ bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3&
   return within_arc(surface, edge, direction, kConeSlack);
 }
 
+double arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge) {
+  if (edge.kind != EdgeKind::kRidge) return kConeSlack;
+  return kConeSlack +
+         give_of(surface.faces[edge.faces[0]].normal, surface.faces[edge.faces[1]].normal);
+}
+
 bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction) {
   if (in_arc(surface, edge, direction)) return true;
   if (edge.kind != EdgeKind::kRidge ||
       !within_arc(surface, edge, direction, kConeSlack + kMostGive)) {
     return false;
   }
-  const double give =
-      give_of(surface.faces[edge.faces[0]].normal, surface.faces[edge.faces[1]].normal);
-  return within_arc(surface, edge, direction, kConeSlack + give);
+  return within_arc(surface, edge, direction, arc_slack(surface, edge));
 }
 
 bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
   return within_cone(surface, vertex, direction, kConeSlack);
 }
 
-bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
-  if (in_cone(surface, vertex, direction)) return true;
-  if (!within_cone(surface, vertex, direction, kConeSlack + 2.0 * kMostGive)) return false;
+double cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex) {
   double give = 0.0;
   for (const std::uint32_t e : surface.edges_at(vertex)) {
     for (const std::uint32_t f : surface.edges[e].faces) {
@@ -240,7 +242,13 @@ bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3&
       give = std::max(give, 2.0 * give_of(surface.vertex_normals[vertex], surface.faces[f].normal));
     }
   }
-  return within_cone(surface, vertex, direction, kConeSlack + give);
+  return kConeSlack + give;
+}
+
+bool near_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction) {
+  if (in_cone(surface, vertex, direction)) return true;
+  if (!within_cone(surface, vertex, direction, kConeSlack + 2.0 * kMostGive)) return false;
+  return within_cone(surface, vertex, direction, cone_slack(surface, vertex));
 }
 
 bool straight_on(const Vec3& first_ray, const Vec3& second_ray) {

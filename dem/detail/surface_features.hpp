@@ -79,6 +79,10 @@ bool in_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3&
 /// bound the overlap then carry their share whichever way the two are tilted a little.
 bool near_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction);
 
+/// How far beyond the arc or the cone `near_arc` and `near_cone` go, a sine.
+double arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge);
+double cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex);
+
 /// True when no edge leaving the vertex rises along `direction`, and it points out of the solid: it
 /// lies in the normal cone.
 bool in_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec3& direction);

@@ -1,0 +1,401 @@
+#include "dem/detail/block_contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "dem/detail/deep_contacts.hpp"
+
+namespace clast::dem_detail {
+namespace {
+
+/// Margin of the list, as a share of the smallest side: short lists that are made anew rarely.
+constexpr double kMarginShare = 0.04;
+/// Directions that are tried when a list is made.
+constexpr int kTries = 6;
+/// Faces of the ground near a vertex for which no memory is asked of the system.
+constexpr std::size_t kFacesAtOnce = 32;
+/// Room for rounding where a feature lies on the very border of what is listed, m.
+constexpr double kRounding = 1e-9;
+
+/// What is needed only while a list is made, kept to spare the allocations: lists are made by many
+/// pairs in turn, and hold nothing of it.
+struct Scratch {
+  std::vector<double> ground_heights, block_heights;  ///< of the vertices along the direction, m
+  std::vector<std::uint32_t> ground_parts, block_parts;
+  std::vector<std::uint32_t> edges, corners;  ///< of a part of the ground
+
+  double lowest_of_block(std::span<const std::uint32_t> vertices) const {
+    double height = 1e300;
+    for (const std::uint32_t v : vertices) height = std::min(height, block_heights[v]);
+    return height;
+  }
+};
+Scratch& scratch() {
+  thread_local Scratch of_thread;
+  return of_thread;
+}
+
+/// Farthest vertex along a direction.
+std::uint32_t farthest(const SurfaceFeatures& surface, const Vec3& direction) {
+  std::uint32_t best = 0;
+  double height = -1e300;
+  for (std::uint32_t v = 0; v < surface.vertices.size(); ++v) {
+    const double h = direction.dot(surface.vertices[v]);
+    if (h > height) {
+      height = h;
+      best = v;
+    }
+  }
+  return best;
+}
+
+bool within(const Vec3& apart, double distance) {
+  return apart.squaredNorm() <= distance * distance;
+}
+
+}  // namespace
+
+BlockContacts::BlockContacts(const BlockSurface& ground, const BlockSurface& block, double size)
+    : ground_(ground),
+      block_(block),
+      size_(size),
+      margin_(kMarginShare * size),
+      turn_(0.0),
+      tests_(ground, block, size) {
+  double farthest_vertex = 0.0;
+  for (const Vec3& vertex : block.features.vertices) {
+    farthest_vertex = std::max(farthest_vertex, vertex.norm());
+  }
+  turn_ = margin_ / (farthest_vertex + block.radius);
+}
+
+const std::vector<ContactPoint>& BlockContacts::contacts(const Pose& ground_from_block,
+                                                         double travel) {
+  tests_.move_to(ground_from_block.rotation.toRotationMatrix(), ground_from_block.translation);
+  contacts_.clear();
+  travel_ = travel;
+  // Without a past nothing is known of how deep the two may be.
+  if (list_until_ < 0.0) allowed_.reset(size_);
+  if (travel >= list_until_) make_list();
+  safe_until_ = list_until_;
+  find_at_vertices();
+  for (const ContactPoint& contact : contacts_) deepest_ = std::max(deepest_, contact.overlap);
+  allowed_.update(deepest_, margin_);
+  if (touching_distance() > list_touching_) make_list();
+  find_at_sides();
+  remove_resolved(contacts_, ground_, block_, ground_from_block, size_);
+  deepest_ = 0.0;
+  Vec3 normal = Vec3::Zero();
+  for (const ContactPoint& contact : contacts_) {
+    deepest_ = std::max(deepest_, contact.overlap);
+    normal += contact.overlap * contact.normal;
+  }
+  if (contacts_.empty()) {
+    allowed_.reset();
+  } else if (!normal.isZero()) {
+    direction_ = normal.normalized();
+  }
+  return contacts_;
+}
+
+double BlockContacts::widen_gap() {
+  Vec3 direction = direction_.isZero() ? tests_.position() : direction_;
+  direction = direction.norm() > 0.0 ? direction.normalized() : Vec3(Vec3::UnitZ());
+  double widest = -1e300;
+  for (int i = 0; i < kTries; ++i) {
+    const Vec3& of_ground =
+        ground_.features.vertices[farthest(ground_.features, direction)];
+    const Vec3 of_block = tests_.placed(
+        block_.features.vertices[farthest(block_.features,
+                                          -(tests_.rotation().transpose() * direction))]);
+    const Vec3 between = of_block - of_ground;
+    const double gap = direction.dot(between);
+    if (gap > widest) {
+      widest = gap;
+      direction_ = direction;
+    }
+    const double distance = between.norm();
+    if (gap > listed_within() || !(distance > 0.0)) break;
+    // Where the two are apart the way between the nearest vertices is better, else the reflection
+    // about it (Chung and Wang 1996).
+    const Vec3 way = between / distance;
+    direction = gap > 0.0 ? way : (direction - 2.0 * direction.dot(way) * way).normalized();
+  }
+  return widest;
+}
+
+void BlockContacts::make_list() {
+  vertices_.clear();
+  faces_.clear();
+  pairs_.clear();
+  list_touching_ = touching_distance();
+  const double gap = widen_gap();
+  if (gap > listed_within()) {
+    list_until_ = travel_ + gap - list_touching_;
+    return;
+  }
+  list_until_ = travel_ + margin_;
+  list_features();
+}
+
+void BlockContacts::list_features() {
+  Scratch& s = scratch();
+  const Vec3 in_block = tests_.rotation().transpose() * direction_;
+  const double offset = direction_.dot(tests_.position());
+  s.ground_heights.clear();
+  s.block_heights.clear();
+  for (const Vec3& vertex : ground_.features.vertices) {
+    s.ground_heights.push_back(direction_.dot(vertex));
+  }
+  for (const Vec3& vertex : block_.features.vertices) {
+    s.block_heights.push_back(in_block.dot(vertex) + offset);
+  }
+  low_ = *std::min_element(s.block_heights.begin(), s.block_heights.end());
+  high_ = *std::max_element(s.ground_heights.begin(), s.ground_heights.end());
+  const double room = listed_within() + kRounding;
+  s.ground_parts.clear();
+  s.block_parts.clear();
+  for (std::uint32_t p = 0; p < ground_.parts.parts.size(); ++p) {
+    const BlockPart& part = ground_.parts.parts[p];
+    if (direction_.dot(part.centre) + part.radius >= low_ - room) s.ground_parts.push_back(p);
+  }
+  for (std::uint32_t p = 0; p < block_.parts.parts.size(); ++p) {
+    const BlockPart& part = block_.parts.parts[p];
+    if (in_block.dot(part.centre) + offset - part.radius <= high_ + room) s.block_parts.push_back(p);
+  }
+  for (const std::uint32_t p : s.block_parts) list_vertices(block_.parts.parts[p]);
+  for (const std::uint32_t p : s.ground_parts) {
+    for (const std::uint32_t q : s.block_parts) {
+      list_sides(ground_.parts.parts[p], block_.parts.parts[q]);
+    }
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const ListedPair& a, const ListedPair& b) {
+    return std::tuple(a.side, a.kind, a.ground_feature) <
+           std::tuple(b.side, b.kind, b.ground_feature);
+  });
+}
+
+void BlockContacts::list_vertices(const BlockPart& part) {
+  const double listed = tests_.reach() + margin_ + kRounding;
+  for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
+    const std::uint32_t vertex = block_.parts.vertices[v];
+    if (scratch().block_heights[vertex] > high_ + listed) continue;
+    const Vec3 centre = tests_.placed(block_.features.vertices[vertex]);
+    const Vec3 in_box = centre.cwiseMax(ground_.extent.low).cwiseMin(ground_.extent.high);
+    if (within(centre - in_box, listed)) list_vertex(vertex, centre, listed);
+  }
+}
+
+void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double listed) {
+  const NearestPoint nearest =
+      nearest_of(ground_.local_faces, ground_.features, centre, 1e300, 0.0, near_face_).nearest;
+  near_face_ = nearest.face;
+  const double distance = nearest.distance;
+  if (distance > listed) return;
+  const double near = std::max(std::abs(distance), tests_.reach()) + 2.0 * margin_ + kRounding;
+  for (const LocalGround::Face& face : ground_.local_faces) {
+    if (std::abs(face.normal.dot(centre) - face.offset) <= near &&
+        within(centre - face.middle, near + face.radius)) {
+      faces_.push_back(face.face);
+    }
+  }
+  vertices_.push_back({vertex, 0, static_cast<std::uint32_t>(faces_.size())});
+}
+
+void BlockContacts::list_sides(const BlockPart& of_ground, const BlockPart& of_block) {
+  const double room = listed_within() + kRounding;
+  const Vec3 centre = tests_.placed(of_block.centre);
+  if (!within(centre - of_ground.centre, of_ground.radius + of_block.radius + room)) return;
+  Scratch& s = scratch();
+  s.edges.clear();
+  s.corners.clear();
+  for (std::uint32_t i = of_ground.first_side; i < of_ground.end_side; ++i) {
+    const BlockSide& side = ground_.parts.sides[i];
+    if (side.is_face) continue;
+    const auto [a, b] = ground_.features.edges[side.feature].vertices;
+    if (std::max(s.ground_heights[a], s.ground_heights[b]) >=
+            low_ - depth_beyond(ground_.arcs[side.feature]) &&
+        within(side.middle - centre, side.radius + of_block.radius + room)) {
+      s.edges.push_back(i);
+    }
+  }
+  for (std::uint32_t i = of_ground.first_vertex; i < of_ground.end_vertex; ++i) {
+    const std::uint32_t v = ground_.parts.vertices[i];
+    if (s.ground_heights[v] >= low_ - room &&
+        within(ground_.features.vertices[v] - centre, of_block.radius + room)) {
+      s.corners.push_back(v);
+    }
+  }
+  if (s.edges.empty() && s.corners.empty()) return;
+  for (std::uint32_t i = of_block.first_side; i < of_block.end_side; ++i) {
+    const BlockSide& side = block_.parts.sides[i];
+    const Vec3 middle = tests_.placed(side.middle);
+    if (within(middle - of_ground.centre, of_ground.radius + side.radius + room)) {
+      list_side(i, middle);
+    }
+  }
+}
+
+void BlockContacts::list_side(std::uint32_t number, const Vec3& middle) {
+  const BlockSide& side = block_.parts.sides[number];
+  if (side.is_face) {
+    list_face(number, middle);
+  } else {
+    list_edge(number, middle);
+  }
+}
+
+void BlockContacts::list_face(std::uint32_t number, const Vec3& middle) {
+  const Scratch& s = scratch();
+  const BlockSide& side = block_.parts.sides[number];
+  const SurfaceFace& face = block_.features.faces[side.feature];
+  const std::array<Vec3, 1> normal = {tests_.rotation() * -face.normal};
+  const double beyond = depth_beyond(direction_.dot(normal[0]), turn_);
+  if (s.lowest_of_block(face.vertices) > high_ + beyond) return;
+  const double room = listed_within() + kRounding;
+  for (const std::uint32_t corner : s.corners) {
+    if (s.ground_heights[corner] < low_ - beyond ||
+        !within(middle - ground_.features.vertices[corner], side.radius + room) ||
+        !corner_may_face(corner, normal)) {
+      continue;
+    }
+    std::optional<ContactPoint> contact;
+    const Vec3 between = tests_.face_corner(side.feature, corner, contact);
+    list(ContactKind::kFaceVertex, number, corner, between, contact.has_value());
+  }
+}
+
+void BlockContacts::list_edge(std::uint32_t number, const Vec3& middle) {
+  const Scratch& s = scratch();
+  const BlockSide& side = block_.parts.sides[number];
+  const SurfaceEdge& edge = block_.features.edges[side.feature];
+  EdgeArc arc = block_.arcs[side.feature];
+  arc.first = tests_.rotation() * -arc.first;
+  arc.second = tests_.rotation() * -arc.second;
+  arc.slack += turn_;
+  const double lowest = s.lowest_of_block(edge.vertices);
+  if (lowest > high_ + depth_beyond(arc)) return;
+  const Vec3 direction = tests_.rotation() * edge.direction;
+  const double room = listed_within() + kRounding;
+  std::optional<ContactPoint> contact;
+  for (const std::uint32_t i : s.edges) {
+    const BlockSide& other = ground_.parts.sides[i];
+    if (!within(middle - other.middle, side.radius + other.radius + room) ||
+        !may_face(ground_.arcs[other.feature], ground_.features.edges[other.feature].direction,
+                  arc, direction)) {
+      continue;
+    }
+    contact.reset();
+    const Vec3 between = tests_.edge_edge(side.feature, other.feature, contact);
+    list(ContactKind::kEdgeEdge, number, other.feature, between, contact.has_value());
+  }
+  const double within_reach = tests_.reach() + margin_ + kRounding;
+  if (!(tests_.reach() > 0.0) || lowest > high_ + within_reach) return;
+  const std::array<Vec3, 2> normals = {arc.first, arc.second};
+  for (const std::uint32_t corner : s.corners) {
+    if (s.ground_heights[corner] < low_ - within_reach ||
+        !within(middle - ground_.features.vertices[corner], side.radius + within_reach) ||
+        !(arc.any || corner_may_face(corner, normals))) {
+      continue;
+    }
+    contact.reset();
+    const Vec3 between = tests_.edge_corner(side.feature, corner, contact);
+    list(ContactKind::kEdgeVertex, number, corner, between, contact.has_value());
+  }
+}
+
+void BlockContacts::list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
+                         const Vec3& between, bool touches) {
+  if (!within(between, listed_within() + kRounding)) return;
+  pairs_.push_back({kind, side, of_ground, clear_until(between, touches)});
+}
+
+double BlockContacts::depth_beyond(double along, double slack) const {
+  const double farthest = listed_within() + kRounding;
+  if (along < 0.0) return farthest;
+  // A feature of the block that has gone into the ground along such a normal lies lower than what
+  // it touches there.
+  return std::min(farthest, tests_.reach() + margin_ + kRounding + slack * list_touching_);
+}
+
+bool BlockContacts::may_face(const EdgeArc& of_ground, const Vec3& ground_direction,
+                             const EdgeArc& arc, const Vec3& direction) const {
+  if (of_ground.any || arc.any) return true;
+  const double room = of_ground.slack + arc.slack + kRounding;
+  // The common normal is perpendicular to either edge: an arc that lies on one side of the plane
+  // perpendicular to the other's edge does not hold it.
+  const auto crosses = [&](const EdgeArc& one, const Vec3& pole) {
+    const double first = pole.dot(one.first), second = pole.dot(one.second);
+    return std::min(first, second) <= room && std::max(first, second) >= -room;
+  };
+  return crosses(arc, ground_direction) && crosses(of_ground, direction);
+}
+
+bool BlockContacts::corner_may_face(std::uint32_t corner, std::span<const Vec3> normals) const {
+  const double room = ground_.cone_slacks[corner] + turn_ + kRounding;
+  const std::span<const std::uint32_t> edges = ground_.features.edges_at(corner);
+  // A ray along which all normals rise is above the plane of each between them.
+  return std::none_of(edges.begin(), edges.end(), [&](std::uint32_t edge) {
+    const Vec3 ray = ground_.features.ray(edge, corner);
+    return std::all_of(normals.begin(), normals.end(),
+                       [&](const Vec3& normal) { return ray.dot(normal) > room; });
+  });
+}
+
+void BlockContacts::find_at_vertices() {
+  std::array<LocalGround::Face, kFacesAtOnce> few;
+  std::vector<LocalGround::Face> many;
+  std::uint32_t begin = 0;
+  for (ListedVertex& listed : vertices_) {
+    const std::span<const std::uint32_t> numbers(faces_.data() + begin, listed.end_face - begin);
+    begin = listed.end_face;
+    if (numbers.size() > few.size()) many.resize(numbers.size());
+    LocalGround::Face* const copied = numbers.size() > few.size() ? many.data() : few.data();
+    for (std::size_t i = 0; i < numbers.size(); ++i) copied[i] = ground_.local_faces[numbers[i]];
+    find_at_vertex(listed, {copied, numbers.size()});
+  }
+}
+
+void BlockContacts::find_at_vertex(ListedVertex& listed,
+                                   std::span<const LocalGround::Face> faces) {
+  const Vec3 centre = tests_.placed(block_.features.vertices[listed.vertex]);
+  const LocalGround::Nearest found =
+      nearest_of(faces, ground_.features, centre, 1e300, 0.0, listed.near_face);
+  const NearestPoint& nearest = found.nearest;
+  listed.near_face = found.entry;
+  safe_until_ = std::min(safe_until_, travel_ + nearest.distance - tests_.reach());
+  if (nearest.distance >= tests_.reach()) return;
+  if (nearest.distance >= 0.0) {
+    tests_.add_outside(listed.vertex, centre, faces, contacts_);
+  } else if (tests_.is_backwards(listed.vertex, centre, nearest)) {
+    contacts_.push_back(tests_.inside(
+        listed.vertex, centre,
+        tests_.nearest_forwards(listed.vertex, centre, nearest, ground_.local_faces)));
+  } else {
+    contacts_.push_back(tests_.inside(listed.vertex, centre, nearest));
+  }
+}
+
+void BlockContacts::find_at_sides() {
+  for (ListedPair& pair : pairs_) {
+    if (travel_ < pair.clear_until) {
+      safe_until_ = std::min(safe_until_, pair.clear_until);
+      continue;
+    }
+    const std::uint32_t of_block = block_.parts.sides[pair.side].feature;
+    std::optional<ContactPoint> contact;
+    const Vec3 between =
+        pair.kind == ContactKind::kEdgeEdge
+            ? tests_.edge_edge(of_block, pair.ground_feature, contact)
+        : pair.kind == ContactKind::kEdgeVertex
+            ? tests_.edge_corner(of_block, pair.ground_feature, contact)
+            : tests_.face_corner(of_block, pair.ground_feature, contact);
+    pair.clear_until = clear_until(between, contact.has_value());
+    safe_until_ = std::min(safe_until_, pair.clear_until);
+    if (contact) add_once(contacts_, *contact);
+  }
+}
+
+}  // namespace clast::dem_detail
