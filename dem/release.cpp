@@ -11,6 +11,7 @@
 #include "dem/detail/free_flight.hpp"
 #include "dem/detail/moving_body.hpp"
 #include "dem/detail/pierced_depth.hpp"
+#include "dem/detail/step_choice.hpp"
 #include "dem/detail/terrain_impl.hpp"
 #include "dem/stiffness.hpp"
 
@@ -24,10 +25,6 @@ namespace {
 constexpr double kLandingTime = 5e-10;
 /// Growth of the stride of the search for the first touch after one that fell short of it.
 constexpr double kLookFarther = 8.0;
-/// Contacts that more than this share of the block's kinetic energy passes through are an impact.
-constexpr double kImpactShare = 0.01;
-/// Contacts on points that are hard to move allow steps up to this many times `longest_step`.
-constexpr double kHardlyMobile = 2.0;
 /// A block at rest may lie deeper than its settled depth by this factor before it counts as lost.
 constexpr double kSettledSlack = 1.1;
 

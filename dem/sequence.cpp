@@ -11,6 +11,15 @@ namespace clast {
 
 namespace {
 
+/// Length of the path of the centre, m.
+double way_of(const MotionStep& step) {
+  if (!step.flight) return (step.end.position - step.begin.position).norm();
+  // Of a parabola, by Simpson's rule over the speed.
+  const double middle = 0.5 * (step.begin.velocity + step.end.velocity).norm();
+  return (step.end_time - step.begin_time) / 6.0 *
+         (step.begin.velocity.norm() + 4.0 * middle + step.end.velocity.norm());
+}
+
 class Sequence {
  public:
   Sequence(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
@@ -139,7 +148,8 @@ class Sequence {
   void see(std::size_t block, const MotionStep& step) {
     ReleaseResult& result = results_[block].release;
     Watched& watched = watched_[block];
-    result.path_length += (step.end.position - step.begin.position).norm();
+    if (step.flight) ++result.flight_pieces;
+    result.path_length += way_of(step);
     result.max_speed =
         std::max({result.max_speed, step.begin.velocity.norm(), step.end.velocity.norm()});
     result.max_penetration = std::max(result.max_penetration, step.touch.overlap);

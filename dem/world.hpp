@@ -67,7 +67,7 @@ class World {
   World(World&&) noexcept;
 
   /// Has every step seen from now on, for each body that takes part in it, in their order. Times
-  /// are the world's, and no step is a `flight`.
+  /// are the world's; in a `flight` no body touches anything.
   void observe(BodyObserver observer);
 
   /// Numbers bodies from 0 in the order they come.
@@ -78,7 +78,8 @@ class World {
   /// @throws SimulationError  no such body
   void remove_body(std::size_t body);
 
-  /// One step of `stiffness.time_step`, or less.
+  /// One step: of `stiffness.time_step` while there is an impact and before one may begin, else up
+  /// to twice `stiffness.longest_step`, or as far as all bodies fly freely.
   /// @throws SimulationError  a body starts inside another or inside the ground deeper than
   ///                          allowed, or its motion is not finite any more; names the body
   void step();

@@ -92,6 +92,14 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
   return load_;
 }
 
+double BodyPair::clearance(const BodyMotion& reference, const BodyMotion& block) const {
+  const double clear =
+      near_ ? near_->asleep_until - near_->travel
+            : gap_of_bounds(reference.world_from_body.inverse() *
+                            block.world_from_body.translation);
+  return touching() ? 0.0 : std::max(0.0, clear);
+}
+
 void BodyPair::end_contacts(const BodyMotion& reference, const BodyMotion& block) {
   if (near_) near_->forces.update({}, block, reference, 0.0, ledger_);
   near_.reset();

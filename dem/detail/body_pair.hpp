@@ -48,6 +48,15 @@ class BodyPair {
   /// neither of the two moves.
   void drop_event() { load_.event.reset(); }
 
+  /// How far the two may move against each other from the places of the last update before they
+  /// can touch, m; 0 where that is not known.
+  double clearance(const BodyMotion& reference, const BodyMotion& block) const;
+  /// Of all contacts together, for the block as `ContactForces::mobility`, and their weights.
+  double mobility(std::span<const double> of_vertices) const {
+    return near_ ? near_->forces.mobility(of_vertices) : 0.0;
+  }
+  double weight() const { return near_ ? near_->forces.weight() : 0.0; }
+
   const ContactLoad& load() const { return load_; }
   bool touching() const { return near_ && !near_->forces.empty(); }
   bool near() const { return near_.has_value(); }

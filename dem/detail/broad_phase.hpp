@@ -26,6 +26,11 @@ class BroadPhase {
   /// @param slack  how far spheres may be apart to be listed, m; above 0
   bool refresh(std::span<const BoundingSphere> spheres, double slack);
 
+  /// How far a body may move on before the list may miss a pair of it, m.
+  double way_left(std::size_t body, const Vec3& centre, double slack) const {
+    return 0.5 * slack - (centre - centres_[body]).norm();
+  }
+
   /// Sorted; holds at least every pair of spheres that overlaps at the last `refresh`.
   const std::vector<Pair>& pairs() const { return pairs_; }
 

@@ -4,6 +4,7 @@
 
 #include "dem/detail/contact_search.hpp"
 #include "dem/detail/flying_ball.hpp"
+#include "dem/detail/free_flight.hpp"
 
 namespace clast::dem_detail {
 namespace {
@@ -15,12 +16,6 @@ constexpr double kLongestFlight = 60.0;  ///< s
 /// The search for a longer flight starts at the first of these numbers of margins and goes on in
 /// strides.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
-
-/// From distance = speed t + acceleration t^2/2, in the form that keeps its digits.
-double time_over(double distance, double speed, double acceleration) {
-  if (!(distance > 0.0)) return 0.0;
-  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
-}
 
 double distance_in(double time, double speed, double acceleration) {
   return time * (speed + 0.5 * acceleration * time);

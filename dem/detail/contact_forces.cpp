@@ -273,9 +273,8 @@ void ContactForces::forget_slip() {
 }
 
 void ContactForces::add_slip() {
-  double weight = 0.0;
-  for (const Contact& contact : contacts_) weight += contact.weight;
-  if (weight > 0.0) slip_ += slipped_ / weight;
+  const double total = weight();
+  if (total > 0.0) slip_ += slipped_ / total;
   slipped_ = 0.0;
 }
 
@@ -303,6 +302,12 @@ double ContactForces::mobility(std::span<const double> of_vertices) const {
                                  ? largest(block_.faces[feature].vertices)
                                  : largest(block_.edges[feature].vertices));
   }
+  return sum;
+}
+
+double ContactForces::weight() const {
+  double sum = 0.0;
+  for (const Contact& contact : contacts_) sum += contact.weight;
   return sum;
 }
 

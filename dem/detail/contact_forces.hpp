@@ -71,6 +71,8 @@ class ContactForces {
   /// no frequency above the root of k times this.
   /// @param of_vertices  of the block (`vertex_mobilities`)
   double mobility(std::span<const double> of_vertices) const;
+  /// Sum of the weights of all contacts.
+  double weight() const;
   double stored_energy() const;  ///< what unloading would give back, J
   double max_overlap() const;    ///< m
   struct Deepest {

@@ -58,6 +58,16 @@ class ContactPairs {
   /// Ends the contacts of a body that leaves the world.
   void end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies);
 
+  /// How far the bodies of a pair may move against each other before they can touch, m.
+  double clearance(const ContactPair& pair, std::span<const WorldBody> bodies) const {
+    return pair.contacts->clearance(motion_of(pair.reference, bodies),
+                                    motion_of(pair.block, bodies));
+  }
+  /// How far a body may move before it can touch one with which it makes no pair, m.
+  double way_left(std::size_t body, const Vec3& centre) const {
+    return broad_phase_.way_left(body, centre, slack_);
+  }
+
   /// First a body's with the terrain, then by the other body; sorted by the smaller number.
   std::span<const ContactPair> all() const { return pairs_; }
   /// Places in `all` of the pairs of a body, ascending.

@@ -13,6 +13,12 @@ constexpr double kSmallTurn = 0.003;
 
 }  // namespace
 
+double time_over(double distance, double speed, double acceleration) {
+  if (!(distance > 0.0)) return 0.0;
+  // From distance = speed t + acceleration t^2/2, in the form that keeps its digits.
+  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
+}
+
 FreeFlight::FreeFlight(const RigidBody& body, const RigidState& begin, double gravity)
     : body_(body),
       begin_(begin),

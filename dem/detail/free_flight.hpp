@@ -7,6 +7,10 @@
 
 namespace clast::dem_detail {
 
+/// How long something needs at least for a distance, s, that is no faster than `speed` and gains
+/// no more than `acceleration`.
+double time_over(double distance, double speed, double acceleration);
+
 /// A flight from one instant on: ballistic centre, torque-free rotation. Any instant of it costs
 /// the same. The body must outlive it.
 class FreeFlight {

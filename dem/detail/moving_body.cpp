@@ -1,5 +1,7 @@
 #include "dem/detail/moving_body.hpp"
 
+#include <cmath>
+
 #include "dem/detail/rotation.hpp"
 
 namespace clast::dem_detail {
@@ -12,6 +14,16 @@ MovingBody::MovingBody(const RigidBody& body, const RigidState& start)
 void MovingBody::place(const RigidState& state) {
   state_ = state;
   momentum_ = angular_momentum(body_.moments, state.orientation, state.angular_velocity);
+}
+
+BodyMotion MovingBody::fly(double duration, const Vec3& gravity) {
+  BodyMotion motion = this->motion();
+  const RigidState begin = state_;
+  state_ = free_flight(body_, begin, duration, -gravity.z());
+  motion.velocity = (state_.position - begin.position) / duration;
+  motion.angular_velocity = 0.5 * (begin.angular_velocity + state_.angular_velocity);
+  motion.world_from_body = state_.world_from_body();
+  return motion;
 }
 
 BodyMotion MovingBody::begin_step(double duration, const Vec3& force, const Vec3& torque,
@@ -68,6 +80,10 @@ BodyMotion MovingBody::motion() const {
 
 double MovingBody::kinetic_energy() const {
   return translational_energy(body_, state_) + rotational_energy(body_, state_);
+}
+
+double MovingBody::top_spin() const {
+  return std::sqrt(2.0 * rotational_energy(body_, state_) / smallest_moment_);
 }
 
 bool MovingBody::finite() const {

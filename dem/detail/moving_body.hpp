@@ -15,6 +15,8 @@ class MovingBody {
   /// Sets its state, as after a flight.
   void place(const RigidState& state);
 
+  /// Flies without contact for a time.
+  BodyMotion fly(double duration, const Vec3& gravity);
   /// Half a kick, then the move to the new place. Returns that place and the mean velocities.
   BodyMotion begin_step(double duration, const Vec3& force, const Vec3& torque,
                         const Vec3& gravity);
@@ -34,6 +36,8 @@ class MovingBody {
   /// Where it is and how it moves, without a step.
   BodyMotion motion() const;
   double kinetic_energy() const;  ///< J
+  /// It spins no faster than this without a torque, rad/s.
+  double top_spin() const;
   /// No point of the rounded body was faster than this in the last step, m/s.
   double top_speed() const { return top_speed_; }
   /// No point of it was shifted farther by the last `correct`, m.

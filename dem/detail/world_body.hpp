@@ -1,20 +1,29 @@
 #pragma once
 /// A moving or fixed body of a world, and the shape it shares with others.
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "dem/detail/block_surface.hpp"
 #include "dem/detail/moving_body.hpp"
 #include "dem/detail/sleep_watch.hpp"
+#include "dem/stiffness.hpp"
 
 namespace clast::dem_detail {
 
 /// A shape with what contacts need of it, once for all bodies that have it.
 struct Shape {
   explicit Shape(RigidBody of_body)
-      : body(std::move(of_body)), surface(body.shape), radius(body.bounding_radius()) {}
+      : body(std::move(of_body)),
+        surface(body.shape),
+        radius(body.bounding_radius()),
+        mobilities(vertex_mobilities(body)),
+        largest_mobility(*std::max_element(mobilities.begin(), mobilities.end())) {}
   RigidBody body;
   BlockSurface surface;
   double radius;  ///< of the rounded body about its centre, m
+  std::vector<double> mobilities;  ///< of its vertices, 1/kg
+  double largest_mobility;
 };
 
 struct WorldBody {

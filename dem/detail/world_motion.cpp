@@ -11,8 +11,6 @@ namespace clast::dem_detail {
 
 namespace {
 
-/// A block whose mean place stays may rock with so many times the energy below which it rests.
-constexpr double kRocking = 10.0;
 /// Bodies that a thread takes at a time.
 constexpr std::size_t kBodiesAtATime = 16;
 constexpr std::uint32_t kTerrain = ContactPair::kTerrain;
@@ -66,14 +64,18 @@ void WorldMotion::remove(std::size_t body) {
   apply_loads_anew();
 }
 
-void WorldMotion::advance(double dt) {
+void WorldMotion::advance(double longest) {
   prepare();
+  StepChoice step = choose_step(bodies_, pairs_, settings_);
+  step.length = std::min(step.length, longest);
+  const double dt = step.length;
+  set_step_length(dt);
   if (observer_) note_begins();
-  begin_moves(dt);
+  begin_moves(step);
   pairs_.refresh(bodies_);
   pairs_.update(bodies_, dt, team_);
   sleeping_.wake_touched(bodies_, pairs_);
-  end_moves(dt);
+  end_moves(dt, step.flight);
   const double begin = time_;
   time_ += dt;
   ++steps_;
@@ -83,7 +85,7 @@ void WorldMotion::advance(double dt) {
                             with_digits(time_, 6) + " s; a shorter time step may help");
     }
   }
-  if (observer_) show_moves(begin);
+  if (observer_) show_moves(begin, step.flight);
   remove_bodies_off_terrain();
   if (settings_.sleep_drift > 0.0) reassigned_ += sleeping_.let_sleep(bodies_, pairs_);
   if (soil_.any()) pairs_.remember_dents(bodies_, soil_);
@@ -124,31 +126,38 @@ void WorldMotion::refuse_deep_starts() const {
 
 /// Between two steps, when pairs came or went.
 void WorldMotion::apply_loads_anew() {
-  reassigned_ -= first_kicks();
-  end_moves(0.0);
-  reassigned_ += first_kicks();
+  reassigned_ -= first_kicks(step_length_);
+  end_moves(0.0, false);
+  reassigned_ += first_kicks(step_length_);
 }
 
-double WorldMotion::first_kicks() const {
+/// What Verlet steps conserve depends on their length.
+void WorldMotion::set_step_length(double dt) {
+  if (dt == step_length_) return;
+  reassigned_ += first_kicks(dt) - first_kicks(step_length_);
+  step_length_ = dt;
+}
+
+double WorldMotion::first_kicks(double dt) const {
   double sum = 0.0;
   for (const WorldBody& body : bodies_) {
     if (body.idle()) continue;
-    sum +=
-        body.moving.first_kick(settings_.stiffness.time_step, body.force, body.torque, gravity());
+    sum += body.moving.first_kick(dt, body.force, body.torque, gravity());
   }
   return sum;
 }
 
-void WorldMotion::begin_moves(double dt) {
+void WorldMotion::begin_moves(const StepChoice& step) {
   team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
     WorldBody& body = bodies_[i];
-    if (!body.idle()) {
-      body.motion = body.moving.begin_step(dt, body.force, body.torque, gravity());
-    }
+    if (body.idle()) return;
+    body.motion = step.flight
+                      ? body.moving.fly(step.length, gravity())
+                      : body.moving.begin_step(step.length, body.force, body.torque, gravity());
   });
 }
 
-void WorldMotion::end_moves(double dt) {
+void WorldMotion::end_moves(double dt, bool flight) {
   team_.run(bodies_.size(), kBodiesAtATime, [&](std::size_t i) {
     WorldBody& body = bodies_[i];
     if (body.asleep) return;
@@ -168,7 +177,7 @@ void WorldMotion::end_moves(double dt) {
       if (is_block) ++as_block;
     }
     if (body.still()) return;
-    body.moving.end_step(dt, body.force, body.torque, gravity());
+    if (!flight) body.moving.end_step(dt, body.force, body.torque, gravity());
     if (events && dt > 0.0) {  // else they were applied at the end of the step before
       body.corrected = body.moving.correct(events->impulse, events->angular_impulse, events->moment,
                                            events->angular_moment, gravity());
@@ -210,14 +219,14 @@ void WorldMotion::note_begins() {
   }
 }
 
-void WorldMotion::show_moves(double begin) const {
+void WorldMotion::show_moves(double begin, bool flight) const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!began_[i]) continue;
     observer_(i, {.begin_time = begin,
                   .end_time = time_,
                   .begin = *began_[i],
                   .end = bodies_[i].moving.state(),
-                  .flight = false,
+                  .flight = flight,
                   .touch = touch(i)});
   }
 }

@@ -9,6 +9,7 @@
 #include "core/parallel.hpp"
 #include "dem/detail/contact_pairs.hpp"
 #include "dem/detail/sleeping.hpp"
+#include "dem/detail/step_choice.hpp"
 #include "dem/detail/terrain_impl.hpp"
 #include "dem/world.hpp"
 
@@ -29,8 +30,8 @@ class WorldMotion {
   void add(std::size_t shape, const RigidState& start, bool fixed);
   /// Takes a body out of the motion, where it is; wakes what it touched.
   void remove(std::size_t body);
-  /// A step of `dt`, s.
-  void advance(double dt);
+  /// A step as long as contacts allow, but no longer than `longest`, s.
+  void advance(double longest);
 
   /// All contacts of a body now, as `World::touch`.
   Touch touch(std::size_t body) const;
@@ -64,14 +65,15 @@ class WorldMotion {
   void prepare();
   void refuse_deep_starts() const;
   void apply_loads_anew();
-  /// What Verlet steps lose when they begin with the present loads, J.
-  double first_kicks() const;
-  void begin_moves(double dt);
-  void end_moves(double dt);
+  /// What Verlet steps of this length lose when they begin with the present loads, J.
+  double first_kicks(double dt) const;
+  void set_step_length(double dt);
+  void begin_moves(const StepChoice& step);
+  void end_moves(double dt, bool flight);
   void remove_bodies_off_terrain();
   void take_out(std::size_t body);
   void note_begins();
-  void show_moves(double begin) const;
+  void show_moves(double begin, bool flight) const;
 
   WorldSettings settings_;
   const TerrainSurface* terrain_;
@@ -92,6 +94,7 @@ class WorldMotion {
   std::vector<std::optional<RigidState>> began_;  ///< of bodies that move in the step, if observed
 
   double time_ = 0.0;
+  double step_length_ = settings_.stiffness.time_step;  ///< of the last step, s
   double initial_ = 0.0;     ///< energy that bodies brought, J
   double reassigned_ = 0.0;  ///< losses of no pair, J
   std::uint64_t steps_ = 0;
