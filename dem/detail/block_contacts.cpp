@@ -105,11 +105,9 @@ double BlockContacts::widen_gap() {
   direction = direction.norm() > 0.0 ? direction.normalized() : Vec3(Vec3::UnitZ());
   double widest = -1e300;
   for (int i = 0; i < kTries; ++i) {
-    const Vec3& of_ground =
-        ground_.features.vertices[farthest(ground_.features, direction)];
-    const Vec3 of_block = tests_.placed(
-        block_.features.vertices[farthest(block_.features,
-                                          -(tests_.rotation().transpose() * direction))]);
+    const Vec3& of_ground = ground_.features.vertices[farthest(ground_.features, direction)];
+    const Vec3 of_block = tests_.placed(block_.features.vertices[farthest(
+        block_.features, -(tests_.rotation().transpose() * direction))]);
     const Vec3 between = of_block - of_ground;
     const double gap = direction.dot(between);
     if (gap > widest) {
@@ -163,7 +161,8 @@ void BlockContacts::list_features() {
   }
   for (std::uint32_t p = 0; p < block_.parts.parts.size(); ++p) {
     const BlockPart& part = block_.parts.parts[p];
-    if (in_block.dot(part.centre) + offset - part.radius <= high_ + room) s.block_parts.push_back(p);
+    if (in_block.dot(part.centre) + offset - part.radius <= high_ + room)
+      s.block_parts.push_back(p);
   }
   for (const std::uint32_t p : s.block_parts) list_vertices(block_.parts.parts[p]);
   for (const std::uint32_t p : s.ground_parts) {
@@ -283,8 +282,8 @@ void BlockContacts::list_edge(std::uint32_t number, const Vec3& middle) {
   for (const std::uint32_t i : s.edges) {
     const BlockSide& other = ground_.parts.sides[i];
     if (!within(middle - other.middle, side.radius + other.radius + room) ||
-        !may_face(ground_.arcs[other.feature], ground_.features.edges[other.feature].direction,
-                  arc, direction)) {
+        !may_face(ground_.arcs[other.feature], ground_.features.edges[other.feature].direction, arc,
+                  direction)) {
       continue;
     }
     contact.reset();
@@ -358,8 +357,7 @@ void BlockContacts::find_at_vertices() {
   }
 }
 
-void BlockContacts::find_at_vertex(ListedVertex& listed,
-                                   std::span<const LocalGround::Face> faces) {
+void BlockContacts::find_at_vertex(ListedVertex& listed, std::span<const LocalGround::Face> faces) {
   const Vec3 centre = tests_.placed(block_.features.vertices[listed.vertex]);
   const LocalGround::Nearest found =
       nearest_of(faces, ground_.features, centre, 1e300, 0.0, listed.near_face);
@@ -386,12 +384,11 @@ void BlockContacts::find_at_sides() {
     }
     const std::uint32_t of_block = block_.parts.sides[pair.side].feature;
     std::optional<ContactPoint> contact;
-    const Vec3 between =
-        pair.kind == ContactKind::kEdgeEdge
-            ? tests_.edge_edge(of_block, pair.ground_feature, contact)
-        : pair.kind == ContactKind::kEdgeVertex
-            ? tests_.edge_corner(of_block, pair.ground_feature, contact)
-            : tests_.face_corner(of_block, pair.ground_feature, contact);
+    const Vec3 between = pair.kind == ContactKind::kEdgeEdge
+                             ? tests_.edge_edge(of_block, pair.ground_feature, contact)
+                         : pair.kind == ContactKind::kEdgeVertex
+                             ? tests_.edge_corner(of_block, pair.ground_feature, contact)
+                             : tests_.face_corner(of_block, pair.ground_feature, contact);
     pair.clear_until = clear_until(between, contact.has_value());
     safe_until_ = std::min(safe_until_, pair.clear_until);
     if (contact) add_once(contacts_, *contact);

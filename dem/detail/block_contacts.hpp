@@ -4,10 +4,10 @@
 ///
 /// Features that may touch are listed with a margin (Verlet's neighbour list), and the list holds
 /// until the two have moved by the margin against each other. It is made from what lies between two
-/// parallel planes: along any direction, nothing of the ground that lies lower than the lowest point
-/// of the block can touch it, and nothing of the block that lies higher than the highest point of
-/// the ground. Along the contact normal, or a direction that separates the two, that leaves few
-/// (docs/theory.md, Contact search).
+/// parallel planes: along any direction, nothing of the ground that lies lower than the lowest
+/// point of the block can touch it, and nothing of the block that lies higher than the highest
+/// point of the ground. Along the contact normal, or a direction that separates the two, that
+/// leaves few (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -24,7 +24,8 @@ class BlockContacts {
   BlockContacts(const BlockSurface& ground, const BlockSurface& block, double size);
 
   /// The contacts, in a fixed order.
-  /// @param travel  a bound of how far any point of the block has moved against the ground since the
+  /// @param travel  a bound of how far any point of the block has moved against the ground since
+  /// the
   ///                start, m, that grows from call to call by no less than the shift of its centre
   ///                and the chord of its turn times its bounding radius together
   const std::vector<ContactPoint>& contacts(const Pose& ground_from_block, double travel);
@@ -34,7 +35,8 @@ class BlockContacts {
   double safe_travel() const { return safe_until_; }
 
  private:
-  /// A vertex of the block that may be inside the ground or within reach of it before the list ends.
+  /// A vertex of the block that may be inside the ground or within reach of it before the list
+  /// ends.
   struct ListedVertex {
     std::uint32_t vertex;
     std::uint32_t near_face;  ///< entry of its faces that was nearest
@@ -114,8 +116,8 @@ class BlockContacts {
   double low_ = 0.0, high_ = 0.0;  ///< lowest point of the block, highest of the ground along the
                                    ///< direction, m
   double list_until_ = -1.0;       ///< travel to which the list holds ...
-  double travel_ = 0.0;         ///< the caller's
-  double list_touching_ = 0.0;  ///< ... for contacts of edges and faces no deeper than this, m
+  double travel_ = 0.0;            ///< the caller's
+  double list_touching_ = 0.0;     ///< ... for contacts of edges and faces no deeper than this, m
 
   double safe_until_ = 0.0;  ///< travel to which nothing that is listed can touch, m
   double deepest_ = 0.0;     ///< largest overlap at the last call, m

@@ -23,8 +23,8 @@ struct BlockSurface : IndexedSurface {
   BlockJoints joints;
   // All of them, by number.
   std::vector<LocalGround::Face> local_faces;
-  std::vector<EdgeArc> arcs;         ///< of the edges
-  std::vector<double> cone_slacks;   ///< of the vertices, sines
+  std::vector<EdgeArc> arcs;        ///< of the edges
+  std::vector<double> cone_slacks;  ///< of the vertices, sines
 };
 
 }  // namespace clast::dem_detail

@@ -30,11 +30,7 @@ BodyPair::Near::Near(Search of_pair, const BlockSurface& block, double size, con
 
 BodyPair::BodyPair(const IndexedSurface& terrain, const BlockSurface& block, double block_radius,
                    double size, const Rules& rules)
-    : reference_(terrain),
-      block_(block),
-      block_radius_(block_radius),
-      size_(size),
-      rules_(rules) {
+    : reference_(terrain), block_(block), block_radius_(block_radius), size_(size), rules_(rules) {
   if (rules.soil) dents_.emplace(rules.zones);
 }
 
@@ -94,9 +90,9 @@ const ContactLoad& BodyPair::update(const BodyMotion& reference, const BodyMotio
 
 double BodyPair::clearance(const BodyMotion& reference, const BodyMotion& block) const {
   const double clear =
-      near_ ? near_->asleep_until - near_->travel
-            : gap_of_bounds(reference.world_from_body.inverse() *
-                            block.world_from_body.translation);
+      near_
+          ? near_->asleep_until - near_->travel
+          : gap_of_bounds(reference.world_from_body.inverse() * block.world_from_body.translation);
   return touching() ? 0.0 : std::max(0.0, clear);
 }
 

@@ -188,11 +188,11 @@ class ContactSearch {
   std::vector<double> part_due_;            ///< `moved_` at which to look at the part again
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices, likewise ...
   std::vector<Asleep> vertex_asleep_;
-  NumberList due_parts_;        ///< parts to look at in this call ...
-  NumberList visits_;           ///< ... and those of them that are near the ground
-  double search_at_ = -1.0;     ///< no longer flight is searched for before
-  double deepest_ = 0.0;        ///< largest overlap at the last call, m
-  AllowedDepth allowed_;        ///< of edges and faces: what sleeps has allowed for it
+  NumberList due_parts_;                    ///< parts to look at in this call ...
+  NumberList visits_;                       ///< ... and those of them that are near the ground
+  double search_at_ = -1.0;                 ///< no longer flight is searched for before
+  double deepest_ = 0.0;                    ///< largest overlap at the last call, m
+  AllowedDepth allowed_;                    ///< of edges and faces: what sleeps has allowed for it
   std::vector<SideContact> side_contacts_;  ///< of this call
   std::vector<ContactPoint> contacts_;
 };

@@ -80,9 +80,8 @@ StepChoice choose_step(std::span<const WorldBody> bodies, const ContactPairs& pa
     const double stiffer = mobility_of(i, bodies, pairs) / body.shape->largest_mobility;
     if (stiffer > 0.0) length = std::min(length, contact.longest_step / std::sqrt(stiffer));
     if (touching) continue;
-    length = std::min(length,
-                      time_over(pairs.way_left(i, body.moving.state().position),
-                                body.moving.state().velocity.norm(), settings.gravity));
+    length = std::min(length, time_over(pairs.way_left(i, body.moving.state().position),
+                                        body.moving.state().velocity.norm(), settings.gravity));
   }
   for (const ContactPair& pair : pairs.all()) {
     if (length <= contact.time_step) return shortest;

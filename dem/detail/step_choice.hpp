@@ -19,8 +19,8 @@ struct StepChoice {
   bool flight = false;  ///< nothing touches, nor can it before the step ends
 };
 
-/// As long as the contacts of all bodies that are not idle allow: `time_step` while one of them is in
-/// an impact, and before one may begin. Without longer steps in the settings it is `time_step`
+/// As long as the contacts of all bodies that are not idle allow: `time_step` while one of them is
+/// in an impact, and before one may begin. Without longer steps in the settings it is `time_step`
 /// throughout.
 /// @param pairs  up to date
 StepChoice choose_step(std::span<const WorldBody> bodies, const ContactPairs& pairs,

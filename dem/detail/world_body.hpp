@@ -21,7 +21,7 @@ struct Shape {
         largest_mobility(*std::max_element(mobilities.begin(), mobilities.end())) {}
   RigidBody body;
   BlockSurface surface;
-  double radius;  ///< of the rounded body about its centre, m
+  double radius;                   ///< of the rounded body about its centre, m
   std::vector<double> mobilities;  ///< of its vertices, 1/kg
   double largest_mobility;
 };

@@ -95,8 +95,8 @@ class WorldMotion {
 
   double time_ = 0.0;
   double step_length_ = settings_.stiffness.time_step;  ///< of the last step, s
-  double initial_ = 0.0;     ///< energy that bodies brought, J
-  double reassigned_ = 0.0;  ///< losses of no pair, J
+  double initial_ = 0.0;                                ///< energy that bodies brought, J
+  double reassigned_ = 0.0;                             ///< losses of no pair, J
   std::uint64_t steps_ = 0;
 };
 

@@ -1,0 +1,156 @@
+// The neighbour list of two blocks against all their features, one by one.
+#include "dem/detail/block_contacts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+#include "dem/detail/deep_contacts.hpp"
+#include "tests/support/test_worlds.hpp"
+
+namespace clast {
+
+using namespace dem_detail;
+
+namespace {
+
+using Key = std::tuple<int, std::uint32_t, std::uint32_t>;
+Key key_of(const ContactPoint& contact) {
+  return {static_cast<int>(contact.kind), contact.block_feature, contact.ground_feature};
+}
+
+/// Every contact of every feature of the block with every one of the ground, however deep.
+std::vector<ContactPoint> all_against_all(const BlockSurface& ground, const BlockSurface& block,
+                                          double size, const Pose& pose) {
+  FeatureContacts tests(ground, block, size);
+  tests.move_to(pose.rotation.toRotationMatrix(), pose.translation);
+  std::vector<ContactPoint> contacts;
+  for (const std::uint32_t vertex : block.parts.vertices) {
+    const Vec3 centre = tests.placed(block.features.vertices[vertex]);
+    const NearestPoint nearest =
+        nearest_of(ground.local_faces, ground.features, centre, 1e300, 0.0, 0).nearest;
+    if (nearest.distance >= tests.reach()) continue;
+    if (nearest.distance >= 0.0) {
+      tests.add_outside(vertex, centre, ground.local_faces, contacts);
+    } else {
+      const bool backwards = tests.is_backwards(vertex, centre, nearest);
+      contacts.push_back(tests.inside(
+          vertex, centre,
+          backwards ? tests.nearest_forwards(vertex, centre, nearest, ground.local_faces)
+                    : nearest));
+    }
+  }
+  for (const BlockSide& side : block.parts.sides) {
+    std::optional<ContactPoint> contact;
+    const auto keep = [&] {
+      if (contact) add_once(contacts, *contact);
+      contact.reset();
+    };
+    for (const BlockSide& other : ground.parts.sides) {
+      if (side.is_face || other.is_face) continue;
+      tests.edge_edge(side.feature, other.feature, contact);
+      keep();
+    }
+    for (const std::uint32_t corner : ground.parts.vertices) {
+      if (side.is_face) {
+        tests.face_corner(side.feature, corner, contact);
+      } else if (tests.reach() > 0.0) {
+        tests.edge_corner(side.feature, corner, contact);
+      }
+      keep();
+    }
+  }
+  return contacts;
+}
+
+struct Pairing {
+  const char* name;
+  RigidBody ground, block;
+  int steps = 2000;
+};
+void PrintTo(const Pairing& pairing, std::ostream* out) { *out << pairing.name; }
+
+std::vector<Pairing> pairings() {
+  return {
+      {"rock on rock", rock(2, {0.42, 0.36, 0.30}, 0.02, 2700.0, 1),
+       rock(2, {0.35, 0.28, 0.25}, 0.01, 2700.0, 2)},
+      {"rough on rough", rock(4, {0.42, 0.36, 0.30}, 0.01, 2700.0, 3),
+       rock(4, {0.42, 0.30, 0.25}, 0.01, 2700.0, 4), 300},
+      {"sharp edges", rock(3, {0.42, 0.36, 0.30}, 0.0, 2700.0, 5), box(100.0, {0.4, 0.3, 0.35})},
+      {"boxes", box(100.0, {0.5, 0.4, 0.45}, 0.02), box(100.0, {0.4, 0.3, 0.35}, 0.02)},
+      {"rod", rock(3, {0.42, 0.36, 0.30}, 0.02, 2700.0, 6), capsule(10.0, 0.5, 0.06)},
+      {"ball", rock(3, {0.42, 0.36, 0.30}, 0.02, 2700.0, 7), ball(10.0, 0.2)}};
+}
+
+class BlockContactsOf : public testing::TestWithParam<Pairing> {};
+
+/// Two that move about each other while they touch a little: pushed apart by what they overlap.
+TEST_P(BlockContactsOf, AreThoseOfAllFeatures) {
+  const RigidBody &ground_body = GetParam().ground, &block_body = GetParam().block;
+  const BlockSurface ground(ground_body.shape), block(block_body.shape);
+  const double size = std::min(ground_body.size(), block_body.size());
+  const double radius = block_body.bounding_radius();
+  const double reach = ground.radius + block.radius;
+  BlockContacts search(ground, block, size);
+  Random random(17);
+  Pose pose{{0.95, 0.1, 0.0}, Quat::Identity()};
+  double travel = 0.0, deepest = 0.0;
+  std::size_t touched = 0, apart = 0, slept = 0;
+  for (int step = 0; step < GetParam().steps; ++step) {
+    const double turn = random.uniform(0.0, 0.01);
+    Vec3 shift = random.uniform(0.0, 0.004) * random.direction();
+    const double closing = 0.003 + 0.006 * std::sin(0.05 * step) - 0.4 * deepest;
+    shift -= closing * pose.translation.normalized();
+    pose.rotation =
+        (Quat(Eigen::AngleAxisd(turn, random.direction())) * pose.rotation).normalized();
+    pose.translation += shift;
+    travel += shift.norm() + 2.0 * std::sin(0.5 * turn) * radius;
+    const std::vector<ContactPoint> all = all_against_all(ground, block, size, pose);
+    const double safe = search.safe_travel();
+    const std::vector<ContactPoint> found = search.contacts(pose, travel);
+    deepest = 0.0;
+    for (const ContactPoint& contact : found) deepest = std::max(deepest, contact.overlap);
+    // What goes in deeper than twice the deepest is edges that have only passed each other.
+    std::vector<Key> expected, keys;
+    for (const ContactPoint& contact : all) {
+      if (contact.overlap <= std::max(2.0 * deepest, 2.0 * reach)) {
+        expected.push_back(key_of(contact));
+      }
+    }
+    for (const ContactPoint& contact : found) keys.push_back(key_of(contact));
+    std::sort(expected.begin(), expected.end());
+    std::sort(keys.begin(), keys.end());
+    for (const Key& key : keys) {
+      ASSERT_TRUE(std::any_of(all.begin(), all.end(),
+                              [&](const ContactPoint& c) { return key_of(c) == key; }))
+          << "step " << step;
+    }
+    if (deepest < reach + 0.05 * size) {  // deeper ones may be resolved by others
+      ASSERT_TRUE(std::includes(keys.begin(), keys.end(), expected.begin(), expected.end()))
+          << "step " << step;
+    }
+    if (travel < safe) {
+      ++slept;
+      ASSERT_TRUE(found.empty()) << "step " << step << ": " << safe - travel << " m early";
+    }
+    (found.empty() ? apart : touched) += 1;
+  }
+  EXPECT_GT(touched, 100u);
+  EXPECT_GT(apart, 50u);
+  EXPECT_GT(slept, 20u);
+}
+INSTANTIATE_TEST_SUITE_P(Pairings, BlockContactsOf, testing::ValuesIn(pairings()));
+
+// Skins far apart: known at once, and for how long.
+TEST(BlockContacts, LetBlocksFarApartMoveAsFarAsTheirGap) {
+  const BlockSurface a(box(1.0, {1.0, 1.0, 1.0}, 0.05, 1).shape), b(ball(1.0, 0.2).shape);
+  BlockContacts search(a, b, 0.4);
+  EXPECT_TRUE(search.contacts({{3.0, 0.0, 0.0}, Quat::Identity()}, 0.0).empty());
+  EXPECT_NEAR(search.safe_travel(), 3.0 - 0.5 - 0.05 - 0.2, 1e-9);
+}
+
+}  // namespace
+}  // namespace clast
