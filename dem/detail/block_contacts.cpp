@@ -8,6 +8,19 @@
 #include "dem/detail/deep_contacts.hpp"
 
 namespace clast::dem_detail {
+
+/// An edge or face of the block that lies low enough to touch, in the frame of the ground.
+struct PlacedSide {
+  std::uint32_t number;  ///< of BlockParts::sides
+  bool is_face;
+  Vec3 middle;
+  double radius;
+  double lowest;   ///< of its vertices along the direction, m
+  double beyond;   ///< `depth_beyond` of it, m
+  EdgeArc arc;     ///< out of the ground, with the slack of its turn; of a face its normal, twice
+  Vec3 direction;  ///< of an edge
+};
+
 namespace {
 
 /// Margin of the list, as a share of the smallest side: short lists that are made anew rarely.
@@ -19,12 +32,21 @@ constexpr std::size_t kFacesAtOnce = 32;
 /// Room for rounding where a feature lies on the very border of what is listed, m.
 constexpr double kRounding = 1e-9;
 
+/// Features of one part that pass between the planes: entries of the lists in `Scratch`.
+struct PartBetween {
+  Vec3 centre;
+  double radius;
+  std::size_t first_edge, end_edge;      ///< of the ground
+  std::size_t first_corner, end_corner;  ///< likewise
+};
+
 /// What is needed only while a list is made, kept to spare the allocations: lists are made by many
 /// pairs in turn, and hold nothing of it.
 struct Scratch {
   std::vector<double> ground_heights, block_heights;  ///< of the vertices along the direction, m
-  std::vector<std::uint32_t> ground_parts, block_parts;
-  std::vector<std::uint32_t> edges, corners;  ///< of a part of the ground
+  std::vector<PartBetween> ground_parts;
+  std::vector<std::uint32_t> edges, corners;  ///< of the ground: sides and vertices
+  std::vector<PlacedSide> sides;              ///< of one part of the block
 
   double lowest_of_block(std::span<const std::uint32_t> vertices) const {
     double height = 1e300;
@@ -152,28 +174,45 @@ void BlockContacts::list_features() {
   }
   low_ = *std::min_element(s.block_heights.begin(), s.block_heights.end());
   high_ = *std::max_element(s.ground_heights.begin(), s.ground_heights.end());
+  list_ground();
   const double room = listed_within() + kRounding;
-  s.ground_parts.clear();
-  s.block_parts.clear();
-  for (std::uint32_t p = 0; p < ground_.parts.parts.size(); ++p) {
-    const BlockPart& part = ground_.parts.parts[p];
-    if (direction_.dot(part.centre) + part.radius >= low_ - room) s.ground_parts.push_back(p);
-  }
-  for (std::uint32_t p = 0; p < block_.parts.parts.size(); ++p) {
-    const BlockPart& part = block_.parts.parts[p];
-    if (in_block.dot(part.centre) + offset - part.radius <= high_ + room)
-      s.block_parts.push_back(p);
-  }
-  for (const std::uint32_t p : s.block_parts) list_vertices(block_.parts.parts[p]);
-  for (const std::uint32_t p : s.ground_parts) {
-    for (const std::uint32_t q : s.block_parts) {
-      list_sides(ground_.parts.parts[p], block_.parts.parts[q]);
-    }
+  for (const BlockPart& part : block_.parts.parts) {
+    if (in_block.dot(part.centre) + offset - part.radius > high_ + room) continue;
+    list_vertices(part);
+    list_sides(part);
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const ListedPair& a, const ListedPair& b) {
     return std::tuple(a.side, a.kind, a.ground_feature) <
            std::tuple(b.side, b.kind, b.ground_feature);
   });
+}
+
+void BlockContacts::list_ground() {
+  Scratch& s = scratch();
+  const double room = listed_within() + kRounding;
+  s.ground_parts.clear();
+  s.edges.clear();
+  s.corners.clear();
+  for (const BlockPart& part : ground_.parts.parts) {
+    if (direction_.dot(part.centre) + part.radius < low_ - room) continue;
+    PartBetween between{part.centre, part.radius, s.edges.size(), 0, s.corners.size(), 0};
+    for (std::uint32_t i = part.first_side; i < part.end_side; ++i) {
+      const BlockSide& side = ground_.parts.sides[i];
+      if (side.is_face) continue;
+      const auto [a, b] = ground_.features.edges[side.feature].vertices;
+      if (std::max(s.ground_heights[a], s.ground_heights[b]) >=
+          low_ - depth_beyond(ground_.arcs[side.feature])) {
+        s.edges.push_back(i);
+      }
+    }
+    for (std::uint32_t i = part.first_vertex; i < part.end_vertex; ++i) {
+      const std::uint32_t v = ground_.parts.vertices[i];
+      if (s.ground_heights[v] >= low_ - room) s.corners.push_back(v);
+    }
+    between.end_edge = s.edges.size();
+    between.end_corner = s.corners.size();
+    s.ground_parts.push_back(between);
+  }
 }
 
 void BlockContacts::list_vertices(const BlockPart& part) {
@@ -203,105 +242,99 @@ void BlockContacts::list_vertex(std::uint32_t vertex, const Vec3& centre, double
   vertices_.push_back({vertex, 0, static_cast<std::uint32_t>(faces_.size())});
 }
 
-void BlockContacts::list_sides(const BlockPart& of_ground, const BlockPart& of_block) {
-  const double room = listed_within() + kRounding;
-  const Vec3 centre = tests_.placed(of_block.centre);
-  if (!within(centre - of_ground.centre, of_ground.radius + of_block.radius + room)) return;
+void BlockContacts::list_sides(const BlockPart& part) {
   Scratch& s = scratch();
-  s.edges.clear();
-  s.corners.clear();
-  for (std::uint32_t i = of_ground.first_side; i < of_ground.end_side; ++i) {
-    const BlockSide& side = ground_.parts.sides[i];
-    if (side.is_face) continue;
-    const auto [a, b] = ground_.features.edges[side.feature].vertices;
-    if (std::max(s.ground_heights[a], s.ground_heights[b]) >=
-            low_ - depth_beyond(ground_.arcs[side.feature]) &&
-        within(side.middle - centre, side.radius + of_block.radius + room)) {
-      s.edges.push_back(i);
-    }
-  }
-  for (std::uint32_t i = of_ground.first_vertex; i < of_ground.end_vertex; ++i) {
-    const std::uint32_t v = ground_.parts.vertices[i];
-    if (s.ground_heights[v] >= low_ - room &&
-        within(ground_.features.vertices[v] - centre, of_block.radius + room)) {
-      s.corners.push_back(v);
-    }
-  }
-  if (s.edges.empty() && s.corners.empty()) return;
-  for (std::uint32_t i = of_block.first_side; i < of_block.end_side; ++i) {
-    const BlockSide& side = block_.parts.sides[i];
-    const Vec3 middle = tests_.placed(side.middle);
-    if (within(middle - of_ground.centre, of_ground.radius + side.radius + room)) {
-      list_side(i, middle);
-    }
-  }
-}
-
-void BlockContacts::list_side(std::uint32_t number, const Vec3& middle) {
-  const BlockSide& side = block_.parts.sides[number];
-  if (side.is_face) {
-    list_face(number, middle);
-  } else {
-    list_edge(number, middle);
-  }
-}
-
-void BlockContacts::list_face(std::uint32_t number, const Vec3& middle) {
-  const Scratch& s = scratch();
-  const BlockSide& side = block_.parts.sides[number];
-  const SurfaceFace& face = block_.features.faces[side.feature];
-  const std::array<Vec3, 1> normal = {tests_.rotation() * -face.normal};
-  const double beyond = depth_beyond(direction_.dot(normal[0]), turn_);
-  if (s.lowest_of_block(face.vertices) > high_ + beyond) return;
+  place_sides(part);
+  if (s.sides.empty()) return;
   const double room = listed_within() + kRounding;
-  for (const std::uint32_t corner : s.corners) {
-    if (s.ground_heights[corner] < low_ - beyond ||
-        !within(middle - ground_.features.vertices[corner], side.radius + room) ||
-        !corner_may_face(corner, normal)) {
+  const Vec3 centre = tests_.placed(part.centre);
+  for (const PartBetween& other : s.ground_parts) {
+    if (!within(centre - other.centre, part.radius + other.radius + room)) continue;
+    const auto edges =
+        std::span(s.edges).subspan(other.first_edge, other.end_edge - other.first_edge);
+    const auto corners =
+        std::span(s.corners).subspan(other.first_corner, other.end_corner - other.first_corner);
+    for (const PlacedSide& side : s.sides) {
+      if (!within(side.middle - other.centre, side.radius + other.radius + room)) continue;
+      if (side.is_face) {
+        list_face(side, corners);
+      } else {
+        list_edge(side, edges, corners);
+      }
+    }
+  }
+}
+
+void BlockContacts::place_sides(const BlockPart& part) {
+  Scratch& s = scratch();
+  s.sides.clear();
+  for (std::uint32_t i = part.first_side; i < part.end_side; ++i) {
+    const BlockSide& of_body = block_.parts.sides[i];
+    const std::uint32_t feature = of_body.feature;
+    const double lowest = of_body.is_face
+                              ? s.lowest_of_block(block_.features.faces[feature].vertices)
+                              : s.lowest_of_block(block_.features.edges[feature].vertices);
+    if (lowest > high_ + listed_within() + kRounding) continue;
+    PlacedSide side{i,  of_body.is_face, tests_.placed(of_body.middle), of_body.radius, lowest, 0.0,
+                    {}, Vec3::Zero()};
+    if (side.is_face) {
+      side.arc.first = side.arc.second = block_.features.faces[feature].normal;
+    } else {
+      side.arc = block_.arcs[feature];
+      side.direction = tests_.rotation() * block_.features.edges[feature].direction;
+    }
+    side.arc.first = tests_.rotation() * -side.arc.first;
+    side.arc.second = tests_.rotation() * -side.arc.second;
+    side.arc.slack += turn_;
+    side.beyond = depth_beyond(side.arc);
+    if (lowest <= high_ + side.beyond) s.sides.push_back(side);
+  }
+}
+
+void BlockContacts::list_face(const PlacedSide& side, std::span<const std::uint32_t> corners) {
+  const Scratch& s = scratch();
+  const double room = listed_within() + kRounding;
+  for (const std::uint32_t corner : corners) {
+    if (s.ground_heights[corner] < low_ - side.beyond ||
+        !within(side.middle - ground_.features.vertices[corner], side.radius + room) ||
+        !corner_may_face(corner, side.arc)) {
       continue;
     }
     std::optional<ContactPoint> contact;
-    const Vec3 between = tests_.face_corner(side.feature, corner, contact);
-    list(ContactKind::kFaceVertex, number, corner, between, contact.has_value());
+    const Vec3 between =
+        tests_.face_corner(block_.parts.sides[side.number].feature, corner, contact);
+    list(ContactKind::kFaceVertex, side.number, corner, between, contact.has_value());
   }
 }
 
-void BlockContacts::list_edge(std::uint32_t number, const Vec3& middle) {
+void BlockContacts::list_edge(const PlacedSide& side, std::span<const std::uint32_t> edges,
+                              std::span<const std::uint32_t> corners) {
   const Scratch& s = scratch();
-  const BlockSide& side = block_.parts.sides[number];
-  const SurfaceEdge& edge = block_.features.edges[side.feature];
-  EdgeArc arc = block_.arcs[side.feature];
-  arc.first = tests_.rotation() * -arc.first;
-  arc.second = tests_.rotation() * -arc.second;
-  arc.slack += turn_;
-  const double lowest = s.lowest_of_block(edge.vertices);
-  if (lowest > high_ + depth_beyond(arc)) return;
-  const Vec3 direction = tests_.rotation() * edge.direction;
+  const std::uint32_t feature = block_.parts.sides[side.number].feature;
   const double room = listed_within() + kRounding;
   std::optional<ContactPoint> contact;
-  for (const std::uint32_t i : s.edges) {
+  for (const std::uint32_t i : edges) {
     const BlockSide& other = ground_.parts.sides[i];
-    if (!within(middle - other.middle, side.radius + other.radius + room) ||
-        !may_face(ground_.arcs[other.feature], ground_.features.edges[other.feature].direction, arc,
-                  direction)) {
+    if (!within(side.middle - other.middle, side.radius + other.radius + room) ||
+        !may_face(ground_.arcs[other.feature], ground_.features.edges[other.feature].direction,
+                  side.arc, side.direction)) {
       continue;
     }
     contact.reset();
-    const Vec3 between = tests_.edge_edge(side.feature, other.feature, contact);
-    list(ContactKind::kEdgeEdge, number, other.feature, between, contact.has_value());
+    const Vec3 between = tests_.edge_edge(feature, other.feature, contact);
+    list(ContactKind::kEdgeEdge, side.number, other.feature, between, contact.has_value());
   }
   const double within_reach = tests_.reach() + margin_ + kRounding;
-  if (!(tests_.reach() > 0.0) || lowest > high_ + within_reach) return;
-  const std::array<Vec3, 2> normals = {arc.first, arc.second};
-  for (const std::uint32_t corner : s.corners) {
+  if (!(tests_.reach() > 0.0) || side.lowest > high_ + within_reach) return;
+  for (const std::uint32_t corner : corners) {
     if (s.ground_heights[corner] < low_ - within_reach ||
-        !within(middle - ground_.features.vertices[corner], side.radius + within_reach) ||
-        !(arc.any || corner_may_face(corner, normals))) {
+        !within(side.middle - ground_.features.vertices[corner], side.radius + within_reach) ||
+        !corner_may_face(corner, side.arc)) {
       continue;
     }
     contact.reset();
-    const Vec3 between = tests_.edge_corner(side.feature, corner, contact);
-    list(ContactKind::kEdgeVertex, number, corner, between, contact.has_value());
+    const Vec3 between = tests_.edge_corner(feature, corner, contact);
+    list(ContactKind::kEdgeVertex, side.number, corner, between, contact.has_value());
   }
 }
 
@@ -332,14 +365,14 @@ bool BlockContacts::may_face(const EdgeArc& of_ground, const Vec3& ground_direct
   return crosses(arc, ground_direction) && crosses(of_ground, direction);
 }
 
-bool BlockContacts::corner_may_face(std::uint32_t corner, std::span<const Vec3> normals) const {
-  const double room = ground_.cone_slacks[corner] + turn_ + kRounding;
+bool BlockContacts::corner_may_face(std::uint32_t corner, const EdgeArc& arc) const {
+  if (arc.any) return true;
+  const double room = ground_.cone_slacks[corner] + arc.slack + kRounding;
   const std::span<const std::uint32_t> edges = ground_.features.edges_at(corner);
-  // A ray along which all normals rise is above the plane of each between them.
+  // A ray along which both ends of the arc rise rises along all between them.
   return std::none_of(edges.begin(), edges.end(), [&](std::uint32_t edge) {
     const Vec3 ray = ground_.features.ray(edge, corner);
-    return std::all_of(normals.begin(), normals.end(),
-                       [&](const Vec3& normal) { return ray.dot(normal) > room; });
+    return ray.dot(arc.first) > room && ray.dot(arc.second) > room;
   });
 }
 

@@ -17,6 +17,8 @@
 
 namespace clast::dem_detail {
 
+struct PlacedSide;
+
 class BlockContacts {
  public:
   /// @param ground  with faces; it and the block must outlive the search
@@ -68,13 +70,14 @@ class BlockContacts {
   double widen_gap();
   /// Lists what lies between the planes and near each other.
   void list_features();
+  void list_ground();
   void list_vertices(const BlockPart& part);
   void list_vertex(std::uint32_t vertex, const Vec3& centre, double listed);
-  void list_sides(const BlockPart& of_ground, const BlockPart& of_block);
-  /// @param number  of BlockParts::sides
-  void list_side(std::uint32_t number, const Vec3& middle);
-  void list_face(std::uint32_t number, const Vec3& middle);
-  void list_edge(std::uint32_t number, const Vec3& middle);
+  void list_sides(const BlockPart& part);
+  void place_sides(const BlockPart& part);
+  void list_face(const PlacedSide& side, std::span<const std::uint32_t> corners);
+  void list_edge(const PlacedSide& side, std::span<const std::uint32_t> edges,
+                 std::span<const std::uint32_t> corners);
   void list(ContactKind kind, std::uint32_t side, std::uint32_t of_ground, const Vec3& between,
             bool touches);
 
@@ -94,8 +97,7 @@ class BlockContacts {
   /// @param direction  of that edge
   bool may_face(const EdgeArc& of_ground, const Vec3& ground_direction, const EdgeArc& arc,
                 const Vec3& direction) const;
-  /// @param normals  the block's side, of an edge those of its faces
-  bool corner_may_face(std::uint32_t ground_vertex, std::span<const Vec3> normals) const;
+  bool corner_may_face(std::uint32_t ground_vertex, const EdgeArc& arc) const;
 
   void find_at_vertices();
   void find_at_vertex(ListedVertex& listed, std::span<const LocalGround::Face> faces);

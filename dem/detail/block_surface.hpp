@@ -9,6 +9,7 @@ namespace clast::dem_detail {
 /// Along which normals an edge may touch: those between the normals of its faces, and a little
 /// beyond (`near_arc`).
 struct EdgeArc {
+  EdgeArc() = default;
   EdgeArc(const SurfaceFeatures& surface, const SurfaceEdge& edge);
   Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< normals of its faces, unit
   double slack = 0.0;                                ///< a sine
