@@ -1,8 +1,10 @@
 #include "library/mass_blocks.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "core/angle.hpp"
 #include "core/error.hpp"
@@ -45,11 +47,37 @@ SpheroPolyhedron rounded_piece(const TriangleMesh& piece, double radius_share) {
                       "`radius_share`");
 }
 
+/// What joints cut from all masses that they cut.
+CutMass cut_masses(std::span<const TriangleMesh> masses, const MassBlockOptions& options,
+                   std::vector<std::string>& failed) {
+  CutMass all;
+  std::exception_ptr first;
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    try {
+      CutMass cut = cut_by_joints(masses[i], options.joints, options.cutting);
+      all.volume += cut.volume;
+      for (TriangleMesh& block : cut.blocks) all.blocks.push_back(std::move(block));
+    } catch (const Error& error) {
+      if (!first) first = std::current_exception();
+      failed.push_back("mass " + std::to_string(i + 1) + ": " + error.what());
+      all.volume += std::max(0.0, signed_volume(masses[i]));
+    }
+  }
+  if (all.blocks.empty() && first) std::rethrow_exception(first);
+  return all;
+}
+
 }  // namespace
 
 MassBlocks blocks_of_mass(const TriangleMesh& mass, const BlockSource& source,
                           const MassBlockOptions& options) {
-  const CutMass cut = cut_by_joints(mass, options.joints, options.cutting);
+  return blocks_of_masses({&mass, 1}, source, options);
+}
+
+MassBlocks blocks_of_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
+                            const MassBlockOptions& options) {
+  MassBlocks result;
+  const CutMass cut = cut_masses(masses, options, result.failed);
   BlockSource of_block = source;
   of_block.options += (of_block.options.empty() ? "" : " ") + options_text(options);
   std::vector<std::optional<Block>> made(cut.blocks.size());
@@ -69,7 +97,6 @@ MassBlocks blocks_of_mass(const TriangleMesh& mass, const BlockSource& source,
     ++done;
     if (options.progress) options.progress({.done = done, .total = cut.blocks.size()});
   });
-  MassBlocks result;
   result.volume = cut.volume;
   for (std::size_t i = 0; i < made.size(); ++i) {
     if (!made[i]) {

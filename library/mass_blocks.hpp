@@ -1,5 +1,6 @@
 #pragma once
 /// From a rock mass and its joints to a library of the blocks it consists of.
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,12 @@ struct MassBlockOptions {
   Progress progress = {};    ///< blocks made, from any thread, one at a time
 };
 
-/// The blocks of a mass, in the frame of the mass.
+/// The blocks of one or more masses, in their frame.
 struct MassBlocks {
   std::vector<Block> blocks;
-  double volume = 0.0;              ///< of the mass, m^3
+  double volume = 0.0;              ///< of the masses, m^3
   double block_volume = 0.0;        ///< of the blocks, m^3
-  std::vector<std::string> failed;  ///< blocks that could not be made, and why
+  std::vector<std::string> failed;  ///< blocks, or all of a mass, that could not be made, and why
 };
 
 /// Cuts the mass and makes a block of every piece.
@@ -31,5 +32,13 @@ struct MassBlocks {
 /// @throws GeometryError, InputError  as `cut_by_joints`
 MassBlocks blocks_of_mass(const TriangleMesh& mass, const BlockSource& source,
                           const MassBlockOptions& options);
+
+/// The same of several masses that do not overlap, each cut by joints of its own places; their
+/// blocks are numbered in a row.
+/// @throws GeometryError, InputError  as `cut_by_joints`; where some masses can be cut, what keeps
+///                                    others from it is among the failures
+/// @pre there is a mass
+MassBlocks blocks_of_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
+                            const MassBlockOptions& options);
 
 }  // namespace clast

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -12,21 +13,33 @@
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "app/progress_bar.hpp"
+#include "core/csv_text.hpp"
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
 #include "core/length_unit.hpp"
+#include "core/listed.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "core/statistics.hpp"
+#include "core/text_file.hpp"
+#include "core/text_table.hpp"
 #include "library/block_ranges.hpp"
 #include "library/library_update.hpp"
 #include "library/mass_file.hpp"
+#include "mesh/mesh_io.hpp"
+#include "study/released_blocks.hpp"
+#include "terrain/terrain_ranges.hpp"
 
 namespace clast {
 
 namespace {
 
 struct CutArgs {
-  std::string mass;
+  std::string mass;           ///< closed mesh; else before and after
+  std::string before, after;  ///< comma-separated
+  std::string polygon;
+  std::string scar;
+  ReleasedMassOptions difference;
   std::string output = "blocks.h5";
   std::vector<std::string> joints;
   std::string units = "m";
@@ -40,7 +53,20 @@ constexpr double kUsualShare = 0.9;
 /// Failed blocks that are named.
 constexpr std::size_t kMostNamed = 5;
 
-MassBlocks cut_blocks(const CutArgs& args) {
+/// Bodies that are listed.
+constexpr std::size_t kMostBodies = 10;
+
+MassTerrains terrains_of(const CutArgs& args) {
+  MassTerrains terrains;
+  terrains.up = args.up;
+  for (const std::string& file : split_list(args.before)) terrains.before.emplace_back(file);
+  for (const std::string& file : split_list(args.after)) terrains.after.emplace_back(file);
+  return terrains;
+}
+
+/// Calls `make` with the options and a bar; Ctrl-C ends it.
+MassBlocks cut_blocks(const CutArgs& args,
+                      const std::function<MassBlocks(const MassBlockOptions&)>& make) {
   MassBlockOptions options = args.options;
   const InterruptionWatch watch;
   std::unique_ptr<ProgressBar> progress;
@@ -50,31 +76,90 @@ MassBlocks cut_blocks(const CutArgs& args) {
     progress->update(step.done);
   };
   try {
-    return blocks_of_mass_file({args.mass, args.units, args.up}, options);
+    return make(options);
   } catch (const Cancelled&) {
     throw InputError("interrupted; " + args.output + " is as it was");
   }
 }
 
-void cut(const CutArgs& args) {
-  CutArgs checked = args;
-  check_usage([&] {
-    for (const std::string& joint : args.joints) {
-      checked.options.joints.push_back(read_joint_set(joint));
-    }
-    length_unit(args.units);
-    check_block_id(args.options.prefix + "0001");
-    args.options.block.check();
-  });
-  check_library_place(args.output);
-  const MassBlocks made = cut_blocks(checked);
-  if (made.blocks.empty()) {
-    throw GeometryError(args.mass + ": no piece became a block; the first: " + made.failed.front());
+void print_mass(const ReleasedMass& mass) {
+  for (const std::string& note : mass.notes) {
+    std::cerr << "clast: warning: " << shown(note) << "\n";
   }
-  const BlockLibrary library =
-      update_library(args.output, {.make = true}, [&](BlockLibrary& changed) {
-        for (const Block& block : made.blocks) changed.add(block, args.replace);
-      });
+  TextTable table{{"body", "m3", "m2 in plan", "m thick", "x", "y", "z", ""}, {}};
+  std::vector<std::pair<const MassBody*, const char*>> bodies;
+  for (const MassBody& body : mass.bodies) bodies.emplace_back(&body, "taken");
+  for (const MassBody& body : mass.left_out) bodies.emplace_back(&body, "left out");
+  std::sort(bodies.begin(), bodies.end(),
+            [](const auto& a, const auto& b) { return a.first->number < b.first->number; });
+  for (const auto& [body, what] : bodies) {
+    if (table.rows.size() == kMostBodies) break;
+    table.rows.push_back({std::to_string(body->number), rounded(body->volume),
+                          rounded(body->plan_area), rounded(body->greatest_thickness, 3),
+                          with_decimals(body->centre.x(), 1), with_decimals(body->centre.y(), 1),
+                          with_decimals(body->centre.z(), 1), what});
+  }
+  std::cout << table.text() << "mass of " << with_digits(mass.volume(), 4) << " m3 in "
+            << counted(mass.bodies.size(), "body", "bodies") << "; left out: ";
+  if (mass.left_out.empty()) {
+    std::cout << "none\n";
+  } else {
+    std::cout << counted(mass.left_out.size(), "body", "bodies") << " of "
+              << with_digits(mass.left_out_volume(), 3) << " m3 together\n";
+  }
+  std::cout << "edges of the surfaces, median: " << with_digits(mass.edge_before, 3)
+            << " m before, " << with_digits(mass.edge_after, 3) << " m after\n";
+}
+
+/// Where the mesh of the mass is to be written, before the work starts.
+OutputRules scar_place(const CutArgs& args) {
+  const OutputRules rules{.kind = kind_by_name(args.scar), .replace = args.replace};
+  return args.scar.empty() ? rules : check_mesh_output(args.scar, rules);
+}
+
+MassBlocks blocks_between(const CutArgs& args, const OutputRules& scar) {
+  const MassTerrains terrains = terrains_of(args);
+  ReleasedMassOptions difference = args.difference;
+  difference.least_volume = args.options.cutting.least_volume;
+  const ReleasedMass mass = read_released_mass(terrains, difference);
+  print_mass(mass);
+  if (!args.scar.empty()) {
+    write_mesh(args.scar, mesh_of(mass), {.rules = scar});
+    std::cout << printable(args.scar) << ": written\n";
+  }
+  if (args.joints.empty()) return {};
+  return cut_blocks(args, [&](const MassBlockOptions& options) {
+    return blocks_of_released_mass(mass, terrains, difference, options);
+  });
+}
+
+void check_sources(const CutArgs& args) {
+  if (args.mass.empty() == args.before.empty()) {
+    throw InputError("give a closed mesh of the mass, or --before and --after");
+  }
+  if (args.joints.empty() && args.scar.empty()) {
+    throw InputError(
+        "--joints is required; with --before, --after and --scar the mass is written "
+        "without cutting it");
+  }
+  for (const std::string& input : split_list(args.before + "," + args.after)) {
+    std::error_code none;
+    if (input.empty() || args.scar.empty()) continue;
+    if (std::filesystem::weakly_canonical(input, none) ==
+        std::filesystem::weakly_canonical(args.scar, none)) {
+      throw InputError("--scar " + args.scar +
+                       ": is read, and would be written over; give another "
+                       "name");
+    }
+  }
+  static const std::vector<std::string> known = {".glb", ".obj", ".ply", ".stl", ".vtp"};
+  if (!args.scar.empty() &&
+      std::find(known.begin(), known.end(), extension_of(args.scar)) == known.end()) {
+    throw InputError("--scar " + args.scar + ": its name must end in " + listed(known));
+  }
+}
+
+void print_blocks(const CutArgs& args, const MassBlocks& made, const BlockLibrary& library) {
   for (std::size_t i = 0; i < std::min(kMostNamed, made.failed.size()); ++i) {
     std::cerr << "clast: warning: " << shown(made.failed[i]) << "\n";
   }
@@ -99,6 +184,87 @@ void cut(const CutArgs& args) {
             << with_digits(made.volume, 4) << " m3\n"
             << printable(args.output) << ": " << counted(made.blocks.size(), "block")
             << " written, " << library.blocks().size() << " in all\n";
+}
+
+void cut(CutArgs args) {
+  check_usage([&] {
+    check_sources(args);
+    for (const std::string& joint : args.joints) {
+      args.options.joints.push_back(read_joint_set(joint));
+    }
+    length_unit(args.units);
+    check_block_id(args.options.prefix + "0001");
+    args.options.block.check();
+    if (!args.polygon.empty()) args.difference.polygon = args.polygon;
+    args.difference.check();
+  });
+  const OutputRules scar = scar_place(args);
+  if (!args.joints.empty()) check_library_place(args.output);
+  const MassBlocks made =
+      args.mass.empty() ? blocks_between(args, scar)
+                        : cut_blocks(args, [&](const MassBlockOptions& options) {
+                            return blocks_of_mass_file({args.mass, args.units, args.up}, options);
+                          });
+  if (args.joints.empty()) return;
+  if (made.blocks.empty()) {
+    throw GeometryError((args.mass.empty() ? args.before : args.mass) +
+                        ": no piece became a block; the first: " + made.failed.front());
+  }
+  const BlockLibrary library =
+      update_library(args.output, {.make = true}, [&](BlockLibrary& changed) {
+        for (const Block& block : made.blocks) changed.add(block, args.replace);
+      });
+  print_blocks(args, made, library);
+}
+
+/// The mass as the difference of two terrains.
+void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args) {
+  CLI::Option* before =
+      command
+          .add_option("--before", args.before,
+                      "Instead of a mesh: the terrain before the failure, what `clast terrain` "
+                      "takes; several files comma-separated")
+          ->excludes(mass)
+          ->type_name("FILES");
+  CLI::Option* after = command
+                           .add_option("--after", args.after,
+                                       "The terrain after it, in the same map system; the mass is "
+                                       "where it is lower")
+                           ->needs(before)
+                           ->type_name("FILES");
+  before->needs(after);
+  command
+      .add_option("--min-thickness", args.difference.min_thickness,
+                  "Upright height of the one above the other from which on it is mass, m; 0: any")
+      ->check(within(kMassThickness))
+      ->needs(before)
+      ->type_name("M")
+      ->capture_default_str();
+  command
+      .add_option("--polygon", args.polygon,
+                  "Only within these polygons (GeoJSON, GeoPackage, Shapefile)")
+      ->needs(before)
+      ->type_name("FILE");
+  command
+      .add_option("--bodies", args.difference.bodies,
+                  "Of a mass in several bodies: largest, all, or their numbers in the order of "
+                  "volume, as 1,3")
+      ->needs(before)
+      ->type_name("WHICH")
+      ->capture_default_str();
+  command
+      .add_option("--resolution", args.difference.resolution,
+                  "Make grids of such cells of both terrains first, of their highest points, m; "
+                  "default: both as they are")
+      ->check(within(kCellSize))
+      ->needs(before)
+      ->type_name("M");
+  command
+      .add_option("--scar", args.scar,
+                  "Also write the mass as a closed mesh (ply, obj, vtp, stl, glb); without "
+                  "--joints, do no more")
+      ->needs(before)
+      ->type_name("FILE");
 }
 
 /// How the mass is cut and its blocks are made.
@@ -136,15 +302,15 @@ void add_cut(CLI::App& app) {
   const auto args = std::make_shared<CutArgs>();
   MassBlockOptions& options = args->options;
   CLI::App* command = app.add_subcommand("cut", "Cut a rock mass into its blocks by joint sets");
-  command->add_option("mass", args->mass, "Closed mesh of the mass, such as a scar")
-      ->required()
-      ->type_name("MESH");
+  CLI::Option* mass =
+      command->add_option("mass", args->mass, "Closed mesh of the mass, such as a scar")
+          ->type_name("MESH");
+  add_difference_options(*command, mass, *args);
   command
       ->add_option("-j,--joints", args->joints,
                    "A joint set, DIP/DIP_DIRECTION/SPACING or DIP/DIP_DIRECTION/SPACING/SCATTER: "
                    "degrees, the direction clockwise from north (y), and metres along the normal; "
                    "give one for each set")
-      ->required()
       ->allow_extra_args(false)
       ->type_name("SET");
   command->add_option("-o,--output", args->output, "Block library; blocks in it are kept")
@@ -158,11 +324,12 @@ void add_cut(CLI::App& app) {
   command
       ->add_option("--units", args->units,
                    "Length unit of the mesh: m, cm, mm, km, in, ft, or metres per unit")
+      ->needs(mass)
       ->type_name("UNIT")
       ->capture_default_str();
   command
       ->add_option("--up", args->up,
-                   "Axis of the mesh that points up: z, y, or auto: y of glb and gltf, z of all "
+                   "Axis of the meshes that points up: z, y, or auto: y of glb and gltf, z of all "
                    "others")
       ->check(CLI::IsMember({"auto", "y", "z"}))
       ->type_name("AXIS")
@@ -176,6 +343,7 @@ void add_cut(CLI::App& app) {
       "campaign\nwith [[mass]] in_place = true releases them from there.\n"
       "Examples:\n"
       "  clast cut scar.ply -j 65/095/1.2/0.3 -j 80/190/1.5 -j 20/310/0.8/0.2 -o insitu.h5\n"
+      "  clast cut --before 2019.tif --after 2024.tif --polygon scar.geojson --scar scar.ply\n"
       "  clast classify insitu.h5 --against talus.csv");
   command->callback([args] { cut(*args); });
 }

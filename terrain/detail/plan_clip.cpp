@@ -16,7 +16,7 @@ double signed_area(std::span<const Vec2> ring) {
   return twice / 2.0;
 }
 
-double area_within(std::span<const Vec2> ring, const PlanTriangle& triangle) {
+std::vector<Vec2> part_within(std::span<const Vec2> ring, const PlanTriangle& triangle) {
   std::vector<Vec2> kept(ring.begin(), ring.end()), next;
   for (std::size_t k = 0; k < 3 && !kept.empty(); ++k) {
     const Vec2& from = triangle[k];
@@ -30,7 +30,11 @@ double area_within(std::span<const Vec2> ring, const PlanTriangle& triangle) {
     }
     kept.swap(next);
   }
-  return signed_area(kept);
+  return kept;
+}
+
+double area_within(std::span<const Vec2> ring, const PlanTriangle& triangle) {
+  return signed_area(part_within(ring, triangle));
 }
 
 }  // namespace clast::terrain_detail

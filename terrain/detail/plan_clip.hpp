@@ -13,11 +13,15 @@ using PlanTriangle = std::array<Vec2, 3>;
 /// Positive when the ring runs counter-clockwise, m^2.
 double signed_area(std::span<const Vec2> ring);
 
-/// Area of the part of a ring that lies in a triangle, with the sign of the ring's own: by
-/// cutting along the three sides one after the other. Of a ring that is not convex the parts come
-/// back joined by edges that run to and fro, which add nothing to the area.
+/// The part of a ring that lies in a triangle, as a ring; of one that is not convex, parts are
+/// joined by edges that run to and fro. Empty: none.
 /// @param triangle  counter-clockwise
 /// @cite sutherland1974
+std::vector<Vec2> part_within(std::span<const Vec2> ring, const PlanTriangle& triangle);
+
+/// Area of the part of a ring that lies in a triangle, with the sign of the ring's own. The
+/// edges that join the parts of one that is not convex add nothing to it.
+/// @param triangle  counter-clockwise
 double area_within(std::span<const Vec2> ring, const PlanTriangle& triangle);
 
 }  // namespace clast::terrain_detail

@@ -135,6 +135,11 @@ void note_change(const TriangleMesh& mesh, const TriangleMesh& grid, double cell
 
 }  // namespace
 
+TriangleMesh highest_grid(const TriangleMesh& mesh, double cell,
+                          const std::filesystem::path& path) {
+  return grid_surface(heights_of(mesh, cell, path), path);
+}
+
 RawSurface resampled(const RawSurface& surface, double cell, const std::filesystem::path& path,
                      TerrainReport& report) {
   check_one_height(surface.mesh, cell, path);

@@ -19,4 +19,8 @@ namespace clast::terrain_detail {
 RawSurface resampled(const RawSurface& surface, double cell, const std::filesystem::path& path,
                      TerrainReport& report);
 
+/// The same of the highest of its triangles over every centre, walls and overhangs or not.
+/// @throws InputError  as above
+TriangleMesh highest_grid(const TriangleMesh& mesh, double cell, const std::filesystem::path& path);
+
 }  // namespace clast::terrain_detail

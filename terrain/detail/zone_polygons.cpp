@@ -31,19 +31,25 @@ struct ReadPolygon {
   std::unique_ptr<OGRGeometry> geometry;
 };
 
-ReadPolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransformation* transform,
-                       const std::filesystem::path& path) {
-  ZonePolygon result;
+std::string zone_of(const OGRFeature& feature, int field, const std::filesystem::path& path) {
+  std::string zone;
   if (feature.IsFieldSetAndNotNull(field)) {
     // Blanks around a name are not seen in a table.
-    result.zone = feature.GetFieldAsString(field);
-    result.zone.erase(0, result.zone.find_first_not_of(" \t"));
-    result.zone.erase(result.zone.find_last_not_of(" \t") + 1);
+    zone = feature.GetFieldAsString(field);
+    zone.erase(0, zone.find_first_not_of(" \t"));
+    zone.erase(zone.find_last_not_of(" \t") + 1);
   }
-  if (result.zone.empty()) {
-    throw InputError(feature_name(feature, path) +
-                     " has an empty property \"zone\"; give the zone a name");
-  }
+  if (!zone.empty()) return zone;
+  throw InputError(feature_name(feature, path) +
+                   " has an empty property \"zone\"; give the zone a name");
+}
+
+/// @param zone  empty: the polygon has none
+ReadPolygon polygon_of(const OGRFeature& feature, const std::string& zone,
+                       OGRCoordinateTransformation* transform, const std::filesystem::path& path) {
+  ZonePolygon result;
+  result.zone = zone;
+  const std::string named = zone.empty() ? "" : " (zone \"" + zone + "\")";
   const OGRGeometry* stored = feature.GetGeometryRef();
   std::unique_ptr<OGRGeometry> geometry(stored ? stored->clone() : nullptr);
   if (geometry && transform && geometry->transform(transform) != OGRERR_NONE) {
@@ -56,9 +62,10 @@ ReadPolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransf
   } else if (type == wkbMultiPolygon) {
     for (const OGRPolygon* part : *geometry->toMultiPolygon()) add_rings(*part, result);
   } else {
-    throw InputError(feature_name(feature, path) + " (zone \"" + result.zone + "\") is a " +
-                     (geometry ? geometry->getGeometryName() : "feature without geometry") +
-                     "; zones must be polygons");
+    throw InputError(
+        feature_name(feature, path) + named + " is a " +
+        (geometry ? geometry->getGeometryName() : "feature without geometry") +
+        (zone.empty() ? "; an outline must be a polygon" : "; zones must be polygons"));
   }
   result.low = Vec2::Constant(1e300);
   result.high = -result.low;
@@ -73,8 +80,8 @@ ReadPolygon polygon_of(const OGRFeature& feature, int field, OGRCoordinateTransf
     }
   }
   if (!geometry->IsValid()) {
-    throw InputError(feature_name(feature, path) + " (zone \"" + result.zone +
-                     "\") crosses itself (" + GdalSession::message() +
+    throw InputError(feature_name(feature, path) + named + " crosses itself (" +
+                     GdalSession::message() +
                      "); repair it, for example with \"Fix geometries\" of QGIS");
   }
   return {std::move(result), std::move(geometry)};
@@ -148,7 +155,7 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
   std::vector<ReadPolygon> read;
   layer.ResetReading();
   while (const FeaturePointer feature{layer.GetNextFeature()}) {
-    read.push_back(polygon_of(*feature, field, transform.get(), path));
+    read.push_back(polygon_of(*feature, zone_of(*feature, field, path), transform.get(), path));
   }
   check_overlaps(read, path);
   std::vector<ZonePolygon> polygons;
@@ -157,6 +164,20 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
     throw InputError(path.string() + ": holds no polygons; draw one around each zone");
   }
   return polygons;
+}
+
+std::vector<ZonePolygon> read_outlines(const std::filesystem::path& path, const std::string& crs) {
+  const GdalSession session;
+  const DatasetPointer dataset = open_features(path, "polygons");
+  OGRLayer& layer = only_layer(*dataset, path, "polygons");
+  const Transformation transform = transformation(layer, crs, path);
+  std::vector<ZonePolygon> outlines;
+  layer.ResetReading();
+  while (const FeaturePointer feature{layer.GetNextFeature()}) {
+    outlines.push_back(polygon_of(*feature, "", transform.get(), path).polygon);
+  }
+  if (outlines.empty()) throw InputError(path.string() + ": holds no polygons; draw one");
+  return outlines;
 }
 
 bool is_polygon_file(const std::filesystem::path& path) {

@@ -28,6 +28,12 @@ struct ZonePolygon {
 std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
                                             const std::string& crs);
 
+/// The polygons of a file, whatever properties they have and whether they overlap or not; their
+/// zone is empty.
+/// @param crs  of the terrain, as above
+/// @throws InputError  unreadable, something that is not a polygon, or one that crosses itself
+std::vector<ZonePolygon> read_outlines(const std::filesystem::path& path, const std::string& crs);
+
 bool is_polygon_file(const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

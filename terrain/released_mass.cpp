@@ -1,0 +1,294 @@
+#include "terrain/released_mass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "core/csv_text.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "mesh/mesh_topology.hpp"
+#include "mesh/self_intersection.hpp"
+#include "mesh/triangle_geometry.hpp"
+#include "terrain/detail/gdal_raster.hpp"
+#include "terrain/detail/plan_index.hpp"
+#include "terrain/detail/resampling.hpp"
+#include "terrain/detail/surface_pair.hpp"
+#include "terrain/terrain_ranges.hpp"
+
+namespace clast {
+namespace {
+
+using terrain_detail::PairBody;
+using terrain_detail::ZonePolygon;
+
+/// Walls higher than the least thickness by more are noted, m.
+constexpr double kWallSlack = 1e-3;
+/// How far beside an upright triangle the mass is looked for, m.
+constexpr double kBeside = 1e-3;
+
+/// Places in the order of volume; none: all of them.
+std::set<std::size_t> chosen_numbers(const std::string& bodies) {
+  if (bodies == "largest") return {1};
+  std::set<std::size_t> numbers;
+  if (bodies == "all") return numbers;
+  for (const std::string& each : split_list(bodies)) {
+    const std::optional<double> number = number_in(each);
+    if (!number || *number < 1.0 || *number > 1e9 || *number != std::floor(*number)) {
+      numbers.clear();
+      break;
+    }
+    numbers.insert(static_cast<std::size_t>(*number));
+  }
+  if (!numbers.empty()) return numbers;
+  throw InputError("`bodies` = \"" + bodies +
+                   "\": must be largest, all, or numbers in the order of volume, such as 1,3");
+}
+
+/// Both surfaces in the local frame of `after`.
+struct Surfaces {
+  TriangleMesh before, after;
+  MapFrame frame;
+};
+
+void check_systems(const std::string& before, const std::string& after,
+                   std::vector<std::string>& notes) {
+  if (before.empty() != after.empty()) {
+    notes.push_back(std::string(before.empty() ? "`before`" : "`after`") +
+                    " names no map system; it is taken to be that of the other");
+  }
+  if (before.empty() || after.empty() || terrain_detail::same_crs(before, after)) return;
+  throw InputError("`before` is in the map system " + before.substr(0, 60) + ", `after` in " +
+                   after.substr(0, 60) + "; bring both to one, for example with gdalwarp");
+}
+
+std::string extent_on_map(const TriangleMesh& mesh, const MapFrame& frame) {
+  const Bounds box = bounds(mesh);
+  const Vec3 low = frame.map(box.low), high = frame.map(box.high);
+  return "x " + with_decimals(low.x(), 1) + " to " + with_decimals(high.x(), 1) + ", y " +
+         with_decimals(low.y(), 1) + " to " + with_decimals(high.y(), 1);
+}
+
+void check_overlap(const Surfaces& surfaces) {
+  const Bounds one = bounds(surfaces.before), two = bounds(surfaces.after);
+  const Vec2 low = one.low.cwiseMax(two.low).head<2>();
+  const Vec2 high = one.high.cwiseMin(two.high).head<2>();
+  if ((low.array() < high.array()).all()) return;
+  throw InputError("`before` and `after` have no place in common: one has " +
+                   extent_on_map(surfaces.before, surfaces.frame) + ", the other " +
+                   extent_on_map(surfaces.after, surfaces.frame) +
+                   "; check their map systems and upward axes");
+}
+
+Surfaces read_surfaces(const Terrain& before, const Terrain& after,
+                       const ReleasedMassOptions& options) {
+  Surfaces surfaces{before.surface, after.surface, after.frame};
+  const Vec3 shift = before.frame.origin - after.frame.origin;
+  for (Vec3& vertex : surfaces.before.vertices) vertex += shift;
+  check_overlap(surfaces);
+  if (!options.resolution) return surfaces;
+  surfaces.before = terrain_detail::highest_grid(surfaces.before, *options.resolution, "`before`");
+  surfaces.after = terrain_detail::highest_grid(surfaces.after, *options.resolution, "`after`");
+  return surfaces;
+}
+
+std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const MapFrame& frame,
+                                     const std::string& crs) {
+  if (!options.polygon) return {};
+  std::vector<ZonePolygon> outlines = terrain_detail::read_outlines(*options.polygon, crs);
+  for (ZonePolygon& outline : outlines) {
+    for (std::vector<Vec2>& ring : outline.rings) {
+      for (Vec2& corner : ring) corner -= frame.origin.head<2>();
+    }
+    outline.low -= frame.origin.head<2>();
+    outline.high -= frame.origin.head<2>();
+  }
+  return outlines;
+}
+
+[[noreturn]] void refuse_nothing(const Surfaces& surfaces, const ReleasedMassOptions& options) {
+  const std::string inside =
+      options.polygon ? " within " + options.polygon->string() : std::string();
+  const terrain_detail::HeightRange range =
+      terrain_detail::height_range(surfaces.before, surfaces.after);
+  if (range.low > range.high) {
+    throw InputError("`before` and `after` have no place in common where both have ground");
+  }
+  const auto at = [&](const Vec3& place) { return place_on_map(surfaces.frame.map(place)); };
+  std::string text = "`before` is nowhere" + inside + " more than " +
+                     with_digits(options.min_thickness, 4) + " m above `after`; ";
+  if (range.high > options.min_thickness) {
+    text += "elsewhere it is, by up to " + with_digits(range.high, 3) + " m at " +
+            at(range.high_at) + ": check the polygon and its map system, or `least_volume`";
+  } else if (range.high > 0.0) {
+    text += "the most is " + with_digits(range.high, 3) + " m at " + at(range.high_at) +
+            ": give a smaller `min_thickness`";
+  } else {
+    text += "it is above it nowhere";
+  }
+  if (-range.low > std::max(options.min_thickness, range.high)) {
+    text += "; it is up to " + with_digits(-range.low, 3) + " m below at " + at(range.low_at) +
+            ": are the two swapped?";
+  }
+  throw InputError(text);
+}
+
+/// Whether a place lies under the top of a body.
+class Cover {
+ public:
+  explicit Cover(const std::vector<const PairBody*>& bodies) {
+    for (const PairBody* body : bodies) {
+      TriangleMesh top = body->mesh;
+      top.triangles.resize(body->top_triangles);
+      tops_ = merged(std::move(tops_), top);
+    }
+    index_.emplace(terrain_detail::plan_boxes(tops_));
+  }
+
+  bool holds(const Vec2& place) const {
+    const auto near = index_->near(place);
+    return std::any_of(near.begin(), near.end(), [&](std::uint32_t t) {
+      return terrain_detail::height_on(tops_, t, place).has_value();
+    });
+  }
+
+ private:
+  TriangleMesh tops_;
+  std::optional<terrain_detail::PlanIndex> index_;
+};
+
+/// Beside an upright triangle the mass may end, as at the back of a sawn niche; inside it may not.
+bool stands_inside(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle,
+                   const Cover& cover) {
+  const Vec3 area = area_vector(mesh, triangle);
+  const Vec2 middle = centroid(mesh, triangle).head<2>();
+  if (area.z() < 0.0) return cover.holds(middle);
+  const double across = area.head<2>().norm();
+  if (across == 0.0) return false;
+  const Vec2 beside = kBeside / across * area.head<2>();
+  return cover.holds(middle + beside) && cover.holds(middle - beside);
+}
+
+void check_heights(const TriangleMesh& mesh, const char* name, const Cover& cover,
+                   const MapFrame& frame) {
+  std::size_t count = 0;
+  Vec3 first = Vec3::Zero();
+  for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+    if (area_vector(mesh, triangle).z() > 0.0 || !stands_inside(mesh, triangle, cover)) continue;
+    if (count++ == 0) first = centroid(mesh, triangle);
+  }
+  if (count == 0) return;
+  throw GeometryError(std::string(name) + ": " + counted(count, "triangle") +
+                      " within the mass stand upright or overhang, the first at " +
+                      place_on_map(frame.map(first)) +
+                      "; two heights over a place do not say what the mass is there. Give "
+                      "`resolution`, which takes the highest, or cut a closed mesh of the mass");
+}
+
+MassBody body_of(const PairBody& pair, const MapFrame& frame) {
+  const Bounds box = bounds(pair.mesh);
+  return {.mesh = {},
+          .volume = signed_volume(pair.mesh),
+          .plan_area = pair.plan_area,
+          .greatest_thickness = pair.greatest_thickness,
+          .centre = frame.map((box.low + box.high) / 2.0)};
+}
+
+TriangleMesh solid_on_map(const PairBody& pair, const MassBody& body, const MapFrame& frame) {
+  TriangleMesh mesh = pair.mesh;
+  for (Vec3& vertex : mesh.vertices) vertex = frame.map(vertex);
+  const MeshReport report = inspect(mesh);
+  const std::string where =
+      "the body of " + with_digits(body.volume, 4) + " m3 around " + place_on_map(body.centre);
+  const char* const kWayOut = "; give a `polygon` around the mass, or a `resolution`";
+  if (!report.closed() || !report.oriented()) {
+    throw GeometryError(where + " is not closed (" + report.summary() + ")" + kWayOut);
+  }
+  if (const std::size_t crossings = crossing_triangles(mesh).size()) {
+    throw GeometryError(where + " crosses itself, " + counted(crossings, "pair") +
+                        " of triangles do" + kWayOut);
+  }
+  return mesh;
+}
+
+void note_wall(const PairBody& pair, const MassBody& body, const ReleasedMassOptions& options,
+               const MapFrame& frame, std::vector<std::string>& notes) {
+  if (pair.highest_wall <= options.min_thickness + kWallSlack) return;
+  notes.push_back("body " + std::to_string(body.number) + " ends at a wall of up to " +
+                  with_digits(pair.highest_wall, 3) + " m, as at " +
+                  place_on_map(frame.map(pair.wall_at)) +
+                  ": there is the border of a surface, a step of one, or the polygon; what lies "
+                  "beyond is not in it");
+}
+
+double sum_of_volumes(const std::vector<MassBody>& bodies) {
+  return std::accumulate(bodies.begin(), bodies.end(), 0.0,
+                         [](double sum, const MassBody& body) { return sum + body.volume; });
+}
+
+}  // namespace
+
+void ReleasedMassOptions::check() const {
+  const auto check_range = [](const char* field, double value, const NumberRange& range) {
+    if (range.holds(value)) return;
+    throw InputError("`" + std::string(field) + "` = " + with_digits(value, 6) + ": must be " +
+                     range.words());
+  };
+  check_range("min_thickness", min_thickness, kMassThickness);
+  if (resolution) check_range("resolution", *resolution, kCellSize);
+  chosen_numbers(bodies);
+}
+
+double ReleasedMass::volume() const { return sum_of_volumes(bodies); }
+double ReleasedMass::left_out_volume() const { return sum_of_volumes(left_out); }
+
+ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
+                                const ReleasedMassOptions& options) {
+  options.check();
+  ReleasedMass mass;
+  check_systems(before.frame.crs, after.frame.crs, mass.notes);
+  mass.crs = after.frame.crs.empty() ? before.frame.crs : after.frame.crs;
+  const Surfaces surfaces = read_surfaces(before, after, options);
+  const MapFrame& frame = surfaces.frame;
+  mass.edge_before = median_edge(surfaces.before);
+  mass.edge_after = median_edge(surfaces.after);
+  std::vector<PairBody> pairs = terrain_detail::bodies_between(
+      terrain_detail::surface_pair(surfaces.before, surfaces.after, options.min_thickness,
+                                   outlines_of(options, frame, mass.crs)),
+      options.min_thickness);
+  std::vector<std::pair<double, const PairBody*>> order;
+  for (const PairBody& pair : pairs) order.emplace_back(signed_volume(pair.mesh), &pair);
+  std::erase_if(order, [&](const auto& each) { return each.first < options.least_volume; });
+  if (order.empty()) refuse_nothing(surfaces, options);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  const std::set<std::size_t> numbers = chosen_numbers(options.bodies);
+  if (!numbers.empty() && *numbers.rbegin() > order.size()) {
+    throw InputError("`bodies` = " + options.bodies + ": there " +
+                     (order.size() == 1 ? "is " : "are ") +
+                     counted(order.size(), "body", "bodies") + "; choose among them");
+  }
+  std::vector<const PairBody*> chosen;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (numbers.empty() || numbers.contains(i + 1)) chosen.push_back(order[i].second);
+  }
+  const Cover cover(chosen);
+  check_heights(surfaces.before, "`before`", cover, frame);
+  check_heights(surfaces.after, "`after`", cover, frame);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const PairBody& pair = *order[i].second;
+    MassBody body = body_of(pair, frame);
+    body.number = i + 1;
+    if (!numbers.empty() && !numbers.contains(i + 1)) {
+      mass.left_out.push_back(std::move(body));
+      continue;
+    }
+    note_wall(pair, body, options, frame, mass.notes);
+    body.mesh = solid_on_map(pair, body, frame);
+    mass.bodies.push_back(std::move(body));
+  }
+  return mass;
+}
+
+}  // namespace clast
