@@ -107,6 +107,27 @@ def test_a_rock_mass_is_cut_into_the_blocks_of_the_program(tmp_path):
         clast.cut(tmp_path / "missing.off", joints)
 
 
+def test_the_mass_between_two_terrains_is_that_of_the_program(tmp_path):
+    for name, step in (("before", 2.0), ("after", 0.0)):
+        heights = "".join(
+            " ".join(str(step if 4 <= i < 8 and 4 <= j < 8 else 0.0) for i in range(12)) + "\n"
+            for j in range(12)
+        )
+        head = "ncols 12\nnrows 12\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+        (tmp_path / f"{name}.asc").write_text(head + heights)
+    between = {side: tmp_path / f"{side}.asc" for side in ("before", "after")}
+    uncut = clast.cut(**between, scar=tmp_path / "scar.ply", min_thickness=0)
+    assert uncut.blocks == [] and (tmp_path / "scar.ply").exists()
+    cut = clast.cut(joints="90/90/1", **between, min_thickness=0)
+    assert cut.volume == pytest.approx(uncut.volume, rel=1e-9)
+    words = [word for side, file in between.items() for word in (f"--{side}", file)]
+    program("cut", *words, "--min-thickness", "0", "-j", "90/90/1", "-o", tmp_path / "prog.h5")
+    other = clast.Library(tmp_path / "prog.h5")
+    assert [(a.id, a.volume) for a in cut.blocks] == [(b.id, b.volume) for b in other]
+    with pytest.raises(clast.InputError, match="both before and after"):
+        clast.cut(joints="90/90/1", before=between["before"])
+
+
 def test_twins_are_those_of_the_program(made, tmp_path):
     twins = clast.vary(made / "blocks.h5", "B04_elongated", tmp_path / "py.h5", to=[(0.8, 0.5)],
                        reference="ellipsoid")  # fmt: skip

@@ -3,11 +3,14 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "core/error.hpp"
+#include "core/file_kind.hpp"
 #include "library/library_update.hpp"
 #include "library/mass_file.hpp"
+#include "mesh/mesh_io.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"
 #include "python/watched_call.hpp"
+#include "study/released_blocks.hpp"
 
 namespace clast::python_detail {
 
@@ -17,7 +20,10 @@ namespace {
 
 /// What is asked of a cut.
 struct CutRequest {
-  MassFile file;
+  MassFile file;  ///< of a closed mesh; empty: the difference of two terrains
+  MassTerrains terrains;
+  ReleasedMassOptions difference;
+  std::optional<std::filesystem::path> scar;  ///< mesh of the difference
   MassBlockOptions options;
   std::optional<std::filesystem::path> output;  ///< library; none: nothing is written
   bool replace = false;
@@ -29,8 +35,16 @@ CutRequest request_from(Keywords& given) {
     request.options.joints.push_back(read_joint_set(joints));
   }
   given.take("mass", request.file.path);
+  for (const std::string& file : given.texts("before")) request.terrains.before.emplace_back(file);
+  for (const std::string& file : given.texts("after")) request.terrains.after.emplace_back(file);
+  given.take("min_thickness", request.difference.min_thickness);
+  given.take("polygon", request.difference.polygon);
+  given.take("bodies", request.difference.bodies);
+  given.take("resolution", request.difference.resolution);
+  given.take("scar", request.scar);
   given.take("units", request.file.units);
   given.take("up", request.file.up);
+  request.terrains.up = request.file.up;
   given.take("output", request.output);
   given.take("replace", request.replace);
   given.take("prefix", request.options.prefix);
@@ -43,7 +57,32 @@ CutRequest request_from(Keywords& given) {
   given.done();
   check_block_id(request.options.prefix + "0001");
   request.options.block.check();
+  request.difference.least_volume = request.options.cutting.least_volume;
+  request.difference.check();
+  const bool both = !request.terrains.before.empty() && !request.terrains.after.empty();
+  const bool none = request.terrains.before.empty() && request.terrains.after.empty();
+  if (request.file.path.empty() ? !both : !none) {
+    throw InputError("give a closed mesh of the mass, or both before and after");
+  }
+  if (request.scar && !both) throw InputError("scar is for the mass between before and after");
   return request;
+}
+
+/// The mass between two terrains, written where asked, and its blocks where there are joints.
+MassBlocks blocks_between(const CutRequest& request) {
+  OutputRules rules{.replace = request.replace};
+  if (request.scar) {
+    rules.kind = kind_by_name(*request.scar);
+    rules = check_mesh_output(*request.scar, rules);
+  }
+  const ReleasedMass mass = read_released_mass(request.terrains, request.difference);
+  if (request.scar) write_mesh(*request.scar, mesh_of(mass), {.rules = rules});
+  if (!request.options.joints.empty() || !request.scar) {
+    return blocks_of_released_mass(mass, request.terrains, request.difference, request.options);
+  }
+  MassBlocks uncut;
+  uncut.volume = mass.volume();
+  return uncut;
 }
 
 /// (blocks, volume of the mass, volume of the blocks, why pieces became no block)
@@ -53,9 +92,12 @@ py::tuple cut(const py::dict& keywords, const py::object& progress) {
   const MassBlocks made = watched(progress, [&](const Progress& step) {
     if (request.output) check_library_place(*request.output);
     request.options.progress = step;
-    MassBlocks blocks = blocks_of_mass_file(request.file, request.options);
+    const bool mesh = !request.file.path.empty();
+    MassBlocks blocks =
+        mesh ? blocks_of_mass_file(request.file, request.options) : blocks_between(request);
+    if (request.options.joints.empty()) return blocks;
     if (blocks.blocks.empty()) {
-      throw GeometryError(request.file.path.string() +
+      throw GeometryError((mesh ? request.file.path : request.terrains.before.front()).string() +
                           ": no piece became a block; the first: " + blocks.failed.front());
     }
     if (request.output) {

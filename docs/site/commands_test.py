@@ -74,9 +74,10 @@ def write_box(path, x, y, z):
     path.write_text("\n".join(lines) + "\n")
 
 
-def write_slope(path):
-    """A slope of 40 degrees above a flat, as an ESRI grid with cells of 1 m."""
-    rows = [" ".join(f"{max(0.0, 45 - column) * 0.84 + 0.05 * ((row * 7 + column * 3) % 5):.2f}"
+def write_slope(path, nose=0.0):
+    """A slope of 40 degrees above a flat, with a rounded nose of this height, as an ESRI grid with
+    cells of 1 m."""
+    rows = [" ".join(f"{max(0.0, 45 - column) * 0.84 + 0.05 * ((row * 7 + column * 3) % 5) + max(0.0, nose * (1 - ((column - 15) ** 2 + (row - 30) ** 2) / 64)):.2f}"
                      for column in range(90)) for row in range(60)]  # fmt: skip
     path.write_text("ncols 90\nnrows 60\nxllcorner 0\nyllcorner 0\ncellsize 1\n" + "\n".join(rows) + "\n")
 
@@ -102,6 +103,7 @@ def inputs(environment, tmp_path_factory):
         (folder / "scans" / mesh.name).write_text("\n".join(lines) + "\n")
     write_box(folder / "scar.ply", 6, 4, 5)
     write_slope(folder / "quarry.asc")
+    write_slope(folder / "before.asc", 4.0)
     (folder / "stops.csv").write_text("x,y\n31,80\n38,83\n42,79\n55,84\n47,76\n")
     rings = {"rock": "[[-90,-90],[16,-90],[16,190],[-90,190],[-90,-90]]",
              "scree": "[[16,-90],[190,-90],[190,190],[16,190],[16,-90]]"}  # fmt: skip

@@ -166,10 +166,17 @@ class Cut(NamedTuple):
 
 
 def cut(
-    mass: PathLike,
-    joints: str | Sequence[str],
+    mass: PathLike | None = None,
+    joints: str | Sequence[str] | None = None,
     output: PathLike | None = None,
     *,
+    before: PathLike | Sequence[PathLike] | None = None,
+    after: PathLike | Sequence[PathLike] | None = None,
+    min_thickness: float | None = None,
+    polygon: PathLike | None = None,
+    bodies: str | None = None,
+    resolution: float | None = None,
+    scar: PathLike | None = None,
     replace: bool = False,
     prefix: str = "J",
     seed: int = 1,
@@ -185,9 +192,16 @@ def cut(
     """Cut a rock mass into its blocks by joint sets.
 
     Args:
-        mass: closed mesh, such as a scar.
-        joints: sets, "DIP/DIP_DIRECTION/SPACING" or with "/SCATTER": degrees and metres.
+        mass: closed mesh, such as a scar; or give before and after.
+        joints: sets, "DIP/DIP_DIRECTION/SPACING" or with "/SCATTER": degrees and metres. None, with
+            scar: the mass is written without cutting it.
         output: library that the blocks are added to; without, none is written.
+        before, after: terrains between which the mass lies, where the first is higher.
+        min_thickness: upright height of one above the other from which on it is mass, m.
+        polygon: file of polygons outside of which nothing counts.
+        bodies: "largest", "all", or numbers in the order of volume, "1,3".
+        resolution: both terrains are made into grids of such cells first, m.
+        scar: file that the mass between the terrains is written to as a closed mesh.
         replace: blocks of the same id.
         prefix: of the ids, which are numbered.
         seed: of the places of the joints.
@@ -195,11 +209,13 @@ def cut(
         most_blocks: joints that cut more are refused.
         density: kg/m^3.
         radius_share: Minkowski radius as a share of S, 0 to 0.25.
-        units, up: of the mesh.
+        units, up: of the mesh; up of the terrains too.
         threads: 0: one for each core; changes no bit of the result.
     """
     options = dict(
-        mass=mass, joints=joints, output=output, replace=replace, prefix=prefix, seed=seed,
+        mass=mass, joints=joints, output=output, before=before, after=after,
+        min_thickness=min_thickness, polygon=polygon, bodies=bodies, resolution=resolution,
+        scar=scar, replace=replace, prefix=prefix, seed=seed,
         least_volume=least_volume, most_blocks=most_blocks, density=density,
         radius_share=radius_share, units=units, up=up, threads=threads,
     )  # fmt: skip

@@ -1,7 +1,11 @@
 // clast cut: from the mesh of a rock mass to a library of its blocks.
+#include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "mesh/mesh_io.hpp"
+#include "mesh/mesh_topology.hpp"
 #include "tests/app/command_support.hpp"
 #include "tests/support/rock_mesh.hpp"
 
@@ -71,6 +75,7 @@ TEST_F(CutCommand, RefusesWithItemAndNextStep) {
   refused({"cut", "scar.ply", "-j", "70/95"}, 2, "is no joint set; give DIP/DIP_DIRECTION/SPACING");
   refused({"cut", "scar.ply", "-j", "95/95/1"}, 2, "dip = 95; must be from 0 to 90");
   refused({"cut", "scar.ply"}, 2, "--joints is required");
+  refused({"cut", "-j", "70/95/1"}, 2, "give a closed mesh of the mass, or --before and --after");
   refused({"cut", "none.ply", "-j", "70/95/1"}, 1, "none.ply");
   refused({"cut", "scar.ply", "-j", "70/95/1", "--prefix", "a/b"}, 2, "a/b");
   refused({"cut", "scar.ply", "-j", "70/95/0.01", "-j", "10/95/0.01", "--least-volume", "1e-9",
@@ -82,6 +87,107 @@ TEST_F(CutCommand, RefusesWithItemAndNextStep) {
   refused({"cut", "open.ply", "-j", "70/95/1"}, 1, "open.ply: the mass is not a closed surface");
   write_text_file(folder / "blocks.h5", "no library");
   refused({"cut", "scar.ply", "-j", "70/95/1"}, 1, "blocks.h5");
+}
+
+/// A made quarry, a bench 12 m high with a slope of 45 degrees, on a grid of 0.5 m; before, a
+/// rounded nose of 3 m stood out of it.
+class CutBetweenTerrains : public testing::Test {
+ protected:
+  void SetUp() override {
+    write("before.asc", true, 651000.0);
+    write("after.asc", false, 651000.0);
+    write("elsewhere.asc", false, 652000.0);
+  }
+
+  void write(const std::string& name, bool nose, double west) const {
+    std::ofstream file(folder / name);
+    file << "ncols 80\nnrows 60\nxllcorner " << std::fixed << west
+         << "\nyllcorner 5200000\ncellsize 0.5\nNODATA_value -9999\n";
+    for (int row = 59; row >= 0; --row) {
+      for (int column = 0; column < 80; ++column) {
+        const double x = 0.5 * (column + 0.5), y = 0.5 * (row + 0.5);
+        const double ground = 100.0 + std::clamp(22.0 - x, 0.0, 12.0);
+        const double u = (std::pow(x - 14.0, 2) + std::pow(y - 15.0, 2)) / 36.0;
+        file << ground + (nose ? std::max(0.0, 3.0 * (1.0 - u)) : 0.0) << ' ';
+      }
+      file << '\n';
+    }
+  }
+
+  const ScratchFolder folder;
+  const std::vector<std::string> between_ = {"cut", "--before", "before.asc", "--after",
+                                             "after.asc"};
+  std::vector<std::string> with(std::vector<std::string> more) const {
+    more.insert(more.begin(), between_.begin(), between_.end());
+    return more;
+  }
+};
+
+TEST_F(CutBetweenTerrains, TheBlocksAreReleasedInPlaceOnTheTerrainAfter) {
+  const ProgramRun run = run_clast(with({"--scar", "scar.ply", "-j", "45/90/1.5", "-j", "80/0/1.5",
+                                         "-j", "60/270/1.5", "-o", "insitu.h5"}),
+                                   folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "in 1 body; left out: none")) << run.out;
+  EXPECT_TRUE(contains(run.out, "edges of the surfaces, median: ")) << run.out;
+  const TriangleMesh scar = read_mesh(folder / "scar.ply");
+  EXPECT_TRUE(inspect(scar).closed());
+  // A paraboloid, without what is thinner than 0.1 m.
+  const double volume = 0.5 * std::numbers::pi * 36.0 * 3.0 * (1.0 - std::pow(0.1 / 3.0, 2));
+  EXPECT_NEAR(signed_volume(scar) / volume, 1.0, 5e-3);
+  const auto planned_on = [&](const std::string& terrain) {
+    write_text_file(folder / "campaign.toml",
+                    "[blocks]\nlibrary = \"insitu.h5\"\n[terrain]\nsurface = [\"" + terrain +
+                        "\"]\n[ground.ground]\nenergy_restitution = 0.01\nfriction = 0.7\n"
+                        "rolling_friction = 0.2\n[[mass]]\nin_place = true\n"
+                        "[contact.blocks]\nenergy_restitution = 0.01\nfriction = 0.7\n"
+                        "rolling_friction = 0.2\n[run]\nmax_time_s = 5\n");
+    return run_clast({"simulate", "campaign.toml", "--dry-run"}, folder.path());
+  };
+  const ProgramRun plan = planned_on("after.asc");
+  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_TRUE(contains(plan.out, "in place")) << plan.out;
+  // On the terrain before, they lie in the ground.
+  const ProgramRun wrong = planned_on("before.asc");
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_TRUE(contains(wrong.err, "the terrain must be the one without the mass")) << wrong.err;
+}
+
+TEST_F(CutBetweenTerrains, WithoutJointsTheMassAloneIsWritten) {
+  const ProgramRun run = run_clast(with({"--scar", "scar.stl"}), folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(fs::exists(folder / "scar.stl"));
+  EXPECT_FALSE(fs::exists(folder / "blocks.h5"));
+  const ProgramRun again = run_clast(with({"--scar", "scar.stl"}), folder.path());
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_EQ(run_clast(with({"--scar", "scar.stl", "--replace"}), folder.path()).exit_code, 0);
+}
+
+TEST_F(CutBetweenTerrains, RefusesWithItemAndNextStep) {
+  const auto refused = [&](const std::vector<std::string>& words, int code,
+                           const std::string& item) { expect_refused(folder, words, code, item); };
+  refused(between_, 2, "--joints is required");
+  refused(with({"-j", "70/95/1", "scar.ply"}), 2, "mass");
+  refused({"cut", "--before", "before.asc", "-j", "70/95/1"}, 2, "--before requires --after");
+  refused({"cut", "scar.ply", "--scar", "a.ply", "-j", "70/95/1"}, 2, "--scar requires --before");
+  refused(with({"--scar", "after.asc"}), 2, "after.asc: is read, and would be written over");
+  refused(with({"--scar", "scar.tif"}), 2, "its name must end in .glb, .obj, .ply, .stl, .vtp");
+  refused(with({"-j", "70/95/1", "--bodies", "none"}), 2, "--bodies = \"none\": must be largest");
+  refused(with({"-j", "70/95/1", "--bodies", "2"}), 1, "--bodies = 2: there is 1 body");
+  refused(with({"-j", "70/95/1", "--min-thickness", "4"}), 1, "give a smaller --min-thickness");
+  refused({"cut", "--before", "after.asc", "--after", "before.asc", "-j", "70/95/1"}, 1,
+          "are the two swapped?");
+  refused({"cut", "--before", "before.asc", "--after", "elsewhere.asc", "-j", "70/95/1"}, 1,
+          "--before and --after have no place in common");
+  refused({"cut", "--before", "before.asc", "--after", "none.asc", "-j", "70/95/1"}, 1, "none.asc");
+  std::string empty = read_text_file(folder / "after.asc");
+  empty.resize(empty.find("-9999") + 6);
+  for (int i = 0; i < 80 * 60; ++i) empty += "-9999 ";
+  write_text_file(folder / "empty.asc", empty);
+  refused({"cut", "--before", "before.asc", "--after", "empty.asc", "-j", "70/95/1"}, 1,
+          "empty.asc");
+  write_text_file(folder / "nan.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n");
+  refused({"cut", "--before", "before.asc", "--after", "nan.obj", "-j", "70/95/1"}, 1, "nan.obj");
 }
 
 }  // namespace

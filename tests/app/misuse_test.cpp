@@ -244,6 +244,10 @@ TEST_F(Misuse, NumbersOfOtherCommandsOutsideTheirRangesAreRefusedWithThem) {
                           {"--threads"},
                           {"--joints", "60/90/VALUE"}},
                          kNoBlock, true);
+  expect_numbers_refused({"cut", "--before", "x.asc", "--after", "y.asc", "-j", "60/90/1"},
+                         {{"--min-thickness"}, {"--resolution"}}, kNoBlock, true);
+  expect_numbers_refused({"cut", "--before", "x.asc", "--after", "y.asc", "-j", "60/90/1"},
+                         {{"--bodies"}}, kNoBlock, false);
   expect_numbers_refused({"vary", "x.h5"},
                          {{"--seed"},
                           {"--least"},
