@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -55,6 +56,29 @@ TEST(MassBlocks, OfABoxAreBoxesWithTheirClasses) {
     EXPECT_LT(block.axes().S, 1.0 + 1e-9);
   }
   EXPECT_NEAR(made.block_volume, 36.0, 0.1);
+}
+
+// Several masses in a row; one that is too small for a block is among the failures, unless all are.
+TEST(MassBlocks, OfSeveralMassesAreNumberedInARow) {
+  const MassBlockOptions options = joints({"0/0/1", "90/0/1"});
+  TriangleMesh far = box_mesh({2.0, 2.0, 2.0});
+  for (Vec3& vertex : far.vertices) vertex.x() += 50.0;
+  const TriangleMesh near = box_mesh({3.0, 3.0, 3.0}), tiny = box_mesh({0.05, 0.05, 0.05});
+  const MassBlocks one = blocks_of_mass(near, kSource, options);
+  const MassBlocks two = blocks_of_mass(far, kSource, options);
+  const MassBlocks all = blocks_of_masses(std::vector{near, tiny, far}, kSource, options);
+  ASSERT_EQ(all.blocks.size(), one.blocks.size() + two.blocks.size());
+  for (std::size_t i = 0; i < all.blocks.size(); ++i) {
+    const bool first = i < one.blocks.size();
+    const Block& alone = first ? one.blocks[i] : two.blocks[i - one.blocks.size()];
+    EXPECT_EQ(std::stoul(all.blocks[i].id.substr(1)), i + 1);
+    EXPECT_EQ(all.blocks[i].mass.volume, alone.mass.volume);
+    EXPECT_EQ(all.blocks[i].mass.centre, alone.mass.centre);
+  }
+  EXPECT_NEAR(all.volume, 27.0 + 8.0 + 0.05 * 0.05 * 0.05, 1e-9);
+  ASSERT_EQ(all.failed.size(), 1u);
+  EXPECT_TRUE(all.failed[0].starts_with("mass 2: ")) << all.failed[0];
+  EXPECT_THROW(blocks_of_masses(std::vector{tiny, tiny}, kSource, options), InputError);
 }
 
 // Far from the origin the same comes out, but for which of two vertices that nearly coincide stays.
