@@ -1,9 +1,8 @@
-// Many blocks falling into a pile: rocks dropped in a column into a bowl, measured for half a second
-// after 1.2 simulated seconds, when most of them touch. Real time is what threads shorten, processor
-// time what they must not lengthen.
-// Counters: steps per second, time per touching pair and step, pairs that are listed, that keep a
-// search, and that touch, and a digest of the final states, which shows whether two builds or
-// thread counts computed the same.
+// Many blocks falling into a pile: rocks dropped in a column into a bowl, measured for half a
+// second after 1.2 simulated seconds, when most of them touch. Real time is what threads shorten,
+// processor time what they must not lengthen. Counters: steps per second, time per touching pair
+// and step, pairs that are listed, that keep a search, and that touch, and a digest of the final
+// states, which shows whether two builds or thread counts computed the same.
 #include <benchmark/benchmark.h>
 
 #include <cstring>
