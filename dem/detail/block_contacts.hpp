@@ -26,10 +26,9 @@ class BlockContacts {
   BlockContacts(const BlockSurface& ground, const BlockSurface& block, double size);
 
   /// The contacts, in a fixed order.
-  /// @param travel  a bound of how far any point of the block has moved against the ground since
-  /// the
-  ///                start, m, that grows from call to call by no less than the shift of its centre
-  ///                and the chord of its turn times its bounding radius together
+  /// @param travel  a bound of how far any point of the block has moved against the ground, m:
+  /// grows from call to call by no less than the shift of its centre and the chord of its turn
+  /// times its bounding radius together
   const std::vector<ContactPoint>& contacts(const Pose& ground_from_block, double travel);
 
   /// No contact can come before the travel has grown beyond this (valid after `contacts`, without
@@ -90,6 +89,7 @@ class BlockContacts {
     const double along = std::min(direction_.dot(arc.first), direction_.dot(arc.second));
     return depth_beyond(arc.any ? -1.0 : along, arc.slack);
   }
+
   // Whether the two may face each other before the list ends. They touch only along normals that
   // both allow, and those turn with the bodies.
 
