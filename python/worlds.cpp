@@ -130,12 +130,11 @@ class Experiment {
     const double begin = world.time(), end = begin + duration;
     StopReason reason = StopReason::kMaxTime;
     const auto job = [&](const Progress& report) {
-      const double step = settings_.stiffness.time_step;
-      for (std::size_t count = 1; !over() && end - world.time() > step; ++count) {
-        world.step();
-        if (count % kStepsTogether == 0) report(progress_at(world.time() - begin, duration));
-      }
-      reason = world.run_until(end);
+      const double stretch = static_cast<double>(kStepsTogether) * settings_.stiffness.time_step;
+      do {
+        reason = world.run_until(std::min(end, world.time() + stretch));
+        report(progress_at(world.time() - begin, duration));
+      } while (reason == StopReason::kMaxTime && world.time() < end);
     };
     running_ = true;
     try {
@@ -303,13 +302,6 @@ class Experiment {
     if (body < count()) return body;
     throw SimulationError("there is no block number " + std::to_string(body) + "; there are " +
                           counted(count(), "block"));
-  }
-
-  bool over() const {
-    for (std::size_t body = 0; body < count(); ++body) {
-      if (!world_->resting(body) && !world_->gone(body)) return false;
-    }
-    return true;
   }
 
   std::shared_ptr<Terrain> terrain_;
