@@ -11,7 +11,7 @@ namespace clast {
 inline constexpr double kRoundingShare = 1e-9;
 
 /// 95 % interval of the mean: t s/sqrt(n) to either side, with n - 1 degrees of freedom.
-/// @return none below two values, or where they are equal, which does not tell how they scatter
+/// @return none below two values, or where they are equal, which does not show how they scatter
 /// @param possible  that no mean can lie outside of, as 0 to 1 of a share; the interval is cut
 /// there
 /// @cite student1908

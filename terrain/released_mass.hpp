@@ -52,7 +52,7 @@ struct ReleasedMass {
 /// Their top is the one surface, their base the other, without resampling: the edges of both
 /// become edges of the bodies. At the outline they have walls as high as the least thickness. The
 /// volume of a body is the integral of the thickness over its plan area. Thickness is upright; what
-/// overhangs can't be told from two heights over a place.
+/// overhangs cannot be distinguished by two heights over a place.
 /// @param before, after  on one map; each surface is of heights, z up
 /// @throws InputError     map systems that differ, no place in common, nowhere thick enough (the
 ///                        message says how thick at most, and when they seem swapped), a polygon

@@ -89,11 +89,7 @@ void ContactSearch::update_feature(std::uint32_t p, GroundFeature& feature) {
 void ContactSearch::update_pair(const PartState& part, FeaturePair& pair) {
   const std::uint32_t of_block = parts_.sides[pair.side].feature;
   std::optional<ContactPoint> contact;
-  const Vec3 between = pair.kind == ContactKind::kEdgeEdge
-                           ? tests_.edge_edge(of_block, pair.ground_feature, contact)
-                       : pair.kind == ContactKind::kEdgeVertex
-                           ? tests_.edge_corner(of_block, pair.ground_feature, contact)
-                           : tests_.face_corner(of_block, pair.ground_feature, contact);
+  const Vec3 between = tests_.side(pair.kind, of_block, pair.ground_feature, contact);
   if (contact) {
     pair.asleep = {};
     side_contacts_.push_back({pair.side, *contact});

@@ -69,6 +69,14 @@ class FeatureContacts {
 
   // Each sets the contact if there is one, and returns the way from the nearest point of the
   // ground's feature to that of the block's, m.
+
+  /// By kind, which is not kVertexGround.
+  Vec3 side(ContactKind kind, std::uint32_t of_block, std::uint32_t of_ground,
+            std::optional<ContactPoint>& contact) const {
+    return kind == ContactKind::kEdgeEdge     ? edge_edge(of_block, of_ground, contact)
+           : kind == ContactKind::kEdgeVertex ? edge_corner(of_block, of_ground, contact)
+                                              : face_corner(of_block, of_ground, contact);
+  }
   Vec3 edge_edge(std::uint32_t block_edge, std::uint32_t ground_edge,
                  std::optional<ContactPoint>& contact) const;
   Vec3 edge_corner(std::uint32_t block_edge, std::uint32_t ground_vertex,

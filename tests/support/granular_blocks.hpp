@@ -15,15 +15,8 @@ constexpr double kBlockDensity = 2600.0;  ///< kg/m^3
 
 /// A convex body of 12 vertices and 20 faces, rounded: an icosahedron stretched to the half axes.
 inline RigidBody convex_block(const Vec3& half_axes, double radius) {
-  const SpheroPolyhedron shape = sphero_polyhedron(rock_mesh(1, half_axes, 1, 0.0), radius);
-  const MassProperties mass = sphero_mass_properties(shape, kBlockDensity, 1e-3);
-  const PrincipalFrame frame = principal_frame(mass);
-  RigidBody body;
-  body.shape = transformed(shape, Pose{mass.centre, frame.rotation}.inverse());
-  body.mass = mass.mass;
-  body.moments = frame.moments;
-  body.smallest_side = 2.0 * (half_axes.minCoeff() + radius);
-  return body;
+  return body_of(sphero_polyhedron(rock_mesh(1, half_axes, 1, 0.0), radius), kBlockDensity,
+                 2.0 * (half_axes.minCoeff() + radius));
 }
 
 /// Compact blocks of five sizes, 0.85 to 1.15 times the middle one, which has the volume of a ball

@@ -15,6 +15,16 @@ inline WorldSettings stiff_world(const RigidBody& lightest, double stiffness, do
   return settings;
 }
 
+/// What `auto` takes, on ground and between bodies alike.
+/// @param fastest  m/s
+inline WorldSettings automatic_world(const std::vector<RigidBody>& shapes,
+                                     const GroundParameters& ground, double fastest) {
+  WorldSettings settings;
+  settings.stiffness = choose_stiffness(shapes, std::span(&ground, 1), fastest, 9.81).stiffness;
+  settings.between_bodies = ground;
+  return settings;
+}
+
 inline RigidState at(const Vec3& position, const Vec3& velocity = Vec3::Zero()) {
   RigidState state;
   state.position = position;
