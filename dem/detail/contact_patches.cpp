@@ -14,6 +14,14 @@ constexpr double kPatchRise = 0.052;
 /// A plane of the block joins contact points when it faces the ground within 60 degrees.
 constexpr double kFacingCosine = 0.5;
 
+/// True where the ground between the two is flat or smoothly convex.
+bool smooth_between(const ContactPoint& a, const ContactPoint& b) {
+  if (a.normal.dot(b.normal) < kPatchCosine) return false;
+  const Vec3 between = b.foot - a.foot;
+  const double rise = kPatchRise * between.norm();
+  return a.normal.dot(between) <= rise && b.normal.dot(between) >= -rise;
+}
+
 }  // namespace
 
 std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& points,
@@ -26,7 +34,7 @@ std::span<const double> ContactPatches::share(const std::vector<ContactPoint>& p
   }
   share_.assign(count, weights_ == ContactWeights::kCount ? 1.0 / static_cast<double>(count) : 1.0);
   patch_.assign(count, 0);
-  if (weights_ == ContactWeights::kNone) std::iota(patch_.begin(), patch_.end(), std::size_t{0});
+  if (weights_ == ContactWeights::kNone) std::iota(patch_.begin(), patch_.end(), 0u);
   if (weights_ == ContactWeights::kNone || weights_ == ContactWeights::kCount) return share_;
   if (weights_ == ContactWeights::kPatch) join(points, orientation);
   patch_overlap_.assign(count, 0.0);
@@ -60,38 +68,30 @@ bool ContactPatches::same_features(const std::vector<ContactPoint>& points) cons
   return true;
 }
 
-void ContactPatches::link(const std::vector<ContactPoint>& points) {
+void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
   features_.clear();
-  links_.clear();
   on_joint_.clear();
-  farther_.clear();
+  links_.clear();
   last_on_joint_.resize(block_.faces.size() + block_.edges.size(), kNoFeature);
+  std::iota(patch_.begin(), patch_.end(), 0u);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     features_.emplace_back(points[i].kind, points[i].block_feature);
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
       const std::uint32_t last = last_on_joint_[joint];
-      for (std::uint32_t j = last; j != kNoFeature; j = on_joint_[j].before) {
-        (j == last ? links_ : farther_).push_back({i, on_joint_[j].point, joint});
+      if (last != kNoFeature && unite(i, on_joint_[last].point)) {
+        links_.push_back({i, on_joint_[last].point, joint});
       }
-      on_joint_.push_back({i, joint, last_on_joint_[joint]});
-      last_on_joint_[joint] = static_cast<std::uint32_t>(on_joint_.size() - 1);
+      last_on_joint_[joint] = static_cast<std::uint32_t>(on_joint_.size());
+      on_joint_.push_back({i, joint, last});
     }
   }
-  links_.insert(links_.end(), farther_.begin(), farther_.end());
   for (const OnJoint& entry : on_joint_) last_on_joint_[entry.joint] = kNoFeature;
 }
 
 void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& orientation) {
-  std::iota(patch_.begin(), patch_.end(), std::size_t{0});
-  if (!same_features(points)) link(points);
-  // Flat or smoothly convex ground between the two.
-  const auto smooth_between = [](const ContactPoint& a, const ContactPoint& b) {
-    if (a.normal.dot(b.normal) < kPatchCosine) return false;
-    const Vec3 between = b.foot - a.foot;
-    const double rise = kPatchRise * between.norm();
-    return a.normal.dot(between) <= rise && b.normal.dot(between) >= -rise;
-  };
+  if (!same_features(points)) list_joints(points);
+  std::iota(patch_.begin(), patch_.end(), 0u);
   const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
   normals_in_body_.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -99,28 +99,39 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
     normals_in_body_.push_back(same ? normals_in_body_.back()
                                     : Vec3(body_from_world * points[i].normal));
   }
-  // A side wall joins no points on the ground: two feet stay two.
-  const auto wall = [&](std::uint32_t joint, std::uint32_t point) {
-    return joint < block_.faces.size() &&
-           block_.faces[joint].normal.dot(normals_in_body_[point]) > -kFacingCosine;
-  };
-  const auto name = [&](std::size_t point) {
-    while (patch_[point] != point) point = patch_[point] = patch_[patch_[point]];
-    return point;
-  };
-  // Neighbours mostly join all there is; then the many other links can't add anything.
-  std::size_t patches = points.size();
-  for (const Link& link : links_) {
-    if (patches == 1) break;
-    const std::size_t a = name(link.point), b = name(link.earlier);
-    if (a == b) continue;
-    if (wall(link.joint, link.point) || wall(link.joint, link.earlier)) continue;
-    if (smooth_between(points[link.point], points[link.earlier])) {
-      patch_[std::max(a, b)] = std::min(a, b);
-      --patches;
+  bool all = true;
+  for (const Link& link : links_) all = join(link, points) && all;
+  if (!all) {
+    for (const OnJoint& on : on_joint_) {
+      for (std::uint32_t j = on.before; j != kNoFeature; j = on_joint_[j].before) {
+        join({on.point, on_joint_[j].point, on.joint}, points);
+      }
     }
   }
-  for (std::size_t i = 0; i < patch_.size(); ++i) patch_[i] = patch_[patch_[i]];
+  for (std::uint32_t& patch : patch_) patch = patch_[patch];
+}
+
+bool ContactPatches::join(const Link& link, const std::vector<ContactPoint>& points) {
+  if (patch_so_far(link.point) == patch_so_far(link.earlier)) return true;
+  const bool joined = !is_wall(link.joint, link.point) && !is_wall(link.joint, link.earlier) &&
+                      smooth_between(points[link.point], points[link.earlier]);
+  return joined && unite(link.point, link.earlier);
+}
+
+bool ContactPatches::is_wall(std::uint32_t joint, std::uint32_t point) const {
+  return joint < block_.faces.size() &&
+         block_.faces[joint].normal.dot(normals_in_body_[point]) > -kFacingCosine;
+}
+
+bool ContactPatches::unite(std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t first = patch_so_far(a), second = patch_so_far(b);
+  patch_[std::max(first, second)] = std::min(first, second);
+  return first != second;
+}
+
+std::uint32_t ContactPatches::patch_so_far(std::uint32_t point) {
+  while (patch_[point] != point) point = patch_[point] = patch_[patch_[point]];
+  return point;
 }
 
 }  // namespace clast::dem_detail

@@ -2,6 +2,7 @@
 /// Contact patches: points that act as one, and the share of the stiffness that each carries.
 /// @cite garcia2022 (Eqs. 6-8)
 #include <array>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -33,9 +34,17 @@ class ContactPatches {
     std::uint32_t point = 0, joint = 0, before = 0;
   };
 
-  void join(const std::vector<ContactPoint>& points, const Quat& orientation);
   bool same_features(const std::vector<ContactPoint>& points) const;
-  void link(const std::vector<ContactPoint>& points);
+  void list_joints(const std::vector<ContactPoint>& points);
+  /// Finds the patches: points of one joint with smooth ground between them, and what those join.
+  void join(const std::vector<ContactPoint>& points, const Quat& orientation);
+  /// @return  whether the two are of one patch now
+  bool join(const Link& link, const std::vector<ContactPoint>& points);
+  /// A side wall joins no points on the ground: two feet stay two.
+  bool is_wall(std::uint32_t joint, std::uint32_t point) const;
+  /// @return  whether they were apart
+  bool unite(std::uint32_t a, std::uint32_t b);
+  std::uint32_t patch_so_far(std::uint32_t point);
   /// Planes and straight edges of the block that a contact point lies on.
   std::span<const std::uint32_t> joints_of(const ContactPoint& point,
                                            std::array<std::uint32_t, 3>& buffer) const;
@@ -44,16 +53,16 @@ class ContactPatches {
   const BlockJoints& joints_;
   ContactWeights weights_;
 
-  // Of the last call. The links depend only on the features, which mostly stay from call to call.
+  // Of the last call. The joints depend only on the features, which mostly stay from call to call.
   std::vector<double> share_;
-  std::vector<std::size_t> patch_;  ///< smallest point of the same patch
+  std::vector<std::uint32_t> patch_;  ///< smallest point of the same patch
   std::vector<double> patch_overlap_;
   std::vector<Vec3> normals_in_body_;
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< of the block, by point
-  std::vector<Link> links_;  ///< neighbours in the order of points first, then all others
-  // Scratch of `link`, kept to spare the allocations.
   std::vector<OnJoint> on_joint_;
-  std::vector<Link> farther_;
+  /// As few as join all that the joints can: mostly every one of them does, and no other pair of
+  /// points needs a look.
+  std::vector<Link> links_;
   std::vector<std::uint32_t> last_on_joint_;  ///< entry of `on_joint_`, by joint
 };
 
