@@ -22,7 +22,7 @@ bool passes(const BlockFilter& filter, const Block& block) {
   return filter.scheme.empty() || shape_class(filter.scheme, block.axes()) == filter.shape_class;
 }
 
-std::vector<Block> selected_blocks(const Campaign& campaign, const BlockLibrary& library) {
+std::vector<Block> selected_from(const BlockLibrary& library, const Campaign& campaign) {
   const BlockSelection& selection = campaign.blocks;
   std::vector<Block> blocks;
   for (const std::string& id : selection.filter.ids) blocks.push_back(library.block(id));
@@ -120,49 +120,6 @@ std::vector<CampaignBlock> all_of(const std::vector<Block>& blocks, const BlockS
   return chosen;
 }
 
-std::vector<CampaignBlock> drawn_from(const Campaign& campaign, const std::vector<Block>& blocks) {
-  const BlockDraw& draw = *campaign.blocks.draw;
-  // Every share with the blocks that it can be drawn from; without shares all in one.
-  std::vector<std::vector<std::size_t>> pools;
-  std::vector<double> shares;
-  if (draw.shares.empty()) {
-    pools.emplace_back(blocks.size());
-    std::iota(pools.back().begin(), pools.back().end(), std::size_t{0});
-    shares.push_back(1.0);
-  }
-  for (const auto& [name, share] : draw.shares) {
-    std::vector<std::size_t> pool;
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      if (shape_class(draw.scheme, blocks[i].axes()) == name) pool.push_back(i);
-    }
-    if (pool.empty()) {
-      throw InputError(campaign.file.string() + ": [blocks] draw asks for blocks of class \"" +
-                       name + "\" by " + draw.scheme + ", but none is selected from " +
-                       campaign.blocks.library.string() +
-                       "; add such a block to the library or leave the class out");
-    }
-    pools.push_back(std::move(pool));
-    shares.push_back(share);
-  }
-  std::vector<CampaignBlock> drawn;
-  const std::vector<std::size_t> counts = quotas(shares, draw.count);
-  const std::uint32_t draws = campaign.stay ? campaign.stay->realisations : 1;
-  for (std::uint32_t k = 0; k < draws; ++k) {
-    Random random(k == 0 ? draw.seed
-                         : study_detail::named_seed(draw.seed, "realisation " + std::to_string(k)));
-    for (std::size_t pool = 0; pool < pools.size(); ++pool) {
-      for (std::size_t i = 0; i < counts[pool]; ++i) {
-        const std::size_t block = pools[pool][random.below(pools[pool].size())];
-        const double mass = blocks[block].mass.mass;
-        const double scale = draw.mass ? std::cbrt(draw.mass->draw(random) / mass) : 1.0;
-        drawn.push_back(
-            {blocks[block].id + "#" + std::to_string(drawn.size() + 1), block, scale, 0});
-      }
-    }
-  }
-  return drawn;
-}
-
 /// Ids of a group that no block has are slips of the keyboard; blocks that do not run are not.
 void check_named(const Campaign& campaign, const BlockGroup& group, const BlockLibrary& library,
                  const BlockChoice& choice) {
@@ -223,15 +180,82 @@ void drop_unused(BlockChoice& choice) {
 BlockChoice choose_blocks(const Campaign& campaign, const BlockMaking& making) {
   BlockChoice choice;
   const BlockLibrary library = BlockLibrary::read(campaign.blocks.library);
-  choice.library = selected_blocks(campaign, library);
+  choice.library = selected_from(library, campaign);
   if (campaign.blocks.vary) vary(campaign, library, making, choice);
   for (const BlockGroup& group : campaign.groups) check_named(campaign, group, library, choice);
   check_sizes(campaign, choice.library);
-  choice.blocks = campaign.blocks.draw ? drawn_from(campaign, choice.library)
+  choice.blocks = campaign.blocks.draw ? draw_blocks(campaign, choice.library)
                                        : all_of(choice.library, campaign.blocks.scale);
   put_in_groups(campaign, choice);
   drop_unused(choice);
   return choice;
+}
+
+std::vector<Block> selected_blocks(const Campaign& campaign) {
+  return selected_from(BlockLibrary::read(campaign.blocks.library), campaign);
+}
+
+std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vector<Block>& blocks) {
+  const BlockDraw& draw = *campaign.blocks.draw;
+  // Every share with the blocks that it can be drawn from; without shares all in one.
+  std::vector<std::vector<std::size_t>> pools;
+  std::vector<double> shares;
+  if (draw.shares.empty()) {
+    pools.emplace_back(blocks.size());
+    std::iota(pools.back().begin(), pools.back().end(), std::size_t{0});
+    shares.push_back(1.0);
+  }
+  for (const auto& [name, share] : drawn_shares(draw)) {
+    std::vector<std::size_t> pool;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      if (shape_class(draw.scheme, blocks[i].axes()) == name) pool.push_back(i);
+    }
+    if (pool.empty()) {
+      throw InputError(campaign.file.string() + ": [blocks] draw asks for blocks of class \"" +
+                       name + "\" by " + draw.scheme + ", but none is selected from " +
+                       campaign.blocks.library.string() +
+                       "; add such a block to the library or leave the class out");
+    }
+    pools.push_back(std::move(pool));
+    shares.push_back(share);
+  }
+  std::vector<CampaignBlock> drawn;
+  const std::vector<std::size_t> counts = quotas(shares, draw.count);
+  const std::uint32_t draws = campaign.stay ? campaign.stay->realisations : 1;
+  for (std::uint32_t k = 0; k < draws; ++k) {
+    Random random(k == 0 ? draw.seed
+                         : study_detail::named_seed(draw.seed, "realisation " + std::to_string(k)));
+    for (std::size_t pool = 0; pool < pools.size(); ++pool) {
+      for (std::size_t i = 0; i < counts[pool]; ++i) {
+        const std::size_t block = pools[pool][random.below(pools[pool].size())];
+        const double mass = blocks[block].mass.mass;
+        const double scale = draw.mass ? std::cbrt(draw.mass->draw(random) / mass) : 1.0;
+        drawn.push_back(
+            {blocks[block].id + "#" + std::to_string(drawn.size() + 1), block, scale, 0});
+      }
+    }
+  }
+  return drawn;
+}
+
+std::vector<std::pair<std::string, double>> drawn_shares(const BlockDraw& draw) {
+  if (draw.set_shares.empty()) return draw.shares;
+  double set = 0.0, others = 0.0;
+  for (const auto& [name, share] : draw.shares) {
+    const auto found = draw.set_shares.find(name);
+    (found != draw.set_shares.end() ? set : others) +=
+        found != draw.set_shares.end() ? found->second : share;
+  }
+  if (set > 1.0 || (others <= 0.0 && set != 1.0)) {
+    throw InputError("the shares of classes that are set add up to " + with_digits(set, 6) +
+                     (set > 1.0 ? ", more than 1" : ", and no other class makes up the rest"));
+  }
+  std::vector<std::pair<std::string, double>> shares = draw.shares;
+  for (auto& [name, share] : shares) {
+    const auto found = draw.set_shares.find(name);
+    share = found != draw.set_shares.end() ? found->second : share * (1.0 - set) / others;
+  }
+  return shares;
 }
 
 std::vector<std::size_t> quotas(const std::vector<double>& shares, std::size_t count) {

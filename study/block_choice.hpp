@@ -1,6 +1,7 @@
 #pragma once
 /// The blocks of a campaign: selected or drawn from a library, scaled, put in groups.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/progress.hpp"
@@ -40,6 +41,20 @@ struct BlockMaking {
 ///                     groups; a body that is asked for twice
 /// @throws GeometryError  a body that can't be made
 BlockChoice choose_blocks(const Campaign& campaign, const BlockMaking& making = {});
+
+/// The blocks that [blocks] selects of its library, unscaled: what a draw draws from.
+/// @throws InputError  a missing id, or nothing selected
+std::vector<Block> selected_blocks(const Campaign& campaign);
+
+/// Draws as [blocks] draw asks.
+/// @param pool  selected blocks; those drawn name their places in it
+/// @throws InputError  a class that shall be drawn and has no block; shares as `drawn_shares`
+std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vector<Block>& pool);
+
+/// Shares of the classes of a draw, sum 1; empty: as they are. Shares that are set stay, the other
+/// classes divide what is left in the proportions that they have.
+/// @throws InputError  those set add up to more than 1, or to less and there is no other class
+std::vector<std::pair<std::string, double>> drawn_shares(const BlockDraw& draw);
 
 /// How many of `count` go to each share: whole numbers, largest remainders first.
 std::vector<std::size_t> quotas(const std::vector<double>& shares, std::size_t count);

@@ -39,7 +39,9 @@ struct BlockDraw {
   std::uint64_t seed = 1;
   std::string scheme = "garcia";
   std::vector<std::pair<std::string, double>> shares;  ///< of classes, sum 1; empty: as they are
-  std::optional<Uncertain> mass;                       ///< kg; none: the block's own
+  /// In place of those of these classes; the others divide what is left as they did before.
+  std::map<std::string, double> set_shares = {};
+  std::optional<Uncertain> mass;  ///< kg; none: the block's own
 };
 
 /// Which blocks run, and how large.

@@ -36,6 +36,24 @@ BlockSummary summary_of(const CampaignBlock& chosen, const Block& block, const R
           made ? in_words(*made) : ""};
 }
 
+std::vector<BlockSummary> block_summaries(const PreparedCampaign& prepared) {
+  std::vector<BlockSummary> summaries;
+  for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
+    const CampaignBlock& chosen = prepared.choice.blocks[i];
+    summaries.push_back(summary_of(chosen, prepared.choice.library[chosen.library],
+                                   prepared.bodies[i], prepared.campaign.groups));
+  }
+  return summaries;
+}
+
+void make_bodies(PreparedCampaign& prepared) {
+  prepared.bodies.clear();
+  for (const CampaignBlock& block : prepared.choice.blocks) {
+    prepared.bodies.push_back(
+        scaled(rigid_body(prepared.choice.library[block.library]), block.scale));
+  }
+}
+
 std::string with_digest(const std::filesystem::path& file) {
   return file.string() + " " + sha256_of_file(file);
 }
@@ -57,11 +75,7 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
     header.inputs.push_back(with_digest(campaign.ensemble.posterior->file));
   }
   header.program_version = version();
-  for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
-    const CampaignBlock& chosen = prepared.choice.blocks[i];
-    header.blocks.push_back(summary_of(chosen, prepared.choice.library[chosen.library],
-                                       prepared.bodies[i], campaign.groups));
-  }
+  header.blocks = block_summaries(prepared);
   for (const Block& block : prepared.choice.library) {
     header.shapes.push_back(rigid_body(block).shape);
   }
@@ -90,14 +104,17 @@ RigidBody rigid_body(const Block& block) {
           .smallest_side = block.axes().S};
 }
 
+void redraw_blocks(PreparedCampaign& prepared) {
+  prepared.choice.blocks = draw_blocks(prepared.campaign, prepared.choice.library);
+  make_bodies(prepared);
+  prepared.header.blocks = block_summaries(prepared);
+}
+
 PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& making) {
   PreparedCampaign prepared;
   prepared.campaign = campaign;
   prepared.choice = choose_blocks(campaign, making);
-  for (const CampaignBlock& block : prepared.choice.blocks) {
-    prepared.bodies.push_back(
-        scaled(rigid_body(prepared.choice.library[block.library]), block.scale));
-  }
+  make_bodies(prepared);
   prepared.header = header_of(prepared, read_terrain(campaign.terrain));
   CampaignResults& header = prepared.header;
   check_sizes(prepared);

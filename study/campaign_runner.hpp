@@ -52,6 +52,11 @@ ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run)
 /// @throws GeometryError    a body of [blocks] vary can't be made
 PreparedCampaign prepare_campaign(const Campaign& campaign, const BlockMaking& making = {});
 
+/// Draws the blocks anew, as the campaign asks by now, out of `prepared.choice.library`, which
+/// stays whole; runs are left as they are.
+/// @throws InputError  as `draw_blocks`
+void redraw_blocks(PreparedCampaign& prepared);
+
 /// Every n-th run of a campaign, or realisation where blocks stay, so that n jobs that know nothing
 /// of each other do it all: `merge_results` joins what they wrote.
 struct Shard {

@@ -113,15 +113,20 @@ std::string unknown_in_words(const std::string& parameter) {
     const std::size_t begin = std::string("ground.").size();
     return std::string(one.words) + " of " + parameter.substr(begin, point - begin);
   }
+  if (const std::string name = share_class(parameter); !name.empty()) {
+    return "share of " + name + " blocks";
+  }
   std::string words = field.substr(0, field.find("_n_m"));
-  for (const char* unit : {"_m_s", "_rad_s", "_m"}) {
+  for (const char* unit : {"_m_s", "_rad_s", "_m", "_kg"}) {
     if (words.ends_with(unit)) {
       words.resize(words.size() - std::string(unit).size());
       break;
     }
   }
   std::replace(words.begin(), words.end(), '_', ' ');
-  return words + (is_of_release(parameter) ? " of release" : " of contacts");
+  return words + (is_of_release(parameter)  ? " of release"
+                  : is_of_blocks(parameter) ? " of blocks"
+                                            : " of contacts");
 }
 
 std::string calibration_answer(const Calibration& calibration) {

@@ -1,10 +1,12 @@
 #include "study/calibration/calibration_study.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/listed.hpp"
+#include "core/number_text.hpp"
 #include "core/sobol.hpp"
 #include "core/text_file.hpp"
 #include "study/calibration/observation_reading.hpp"
@@ -113,10 +115,7 @@ std::vector<Unknown> read_unknowns(const TomlTable& top,
     if (std::none_of(sites.begin(), sites.end(), [&](const CalibrationSite& site) {
           return has_parameter(site.campaign, unknown.parameter);
         })) {
-      table.refuse("parameter", name,
-                   unknown.parameter == "release.height_m"
-                       ? "no campaign releases blocks at a height_m"
-                       : "no campaign has this zone");
+      table.refuse("parameter", name, why_no_campaign_has(unknown.parameter));
     }
     unknowns.push_back(std::move(unknown));
   }
@@ -154,6 +153,31 @@ void check_certain(const CalibrationStudy& study) {
                          " is uncertain in the campaign of site " + site.name +
                          "; make it an [[unknown]], or give it a value there");
       }
+    }
+  }
+}
+
+/// Shares that are unknown leave some to other classes, wherever in their ranges they are.
+void check_shares(const CalibrationStudy& study) {
+  for (const CalibrationSite& site : study.sites) {
+    std::set<std::string> classes;
+    double most = 0.0;
+    for (const Unknown& unknown : study.unknowns) {
+      const std::string name = share_class(unknown.parameter);
+      if (name.empty() || !has_parameter(site.campaign, unknown.parameter)) continue;
+      classes.insert(name);
+      most += unknown.high;
+    }
+    if (classes.empty()) continue;
+    if (classes.size() == site.campaign.blocks.draw->shares.size()) {
+      throw InputError(study.file.string() + ": every share of site " + site.name +
+                       " is an unknown, and they add up to 1; leave one class out, which gets "
+                       "what the others leave");
+    }
+    if (most > 1.0) {
+      throw InputError(study.file.string() + ": the unknown shares of site " + site.name +
+                       " add up to " + with_digits(most, 6) +
+                       " at the upper ends of their ranges; lower these until it is 1 at most");
     }
   }
 }
@@ -204,6 +228,7 @@ CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const Pa
   if (!read([&] { study.sites = read_sites(top); })) return study;
   if (read([&] { study.unknowns = read_unknowns(top, study.sites); })) {
     read([&] { check_certain(study); });
+    read([&] { check_shares(study); });
   }
   read([&] { study.observations = read_observations(top, study.sites); });
   return study;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "classify/schemes.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/random.hpp"
 #include "study/calibration/observation_reading.hpp"
 #include "study/campaign_runner.hpp"
+#include "study/detail/campaign_checks.hpp"
 #include "study/detail/ground_sets.hpp"
 #include "study/detail/named_seed.hpp"
 #include "study/detail/realisation.hpp"
@@ -27,6 +29,14 @@ Campaign with_middles(Campaign campaign, const std::vector<Unknown>& unknowns) {
     }
   }
   return campaign;
+}
+
+/// Does the campaign have an unknown of this kind?
+bool has_any(const Campaign& campaign, const std::vector<Unknown>& unknowns,
+             bool (*kind)(const std::string&)) {
+  return std::any_of(unknowns.begin(), unknowns.end(), [&](const Unknown& unknown) {
+    return kind(unknown.parameter) && has_parameter(campaign, unknown.parameter);
+  });
 }
 
 /// Sees what a run does at the moments that are observed.
@@ -113,30 +123,70 @@ struct SiteSimulator::Impl {
   std::vector<Unknown> unknowns;
   CalibrationDesign design;
   bool starts_vary = false;
+  /// Blocks are drawn for each member; outcomes name those that they are drawn from.
+  bool blocks_vary = false;
   PreparedCampaign prepared;
-  std::vector<RunRecord> planned;  ///< all runs of the campaign
+  std::vector<RunRecord> planned;  ///< all runs of the campaign, at the middle of the ranges
   SiteFacts facts;
   std::vector<std::string> inputs;
 
-  void plan() {
-    prepared.runs.clear();
-    prepared.header.release_sets.clear();
-    prepared.header.set_of_point.clear();
-    prepared.header.release_points.clear();
-    plan_runs(prepared);
-    planned = prepared.runs;
-  }
-
   /// So many of the planned runs, one by chance out of each equal part of them.
-  std::vector<RunRecord> chosen_runs(std::uint32_t member) const {
+  std::vector<RunRecord> chosen_runs(std::uint32_t member) {
     Random random(named_seed(design.seed, name + " member " + std::to_string(member)));
-    std::vector<RunRecord> runs;
+    std::vector<std::uint32_t> numbers;
     const double each = static_cast<double>(planned.size()) / design.releases;
     for (std::uint32_t i = 0; i < design.releases; ++i) {
       const auto number = static_cast<std::size_t>((i + random.uniform()) * each);
-      runs.push_back(planned[std::min(number, planned.size() - 1)]);
+      numbers.push_back(static_cast<std::uint32_t>(std::min(number, planned.size() - 1)));
     }
+    if (starts_vary || blocks_vary) return planned_runs(prepared, numbers);
+    std::vector<RunRecord> runs;
+    for (const std::uint32_t number : numbers) runs.push_back(planned[number]);
     return runs;
+  }
+
+  /// Other blocks for each member, so that how much a few drawn blocks differ from their law shows
+  /// as scatter.
+  void draw_blocks_of(std::uint32_t member) {
+    const std::uint64_t seed = std::exchange(
+        prepared.campaign.blocks.draw->seed,
+        named_seed(prepared.campaign.blocks.draw->seed, "member " + std::to_string(member)));
+    redraw_blocks(prepared);
+    prepared.campaign.blocks.draw->seed = seed;
+  }
+
+  /// The largest blocks that members may have must not be of unusual size.
+  void check_largest_blocks() {
+    const Campaign middle = prepared.campaign;
+    for (const Unknown& unknown : unknowns) {
+      if (!is_of_blocks(unknown.parameter) || !share_class(unknown.parameter).empty()) continue;
+      if (has_parameter(middle, unknown.parameter)) {
+        set_parameter(prepared.campaign, unknown.parameter, unknown.high);
+      }
+    }
+    draw_blocks_of(0);
+    try {
+      check_sizes(prepared);
+    } catch (const InputError& error) {
+      throw InputError(std::string(error.what()) +
+                       "; blocks are drawn with the masses of [[unknown]] at the upper ends of "
+                       "their ranges");
+    }
+    prepared.campaign = middle;
+  }
+
+  void name_blocks() {
+    if (blocks_vary) {
+      for (const Block& block : prepared.choice.library) {
+        facts.blocks.push_back(block.id);
+        facts.shapes.push_back(garcia_class(block.axes()));
+      }
+      return;
+    }
+    for (const BlockSummary& block : prepared.header.blocks) {
+      facts.blocks.push_back(block.id);
+      facts.shapes.push_back(block.garcia);
+    }
   }
 };
 
@@ -146,10 +196,9 @@ SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unkn
   Impl& own = *impl_;
   own.name = site.name;
   own.design = design;
-  for (const Unknown& unknown : unknowns) {
-    own.starts_vary = own.starts_vary || is_of_release(unknown.parameter);
-  }
   own.unknowns = unknowns;
+  own.starts_vary = has_any(site.campaign, unknowns, is_of_release);
+  own.blocks_vary = has_any(site.campaign, unknowns, is_of_blocks);
   own.planned = own.prepared.runs;
   if (own.planned.size() < design.releases) {
     throw InputError(site.campaign.file.string() + ": plans " + std::to_string(own.planned.size()) +
@@ -158,10 +207,11 @@ SiteSimulator::SiteSimulator(const CalibrationSite& site, const std::vector<Unkn
   }
   own.facts = path_of(site);
   own.facts.moments = moments;
-  for (const BlockSummary& block : own.prepared.header.blocks) {
-    own.facts.blocks.push_back(block.id);
-    own.facts.shapes.push_back(block.garcia);
+  if (own.blocks_vary) {
+    own.prepared.choice.library = selected_blocks(own.prepared.campaign);
+    own.check_largest_blocks();
   }
+  own.name_blocks();
   own.inputs = own.prepared.header.inputs;
   own.inputs.insert(own.inputs.begin(), site.campaign.file.string() + " " + site.campaign.sha256);
 }
@@ -185,7 +235,7 @@ std::vector<ReleaseOutcome> SiteSimulator::simulate(std::uint32_t member,
       }
     }
     prepared.header.ground_sets = ground_sets(prepared.campaign, prepared.header.zone_names);
-    if (own.starts_vary) own.plan();
+    if (own.blocks_vary) own.draw_blocks_of(member);
     prepared.runs = own.chosen_runs(member);
     settle_stiffness(prepared);
   } catch (const Error& error) {
@@ -201,6 +251,10 @@ std::vector<ReleaseOutcome> SiteSimulator::simulate(std::uint32_t member,
     const StoredRun run =
         runs_from(prepared, static_cast<std::uint32_t>(i), {}, 1, observe).front();
     outcomes[i] = outcome_of(run, prepared);
+    if (own.blocks_vary) {
+      outcomes[i].block =
+          static_cast<std::uint32_t>(prepared.choice.blocks[outcomes[i].block].library);
+    }
     outcomes[i].moments = moments.outcomes(run.record.result.final_state);
     if (run.record.result.stop_reason == StopReason::kError) {
       failures[i] = run.record.result.message;

@@ -11,7 +11,8 @@ namespace clast {
 
 /// The campaign of a site, loaded and placed once, with the unknowns set for one member after the
 /// other. Releases of a member are taken evenly from all runs that the campaign plans, other ones
-/// for each member.
+/// for each member. Where an unknown is of drawn blocks, these are drawn anew for each member, and
+/// outcomes name the blocks of the library that they are drawn from.
 class SiteSimulator {
  public:
   /// @param unknowns  those that the campaign does not have are left out

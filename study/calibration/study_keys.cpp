@@ -41,14 +41,18 @@ KeyTable site_table() {
           true};
 }
 
-/// Names of parameters, those of zones with any name of a zone.
+/// Names of parameters, with any name in place of that of a zone or class.
 std::string parameter_pattern() {
   std::string names;
   for (const auto& [name, range] : calibrated_parameters()) {
     names += names.empty() ? "" : "|";
     for (const char letter : name) names += letter == '.' ? "\\." : std::string(1, letter);
   }
-  for (std::size_t at; (at = names.find("ZONE")) != std::string::npos;) names.replace(at, 4, ".+");
+  for (const std::string any : {"ZONE", "CLASS"}) {
+    for (std::size_t at; (at = names.find(any)) != std::string::npos;) {
+      names.replace(at, any.size(), ".+");
+    }
+  }
   return "^(" + names + ")$";
 }
 
@@ -68,7 +72,7 @@ KeyTable unknown_table() {
           Repeat::kEither,
           {{"parameter",
             "",
-            "such as ground.ZONE.friction or release.height_m",
+            "such as ground.ZONE.friction, release.height_m or blocks.mass_median_kg",
             {fitting(parameter_pattern())},
             true},
            {"range", "", "[low, high]", {list(number(any_parameter()), 2, 2)}, true},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "classify/schemes.hpp"
 #include "core/error.hpp"
 #include "core/listed.hpp"
 #include "study/detail/campaign_ranges.hpp"
@@ -17,14 +18,17 @@ using namespace study_detail;
 namespace {
 
 constexpr const char* kGround = "ground.";
+constexpr const char* kShare = "blocks.share.";
 
-/// A parameter that is not of a zone.
+/// A parameter that is not of a zone or class.
 struct Settable {
   const char* name;
   const char* unit;
   NumberRange range;
-  bool of_release;
   void (*set)(Campaign& campaign, double value);
+  /// Null: every campaign has it.
+  bool (*has)(const Campaign& campaign) = nullptr;
+  const char* why_not = "";  ///< no campaign has it
 };
 
 template <class Set>
@@ -41,26 +45,58 @@ void set_spin(Campaign& campaign, double value) {
   in_releases(campaign, [&](ReleasePlan& release) { release.angular_velocity[axis] = value; });
 }
 
+bool has_height(const Campaign& campaign) {
+  return std::all_of(campaign.releases.begin(), campaign.releases.end(),
+                     [](const ReleasePlan& release) { return release.drop_height.has_value(); });
+}
+
+/// Are the masses of drawn blocks of this law?
+template <Uncertain::Law law>
+bool has_mass(const Campaign& campaign) {
+  const std::optional<BlockDraw>& draw = campaign.blocks.draw;
+  return draw && draw->mass && draw->mass->law == law;
+}
+template <double Uncertain::*number>
+void set_mass(Campaign& campaign, double value) {
+  (*campaign.blocks.draw->mass).*number = value;
+}
+
 std::span<const Settable> settables() {
+  using Law = Uncertain::Law;
   static constexpr NumberRange kSpeed{-kMostSpeed, kMostSpeed, "m/s"};
   static constexpr NumberRange kSpin{-kMostSpin, kMostSpin, "rad/s"};
-  static constexpr std::array<Settable, 10> kSettables{
-      {{"contact.stiffness_n_m", "N/m", kStiffness, false,
+  static constexpr const char* kLogNormal =
+      "no campaign has [blocks] draw with mass_kg = { log_normal = [median, sigma] }";
+  static constexpr const char* kNormal =
+      "no campaign has [blocks] draw with mass_kg = { normal = [mean, std] }";
+  static constexpr std::array<Settable, 15> kSettables{
+      {{"blocks.mass_kg", "kg", kBlockMass, &set_mass<&Uncertain::first>, &has_mass<Law::kFixed>,
+        "no campaign has [blocks] draw with a number as mass_kg"},
+       {"blocks.mass_median_kg", "kg", kBlockMass, &set_mass<&Uncertain::first>,
+        &has_mass<Law::kLogNormal>, kLogNormal},
+       {"blocks.mass_sigma", "", kLogSigma, &set_mass<&Uncertain::second>,
+        &has_mass<Law::kLogNormal>, kLogNormal},
+       {"blocks.mass_mean_kg", "kg", kBlockMass, &set_mass<&Uncertain::first>,
+        &has_mass<Law::kNormal>, kNormal},
+       {"blocks.mass_std_kg", "kg", kBlockMass, &set_mass<&Uncertain::second>,
+        &has_mass<Law::kNormal>, kNormal},
+       {"contact.stiffness_n_m", "N/m", kStiffness,
         [](Campaign& campaign, double value) { campaign.stiffness.normal = value; }},
-       {"contact.tangential_stiffness_n_m", "N/m", kStiffness, false,
+       {"contact.tangential_stiffness_n_m", "N/m", kStiffness,
         [](Campaign& campaign, double value) { campaign.stiffness.tangential = value; }},
-       {"contact.rolling_stiffness_n_m_rad", "N m/rad", kRollingStiffness, false,
+       {"contact.rolling_stiffness_n_m_rad", "N m/rad", kRollingStiffness,
         [](Campaign& campaign, double value) { campaign.stiffness.rolling = value; }},
-       {"release.height_m", "m", kDropHeight, true,
+       {"release.height_m", "m", kDropHeight,
         [](Campaign& campaign, double value) {
           in_releases(campaign, [&](ReleasePlan& release) { release.drop_height = value; });
-        }},
-       {"release.velocity_x_m_s", "m/s", kSpeed, true, &set_velocity<0>},
-       {"release.velocity_y_m_s", "m/s", kSpeed, true, &set_velocity<1>},
-       {"release.velocity_z_m_s", "m/s", kSpeed, true, &set_velocity<2>},
-       {"release.spin_x_rad_s", "rad/s", kSpin, true, &set_spin<0>},
-       {"release.spin_y_rad_s", "rad/s", kSpin, true, &set_spin<1>},
-       {"release.spin_z_rad_s", "rad/s", kSpin, true, &set_spin<2>}}};
+        },
+        &has_height, "no campaign releases blocks at a height_m"},
+       {"release.velocity_x_m_s", "m/s", kSpeed, &set_velocity<0>},
+       {"release.velocity_y_m_s", "m/s", kSpeed, &set_velocity<1>},
+       {"release.velocity_z_m_s", "m/s", kSpeed, &set_velocity<2>},
+       {"release.spin_x_rad_s", "rad/s", kSpin, &set_spin<0>},
+       {"release.spin_y_rad_s", "rad/s", kSpin, &set_spin<1>},
+       {"release.spin_z_rad_s", "rad/s", kSpin, &set_spin<2>}}};
   return kSettables;
 }
 
@@ -106,6 +142,7 @@ std::vector<std::pair<std::string, ParameterRange>> calibrated_parameters() {
   for (const GroundField& field : ground_fields()) {
     all.push_back({kGround + std::string("ZONE.") + field.name, {field.unit, field.range}});
   }
+  all.push_back({kShare + std::string("CLASS"), {"", kClassShare}});
   for (const Settable& one : settables()) all.push_back({one.name, {one.unit, one.range}});
   return all;
 }
@@ -113,6 +150,7 @@ std::vector<std::pair<std::string, ParameterRange>> calibrated_parameters() {
 ParameterRange parameter_range(const std::string& parameter) {
   if (const Settable* found = settable(parameter)) return {found->unit, found->range};
   if (const GroundField* field = zone_field(parameter).field) return {field->unit, field->range};
+  if (!share_class(parameter).empty()) return {"", kClassShare};
   std::vector<std::string> names;
   for (const auto& [name, range] : calibrated_parameters()) names.push_back(name);
   throw InputError("is no parameter that can be calibrated; these are " + listed(names));
@@ -122,9 +160,21 @@ bool has_parameter(const Campaign& campaign, const std::string& parameter) {
   if (const ZoneField of_zone = zone_field(parameter); of_zone.field) {
     return campaign.ground.contains(of_zone.zone);
   }
-  if (parameter != "release.height_m") return settable(parameter) != nullptr;
-  return std::all_of(campaign.releases.begin(), campaign.releases.end(),
-                     [](const ReleasePlan& release) { return release.drop_height.has_value(); });
+  if (const std::string name = share_class(parameter); !name.empty()) {
+    const std::optional<BlockDraw>& draw = campaign.blocks.draw;
+    return draw && std::any_of(draw->shares.begin(), draw->shares.end(),
+                               [&](const auto& share) { return share.first == name; });
+  }
+  const Settable* found = settable(parameter);
+  return found && (!found->has || found->has(campaign));
+}
+
+std::string why_no_campaign_has(const std::string& parameter) {
+  if (!share_class(parameter).empty()) {
+    return "no campaign has [blocks] draw with this class in shares";
+  }
+  const Settable* found = settable(parameter);
+  return found ? found->why_not : "no campaign has this zone";
 }
 
 void set_parameter(Campaign& campaign, const std::string& parameter, double value) {
@@ -134,14 +184,32 @@ void set_parameter(Campaign& campaign, const std::string& parameter, double valu
     campaign.ground.at(of_zone.zone).*of_zone.field->asked = number;
     return;
   }
+  if (const std::string name = share_class(parameter); !name.empty()) {
+    campaign.blocks.draw->set_shares[name] = value;
+    return;
+  }
   if (const Settable* found = settable(parameter)) found->set(campaign, value);
 }
 
 bool is_of_ground(const std::string& parameter) { return zone_field(parameter).field != nullptr; }
 
 bool is_of_release(const std::string& parameter) {
-  const Settable* found = settable(parameter);
-  return found && found->of_release;
+  return parameter.starts_with("release.") && settable(parameter);
+}
+
+bool is_of_blocks(const std::string& parameter) {
+  return !share_class(parameter).empty() ||
+         (parameter.starts_with("blocks.") && settable(parameter));
+}
+
+std::string share_class(const std::string& parameter) {
+  if (!parameter.starts_with(kShare)) return "";
+  const std::string name = parameter.substr(std::string(kShare).size());
+  for (const std::string& scheme : kSelectingSchemes) {
+    const std::vector<std::string>& classes = class_names(scheme);
+    if (std::find(classes.begin(), classes.end(), name) != classes.end()) return name;
+  }
+  return "";
 }
 
 }  // namespace clast

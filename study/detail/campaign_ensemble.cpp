@@ -45,8 +45,18 @@ std::vector<std::string> quoted(const std::set<std::string>& names) {
 /// The tables whose values come from the posterior: those of `take`, or the ground where the
 /// posterior has nothing else.
 std::set<std::string> taken_tables(const TomlTable& table, const PosteriorDraws& posterior) {
-  std::set<std::string> there;
-  for (const std::string& parameter : posterior.parameters) there.insert(table_of(parameter));
+  std::set<std::string> there;  // that members can take
+  for (const std::string& parameter : posterior.parameters) {
+    if (!is_of_blocks(parameter)) there.insert(table_of(parameter));
+  }
+  const std::string same_blocks =
+      "members of an ensemble have the same blocks; write the values that were found into [blocks] "
+      "draw, and leave ";
+  if (there.empty()) {
+    table.refuse(
+        "posterior", *table.find("posterior"),
+        "has " + listed(posterior.parameters) + " alone, and " + same_blocks + "posterior out");
+  }
   const std::optional<std::vector<std::string>> take = table.texts("take");
   if (!take) {
     for (const std::string& parameter : posterior.parameters) {
@@ -62,6 +72,9 @@ std::set<std::string> taken_tables(const TomlTable& table, const PosteriorDraws&
   const TomlNode& node = *table.find("take");
   const std::vector<std::string>& known = campaign_words("ensemble", "take");
   for (const std::string& name : *take) {
+    if (name == "blocks") {
+      table.refuse("take", node, same_blocks + "\"blocks\" out");
+    }
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       table.refuse("take", node, "\"" + name + "\" is none of " + listed(known));
     }

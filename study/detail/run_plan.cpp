@@ -132,6 +132,36 @@ class Planner {
     }
   }
 
+  /// The run of this number among those that `plan_block` makes of all blocks.
+  RunRecord planned_run(std::uint32_t number) {
+    const Campaign& campaign = prepared_.campaign;
+    std::size_t each = 0;  // of a block
+    for (std::size_t set = 0; set < points_.size(); ++set) each += runs_of_set(set);
+    const auto block = static_cast<std::uint32_t>(number / each);
+    std::size_t rest = number % each, set = 0, point = 0;
+    for (; rest >= runs_of_set(set); ++set) {
+      rest -= runs_of_set(set);
+      point += points_[set].size();
+    }
+    const ReleasePlan& release = campaign.releases[set];
+    const std::size_t turns = release.orientations.size();
+    const std::size_t member = rest % campaign.ensemble.members;
+    const std::size_t turn = rest / campaign.ensemble.members % turns;
+    const std::size_t of_set = rest / campaign.ensemble.members / turns;
+    const CampaignBlock& chosen = prepared_.choice.blocks[block];
+    const Quat orientation =
+        release.fresh_orientations
+            ? fresh_orientations(release, chosen.id, std::to_string(of_set), turns)[turn]
+            : release.orientations[turn];
+    RunRecord run = start_of(block, set, of_set, member, orientation);
+    run.run = number;
+    run.point = static_cast<std::uint32_t>(point + of_set);
+    run.orientation = static_cast<std::uint32_t>(turn);
+    run.ground_set = static_cast<std::uint32_t>(chosen.group * campaign.ensemble.members + member);
+    check_clear_of_ground(prepared_, overlap_of(block), release, of_set, run);
+    return run;
+  }
+
   /// All blocks of a realisation of a mass, in a drawn order or as they are in place.
   void plan_mass(std::uint32_t realisation) {
     const Campaign& campaign = prepared_.campaign;
@@ -202,6 +232,11 @@ class Planner {
                          run.start);
     }
     return run;
+  }
+
+  std::size_t runs_of_set(std::size_t set) const {
+    return points_[set].size() * prepared_.campaign.releases[set].orientations.size() *
+           prepared_.campaign.ensemble.members;
   }
 
   const GroundOverlap& overlap_of(std::uint32_t block) {
@@ -290,6 +325,14 @@ void plan_runs(PreparedCampaign& prepared) {
   for (auto run = prepared.runs.rbegin(); run != prepared.runs.rend(); ++run) {
     header.release_points[run->point] = run->start.position;
   }
+}
+
+std::vector<RunRecord> planned_runs(PreparedCampaign& prepared,
+                                    std::span<const std::uint32_t> numbers) {
+  Planner planner(prepared);
+  std::vector<RunRecord> runs;
+  for (const std::uint32_t number : numbers) runs.push_back(planner.planned_run(number));
+  return runs;
 }
 
 }  // namespace clast::study_detail

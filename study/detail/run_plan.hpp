@@ -1,5 +1,9 @@
 #pragma once
 /// Which runs a campaign makes, and where they start.
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "study/campaign_runner.hpp"
 
 namespace clast::study_detail {
@@ -9,5 +13,13 @@ namespace clast::study_detail {
 /// @throws InputError       a point off the terrain; more runs than results can number
 /// @throws SimulationError  a start inside the ground: run, block, point, orientation and depth
 void plan_runs(PreparedCampaign& prepared);
+
+/// The runs of these numbers, out of all that `plan_runs` would plan, as the campaign is now.
+/// @param prepared  that has been planned, without stay; its blocks and starts may have changed
+/// since,
+///                  not how many there are
+/// @throws SimulationError  a start inside the ground
+std::vector<RunRecord> planned_runs(PreparedCampaign& prepared,
+                                    std::span<const std::uint32_t> numbers);
 
 }  // namespace clast::study_detail

@@ -93,6 +93,41 @@ TEST_F(CalibrateCommand, IsTheSameInShardsJoined) {
                  "--shard");
 }
 
+TEST_F(CalibrateCommand, BlocksDrawnByMembersAreTheSameInShardsAndAfterAnInterruption) {
+  write_text_file(folder / "campaign.toml",
+                  replaced(read_text_file(folder / "campaign.toml"), "library = \"blocks.h5\"",
+                           "library = \"blocks.h5\"\ndraw = { count = 8, shares = { compact = 0.5, "
+                           "elongated = 0.5 }, mass_kg = { log_normal = [300, 0.3] } }"));
+  const std::string more =
+      "[[unknown]]\nparameter = \"blocks.mass_median_kg\"\nrange = [100, 900]\nscale = \"log\"\n"
+      "[[unknown]]\nparameter = \"blocks.share.elongated\"\nrange = [0, 1]\n";
+  write_text_file(folder / "study.toml",
+                  replaced(study(), "[[observation]]", more + "[[observation]]"));
+  const auto run = [&](const std::vector<std::string>& words) {
+    const ProgramRun program = run_clast(words, folder.path());
+    EXPECT_EQ(program.exit_code, 0) << program.err;
+    return program.out;
+  };
+  run({"check", "study.toml"});
+  const std::string said = run({"calibrate", "study.toml", "-o", "whole.h5", "--threads", "2"});
+  for (const char* part : {"blocks.share.elongated", "# blocks.mass_median_kg = "}) {
+    EXPECT_TRUE(contains(said, part)) << said;
+  }
+  const std::string page = read_text_file(folder / "whole.html");
+  for (const char* part : {"mass median of blocks, kg", "share of elongated blocks"}) {
+    EXPECT_TRUE(contains(page, part)) << part;
+  }
+  run({"calibrate", "study.toml", "-o", "p.h5", "--shard", "2/2", "--threads", "1"});
+  run({"calibrate", "study.toml", "-o", "p.h5", "--shard", "1/2"});
+  run({"calibrate", "study.toml", "-o", "p.h5", "--merge", "p.1of2.h5", "p.2of2.h5"});
+  const auto draws = read_posterior_draws(folder / "whole.h5").draws;
+  EXPECT_EQ(read_posterior_draws(folder / "p.h5").draws, draws);
+  // The file of a shard is what an interruption leaves.
+  fs::rename(folder / "p.2of2.h5", folder / "again.h5.part");
+  run({"calibrate", "study.toml", "-o", "again.h5", "--resume"});
+  EXPECT_EQ(read_posterior_draws(folder / "again.h5").draws, draws);
+}
+
 #ifdef CLAST_MPIRUN
 TEST_F(CalibrateCommand, IsTheSameOnTwoProcesses) {
   const ProgramRun one = run_clast({"calibrate", "study.toml", "-o", "one.h5"}, folder.path());

@@ -1,6 +1,7 @@
 #include "study/calibration/calibration_study.hpp"
 
 #include "tests/study/campaign_file.hpp"
+#include "tests/study/campaign_run.hpp"
 
 namespace clast {
 namespace {
@@ -112,6 +113,57 @@ TEST_F(StudyFile, EveryKindOfUnknownIsSet) {
   EXPECT_TRUE(is_of_release("release.spin_x_rad_s"));
   EXPECT_FALSE(is_of_release("contact.stiffness_n_m"));
   EXPECT_EQ(parameter_range("contact.stiffness_n_m").unit, "N/m");
+}
+
+TEST_F(StudyFile, LawsAndSharesOfDrawnBlocksAreUnknowns) {
+  const auto drawing = [&](const std::string& draw) {
+    write_text_file(folder_ / "campaign.toml",
+                    replaced_once(kCampaign, "select = [\"B1\", \"B2\"]", "draw = " + draw));
+  };
+  const auto asked = [&](const std::string& parameter, const std::string& range) {
+    return refused(
+        "parameter = \"contact.rolling_stiffness_n_m_rad\"\nrange = [1e5, "
+        "1e7]\nscale = \"log\"",
+        "parameter = \"" + parameter + "\"\nrange = " + range);
+  };
+  const std::string no_class = "no campaign has [blocks] draw with this class in shares";
+  EXPECT_TRUE(contains(asked("blocks.mass_median_kg", "[100, 900]"),
+                       "no campaign has [blocks] draw with mass_kg = { log_normal = [median, "
+                       "sigma] }"));
+  EXPECT_TRUE(contains(asked("blocks.share.compact", "[0, 1]"), no_class));
+  drawing("{ count = 5, mass_kg = { log_normal = [300, 0.3] } }");
+  EXPECT_EQ(asked("blocks.mass_median_kg", "[100, 900]"), "");
+  EXPECT_EQ(asked("blocks.mass_sigma", "[0.1, 1]"), "");
+  EXPECT_TRUE(contains(asked("blocks.mass_sigma", "[0, 9]"), "from 1e-09 to 5"));
+  EXPECT_TRUE(contains(asked("blocks.mass_kg", "[100, 900]"), "draw with a number as mass_kg"));
+  EXPECT_TRUE(contains(asked("blocks.mass_std_kg", "[100, 900]"), "{ normal = [mean, std] }"));
+  EXPECT_TRUE(contains(asked("blocks.share.compact", "[0, 1]"), no_class));
+  EXPECT_TRUE(contains(asked("blocks.share.round", "[0, 1]"), "is no parameter that can be"));
+  drawing("{ count = 5, shares = { compact = 0.5, elongated = 0.5 }, mass_kg = 300 }");
+  EXPECT_EQ(asked("blocks.mass_kg", "[100, 900]"), "");
+  EXPECT_EQ(asked("blocks.share.compact", "[0, 1]"), "");
+  EXPECT_TRUE(contains(asked("blocks.share.compact", "[0, 1.5]"), "1.5"));
+  const std::string both =
+      "[0, 0.5]\n[[unknown]]\nparameter = \"blocks.share.elongated\"\nrange = [0, 0.5]";
+  EXPECT_EQ(asked("blocks.share.compact", both),
+            "study.toml: every share of site north is an unknown, and they add up to 1; leave one "
+            "class out, which gets what the others leave");
+  drawing(
+      "{ count = 5, scheme = \"zingg\", shares = { disc = 0.5, rod = 0.25, blade = 0.25 }, "
+      "mass_kg = { normal = [300, 30] } }");
+  EXPECT_EQ(asked("blocks.mass_mean_kg", "[100, 900]"), "");
+  EXPECT_EQ(asked("blocks.share.disc",
+                  "[0, 0.7]\n[[unknown]]\nparameter = \"blocks.share.rod\"\nrange = [0, 0.5]"),
+            "study.toml: the unknown shares of site north add up to 1.2 at the upper ends of their "
+            "ranges; lower these until it is 1 at most");
+  Campaign campaign = read_campaign(folder_ / "campaign.toml");
+  set_parameter(campaign, "blocks.mass_std_kg", 40.0);
+  set_parameter(campaign, "blocks.share.disc", 0.3);
+  EXPECT_EQ(campaign.blocks.draw->mass->second, 40.0);
+  EXPECT_EQ(campaign.blocks.draw->set_shares.at("disc"), 0.3);
+  EXPECT_TRUE(is_of_blocks("blocks.share.disc"));
+  EXPECT_FALSE(is_of_release("blocks.mass_kg"));
+  EXPECT_FALSE(is_of_blocks("ground.blocks.friction"));
 }
 
 TEST_F(StudyFile, WhatMakesNoSenseIsRefused) {

@@ -123,6 +123,20 @@ TEST_F(PosteriorEnsemble, WhatDoesNotFitIsRefused) {
       contains(refused(with_posterior()),
                "was calibrated with release.height_m too; say which tables members have from it: "
                "take = [\"ground\", \"release\"], or fewer"));
+  write({"ground.slope.friction", "blocks.mass_median_kg"});
+  EXPECT_TRUE(
+      contains(refused(with_posterior()),
+               "was calibrated with blocks.mass_median_kg too; say which tables members have from "
+               "it: take = [\"ground\"], or fewer"));
+  EXPECT_EQ(refused(with_posterior("take = \"ground\"\n")), "");
+  EXPECT_TRUE(contains(refused(with_posterior("take = [\"ground\", \"blocks\"]\n")),
+                       "\"blocks\"]: members of an ensemble have the same blocks; write the values "
+                       "that were found into [blocks] draw, and leave \"blocks\" out"));
+  write({"blocks.mass_sigma", "blocks.mass_median_kg"});
+  EXPECT_TRUE(contains(refused(with_posterior()),
+                       "has blocks.mass_sigma, blocks.mass_median_kg alone, and members of an "
+                       "ensemble have the same blocks"));
+  write({"ground.slope.friction", "release.height_m"});
   EXPECT_TRUE(contains(refused(with_posterior("take = \"start\"\n")),
                        "take = \"start\": \"start\" is none of ground, contact, release"));
   EXPECT_TRUE(contains(refused(with_posterior("take = [\"ground\", \"contact\"]\n")),

@@ -73,7 +73,7 @@ TEST_F(SiteSimulation, StartsFollowTheirUnknowns) {
                  simulator.simulate(1, {2.5}, 2));
 }
 
-// A population of blocks is drawn once: all members have the same.
+// Where no unknown is of the blocks they are drawn once: all members have the same.
 TEST_F(SiteSimulation, DrawnBlocksAreThoseOfTheCampaign) {
   const std::string text =
       with("library = \"blocks.h5\"",
