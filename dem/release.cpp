@@ -92,7 +92,7 @@ class Release {
     const double uneven = body_.moments.maxCoeff() / body_.moments.minCoeff();
     return search_.safe_time({.velocity = moving_.state().velocity,
                               .spin = moving_.state().angular_velocity,
-                              .acceleration = g + uneven * spin * spin * radius_,
+                              .turning = uneven * spin * spin,
                               .top_speed = moving_.state().velocity.norm() + spin * radius_,
                               .gravity = g},
                              longest_step());

@@ -60,6 +60,7 @@ void add_part(BlockParts& made, const std::vector<Item>& items, std::span<std::u
     }
   }
   part.centre = 0.5 * (box.low + box.high);
+  part.arm = part.centre.norm();
   for (const std::uint32_t i : members) {
     const BlockSide& side = items[i].side;
     part.radius = std::max(part.radius, (side.middle - part.centre).norm() + side.radius);

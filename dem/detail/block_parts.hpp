@@ -19,6 +19,7 @@ struct BlockSide {
 struct BlockPart {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
+  double arm = 0.0;                                ///< of its centre about the body's, m
   std::uint32_t first_vertex = 0, end_vertex = 0;  ///< of BlockParts::vertices
   std::uint32_t first_side = 0, end_side = 0;      ///< of BlockParts::sides
 };

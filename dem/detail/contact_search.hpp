@@ -22,9 +22,10 @@ namespace clast::dem_detail {
 struct FlightBounds {
   Vec3 velocity = Vec3::Zero();  ///< of the centre now, m/s
   Vec3 spin = Vec3::Zero();      ///< now, rad/s
-  double acceleration = 0.0;     ///< no point changes its velocity faster, m/s^2
-  double top_speed = 0.0;        ///< no point gets faster than this, but for gravity, m/s
-  double gravity = 0.0;          ///< m/s^2
+  double turning =
+      0.0;  ///< what turning changes the velocity of a point by, per m of its arm, 1/s^2
+  double top_speed = 0.0;  ///< no point gets faster than this, but for gravity, m/s
+  double gravity = 0.0;    ///< along -z, m/s^2
 };
 
 class ContactSearch {
@@ -132,9 +133,21 @@ class ContactSearch {
   double next_visit(std::uint32_t p) const;
   /// The list of the ground must be renewed at this `way.whole`.
   double list_end(const PartState& part) const { return part.gathered_at + list_holds_; }
-  double search_time(const FlightBounds& flight, double first);
-  /// The same for one part near the ground; no more than `wanted` is measured.
-  double part_time(std::uint32_t p, const FlightBounds& flight, double wanted);
+  /// How far a part may move before it can touch, m; no more than `wanted` is measured.
+  double part_clearance(std::uint32_t p, double wanted);
+  /// How long no contact can come on a flight, s, from planes between the block and the ground.
+  /// @param horizon  s: no longer time is wanted
+  double flight_time(const FlightBounds& flight, double horizon);
+  /// The same with one face of the ground.
+  double flight_time_over(const LocalGround::Face& face, const FlightBounds& flight,
+                          double horizon);
+  /// The same where the block is not wholly above the plane of the face: from planes that touch it
+  /// nearest to the parts of the block in `near_parts_`.
+  double flight_time_beside(const LocalGround::Face& face, const FlightBounds& flight,
+                            double horizon);
+  /// For how long a ball that is part of the block touches no point of a face; 0 where it does.
+  double time_beside(const LocalGround::Face& face, const Vec3& arm, double radius, double turning,
+                     const FlightBounds& flight, double horizon) const;
   double completeness(const PartState& part) const {
     return part.complete - (part.way.whole - part.gathered_at);
   }
@@ -193,6 +206,8 @@ class ContactSearch {
   double search_at_ = -1.0;                 ///< no longer flight is searched for before
   double deepest_ = 0.0;                    ///< largest overlap at the last call, m
   AllowedDepth allowed_;                    ///< of edges and faces: what sleeps has allowed for it
+  std::uint32_t lowest_face_ = 0;           ///< of `local_`: the one that ended the last flight
+  std::vector<std::uint32_t> near_parts_;   ///< scratch of `flight_time_over`
   std::vector<SideContact> side_contacts_;  ///< of this call
   std::vector<ContactPoint> contacts_;
 };

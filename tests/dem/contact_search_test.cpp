@@ -112,7 +112,7 @@ TEST(SafeTime, NoContactBeforeIt) {
     const double top_speed = start.velocity.norm() + spin * radius;
     const double time = search.safe_time({.velocity = start.velocity,
                                           .spin = start.angular_velocity,
-                                          .acceleration = g + uneven * spin * spin * radius,
+                                          .turning = uneven * spin * spin,
                                           .top_speed = top_speed,
                                           .gravity = g},
                                          1e-5);
