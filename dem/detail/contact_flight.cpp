@@ -195,7 +195,7 @@ double ContactSearch::time_beside(const LocalGround::Face& face, const Vec3& arm
                                   double turning, const FlightBounds& flight,
                                   double horizon) const {
   const Vec3 centre = placed(arm);
-  const NearestPoint nearest = nearest_on_face(ground_.features, face.face, centre);
+  const NearestPoint nearest = foot_on_face(ground_.features, face.face, centre);
   const double distance = std::abs(nearest.distance), apart = distance - radius - reach_;
   if (!(apart > 0.0)) return 0.0;
   const Approach beside((centre - nearest.point) / distance, flight, tests_.rotation());

@@ -15,6 +15,19 @@ constexpr double kMostCells = 4e7;
 
 NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
                              const Vec3& query) {
+  NearestPoint nearest = foot_on_face(surface, face, query);
+  find_side(surface, query, nearest);
+  return nearest;
+}
+
+void find_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot) {
+  if (foot.within_face) return;
+  foot.normal = foot.edge != kNoFeature ? surface.edge_normal(surface.edges[foot.edge])
+                                        : surface.vertex_normals[foot.vertex];
+  foot.distance = std::copysign(foot.distance, foot.normal.dot(query - foot.point));
+}
+
+NearestPoint foot_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query) {
   const SurfaceFace& f = surface.faces[face];
   const Vec3& origin = surface.vertices[f.vertices[0]];
   const double height = f.normal.dot(query - origin);
@@ -53,10 +66,7 @@ NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
       best.vertex = inner ? kNoFeature : end;
     }
   }
-  nearest = std::sqrt(nearest);
-  best.normal = best.edge != kNoFeature ? surface.edge_normal(surface.edges[best.edge])
-                                        : surface.vertex_normals[best.vertex];
-  best.distance = std::copysign(nearest, best.normal.dot(query - best.point));
+  best.distance = std::sqrt(nearest);
   return best;
 }
 
@@ -145,7 +155,7 @@ std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double re
     const Vec3& c = features.vertices[face.vertices[2]];
     const Vec3 below = a.cwiseMin(b).cwiseMin(c) - query, above = query - a.cwiseMax(b).cwiseMax(c);
     if (below.cwiseMax(above).cwiseMax(0.0).squaredNorm() > limit * limit) return;
-    const NearestPoint candidate = nearest_on_face(features, f, query);
+    const NearestPoint candidate = foot_on_face(features, f, query);
     const double distance = std::abs(candidate.distance);
     // Ties go to the smaller face number, so that the order of visits does not matter.
     if (distance < limit || (distance == limit && (!best || f < best->face))) {
@@ -188,6 +198,7 @@ std::optional<NearestPoint> IndexedSurface::nearest(const Vec3& query, double re
       }
     }
   }
+  if (best) find_side(features, query, *best);
   return best;
 }
 

@@ -27,6 +27,10 @@ bool on_border(const SurfaceFeatures& surface, const NearestPoint& nearest);
 
 /// Nearest point of one face to `query`; `distance` is signed by the normal of the feature hit.
 NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
+/// The same in two steps, for those who look at many faces: first the point, without the side that
+/// the query lies on when that is no foot within the face, then the side.
+NearestPoint foot_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
+void find_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot);
 
 /// Plan grid: every cell lists the faces whose bounds reach into it, with their height range.
 class PlanGrid {

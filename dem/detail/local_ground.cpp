@@ -101,7 +101,7 @@ LocalGround::Nearest nearest_of(std::span<const LocalGround::Face> faces,
     if (std::abs(face.normal.dot(query) - face.offset) > told_apart) return;
     const double near = told_apart + face.radius;
     if ((query - face.middle).squaredNorm() > near * near) return;
-    const NearestPoint candidate = nearest_on_face(features, face.face, query);
+    const NearestPoint candidate = foot_on_face(features, face.face, query);
     const double distance = std::abs(candidate.distance);
     // Ties go to the smaller face number, so that the order of looking does not matter.
     const bool nearer =
@@ -117,6 +117,7 @@ LocalGround::Nearest nearest_of(std::span<const LocalGround::Face> faces,
     if (i != guess) measure(i);
   }
   found.second = std::min(found.second, std::abs(found.nearest.distance) + beyond);
+  if (found.nearest.face != kNoFeature) find_side(features, query, found.nearest);
   return found;
 }
 
