@@ -239,7 +239,8 @@ void ContactSearch::gather(std::uint32_t p, double deepest) {
     const bool at_border = std::any_of(of_face.begin(), of_face.end(), [&](std::uint32_t edge) {
       return ground_.features.edges[edge].kind == EdgeKind::kBorder;
     });
-    state.tilts.push_back({across, std::sqrt(1.0 - across * across), at_border});
+    const double along = std::sqrt(1.0 - across * across);
+    state.tilts.push_back({across, along, 2.0 / (across + along), at_border});
   }
   for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
     vertex_states_[v].near_face = 0;
@@ -286,7 +287,8 @@ Asleep ContactSearch::asleep(const PartState& part, const Vec3& away, double apa
   if (!(apart > 0.0 && others > 0.0)) return {};
   const double across = std::min(std::abs(away.dot(part.axis)), 1.0);
   const double along = std::sqrt(1.0 - across * across);
-  Asleep result{std::max(across / apart, 1.0 / others), std::max(along / apart, 1.0 / others), 1.0};
+  const double per = 1.0 / apart, per_other = 1.0 / others;
+  Asleep result{std::max(across * per, per_other), std::max(along * per, per_other), 1.0};
   result.until += result.per_across * part.way.across + result.per_along * part.way.along;
   return result;
 }

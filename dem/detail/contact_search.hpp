@@ -65,7 +65,8 @@ class ContactSearch {
   /// |n.axis| and |n x axis| of a face of the ground with normal n.
   struct FaceTilt {
     double across, along;
-    bool at_border;  ///< beyond which its plane goes on
+    double way_per_height;  ///< as far as a height over its plane lets anything go that way
+    bool at_border;         ///< beyond which its plane goes on
   };
   struct PartState {
     bool near = false;

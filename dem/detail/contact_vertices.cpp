@@ -30,12 +30,14 @@ void ContactSearch::update_vertices(std::uint32_t p, const Way& ahead) {
   } else {
     part.due_vertices.clear();
     for (std::uint32_t v = parts_.parts[p].first_vertex; v < parts_.parts[p].end_vertex; ++v) {
-      if (vertex_asleep_[v].due(then)) update_vertex(p, v, ahead);
-      if (vertex_asleep_[v].due(part.way)) {
-        part.due_vertices.push_back(v);
-      } else {
-        first.include(vertex_asleep_[v]);
+      if (vertex_asleep_[v].due(then)) {
+        update_vertex(p, v, ahead);
+        if (vertex_asleep_[v].due(part.way)) {
+          part.due_vertices.push_back(v);
+          continue;
+        }
       }
+      first.include(vertex_asleep_[v]);
     }
   }
   part.other_vertices = first.asleep();
@@ -89,19 +91,20 @@ Asleep ContactSearch::clear_of_ground(const PartState& part, std::uint32_t v, co
   state.closest_plane = kNoFeature;
   const double complete = completeness(part) - reach_;
   if (!(complete > 0.0)) return {};
-  Separation others{1.0 / complete, 1.0 / complete}, plane;
+  double apart_from_far = complete;
+  Separation others, plane;
   std::uint32_t closest = kNoFeature;
   for (std::uint32_t i = 0; i < part.ground.faces.size(); ++i) {
     const LocalGround::Face& face = part.ground.faces[i];
     const FaceTilt& tilt = part.tilts[i];
     // Either the plane of the face keeps them apart or one that touches the ball around it.
     const double height = face.normal.dot(centre) - face.offset - reach_;
-    const double by_plane = 2.0 * height / (tilt.across + tilt.along);
-    const double near = face.radius + reach_ + std::max(0.0, by_plane);
+    const double by_plane = height * tilt.way_per_height;
+    const double ball = face.radius + reach_, near = ball + std::max(0.0, by_plane);
     const double squared = (centre - face.middle).squaredNorm();
     if (!tilt.at_border && squared > near * near) {
-      const double apart = std::sqrt(squared) - face.radius - reach_;
-      others.include({1.0 / apart, 1.0 / apart});
+      const double farther = ball + apart_from_far;
+      if (squared < farther * farther) apart_from_far = std::sqrt(squared) - ball;
     } else if (height > 0.0) {
       Separation by_this{tilt.across / height, tilt.along / height};
       if (by_this.sum() > plane.sum()) {
@@ -120,6 +123,7 @@ Asleep ContactSearch::clear_of_ground(const PartState& part, std::uint32_t v, co
       others.include({across / apart, std::sqrt(1.0 - across * across) / apart});
     }
   }
+  others.include({1.0 / apart_from_far, 1.0 / apart_from_far});
   state.closest_plane = closest;
   state.others = others.asleep(part.way);
   others.include(plane);

@@ -53,7 +53,11 @@ class FirstDue {
   void include(const Asleep& one) {
     const double left = one.left(way_);
     due_ = due_ || !(left > 0.0);
-    if (!due_) separation_.include({one.per_across / left, one.per_along / left});
+    if (due_) return;
+    // Most of many are bounded by those before, which takes no division.
+    Separation& all = separation_;
+    if (one.per_across > all.per_across * left) all.per_across = one.per_across / left;
+    if (one.per_along > all.per_along * left) all.per_along = one.per_along / left;
   }
   Asleep asleep() const { return due_ ? Asleep() : separation_.asleep(way_); }
 
