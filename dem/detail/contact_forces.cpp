@@ -13,10 +13,13 @@ namespace {
 /// block's smallest side.
 constexpr double kNearShare = 0.03;
 
+bool is_event(const NormalResponse& response) {
+  return response.impulse != 0.0 || response.moment != 0.0;
+}
+
 /// Adds what the law does inside the step beyond the scheme's own forces.
 void add_event(ContactLoad& load, const NormalResponse& response, const Contact& contact,
                const PairMotion& motion) {
-  if (response.impulse == 0.0 && response.moment == 0.0) return;
   if (!load.event) load.event.emplace();
   EventLoad& event = *load.event;
   const Vec3& normal = contact.point.normal;
@@ -190,7 +193,7 @@ void ContactForces::load_contact(std::size_t index, const Law& law, const PairMo
   load.torque += slip.arm.cross(force) + w * contact.rolling;
   load.torque_on_other -=
       (contact.place - motion.other.world_from_body.translation).cross(force) + w * contact.rolling;
-  if (past.continuous) add_event(load, response, contact, motion);
+  if (past.continuous && is_event(response)) add_event(load, response, contact, motion);
 
   // With the mean weight of the step. What the forces took beyond these losses and what is stored,
   // because weights, zones, normals or the contacts changed, is booked apart.
@@ -227,7 +230,7 @@ void ContactForces::end_contact(const Contact& contact, const Law& law, const Pa
   if (path.after <= 0.0) {  // parted; else it slid off and its law never came to an end
     const NormalResponse response =
         law.along(path, {contact.normal, contact.dent}, contact.effective_mass);
-    add_event(load, response, contact, motion);
+    if (is_event(response)) add_event(load, response, contact, motion);
     const double by_normal = w * (response.work + law.stored(overlap, contact.dent));
     const double by_friction =
         spring_loss(w, tangential_give_, contact.tangential, Vec3::Zero(), velocity, duration);

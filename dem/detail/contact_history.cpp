@@ -44,7 +44,8 @@ void ContactHistory::match_features(const std::vector<ContactPoint>& points,
   std::size_t next = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t tried = 0; tried < before.size(); ++tried) {
-      const std::size_t j = (next + tried) % before.size();
+      if (next == before.size()) next = 0;
+      const std::size_t j = next++;
       const ContactPoint& a = points[i];
       const ContactPoint& b = before[j].point;
       if (continues_[j] || a.kind != b.kind || a.block_feature != b.block_feature ||
@@ -52,7 +53,6 @@ void ContactHistory::match_features(const std::vector<ContactPoint>& points,
         continue;
       }
       link(i, j);
-      next = j + 1;
       break;
     }
   }

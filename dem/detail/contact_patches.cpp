@@ -77,10 +77,13 @@ void ContactPatches::list_joints(const std::vector<ContactPoint>& points) {
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     features_.emplace_back(points[i].kind, points[i].block_feature);
+    std::uint32_t patch = i;
     for (const std::uint32_t joint : joints_of(points[i], buffer)) {
       const std::uint32_t last = last_on_joint_[joint];
-      if (last != kNoFeature && unite(i, on_joint_[last].point)) {
+      const std::uint32_t other = last != kNoFeature ? patch_so_far(on_joint_[last].point) : patch;
+      if (other != patch) {
         links_.push_back({i, on_joint_[last].point, joint});
+        patch = patch_[std::max(patch, other)] = std::min(patch, other);
       }
       last_on_joint_[joint] = static_cast<std::uint32_t>(on_joint_.size());
       on_joint_.push_back({i, joint, last});
@@ -104,7 +107,10 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
   if (!all) {
     for (const OnJoint& on : on_joint_) {
       for (std::uint32_t j = on.before; j != kNoFeature; j = on_joint_[j].before) {
-        join({on.point, on_joint_[j].point, on.joint}, points);
+        const std::uint32_t earlier = on_joint_[j].point;
+        if (patch_so_far(on.point) != patch_so_far(earlier)) {
+          join({on.point, earlier, on.joint}, points);
+        }
       }
     }
   }
@@ -112,21 +118,18 @@ void ContactPatches::join(const std::vector<ContactPoint>& points, const Quat& o
 }
 
 bool ContactPatches::join(const Link& link, const std::vector<ContactPoint>& points) {
-  if (patch_so_far(link.point) == patch_so_far(link.earlier)) return true;
-  const bool joined = !is_wall(link.joint, link.point) && !is_wall(link.joint, link.earlier) &&
-                      smooth_between(points[link.point], points[link.earlier]);
-  return joined && unite(link.point, link.earlier);
+  if (is_wall(link.joint, link.point) || is_wall(link.joint, link.earlier) ||
+      !smooth_between(points[link.point], points[link.earlier])) {
+    return false;
+  }
+  const std::uint32_t a = patch_so_far(link.point), b = patch_so_far(link.earlier);
+  patch_[std::max(a, b)] = std::min(a, b);
+  return true;
 }
 
 bool ContactPatches::is_wall(std::uint32_t joint, std::uint32_t point) const {
   return joint < block_.faces.size() &&
          block_.faces[joint].normal.dot(normals_in_body_[point]) > -kFacingCosine;
-}
-
-bool ContactPatches::unite(std::uint32_t a, std::uint32_t b) {
-  const std::uint32_t first = patch_so_far(a), second = patch_so_far(b);
-  patch_[std::max(first, second)] = std::min(first, second);
-  return first != second;
 }
 
 std::uint32_t ContactPatches::patch_so_far(std::uint32_t point) {

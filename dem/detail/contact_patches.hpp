@@ -38,12 +38,10 @@ class ContactPatches {
   void list_joints(const std::vector<ContactPoint>& points);
   /// Finds the patches: points of one joint with smooth ground between them, and what those join.
   void join(const std::vector<ContactPoint>& points, const Quat& orientation);
-  /// @return  whether the two are of one patch now
+  /// Joins two that are of different patches so far, where it may.
   bool join(const Link& link, const std::vector<ContactPoint>& points);
   /// A side wall joins no points on the ground: two feet stay two.
   bool is_wall(std::uint32_t joint, std::uint32_t point) const;
-  /// @return  whether they were apart
-  bool unite(std::uint32_t a, std::uint32_t b);
   std::uint32_t patch_so_far(std::uint32_t point);
   /// Planes and straight edges of the block that a contact point lies on.
   std::span<const std::uint32_t> joints_of(const ContactPoint& point,
