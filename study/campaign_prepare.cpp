@@ -3,6 +3,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "dem/physics_digest.hpp"
 #include "study/campaign_runner.hpp"
 #include "study/detail/campaign_checks.hpp"
 #include "study/detail/ground_sets.hpp"
@@ -75,6 +76,7 @@ CampaignResults header_of(const PreparedCampaign& prepared, Terrain terrain) {
     header.inputs.push_back(with_digest(campaign.ensemble.posterior->file));
   }
   header.program_version = version();
+  header.physics_digest = physics_digest();
   header.blocks = block_summaries(prepared);
   for (const Block& block : prepared.choice.library) {
     header.shapes.push_back(rigid_body(block).shape);

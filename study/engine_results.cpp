@@ -331,6 +331,7 @@ EngineRuns import_engine_results(const EngineResultsOptions& options, const fs::
   found.notes = notes_of(reader, found.without);
   CampaignResults header = std::move(prepared.header);
   header.engine = options.engine;
+  header.physics_digest.clear();
   header.warnings.insert(header.warnings.end(), found.notes.begin(), found.notes.end());
   write_results_file(target, header, runs.size(), [&](std::size_t i) { return runs[i]; });
   return found;

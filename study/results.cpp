@@ -90,8 +90,10 @@ ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignResult
   std::vector<std::uint32_t> stored = journal.runs();
   std::sort(stored.begin(), stored.end());
   check_room_for(target, header, runs - std::min(runs, stored.size()));
-  return ResultsWriter(std::unique_ptr<Impl>(
-      new Impl{std::move(lock), target, header, std::move(journal), std::move(stored)}));
+  CampaignResults with_old_runs = header;
+  with_old_runs.physics_digest = journal.physics();
+  return ResultsWriter(std::unique_ptr<Impl>(new Impl{
+      std::move(lock), target, std::move(with_old_runs), std::move(journal), std::move(stored)}));
 }
 
 const std::vector<std::uint32_t>& ResultsWriter::stored_runs() const { return impl_->stored; }

@@ -101,6 +101,8 @@ struct CampaignResults {
   std::string campaign_sha256;
   std::vector<std::string> inputs;  ///< "path sha256" of library, terrain and release files
   std::string program_version;
+  /// Of the program that computed the runs; empty: not known, or another engine did.
+  std::string physics_digest = {};
   /// That computed the runs where it was not clast, "rockable": what needs contacts is not known.
   std::string engine = {};
   std::vector<BlockSummary> blocks;

@@ -46,6 +46,26 @@ void check_same_campaign(const CampaignResults& first, const CampaignResults& ot
                    "; only parts of one campaign can be joined");
 }
 
+/// The digest that all parts have; empty where one has none, as of an older program.
+/// @throws InputError  two parts have different ones
+std::string common_physics(const std::vector<Part>& parts) {
+  const CampaignResults* known = nullptr;
+  bool all = true;
+  for (const Part& part : parts) {
+    const CampaignResults& results = part.results;
+    all = all && !results.physics_digest.empty();
+    if (results.physics_digest.empty()) continue;
+    if (!known) known = &results;
+    if (results.physics_digest == known->physics_digest) continue;
+    throw InputError(results.file.string() + ": blocks moved differently in the clast that made " +
+                     "it than in that of " + known->file.string() + " (physics digest " +
+                     results.physics_digest.substr(0, 10) + ", there " +
+                     known->physics_digest.substr(0, 10) + "), though both are clast " +
+                     results.program_version + "; simulate all shards with one program");
+  }
+  return all ? known->physics_digest : "";
+}
+
 /// Those from `first` on that belong to the run.
 template <class Event>
 std::span<const Event> events_of(const std::vector<Event>& events, std::uint32_t run,
@@ -100,6 +120,7 @@ void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
     parts.push_back({read_results(file), TrajectoryFile(file)});
     check_same_campaign(parts.front().results, parts.back().results);
   }
+  parts.front().results.physics_digest = common_physics(parts);
   const std::vector<Place> places = places_of(parts);
   check_complete(parts, places);
   write_results_file(target, parts.front().results, places.size(), [&](std::size_t i) {

@@ -309,6 +309,9 @@ CampaignResults read_results(const fs::path& path) {
   if (root.group.has_attribute("engine")) {
     results.engine = root.group.attribute<std::string>("engine");
   }
+  if (root.group.has_attribute("physics_digest")) {
+    results.physics_digest = root.group.attribute<std::string>("physics_digest");
+  }
   const auto planned = root.group.attribute<std::int64_t>("planned_runs");
   if (planned < 0 || planned > std::numeric_limits<std::uint32_t>::max()) {
     root.damaged("@planned_runs", "is " + std::to_string(planned));

@@ -112,7 +112,8 @@ void report_dry_run(const SimulateArgs& args, const PreparedCampaign& prepared, 
 
 /// What shapes a run: that it is the same on all processes.
 std::string fingerprint(const PreparedCampaign& prepared) {
-  std::string text = prepared.header.program_version + prepared.header.campaign_sha256;
+  std::string text = prepared.header.program_version + prepared.header.physics_digest +
+                     prepared.header.campaign_sha256;
   for (const std::string& input : prepared.header.inputs) {
     text += input.substr(input.rfind(' '));  // a path can differ from machine to machine
   }

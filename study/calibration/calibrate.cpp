@@ -9,6 +9,7 @@
 #include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "core/version.hpp"
+#include "dem/physics_digest.hpp"
 #include "study/calibration/member_runs.hpp"
 #include "study/calibration/site_simulator.hpp"
 
@@ -52,18 +53,26 @@ void check_moments(const fs::path& from, const CalibrationSimulator& simulator,
 /// @param next  what to do about it
 void check_design(const fs::path& from, const StoredCalibration& stored,
                   const StoredCalibration& asked, const std::string& next) {
-  if (stored.design_sha256 == asked.design_sha256) return;
-  throw InputError(from.string() +
-                   ": was begun with other sites, unknowns, members, inputs or program; " + next);
+  if (stored.design_sha256 != asked.design_sha256) {
+    throw InputError(from.string() +
+                     ": was begun with other sites, unknowns, members, inputs or program; " + next);
+  }
+  const std::string physics = physics_difference(stored.physics_digest, asked.physics_digest);
+  if (physics.empty()) return;
+  throw InputError(from.string() + ": " + physics +
+                   " than in the one that simulated its members, " +
+                   "which has the same version number; " + next);
 }
 
 /// Takes over the members of the parts, which are of the same design and have all together.
 StoredCalibration joined(const CalibrationStudy& study, const CalibrationSimulator& simulator,
                          const CalibrateOptions& options, StoredCalibration all) {
+  bool known = true;
   for (const fs::path& part : options.parts) {
     StoredCalibration stored = read_calibration_runs(part);
     check_design(part, stored, all, "simulate that shard of this study");
     check_moments(part, simulator, stored);
+    known = known && !stored.physics_digest.empty();
     for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
       for (std::uint32_t member = 0; member < study.design.members; ++member) {
         if (!stored.done[site][member]) continue;
@@ -72,6 +81,7 @@ StoredCalibration joined(const CalibrationStudy& study, const CalibrationSimulat
       }
     }
   }
+  if (!known) all.physics_digest.clear();
   for (const std::vector<bool>& site : all.done) {
     const auto missing = std::find(site.begin(), site.end(), false);
     if (missing == site.end()) continue;
@@ -87,6 +97,7 @@ StoredCalibration without_members(const CalibrationStudy& study,
   StoredCalibration fresh;
   fresh.inputs = simulator.inputs;
   fresh.design_sha256 = design_digest(study, simulator.inputs);
+  fresh.physics_digest = simulator.physics_digest;
   fresh.runs.sites = simulator.sites;
   fresh.done.assign(simulator.sites.size(), std::vector<bool>(study.design.members, false));
   fresh.runs.outcomes.assign(simulator.sites.size(),
@@ -184,6 +195,7 @@ struct PreparedSites {
     // given.
     const bool alone = !options.team || options.team->size() == 1;
     const unsigned threads = options.threads == 0 && !alone ? 1 : thread_count(options.threads);
+    simulator.physics_digest = physics_digest();
     simulator.simulate = [this, threads](std::size_t site, std::uint32_t member,
                                          const std::vector<double>& values) {
       return sites[site].simulate(member, values, threads);
@@ -202,7 +214,7 @@ Calibration calibrate(const CalibrationStudy& study, const fs::path& target,
   const auto prepare = [&] {
     check_target(target, options);  // before anything is loaded
     prepared.emplace(study, options);
-    return design_digest(study, prepared->simulator.inputs);
+    return design_digest(study, prepared->simulator.inputs) + physics_digest();
   };
   options.team ? options.team->agree(prepare) : void(prepare());
   return calibrate_with(prepared->simulator, study, target, options);
@@ -212,7 +224,7 @@ void follow_calibration(const CalibrationStudy& study, const CalibrateOptions& o
   std::optional<PreparedSites> prepared;
   options.team->agree([&] {
     prepared.emplace(study, options);
-    return design_digest(study, prepared->simulator.inputs);
+    return design_digest(study, prepared->simulator.inputs) + physics_digest();
   });
   options.team->agree([] { return std::string(); });
   follow_missing(study, prepared->simulator, *options.team);

@@ -55,6 +55,7 @@ struct CalibrationSimulator {
   std::vector<SiteFacts> sites;
   std::vector<std::string> inputs;  ///< "path sha256"
   MemberSimulator simulate;
+  std::string physics_digest = {};  ///< of what it simulates with
 };
 /// The same with any simulator.
 Calibration calibrate_with(const CalibrationSimulator& simulator, const CalibrationStudy& study,

@@ -340,6 +340,9 @@ void write_posterior(const std::filesystem::path& target, const CalibrationStudy
     Hdf5Group root = file.root();
     root.set_attribute<std::string>("study_sha256", study.sha256);
     root.set_attribute<std::string>("design_sha256", stored.design_sha256);
+    if (!stored.physics_digest.empty()) {
+      root.set_attribute<std::string>("physics_digest", stored.physics_digest);
+    }
     root.set_attribute<std::int64_t>("members", study.design.members);
     root.set_attribute<std::int64_t>("releases", study.design.releases);
     root.set_attribute<std::int64_t>("seed", static_cast<std::int64_t>(study.design.seed));
@@ -373,6 +376,9 @@ StoredCalibration read_calibration_runs(const std::filesystem::path& path) {
   const Hdf5Group root = file.root();
   StoredCalibration stored;
   stored.design_sha256 = root.attribute<std::string>("design_sha256");
+  if (root.has_attribute("physics_digest")) {
+    stored.physics_digest = root.attribute<std::string>("physics_digest");
+  }
   stored.inputs = root.read<std::string>("inputs");
   const auto members = root.attribute<std::int64_t>("members");
   const CheckedGroup top{path.string(), "", root};

@@ -17,6 +17,8 @@ struct StoredCalibration {
   std::vector<std::string> inputs;  ///< "path sha256" of all files that were read
   /// What decides the simulations: sites, unknowns, design and program version, not observations.
   std::string design_sha256;
+  /// Of the program that simulated the members; empty: some are of an older one.
+  std::string physics_digest = {};
   std::vector<std::vector<bool>> done;  ///< of each site, each member: is it simulated?
   CalibrationRuns runs;
 };

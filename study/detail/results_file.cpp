@@ -79,6 +79,9 @@ void write_header(Hdf5Group root, const CampaignResults& header) {
   root.set_attribute<std::string>("campaign_sha256", header.campaign_sha256);
   root.set_attribute<std::int64_t>("planned_runs", header.planned_runs);
   if (!header.engine.empty()) root.set_attribute<std::string>("engine", header.engine);
+  if (!header.physics_digest.empty()) {
+    root.set_attribute<std::string>("physics_digest", header.physics_digest);
+  }
   write_texts(root, "campaign", {header.campaign_text});
   write_texts(root, "inputs", header.inputs);
   write_texts(root, "warnings", header.warnings);

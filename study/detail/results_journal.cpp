@@ -8,6 +8,7 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "dem/physics_digest.hpp"
 #include "study/detail/results_layout.hpp"
 
 namespace clast::study_detail {
@@ -36,6 +37,8 @@ class Packer {
   void size(const std::vector<T>& list) {
     value(std::uint64_t{list.size()});
   }
+  /// Written last, and missing in records of older programs.
+  void last(const std::string& text) { value(text); }
   std::string bytes;
 };
 
@@ -58,6 +61,9 @@ class Unpacker {
     // An element takes a byte at least.
     if (count > bytes_.size()) throw InputError("a record has an impossible size");
     list.resize(count);
+  }
+  void last(std::string& text) {
+    if (at_ < bytes_.size()) value(text);
   }
 
  private:
@@ -99,6 +105,7 @@ struct Identity {
   std::string campaign, program;
   std::vector<std::string> inputs;
   std::uint32_t planned = 0;
+  std::string physics;  ///< empty: of an older program
 };
 
 template <class Archive>
@@ -108,10 +115,12 @@ void transfer(Archive& archive, Identity& identity) {
   archive.size(identity.inputs);
   for (std::string& input : identity.inputs) archive.value(input);
   archive.value(identity.planned);
+  archive.last(identity.physics);
 }
 
 Identity identity_of(const CampaignResults& header) {
-  return {header.campaign_sha256, header.program_version, header.inputs, header.planned_runs};
+  return {header.campaign_sha256, header.program_version, header.inputs, header.planned_runs,
+          header.physics_digest};
 }
 
 template <class T>
@@ -172,6 +181,9 @@ std::string difference_of(const Identity& stored, const Identity& now) {
   } else if (stored.planned != now.planned) {
     difference = std::to_string(stored.planned) + " planned runs, now there are " +
                  std::to_string(now.planned);
+  } else if (!physics_difference(stored.physics, now.physics).empty()) {
+    difference =
+        "clast " + stored.program + " too, but " + physics_difference(stored.physics, now.physics);
   }
   return difference;
 }
@@ -208,6 +220,7 @@ ResultsJournal ResultsJournal::create(const fs::path& path, const CampaignResult
   const std::string begin = kMagic + record_of(bytes_of(identity_of(header)));
   write_text_file(path, begin);
   ResultsJournal journal(path, opened(path));
+  journal.physics_ = header.physics_digest;
   journal.end_ = begin.size();
   return journal;
 }
@@ -233,6 +246,7 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignResult
   Unpacker unpacker(*content);
   transfer(unpacker, stored);
   check_same_campaign(path, stored, identity_of(header));
+  journal.physics_ = stored.physics;
   journal.end_ = kMagic.size() + record_size(*content);
   while ((content = read_record(journal.file_, journal.end_, size))) {
     journal.runs_.push_back(unpacked(*content).record.run);

@@ -16,8 +16,8 @@ std::string packed(const StoredRun& run);
 /// @throws InputError  not the bytes of a run
 StoredRun unpacked(const std::string& bytes);
 
-/// How the campaign of stored results differs from this one: campaign file, inputs, version or
-/// number of runs. Empty: not at all.
+/// How the campaign of stored results differs from this one: campaign file, inputs, version,
+/// number of runs or physics. Empty: not at all.
 std::string campaign_difference(const CampaignResults& stored, const CampaignResults& now);
 
 class ResultsJournal {
@@ -33,6 +33,8 @@ class ResultsJournal {
   static std::uint64_t smallest_record();
 
   const std::filesystem::path& path() const { return path_; }
+  /// Physics digest of the program that began it; empty: an older one.
+  const std::string& physics() const { return physics_; }
   /// Runs in the order they were added.
   const std::vector<std::uint32_t>& runs() const { return runs_; }
   /// @throws InputError  the disk is full
@@ -45,6 +47,7 @@ class ResultsJournal {
       : path_(std::move(path)), file_(std::move(file)) {}
 
   std::filesystem::path path_;
+  std::string physics_;
   std::fstream file_;
   std::vector<std::uint32_t> runs_;
   std::vector<std::uint64_t> begins_;  ///< of the record of each run, bytes

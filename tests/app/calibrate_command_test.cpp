@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "dem/physics_digest.hpp"
 #include "study/calibration/posterior_file.hpp"
 #include "tests/app/mpi_run.hpp"
 #include "tests/app/slope_campaign.hpp"
@@ -66,6 +67,13 @@ TEST_F(CalibrateCommand, WritesPosteriorAndPageAndPrintsTheAnswer) {
   const ProgramRun other = run_clast({"calibrate", "study.toml", "--resume"}, folder.path());
   ASSERT_EQ(other.exit_code, 0) << other.err;
   EXPECT_TRUE(contains(other.out, "p50_place_m"));
+  StoredCalibration altered = read_calibration_runs(folder / "posterior.h5");
+  EXPECT_EQ(altered.physics_digest, physics_digest());
+  altered.physics_digest.front() = altered.physics_digest.front() == '0' ? '1' : '0';
+  write_posterior(folder / "altered.h5", read_calibration_study(folder / "study.toml"), altered,
+                  nullptr, {.kind = kPosteriorFormat});
+  expect_refused(folder, {"calibrate", "study.toml", "-o", "altered.h5", "--resume"}, 1,
+                 "blocks move differently in this clast");
   write_text_file(folder / "study.toml", replaced(study(), "0.6", "0.7"));
   expect_refused(folder, {"calibrate", "study.toml", "--resume"}, 1,
                  "was begun with other sites, unknowns");

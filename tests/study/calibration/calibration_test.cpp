@@ -358,6 +358,45 @@ TEST_F(CalibrationFile, OtherObservationsUseTheSameRuns) {
                 "give another output");
 }
 
+TEST_F(CalibrationFile, MembersOfOtherPhysicsAreNotTakenOver) {
+  const std::string ours(64, 'a'), other(64, 'b');
+  simulator.physics_digest = ours;
+  EXPECT_EQ(run().stored.physics_digest, ours);
+  EXPECT_EQ(read_calibration_runs(target()).physics_digest, ours);
+  CalibrateOptions resume, join;
+  resume.resume = true;
+  run(resume);
+  join.parts = {target()};
+  const auto joined = [&] {
+    return calibrate_with(simulator, made.study, folder / "joined.h5", join).stored.physics_digest;
+  };
+  EXPECT_EQ(joined(), ours);
+  simulator.physics_digest = other;
+  const std::string differ = target().string() +
+                             ": blocks move differently in this clast (physics digest aaaaaaaaaa, "
+                             "here bbbbbbbbbb) than in the one that simulated its members, which "
+                             "has the same version number; ";
+  EXPECT_EQ(refusal<InputError>([&] { run(resume); }),
+            differ + "delete it, or give another output");
+  join.replace = true;
+  EXPECT_EQ(refusal<InputError>([&] { joined(); }), differ + "simulate that shard of this study");
+}
+
+// What is not known of their members is not said of the new file.
+TEST_F(CalibrationFile, FilesOfOlderProgramsGoOnWithoutADigest) {
+  run();
+  simulator.physics_digest = std::string(64, 'b');
+  CalibrateOptions options;
+  options.resume = true;
+  simulated = 0;
+  EXPECT_EQ(run(options).stored.physics_digest, "");
+  EXPECT_EQ(simulated, 0u);
+  CalibrateOptions join;
+  join.parts = {target()};
+  EXPECT_EQ(calibrate_with(simulator, made.study, folder / "joined.h5", join).stored.physics_digest,
+            "");
+}
+
 TEST_F(CalibrationFile, APosteriorIsNotReplacedUnasked) {
   run();
   EXPECT_NE(refusal<InputError>([&] { run(); }), "");
