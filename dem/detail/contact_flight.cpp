@@ -26,16 +26,23 @@ double distance_in(double time, double speed, double acceleration) {
 
 /// How what flies comes to a plane that has the ground on its other side.
 struct Approach {
-  /// @param rotation  of the body
-  Approach(const Vec3& away, const FlightBounds& flight, const Mat3& rotation)
-      : normal(rotation.transpose() * away),
-        turn(rotation.transpose() * away.cross(flight.spin)),
+  /// @param away  from the ground, unit
+  Approach(const Vec3& away, const FlightBounds& flight)
+      : normal(away),
+        turn(away.cross(flight.spin)),
         rising(away.dot(flight.velocity)),
         falling(std::max(0.0, away.z() * flight.gravity)) {}
+  /// The same for arms in the frame of a body with this rotation.
+  Approach in_body(const Mat3& rotation) const {
+    Approach result = *this;
+    result.normal = rotation.transpose() * normal;
+    result.turn = rotation.transpose() * turn;
+    return result;
+  }
 
   /// Whether what is `apart` from the plane, m, stays clear of it for a time, s. From its distance
   /// now, its speed and the largest acceleration there is towards the plane.
-  /// @param arm      of the point in the body frame
+  /// @param arm      of the point
   /// @param turning  bound of what turning changes its velocity by, m/s^2
   bool clear(double apart, const Vec3& arm, double turning, double time) const {
     const double speed = rising + turn.dot(arm), acceleration = falling + turning;
@@ -48,8 +55,8 @@ struct Approach {
     return speed >= 0.0 ? (speed + root) / acceleration : 2.0 * apart / (root - speed);
   }
 
-  Vec3 normal;     ///< away from the ground, in the body frame
-  Vec3 turn;       ///< likewise: times an arm, the speed away from the plane by the spin
+  Vec3 normal;     ///< away from the ground
+  Vec3 turn;       ///< times an arm: the speed away from the plane by the spin
   double rising;   ///< of the centre, m/s
   double falling;  ///< m/s^2
 };
@@ -67,13 +74,14 @@ bool is_at_border(const SurfaceFeatures& surface, std::uint32_t face) {
 double ContactSearch::safe_travel() {
   if (!contacts_.empty() || moved_ < search_at_) return travel_;
   // Measuring what could touch first, and only that, gives how far the block can move; each stride
-  // is made only when the one before was clear.
+  // is made only when the one before was clear. At a speed of 1 the time is the distance.
+  const FlightBounds creeping{.turning = 1e300, .top_speed = 1.0};
   const double first = kFirstLook * margin_;
   double wanted = first, clear = 0.0;
   while (true) {
     clear = wanted;
     for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
-      clear = std::min(clear, part_clearance(p, wanted));
+      clear = std::min(clear, part_time(p, creeping, wanted));
     }
     if (clear < wanted || wanted >= kLastLook * margin_) break;
     wanted *= kStride;
@@ -82,26 +90,51 @@ double ContactSearch::safe_travel() {
   return travel_ + clear;
 }
 
-double ContactSearch::part_clearance(std::uint32_t p, double wanted) {
+double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, double wanted) {
+  const BlockPart& of_block = parts_.parts[p];
   PartState& part = part_states_[p];
+  const Vec3 velocity = flight.velocity + flight.spin.cross(tests_.rotation() * of_block.centre);
+  const double turning = flight.spin.norm() * of_block.radius;
+  const double acceleration = flight.gravity + flight.turning * (of_block.arm + of_block.radius);
+  // By the speed that points of the part have now, or the top speed: the shorter way.
+  const auto way_in = [&](double time, double speed) {
+    return std::min(distance_in(time, speed + turning, acceleration),
+                    distance_in(time, flight.top_speed, flight.gravity));
+  };
+  const auto time_for = [&](double left, double per_across, double per_along, double speed) {
+    const double per_whole = per_across + per_along;
+    return std::max(time_over(left, speed + per_whole * turning, per_whole * acceleration),
+                    time_over(left, per_whole * flight.top_speed, per_whole * flight.gravity));
+  };
+  const double speed = velocity.norm(), whole = way_in(wanted, speed);
   if (part.near) {
     read_way(p);
-    renew_ground(p, wanted);
-  } else if (part_due_[p] < moved_ + wanted) {
-    update_part(p, moved_ + wanted);
+    renew_ground(p, whole);
+  } else if (part_due_[p] < moved_ + whole) {
+    update_part(p, moved_ + whole);
   }
-  if (!part.near) return std::min(wanted, part_due_[p] - moved_);
-  const Way ahead{wanted, wanted, wanted};
+  if (!part.near) {
+    const double gap = part_due_[p] - moved_;
+    return gap >= whole ? wanted : time_for(gap, 0.0, 1.0, speed);
+  }
+  const double across = std::min(std::abs(velocity.dot(part.axis)), speed);
+  const double along = std::sqrt(speed * speed - across * across);
+  const Way ahead{way_in(wanted, across), way_in(wanted, along), whole};
   update_vertices(p, ahead);
   update_sides(p, ahead);
   part_due_[p] = next_visit(p);
   if (!part.due_vertices.empty()) return 0.0;
-  double clear = std::min(wanted, list_end(part) - part.way.whole);
-  for (const Asleep& asleep : {part.other_vertices, part.all_features, part.all_pairs}) {
-    if (!asleep.due(part.way + ahead)) continue;
-    clear = std::min(clear, asleep.left(part.way) / (asleep.per_across + asleep.per_along));
+  const Way then = part.way + ahead;
+  double time = wanted;
+  if (list_end(part) < then.whole) {
+    time = time_for(list_end(part) - part.way.whole, 0.0, 1.0, speed);
   }
-  return std::max(clear, 0.0);
+  for (const Asleep& asleep : {part.other_vertices, part.all_features, part.all_pairs}) {
+    if (!asleep.due(then)) continue;
+    time = std::min(time, time_for(asleep.left(part.way), asleep.per_across, asleep.per_along,
+                                   asleep.per_across * across + asleep.per_along * along));
+  }
+  return time;
 }
 
 double ContactSearch::safe_time(const FlightBounds& flight, double worthwhile) {
@@ -122,6 +155,7 @@ double ContactSearch::flight_time(const FlightBounds& flight, double horizon) {
   gather_ground(reach_ + kLastLook * margin_);
   const double known = ground_complete_ - (moved_ - ground_gathered_at_) - reach_;
   double time = std::min(horizon, time_over(known, flight.top_speed, flight.gravity));
+  doubtful_parts_.clear();
   // First the face that ended the last flight: with little time left most others need no close
   // look.
   const auto look_at = [&](std::uint32_t entry) {
@@ -134,6 +168,11 @@ double ContactSearch::flight_time(const FlightBounds& flight, double horizon) {
   for (std::uint32_t i = 0; i < local_.faces.size(); ++i) {
     if (i != first) look_at(i);
   }
+  std::sort(doubtful_parts_.begin(), doubtful_parts_.end());
+  const auto end = std::unique(doubtful_parts_.begin(), doubtful_parts_.end());
+  for (auto p = doubtful_parts_.begin(); p != end; ++p) {
+    time = std::min(time, part_time(*p, flight, time));
+  }
   return time;
 }
 
@@ -141,13 +180,14 @@ double ContactSearch::flight_time_over(const LocalGround::Face& face, const Flig
                                        double horizon) {
   // The ball around the block, then those around its parts, and where they are too near the
   // vertices. A block whose vertices are all above a plane is above it.
-  const double height = face.normal.dot(tests_.position()) - face.offset - reach_;
-  const Approach above(face.normal, flight, tests_.rotation());
-  if (above.clear(height - bounding_radius_, Vec3::Zero(), 0.0, horizon)) return horizon;
+  const Vec3& centre = tests_.position();
+  const double height = face.normal.dot(centre) - face.offset - reach_;
+  const Approach over(face.normal, flight);
+  if (over.clear(height - bounding_radius_, Vec3::Zero(), 0.0, horizon)) return horizon;
   const bool at_border = is_at_border(ground_.features, face.face);
-  if (!at_border &&
-      time_beside(face, Vec3::Zero(), bounding_radius_, 0.0, flight, horizon) >= horizon)
-    return horizon;
+  const FlyingPart whole{centre, bounding_radius_, 0.0};
+  if (!at_border && time_beside(face, whole, flight, horizon) >= horizon) return horizon;
+  const Approach above = over.in_body(tests_.rotation());
   near_parts_.clear();
   for (std::uint32_t p = 0; p < parts_.parts.size(); ++p) {
     const BlockPart& part = parts_.parts[p];
@@ -163,7 +203,7 @@ double ContactSearch::flight_time_over(const LocalGround::Face& face, const Flig
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
       const Vec3& arm = block_.vertices[parts_.vertices[v]];
       const double apart = height + above.normal.dot(arm);
-      if (apart < -kRounding) return flight_time_beside(face, flight, horizon);
+      if (apart < -kRounding) return parts_time_beside(face, at_border, flight, horizon);
       if (!above.clear(std::max(apart, 0.0), arm, turning, time)) {
         time = above.time(std::max(apart, 0.0), arm, turning);
       }
@@ -172,34 +212,37 @@ double ContactSearch::flight_time_over(const LocalGround::Face& face, const Flig
   return time;
 }
 
-double ContactSearch::flight_time_beside(const LocalGround::Face& face, const FlightBounds& flight,
-                                         double horizon) {
-  const bool at_border = is_at_border(ground_.features, face.face);
+double ContactSearch::parts_time_beside(const LocalGround::Face& face, bool at_border,
+                                        const FlightBounds& flight, double horizon) {
   double time = horizon;
   for (const std::uint32_t p : near_parts_) {
     const BlockPart& part = parts_.parts[p];
-    const double beside = at_border ? 0.0
-                                    : time_beside(face, part.centre, part.radius,
-                                                  flight.turning * part.arm, flight, time);
-    if (beside > 0.0) {
-      time = std::min(time, beside);
-    } else {
-      const double way = std::min(distance_in(time, flight.top_speed, flight.gravity), margin_);
-      time = std::min(time, time_over(part_clearance(p, way), flight.top_speed, flight.gravity));
-    }
+    const FlyingPart ball{placed(part.centre), part.radius, flight.turning * part.arm};
+    const double beside = at_border ? 0.0 : time_beside(face, ball, flight, time);
+    time = std::min(time, beside > 0.0 ? beside : time);
+    if (!(beside > 0.0)) doubtful_parts_.push_back(p);
   }
   return time;
 }
 
-double ContactSearch::time_beside(const LocalGround::Face& face, const Vec3& arm, double radius,
-                                  double turning, const FlightBounds& flight,
-                                  double horizon) const {
-  const Vec3 centre = placed(arm);
-  const NearestPoint nearest = foot_on_face(ground_.features, face.face, centre);
-  const double distance = std::abs(nearest.distance), apart = distance - radius - reach_;
+double ContactSearch::time_beside(const LocalGround::Face& face, const FlyingPart& part,
+                                  const FlightBounds& flight, double horizon) const {
+  const Vec3 arm = part.centre - tests_.position();
+  const double touching = part.radius + reach_;
+  // From the ball around the face, or else from the plane that touches it nearest to the part.
+  const Vec3 from_middle = part.centre - face.middle;
+  const double far = from_middle.norm();
+  if (far > face.radius + touching &&
+      Approach(from_middle / far, flight)
+          .clear(far - face.radius - touching, arm, part.turning, horizon)) {
+    return horizon;
+  }
+  const NearestPoint nearest = foot_on_face(ground_.features, face.face, part.centre);
+  const double distance = std::abs(nearest.distance), apart = distance - touching;
   if (!(apart > 0.0)) return 0.0;
-  const Approach beside((centre - nearest.point) / distance, flight, tests_.rotation());
-  return beside.clear(apart, arm, turning, horizon) ? horizon : beside.time(apart, arm, turning);
+  const Approach beside((part.centre - nearest.point) / distance, flight);
+  return beside.clear(apart, arm, part.turning, horizon) ? horizon
+                                                         : beside.time(apart, arm, part.turning);
 }
 
 }  // namespace clast::dem_detail

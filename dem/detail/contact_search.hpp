@@ -134,8 +134,9 @@ class ContactSearch {
   double next_visit(std::uint32_t p) const;
   /// The list of the ground must be renewed at this `way.whole`.
   double list_end(const PartState& part) const { return part.gathered_at + list_holds_; }
-  /// How far a part may move before it can touch, m; no more than `wanted` is measured.
-  double part_clearance(std::uint32_t p, double wanted);
+  /// How long a part touches nothing, by how far its points move; no more than `wanted` is
+  /// measured.
+  double part_time(std::uint32_t p, const FlightBounds& flight, double wanted);
   /// How long no contact can come on a flight, s, from planes between the block and the ground.
   /// @param horizon  s: no longer time is wanted
   double flight_time(const FlightBounds& flight, double horizon);
@@ -143,11 +144,17 @@ class ContactSearch {
   double flight_time_over(const LocalGround::Face& face, const FlightBounds& flight,
                           double horizon);
   /// The same where the block is not wholly above the plane of the face: from planes that touch it
-  /// nearest to the parts of the block in `near_parts_`.
-  double flight_time_beside(const LocalGround::Face& face, const FlightBounds& flight,
-                            double horizon);
-  /// For how long a ball that is part of the block touches no point of a face; 0 where it does.
-  double time_beside(const LocalGround::Face& face, const Vec3& arm, double radius, double turning,
+  /// nearest to the parts of the block in `near_parts_`; adds to `doubtful_parts_`.
+  double parts_time_beside(const LocalGround::Face& face, bool at_border,
+                           const FlightBounds& flight, double horizon);
+  /// A ball that flies with the block.
+  struct FlyingPart {
+    Vec3 centre;
+    double radius;
+    double turning;  ///< bound of what turning changes the velocity of its centre by, m/s^2
+  };
+  /// For how long it does not touch a face, s; 0 where it may do so now.
+  double time_beside(const LocalGround::Face& face, const FlyingPart& part,
                      const FlightBounds& flight, double horizon) const;
   double completeness(const PartState& part) const {
     return part.complete - (part.way.whole - part.gathered_at);
@@ -202,14 +209,15 @@ class ContactSearch {
   std::vector<double> part_due_;            ///< `moved_` at which to look at the part again
   std::vector<VertexState> vertex_states_;  ///< in the order of parts_.vertices, likewise ...
   std::vector<Asleep> vertex_asleep_;
-  NumberList due_parts_;                    ///< parts to look at in this call ...
-  NumberList visits_;                       ///< ... and those of them that are near the ground
-  double search_at_ = -1.0;                 ///< no longer flight is searched for before
-  double deepest_ = 0.0;                    ///< largest overlap at the last call, m
-  AllowedDepth allowed_;                    ///< of edges and faces: what sleeps has allowed for it
-  std::uint32_t lowest_face_ = 0;           ///< of `local_`: the one that ended the last flight
-  std::vector<std::uint32_t> near_parts_;   ///< scratch of `flight_time_over`
-  std::vector<SideContact> side_contacts_;  ///< of this call
+  NumberList due_parts_;                   ///< parts to look at in this call ...
+  NumberList visits_;                      ///< ... and those of them that are near the ground
+  double search_at_ = -1.0;                ///< no longer flight is searched for before
+  double deepest_ = 0.0;                   ///< largest overlap at the last call, m
+  AllowedDepth allowed_;                   ///< of edges and faces: what sleeps has allowed for it
+  std::uint32_t lowest_face_ = 0;          ///< of `local_`: the one that ended the last flight
+  std::vector<std::uint32_t> near_parts_;  ///< scratch of `flight_time_over`, and those of them ...
+  std::vector<std::uint32_t> doubtful_parts_;  ///< ... that no plane keeps apart from some face
+  std::vector<SideContact> side_contacts_;     ///< of this call
   std::vector<ContactPoint> contacts_;
 };
 
