@@ -100,6 +100,7 @@ void write_outcomes(Hdf5Group& group, OutcomeColumns columns, const Outcomes& me
 void read_outcomes(const CheckedGroup& group, OutcomeColumns columns,
                    std::vector<ReleaseOutcome>& runs, std::vector<OutcomeAt> ReleaseOutcome::*of,
                    std::size_t width) {
+  if (width == 0) return;
   for (ReleaseOutcome& run : runs) (run.*of).resize(width);
   for (const OutcomeColumn& column : columns) {
     const auto values = group.column<double>(column.name, runs.size() * width);

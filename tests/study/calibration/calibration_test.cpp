@@ -382,6 +382,23 @@ TEST_F(CalibrationFile, MembersOfOtherPhysicsAreNotTakenOver) {
   EXPECT_EQ(refusal<InputError>([&] { joined(); }), differ + "simulate that shard of this study");
 }
 
+TEST_F(CalibrationFile, SitesWithoutBarriersGoOnToo) {
+  for (std::size_t site = 0; site < 2; ++site) {
+    simulator.sites[site].barriers.clear();
+    for (auto& member : made.runs.outcomes[site]) {
+      for (ReleaseOutcome& outcome : member) outcome.barriers.clear();
+    }
+  }
+  std::erase_if(made.study.observations,
+                [](const Observation& one) { return !one.barrier.empty(); });
+  const Calibration whole = run();
+  CalibrateOptions options;
+  options.resume = true;
+  simulated = 0;
+  EXPECT_EQ(run(options).posterior.draws, whole.posterior.draws);
+  EXPECT_EQ(simulated, 0u);
+}
+
 // What is not known of their members is not said of the new file.
 TEST_F(CalibrationFile, FilesOfOlderProgramsGoOnWithoutADigest) {
   run();
