@@ -93,6 +93,7 @@ class Release {
     return search_.safe_time({.velocity = moving_.state().velocity,
                               .spin = moving_.state().angular_velocity,
                               .turning = uneven * spin * spin,
+                              .acceleration = g + uneven * spin * spin * radius_,
                               .top_speed = moving_.state().velocity.norm() + spin * radius_,
                               .gravity = g},
                              longest_step());

@@ -75,7 +75,7 @@ double ContactSearch::safe_travel() {
   if (!contacts_.empty() || moved_ < search_at_) return travel_;
   // Measuring what could touch first, and only that, gives how far the block can move; each stride
   // is made only when the one before was clear. At a speed of 1 the time is the distance.
-  const FlightBounds creeping{.turning = 1e300, .top_speed = 1.0};
+  const FlightBounds creeping{.acceleration = 1e300, .top_speed = 1.0};
   const double first = kFirstLook * margin_;
   double wanted = first, clear = 0.0;
   while (true) {
@@ -95,15 +95,14 @@ double ContactSearch::part_time(std::uint32_t p, const FlightBounds& flight, dou
   PartState& part = part_states_[p];
   const Vec3 velocity = flight.velocity + flight.spin.cross(tests_.rotation() * of_block.centre);
   const double turning = flight.spin.norm() * of_block.radius;
-  const double acceleration = flight.gravity + flight.turning * (of_block.arm + of_block.radius);
   // By the speed that points of the part have now, or the top speed: the shorter way.
   const auto way_in = [&](double time, double speed) {
-    return std::min(distance_in(time, speed + turning, acceleration),
+    return std::min(distance_in(time, speed + turning, flight.acceleration),
                     distance_in(time, flight.top_speed, flight.gravity));
   };
   const auto time_for = [&](double left, double per_across, double per_along, double speed) {
     const double per_whole = per_across + per_along;
-    return std::max(time_over(left, speed + per_whole * turning, per_whole * acceleration),
+    return std::max(time_over(left, speed + per_whole * turning, per_whole * flight.acceleration),
                     time_over(left, per_whole * flight.top_speed, per_whole * flight.gravity));
   };
   const double speed = velocity.norm(), whole = way_in(wanted, speed);

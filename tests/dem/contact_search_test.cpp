@@ -113,6 +113,7 @@ TEST(SafeTime, NoContactBeforeIt) {
     const double time = search.safe_time({.velocity = start.velocity,
                                           .spin = start.angular_velocity,
                                           .turning = uneven * spin * spin,
+                                          .acceleration = g + uneven * spin * spin * radius,
                                           .top_speed = top_speed,
                                           .gravity = g},
                                          1e-5);
