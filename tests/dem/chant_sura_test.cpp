@@ -7,91 +7,32 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 
 #include "core/statistics.hpp"
 #include "dem/ground_overlap.hpp"
 #include "dem/stiffness.hpp"
 #include "massprops/principal_frame.hpp"
 #include "massprops/solid.hpp"
-#include "shapes/convex_hull.hpp"
-#include "tests/support/reference_data.hpp"
+#include "tests/support/chant_sura.hpp"
 #include "tests/support/test_bodies.hpp"
 
 namespace clast {
 namespace {
 
-constexpr double kG = 9.81, kDensity = 2650.0;
+constexpr double kG = 9.81;
 constexpr int kThrows = 24;
 constexpr double kShortestFlight = 0.01;  ///< s, that ends an impact
 
-std::vector<ReferenceRow> rows_of(const std::string& name) {
-  std::ifstream file(test_data("chant_sura/" + name));
-  std::vector<std::string> heading;
-  std::vector<ReferenceRow> rows;
-  for (std::string line; std::getline(file, line);) {
-    std::vector<std::string> cells;
-    std::string cell;
-    bool quoted = false;
-    for (const char c : line) {
-      if (c == '"') quoted = !quoted;
-      if (c == ',' && !quoted) {
-        cells.push_back(std::exchange(cell, ""));
-      } else if (c != '"' && c != '\r') {
-        cell += c;
-      }
-    }
-    cells.push_back(cell);
-    if (heading.empty()) {
-      heading = cells;
-      continue;
-    }
-    ReferenceRow row;
-    for (std::size_t i = 0; i < heading.size() && i < cells.size(); ++i) row[heading[i]] = cells[i];
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-Vec3 vector_in(const ReferenceRow& row, const std::string& prefix, const std::string& unit) {
-  return {value(row, prefix + "x" + unit), value(row, prefix + "y" + unit),
-          value(row, prefix + "z" + unit)};
-}
-
-/// A box of these sides with all edges and corners cut by the share `cut` of each side.
-TriangleMesh cut_box(const Vec3& sides, double cut) {
-  std::vector<Vec3> corners;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int corner = 0; corner < 8; ++corner) {
-      Vec3 p = (0.5 - cut) * sides;
-      p[axis] = 0.5 * sides[axis];
-      for (int k = 0; k < 3; ++k) p[k] *= (corner >> k & 1) ? 1.0 : -1.0;
-      corners.push_back(p);
-    }
-  }
-  return convex_hull(corners);
-}
-
-/// EOTA block 221 ("plate") or 111 ("cube"): those of 1 m^3, scaled by mass.
 RigidBody eota(double mass, bool plate) {
-  const Vec3 of_cubic_metre =
-      plate ? Vec3(1.413631418, 1.413631418, 0.706815709) : Vec3(1.122, 1.122, 1.122);
-  double low = 0.0, high = 0.5;  // volume falls with the cut
-  while (high - low > 1e-12) {
-    const double middle = 0.5 * (low + high);
-    const double volume = solid_mass_properties(cut_box(of_cubic_metre, middle), 1.0).volume;
-    (volume > 1.0 ? low : high) = middle;
-  }
-  const double scale = std::cbrt(mass / kDensity);
-  const TriangleMesh mesh = cut_box(scale * of_cubic_metre, low);
-  const MassProperties properties = solid_mass_properties(mesh, kDensity);
+  const TriangleMesh mesh = eota_mesh(mass, plate);
+  const MassProperties properties = solid_mass_properties(mesh, kConcrete);
   const PrincipalFrame frame = principal_frame(properties);
   RigidBody body;
   body.shape =
       transformed(sphero_polyhedron(mesh, 0.0), Pose{properties.centre, frame.rotation}.inverse());
   body.mass = properties.mass;
   body.moments = frame.moments;
-  body.smallest_side = scale * of_cubic_metre.minCoeff();
+  body.smallest_side = std::cbrt(mass / kConcrete) * eota_sides(plate).minCoeff();
   return body;
 }
 
@@ -258,45 +199,12 @@ TerrainSurface surveyed_ground(Vec2& origin) {
   return ground(std::move(mesh));
 }
 
-struct ObservedImpact {
-  std::string name;
-  RigidBody body;
-  RigidState before;
-  double speed = 0.0, spin = 0.0;  ///< after; the spin is not a number where it is not known
-};
-
-std::vector<ObservedImpact> observed_impacts(const Vec2& origin) {
-  const std::vector<ReferenceRow> path = rows_of("observed_trajectories_contact_extended.csv");
-  const auto spin_at = [&](const std::string& segment, bool last) {
-    Vec3 spin = Vec3::Zero();
-    for (const ReferenceRow& row : path) {
-      if (row.at("segment_id") != segment) continue;
-      const bool known = !row.at("omega_x_radps").empty();
-      spin = known ? vector_in(row, "omega_", "_radps") : Vec3::Constant(std::nan(""));
-      if (!last) break;
-    }
-    return spin;
-  };
-  std::vector<ObservedImpact> impacts;
-  for (const ReferenceRow& row : rows_of("observed_contact_events_extended.csv")) {
-    const bool plate = row.at("trajectory_id").find('W') != std::string::npos;
-    ObservedImpact impact{row.at("event_id"), eota(value(row, "mass_kg"), plate), {}};
-    impact.before.position.head<2>() = Vec2(value(row, "x_m"), value(row, "y_m")) - origin;
-    impact.before.velocity = vector_in(row, "incoming_v", "_mps");
-    impact.before.angular_velocity = spin_at(row.at("source_segment_id"), true);
-    impact.speed = vector_in(row, "outgoing_v", "_mps").norm();
-    impact.spin = spin_at(row.at("next_segment_id"), false).norm();
-    impacts.push_back(impact);
-  }
-  return impacts;
-}
-
 // The attitude is not known: drawn evenly. No law may make energy or lose a block; what they make
 // of the rebounds is printed. One "impact" leads away from the surveyed ground and is none there.
 TEST(ChantSura, ReboundsOfElevenImpacts) {
   Vec2 origin;
   const TerrainSurface terrain = surveyed_ground(origin);
-  const std::vector<ObservedImpact> impacts = observed_impacts(origin);
+  const std::vector<ThrownImpact> impacts = observed_impacts();
   ASSERT_EQ(impacts.size(), 11u);
   std::printf("| impact | mass, kg | speed before, after, m/s | spin before, after, rad/s |");
   for (const char* name : {"energy-restitution", "elastoplastic", "with friction and drag"}) {
@@ -305,18 +213,21 @@ TEST(ChantSura, ReboundsOfElevenImpacts) {
   std::printf("\n");
   std::vector<Score> speeds(grounds().size()), spins(grounds().size());
   int without = 0;
-  for (const ObservedImpact& impact : impacts) {
-    std::printf("| %s | %.0f | %.1f, %.1f | %.1f, %.1f |", impact.name.c_str(), impact.body.mass,
-                impact.before.velocity.norm(), impact.speed, impact.before.angular_velocity.norm(),
-                impact.spin);
+  for (const ThrownImpact& impact : impacts) {
+    const RigidBody body = eota(impact.mass, impact.plate);
+    std::printf("| %s | %.0f | %.1f, %.1f | %.1f, %.1f |", impact.name.c_str(), body.mass,
+                impact.velocity.norm(), impact.speed, impact.angular_velocity.norm(), impact.spin);
     for (std::size_t g = 0; g < grounds().size(); ++g) {
       Random random(7);
       std::vector<double> speed, spin;
       for (int i = 0; i < kThrows; ++i) {
-        RigidState start = impact.before;
+        RigidState start;
+        start.position.head<2>() = impact.place - origin;
+        start.velocity = impact.velocity;
+        start.angular_velocity = impact.angular_velocity;
         start.orientation = random.rotation();
         if (!start.angular_velocity.allFinite()) start.angular_velocity = Vec3(8.0, 0.0, 0.0);
-        const Throw one = thrown(terrain, impact.body, start, grounds()[g], random);
+        const Throw one = thrown(terrain, body, start, grounds()[g], random);
         if (!one.touched) continue;
         speed.push_back(one.speed);
         spin.push_back(one.spin);
@@ -345,7 +256,7 @@ TEST(ChantSura, ReboundsOfElevenImpacts) {
 // On a plane: the published speeds normal to it and along it. The attitude is not known, nor the
 // spin: drawn between none and that of rolling.
 TEST(ChantSura, DepthsOfSixScars) {
-  const std::vector<ReferenceRow> scars = rows_of("chant_sura_esurf_2019_impacts.csv");
+  const std::vector<ReferenceRow> scars = chant_sura_rows("chant_sura_esurf_2019_impacts.csv");
   ASSERT_EQ(scars.size(), 6u);
   const TerrainSurface terrain = ground(plane_mesh(30.0, 6));
   std::printf("| scar | speed, m/s (normal) | depth, m | energy kept |");
@@ -370,7 +281,7 @@ TEST(ChantSura, DepthsOfSixScars) {
         start.orientation = random.rotation();
         start.velocity = {along, 0.0, -normal};
         start.angular_velocity.y() =
-            random.uniform() * along / (0.5 * std::cbrt(body.mass / kDensity));
+            random.uniform() * along / (0.5 * std::cbrt(body.mass / kConcrete));
         const Throw one = thrown(terrain, body, start, grounds()[g], random);
         deep.push_back(one.depth);
         energy.push_back(one.energy_share);
