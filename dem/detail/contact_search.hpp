@@ -22,8 +22,7 @@ namespace clast::dem_detail {
 struct FlightBounds {
   Vec3 velocity = Vec3::Zero();  ///< of the centre now, m/s
   Vec3 spin = Vec3::Zero();      ///< now, rad/s
-  double turning =
-      0.0;  ///< what turning changes the velocity of a point by, per m of its arm, 1/s^2
+  double turning = 0.0;  ///< changes the velocity of a point by no more, per m of its arm, 1/s^2
   double acceleration = 0.0;  ///< no point changes its velocity faster, m/s^2
   double top_speed = 0.0;     ///< no point gets faster than this, but for gravity, m/s
   double gravity = 0.0;       ///< along -z, m/s^2
