@@ -19,16 +19,21 @@ inline RigidBody convex_block(const Vec3& half_axes, double radius) {
                  2.0 * (half_axes.minCoeff() + radius));
 }
 
-/// Compact blocks of five sizes, 0.85 to 1.15 times the middle one, which has the volume of a ball
-/// 1 m in diameter.
-inline std::vector<RigidBody> block_sizes() {
-  const auto of_scale = [](double scale) {
-    return convex_block(0.5 * scale * Vec3(1.1, 1.0, 0.9), 0.05 * scale);
-  };
+/// Blocks of five sizes, 0.85 to 1.15 times the middle one, which has the volume of a ball 1 m in
+/// diameter.
+/// @param of_scale  a block, its lengths times a number
+template <class OfScale>
+std::vector<RigidBody> five_sizes(const OfScale& of_scale) {
   const double unit = std::cbrt(of_scale(1.0).mass / (kBlockDensity * kPi / 6.0));
   std::vector<RigidBody> shapes;
   for (const double size : {0.85, 0.925, 1.0, 1.075, 1.15}) shapes.push_back(of_scale(size / unit));
   return shapes;
+}
+
+/// Compact ones.
+inline std::vector<RigidBody> block_sizes() {
+  return five_sizes(
+      [](double scale) { return convex_block(0.5 * scale * Vec3(1.1, 1.0, 0.9), 0.05 * scale); });
 }
 
 /// Mean volume when all of them are equally frequent, m^3.
