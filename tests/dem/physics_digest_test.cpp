@@ -53,13 +53,16 @@ TEST(PhysicsDigest, BlocksTouchUnderEveryLawAndEachOther) {
 }
 
 TEST(PhysicsDigest, TakesNextToNoTime) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer makes it many times slower";
+#endif
   double least = 1e300;  // s; other work on the machine only adds to it
   for (int i = 0; i < 5; ++i) {
     const std::clock_t begin = std::clock();
     standard_motions();
     least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
-  EXPECT_LT(least, 0.05);
+  EXPECT_LT(least, 0.15);  // about 0.02 on a processor of 2.6 GHz; slow and busy ones may check too
 }
 
 TEST(PhysicsDigest, NamesBothWhereTheyDiffer) {
