@@ -152,6 +152,13 @@ ParameterRange parameter_range(const std::string& parameter) {
   if (const GroundField* field = zone_field(parameter).field) return {field->unit, field->range};
   if (!share_class(parameter).empty()) return {"", kClassShare};
   std::vector<std::string> names;
+  if (parameter.starts_with(kShare)) {
+    for (const std::string& scheme : kSelectingSchemes) {
+      const std::vector<std::string>& of_scheme = class_names(scheme);
+      names.insert(names.end(), of_scheme.begin(), of_scheme.end());
+    }
+    throw InputError("is the share of no class; classes are " + listed(names));
+  }
   for (const auto& [name, range] : calibrated_parameters()) names.push_back(name);
   throw InputError("is no parameter that can be calibrated; these are " + listed(names));
 }

@@ -138,7 +138,8 @@ TEST_F(StudyFile, LawsAndSharesOfDrawnBlocksAreUnknowns) {
   EXPECT_TRUE(contains(asked("blocks.mass_kg", "[100, 900]"), "draw with a number as mass_kg"));
   EXPECT_TRUE(contains(asked("blocks.mass_std_kg", "[100, 900]"), "{ normal = [mean, std] }"));
   EXPECT_TRUE(contains(asked("blocks.share.compact", "[0, 1]"), no_class));
-  EXPECT_TRUE(contains(asked("blocks.share.round", "[0, 1]"), "is no parameter that can be"));
+  EXPECT_TRUE(contains(asked("blocks.share.round", "[0, 1]"),
+                       "is the share of no class; classes are compact, elongated"));
   drawing("{ count = 5, shares = { compact = 0.5, elongated = 0.5 }, mass_kg = 300 }");
   EXPECT_EQ(asked("blocks.mass_kg", "[100, 900]"), "");
   EXPECT_EQ(asked("blocks.share.compact", "[0, 1]"), "");
