@@ -1,5 +1,5 @@
 #pragma once
-/// Tells programs of one version apart whose blocks move differently.
+/// Distinguishes programs of one version in which blocks move differently.
 #include <string>
 
 namespace clast {

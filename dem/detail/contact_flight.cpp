@@ -218,8 +218,11 @@ double ContactSearch::parts_time_beside(const LocalGround::Face& face, bool at_b
     const BlockPart& part = parts_.parts[p];
     const FlyingPart ball{placed(part.centre), part.radius, flight.turning * part.arm};
     const double beside = at_border ? 0.0 : time_beside(face, ball, flight, time);
-    time = std::min(time, beside > 0.0 ? beside : time);
-    if (!(beside > 0.0)) doubtful_parts_.push_back(p);
+    if (beside > 0.0) {
+      time = std::min(time, beside);
+    } else {
+      doubtful_parts_.push_back(p);
+    }
   }
   return time;
 }

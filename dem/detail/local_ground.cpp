@@ -97,9 +97,9 @@ LocalGround::Nearest nearest_of(std::span<const LocalGround::Face> faces,
   const auto measure = [&](std::uint32_t i) {
     const LocalGround::Face& face = faces[i];
     const double best = std::abs(found.nearest.distance);
-    const double told_apart = std::min(best, limit) + beyond;
-    if (std::abs(face.normal.dot(query) - face.offset) > told_apart) return;
-    const double near = told_apart + face.radius;
+    const double distinguished = std::min(best, limit) + beyond;
+    if (std::abs(face.normal.dot(query) - face.offset) > distinguished) return;
+    const double near = distinguished + face.radius;
     if ((query - face.middle).squaredNorm() > near * near) return;
     const NearestPoint candidate = foot_on_face(features, face.face, query);
     const double distance = std::abs(candidate.distance);

@@ -15,9 +15,8 @@ namespace clast::study_detail {
 void plan_runs(PreparedCampaign& prepared);
 
 /// The runs of these numbers, out of all that `plan_runs` would plan, as the campaign is now.
-/// @param prepared  that has been planned, without stay; its blocks and starts may have changed
-/// since,
-///                  not how many there are
+/// @param prepared  planned, without blocks that stay; its blocks and starts may have changed since
+/// then, but not how many there are
 /// @throws SimulationError  a start inside the ground
 std::vector<RunRecord> planned_runs(PreparedCampaign& prepared,
                                     std::span<const std::uint32_t> numbers);

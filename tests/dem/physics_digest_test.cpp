@@ -33,7 +33,7 @@ std::vector<double> numbers(const std::string& line) {
   return all;
 }
 
-// A digest of blocks that fly past each other or lie still would tell nothing.
+// A digest of blocks that fly past each other or lie still would show nothing.
 TEST(PhysicsDigest, BlocksTouchUnderEveryLawAndEachOther) {
   const std::vector<std::string> all = lines();
   const std::vector<std::string> laws = contact_law_names();

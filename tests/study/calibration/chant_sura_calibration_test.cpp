@@ -1,5 +1,5 @@
-// What real impacts on an alpine meadow tell of the ground: the study of docs/prediction.md, whose
-// tables it prints.
+// What real impacts on an alpine meadow say about the ground: the study of docs/prediction.md,
+// whose tables it prints.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -159,6 +159,9 @@ TEST_F(ChantSuraStudy, ImpactsDetermineFrictionAndScarsStiffness) {
   for (const CalibrationPosterior* found : {&bouncing, &yielding, &with_scars}) {
     EXPECT_FALSE(found->marginals[1].is_undetermined()) << "friction";
   }
+  EXPECT_TRUE(bouncing.fitted.failed());
+  EXPECT_FALSE(yielding.fitted.failed() || yielding.kept.failed());
+  EXPECT_FALSE(with_scars.fitted.failed());
   // How deep a block goes is what the stiffness is about.
   EXPECT_TRUE(yielding.marginals[4].is_undetermined());
   EXPECT_FALSE(with_scars.marginals[4].is_undetermined());
