@@ -226,4 +226,23 @@ inline bool covers(const Marginal& marginal, double truth) {
   return marginal.low <= truth && truth <= marginal.high;
 }
 
+/// Of the fields of `study_of`.
+inline const std::vector<double> kTruth = {0.6, 0.2, 0.05};
+
+/// A study of sites whose blocks go so much farther than those of another.
+/// @param bend  how far the law of the field differs from that of the members
+inline MadeUpStudy study_of(const std::vector<double>& reaches, std::uint64_t seed = 5,
+                            double bend = 0.0) {
+  MadeUpStudy made(32, 64, seed);
+  for (std::size_t i = 0; i < reaches.size(); ++i) {
+    MadeUpSite site;
+    site.reach = reaches[i];
+    site.seed = seed + i;
+    const std::size_t number = made.add_site("site " + std::to_string(i + 1), site);
+    site.bend = bend;  // of the field alone
+    made.observe(number, site, kTruth, 24, true, 31 * seed + i);
+  }
+  return made;
+}
+
 }  // namespace clast
